@@ -1,0 +1,55 @@
+"""The custom properties on every object: the contract with the ID mask, the compositor and other tools."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Literal
+
+import bpy
+
+NodeKind = Literal["character", "prop", "set", "light", "camera"]
+
+
+class Surface(IntEnum):
+    """Class of a surface; the ink and the light solve treat each differently (notes: sets and light, section 2)."""
+
+    SET = 1
+    PROP = 2
+    SKIN = 3
+    CLOTH = 4
+    HAIR = 5
+    EYE = 6
+    FOLIAGE = 7
+    EMISSIVE = 8
+    CARD = 9
+    WET = 10
+    GLASS = 11
+    NO_INK = 12
+
+
+def tag(
+    obj: bpy.types.Object,
+    *,
+    kind: NodeKind,
+    node_id: str,
+    asset_id: str = "",
+    surface: Surface = Surface.PROP,
+    ink_group: str = "",
+) -> bpy.types.Object:
+    """Write the custom properties on ``obj`` and return it.
+
+    Args:
+        obj: Any object of the scene.
+        kind: What it is.
+        node_id: The graph node it came from; parts of one person share it.
+        asset_id: The asset it shows; empty for set pieces, lights and cameras.
+        surface: How ink and light treat it.
+        ink_group: Objects of one group get no line between them; defaults to the object itself.
+    """
+    obj["kind"] = kind
+    obj["node_id"] = node_id
+    obj["asset_id"] = asset_id
+    obj["surface"] = int(surface)
+    if ink_group:
+        obj["ink_group"] = ink_group
+    return obj

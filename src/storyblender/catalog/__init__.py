@@ -1,0 +1,1 @@
+"""What the built-in library can make: names, tags, sizes, parameters, plans. Data and pure functions, no bpy."""

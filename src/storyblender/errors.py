@@ -1,0 +1,51 @@
+"""The error tree: one class per cause; the message is the sentence the user reads."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+
+class StoryBlenderError(Exception):
+    """Base of every error raised on purpose. ``str(error)`` is shown to the user as it is."""
+
+
+class InputError(StoryBlenderError):
+    """What the user gave cannot be used; the CLI exits with code 2.
+
+    Args:
+        problem: What is wrong, one clause.
+        mend: What to do about it, one clause.
+        path: The file at fault.
+        line: 1-based line in that file.
+    """
+
+    def __init__(
+        self, problem: str, *, mend: str = "", path: Path | str | None = None, line: int | None = None
+    ) -> None:
+        where = "" if path is None else f"{path}:{line}: " if line is not None else f"{path}: "
+        super().__init__(f"{where}{problem}" + (f"; {mend}" if mend else ""))
+        self.problem, self.mend, self.path, self.line = problem, mend, path, line
+
+
+class Rejected(StoryBlenderError):
+    """The Gatekeeper refused a commit (V = 0).
+
+    Args:
+        violations: One sentence per violated constraint.
+    """
+
+    def __init__(self, violations: tuple[str, ...]) -> None:
+        super().__init__("rejected: " + "; ".join(violations))
+        self.violations = violations
+
+
+class EngineError(StoryBlenderError):
+    """Blender failed at a job, after restarts."""
+
+
+class ProviderError(StoryBlenderError):
+    """A service failed, after retries."""
+
+
+class ProjectLocked(StoryBlenderError):
+    """Another run is writing to the project folder."""

@@ -1,0 +1,104 @@
+"""Layer 2, the Asset Sheet: every character and object once, under one id, for the whole story."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from storyblender.memory.base import Color, Frozen, Identifier, Vec2, Vec3
+from storyblender.memory.vocabulary import AssetType, Gender
+
+ParamValue = float | str | bool
+
+
+class Garment(Frozen):
+    """One piece of clothing: a key of ``catalog.garments`` and its colour."""
+
+    key: Identifier
+    color: Color | None = None
+
+
+class CharacterLook(Frozen):
+    """How a person looks, in the words of casting; the people builder fills every gap with a plausible default."""
+
+    gender: Gender = "unknown"
+    age: float = Field(35.0, ge=0, le=110)
+    """Years."""
+    stature: float | None = Field(None, ge=0.4, le=2.4)
+    """Metres; None lets age and gender decide."""
+    build: Literal["slim", "average", "athletic", "stocky", "heavy"] = "average"
+    skin: Literal["pale", "light", "tan", "brown", "dark"] = "light"
+    hair: Identifier = "short"
+    """A key of ``catalog.hair``."""
+    hair_color: Color | None = None
+    facial_hair: Literal["none", "stubble", "moustache", "beard"] = "none"
+    garments: tuple[Garment, ...] = ()
+    """From the inside out; empty lets gender, age and period decide."""
+    glasses: bool = False
+
+
+class Anchor(Frozen):
+    """A place on an asset where something can be: a seat, a bed, a surface, a grip, a rail to lean on, a handle.
+
+    All coordinates are in the asset's own frame: bottom-centre origin, front -Y, metres, after scaling.
+    """
+
+    kind: Literal["seat", "bed", "top", "grip", "lean", "handle", "mouth"]
+    name: str = ""
+    location: Vec3
+    """seat: middle of the front edge at sitting height; top: centre of the surface; grip: palm centre."""
+    direction: Vec3 = (0.0, -1.0, 0.0)
+    """seat: where the sitter faces; bed: from head to feet; grip: the fingers' direction."""
+    normal: Vec3 = (0.0, 0.0, 1.0)
+    """top: up; grip: the palm's normal, out of the palm into the object."""
+    size: Vec2 = (0.0, 0.0)
+    """seat: width, depth; bed: width, length; top: extent in x, y."""
+    clearance: float | None = None
+    """top: free height above it in metres; None means open."""
+    curl: Vec3 = (0.6, 0.6, 0.4)
+    """grip: finger curls 0..1 of index, fingers, thumb."""
+
+
+class CanonicalAsset(Frozen):
+    """The 3D object an asset became: shared mesh, bottom-centre origin, front -Y, metres (paper, section 3.3)."""
+
+    source: Literal["catalog", "person", "file", "stand_in"]
+    key: str
+    """Catalog key, or the content hash of an imported file."""
+    params: dict[str, ParamValue] = {}
+    dimensions: Vec3
+    """Width x, depth y, height z in metres."""
+    anchors: tuple[Anchor, ...] = ()
+    digest: str
+    """Content hash: names the cached geometry file; same digest, same geometry."""
+    geometry_hash: str = ""
+    """Hash of the vertices and faces that were built; equal across runs (determinism test)."""
+    match_score: float | None = None
+    """How well the library entry fits the description, 1 to 10."""
+
+
+class AssetDimension(Frozen):
+    """The one dimension the Dimension Estimator is surest of (paper, appendix); the others follow the shape."""
+
+    width: float | None = None
+    depth: float | None = None
+    height: float | None = None
+
+
+class Asset(Frozen):
+    """A single unique character or object in the story."""
+
+    asset_id: Identifier
+    asset_type: AssetType
+    description: str
+    reference_character: Identifier | None = None
+    text_to_image_prompt: str = ""
+    name: str = ""
+    """As written in the script, for people to read."""
+    tags: tuple[str, ...] = ()
+    origin: Literal["script", "dressing", "user"] = "script"
+    look: CharacterLook | None = None
+    """Characters only."""
+    dimension: AssetDimension | None = None
+    canonical: CanonicalAsset | None = None

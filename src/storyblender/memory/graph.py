@@ -1,0 +1,76 @@
+"""The Continuity Memory Graph: the four layers as one frozen value (paper, section 3.2)."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Frozen
+from storyblender.memory.outline import SceneOutline
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.shot_context import ShotContext
+
+SCHEMA_VERSION = 1
+
+_T = TypeVar("_T")
+
+
+class Storyboard(Frozen):
+    """The Director's result (the paper's top-level schema): the skeleton of the graph."""
+
+    story_summary: str
+    storyboard_outline: tuple[SceneOutline, ...]
+    asset_sheet: tuple[Asset, ...]
+    scene_details: tuple[SceneContext, ...]
+    shot_details: tuple[ShotContext, ...]
+
+
+class ProjectFormat(Frozen):
+    """What the whole project is made for; stored in the graph because frames depend on it."""
+
+    fps: int = 24
+    aspect: float = 16 / 9
+    width: int = 960
+    sensor_width: float = 36.0
+    seed: int = 0
+
+    @property
+    def height(self) -> int:
+        """Pixel rows of a frame: width / aspect, rounded to an even number."""
+        return max(2, round(self.width / self.aspect / 2) * 2)
+
+
+class ContinuityMemoryGraph(Frozen):
+    """The single source of truth. Views (the .blend, frames, board, page) are compiled from it."""
+
+    schema_version: int = SCHEMA_VERSION
+    title: str = ""
+    format: ProjectFormat = ProjectFormat()
+    story_summary: str = ""
+    outline: tuple[SceneOutline, ...] = ()
+    assets: tuple[Asset, ...] = ()
+    scenes: tuple[SceneContext, ...] = ()
+    shots: tuple[ShotContext, ...] = ()
+
+    def asset(self, asset_id: str) -> Asset:
+        """Return the asset with that id. Raises KeyError."""
+        return _find(self.assets, asset_id, "asset_id")
+
+    def scene(self, scene_id: int) -> SceneContext:
+        """Return the scene with that id. Raises KeyError."""
+        return _find(self.scenes, scene_id, "scene_id")
+
+    def shots_of(self, scene_id: int) -> tuple[ShotContext, ...]:
+        """Return the shots of a scene in order."""
+        return tuple(shot for shot in self.shots if shot.scene_id == scene_id)
+
+    def shot(self, scene_id: int, shot_id: int) -> ShotContext:
+        """Return one shot. Raises KeyError."""
+        return _find(self.shots_of(scene_id), shot_id, "shot_id")
+
+
+def _find(items: tuple[_T, ...], wanted: object, field: str) -> _T:
+    for item in items:
+        if getattr(item, field) == wanted:
+            return item
+    raise KeyError(wanted)

@@ -1,0 +1,58 @@
+"""What the engine measures and hands back: shapes of assets, ID-mask views of a camera. Plain numbers."""
+
+from __future__ import annotations
+
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.base import Frozen, Vec2, Vec3
+
+
+class AssetMeasure(Frozen):
+    """The built asset as Blender sees it."""
+
+    asset_id: str
+    digest: str
+    geometry_hash: str
+    dimensions: Vec3
+    anchors: tuple[Anchor, ...] = ()
+    """Declared by the builder, plus every ``top`` found by ray-casting the mesh."""
+    faces: int = 0
+
+
+class SubjectView(Frozen):
+    """How one node appears in an ID-mask preview. Screen coordinates 0..1, origin top left, x right, y down."""
+
+    node_id: str
+    visible_fraction: float
+    """Pixels of it that are seen / pixels it would have alone and uncropped."""
+    in_frame_fraction: float
+    """Share of its projection inside the frame, ignoring occluders."""
+    box: tuple[float, float, float, float] | None = None
+    """Left, top, right, bottom of its visible pixels."""
+    pixels: float = 0.0
+    """Share of the frame it covers."""
+    face: Vec2 | None = None
+    """Projected face centre (people)."""
+    face_visible: float = 0.0
+    """Share of the head's projected points that are not hidden."""
+    head_height: float = 0.0
+    """Crown to chin / frame height."""
+    face_angle: float = 0.0
+    """Degrees between where the face looks and the direction to the camera; 0 is full face."""
+    head_top: float | None = None
+    """Screen y of the crown."""
+
+
+class CameraView(Frozen):
+    """What one camera pose sees."""
+
+    subjects: tuple[SubjectView, ...]
+    void: float
+    """Share of pixels that show neither set nor sky card nor intended sky."""
+    sky: float = 0.0
+    foreground: float = 0.0
+    """Share of pixels nearer than half the focus distance that belong to no focus node."""
+    nearest: float = 1e9
+    """Metres from the lens to the nearest surface in view."""
+    inside: tuple[str, ...] = ()
+    """node_ids of solids that contain the camera or are closer than 0.25 m."""
+    below_floor: bool = False

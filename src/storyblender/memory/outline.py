@@ -1,0 +1,50 @@
+"""Layer 1, the Storyboard Outline: scenes and shots in order, with the words they come from."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from storyblender.memory.base import Frozen
+
+
+class SourceSpan(Frozen):
+    """A piece of the script as the user wrote it: characters ``start`` to ``end`` of the decoded text."""
+
+    start: int = Field(ge=0)
+    end: int = Field(ge=0)
+
+
+class ScriptLine(Frozen):
+    """One line that a shot covers, verbatim."""
+
+    kind: Literal["action", "dialogue"]
+    text: str
+    span: SourceSpan
+    speaker: str | None = None
+    """Asset id of the speaker, for dialogue."""
+    speaker_name: str = ""
+    """The cue as written, for display."""
+    parenthetical: str = ""
+    off_screen: bool = False
+
+
+class ShotOutline(Frozen):
+    """A single shot within the outline."""
+
+    shot_id: int = Field(ge=1)
+    shot_description: str
+    lines: tuple[ScriptLine, ...] = ()
+
+
+class SceneOutline(Frozen):
+    """A single scene within the outline."""
+
+    scene_id: int = Field(ge=1)
+    scene_description: str
+    heading: str = ""
+    script_number: str = ""
+    """The scene number written in the screenplay, if any."""
+    span: SourceSpan | None = None
+    shots: tuple[ShotOutline, ...] = ()

@@ -1,0 +1,152 @@
+"""Layer 3, the Scene Context: setup, layout, set and light of one scene."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from storyblender.memory.asset_sheet import ParamValue
+from storyblender.memory.base import Color, Frozen, Identifier, Vec3
+from storyblender.memory.vocabulary import Facing, RelationKind, Relationship, SceneType, TimeOfDay, Weather
+
+
+class Relation(Frozen):
+    """A spatial relation stated by the script, e.g. jewel box *on* dressing table."""
+
+    asset_id: Identifier
+    kind: RelationKind
+    anchor_asset_id: Identifier
+    second_anchor_asset_id: Identifier | None = None
+    """For ``between``."""
+
+
+class SceneSetup(Frozen):
+    """What the scene starts with (the paper's SceneSetup, extended)."""
+
+    reference_scene_id: int | None = None
+    """An earlier scene in the same place: its set and furniture are reused."""
+    asset_ids: tuple[Identifier, ...] = ()
+    """Characters and objects present in the scene at any time, in order of appearance."""
+    scene_type: SceneType = "indoor"
+    place: str = ""
+    """As written in the heading, e.g. ``RICK'S CAFE``."""
+    place_kind: str = ""
+    """Key of the place lexicon, e.g. ``cafe``; chooses the set kit."""
+    time_of_day: TimeOfDay = "day"
+    weather: Weather = "clear"
+    layout_description: str = ""
+    lighting_description: str = ""
+    ground_description: str = ""
+    wall_description: str | None = None
+    relations: tuple[Relation, ...] = ()
+
+
+class SceneSize(Frozen):
+    """Extent of the playing area in metres; walls stand on these lines indoors."""
+
+    x: float
+    x_negative: float
+    y: float
+    y_negative: float
+
+
+class LayoutObject(Frozen):
+    """Where one thing stands (the paper's LayoutObject). ``node_id`` names the instance, ``asset_id`` its asset."""
+
+    node_id: Identifier
+    asset_id: Identifier
+    location: Vec3
+    """Bottom centre of the object."""
+    rotation: Vec3 = (0.0, 0.0, 0.0)
+    """Euler XYZ, degrees; yaw 0 faces -Y, counter-clockwise."""
+    anchor_asset_id: Identifier | None = None
+    """node_id of the anchor."""
+    relationship: Relationship | None = None
+    contact: bool | None = None
+    direction: Facing | None = None
+    fixed: bool = False
+    """Placed by the set kit or by the user: solvers move others around it."""
+
+
+class Layout(Frozen):
+    """All static objects of the scene, and the marks of the people at its start."""
+
+    scene_size: SceneSize
+    objects: tuple[LayoutObject, ...] = ()
+
+
+class Environment(Frozen):
+    """The set: a kit of ``catalog.sets`` and its parameters; the kit's plan is a pure function of these."""
+
+    kit: Identifier
+    params: dict[str, ParamValue] = {}
+    seed: int = 0
+
+
+class Light(Frozen):
+    """One lamp. Power in watts as Blender means it (sun: W/m2)."""
+
+    name: Identifier
+    kind: Literal["POINT", "SPOT", "AREA", "SUN"]
+    role: Literal["set", "practical", "sun", "key", "fill", "rim"] = "set"
+    location: Vec3 = (0.0, 0.0, 3.0)
+    target: Vec3 = (0.0, 0.0, 0.0)
+    """Where it points; for SUN only the direction location -> target counts."""
+    power: float = Field(ge=0)
+    color: Color = (1.0, 1.0, 1.0)
+    size: float = 0.3
+    """Metres: radius of POINT and SPOT, diameter of AREA; degrees of angular diameter for SUN."""
+    cone: float = 60.0
+    """SPOT: full cone in degrees."""
+    blend: float = 0.5
+    glow: float = 0.0
+    """Strength of its halo in the air, 0 to 1."""
+    for_asset: Identifier | None = None
+    """key and rim: the person it lights."""
+
+
+class Sky(Frozen):
+    """A gradient dome over sin(elevation), scene-linear."""
+
+    zenith: Color
+    horizon: Color
+    ground: Color
+
+
+class Fog(Frozen):
+    """Exponential fog with height falloff, composited after rendering."""
+
+    color: Color
+    density: float
+    start: float = 0.0
+    height: float = 50.0
+    sun_direction: Vec3 | None = None
+    sun_color: Color = (0.0, 0.0, 0.0)
+
+
+class Lighting(Frozen):
+    """The light plan of a scene: every set light, the air, and the two luminance budgets (notes: sets and light)."""
+
+    lights: tuple[Light, ...] = ()
+    sky: Sky
+    ambient: Color = (0.02, 0.02, 0.02)
+    fog: Fog | None = None
+    rain: float = 0.0
+    """0 none, 1 downpour."""
+    face_luminance: float = 0.2
+    set_luminance: float = 0.05
+    key_color: Color = (1.0, 0.86, 0.68)
+    fill_color: Color = (0.62, 0.75, 1.0)
+    rim_color: Color = (0.75, 0.85, 1.0)
+    key_fill_ratio: float = 4.0
+
+
+class SceneContext(Frozen):
+    """Everything static about one scene. Fields that an agent has not reached yet are None."""
+
+    scene_id: int = Field(ge=1)
+    setup: SceneSetup
+    environment: Environment | None = None
+    layout: Layout | None = None
+    lighting: Lighting | None = None

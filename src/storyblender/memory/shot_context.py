@@ -1,0 +1,199 @@
+"""Layer 4, the Shot Context: what happens, who stands where, and the camera, shot by shot."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from storyblender.memory.base import Frozen, Identifier, Vec3
+from storyblender.memory.scene_context import Light, Lighting
+from storyblender.memory.vocabulary import (
+    Angle,
+    CameraDirection,
+    Distance,
+    Hand,
+    ModificationType,
+    Mood,
+    Movement,
+    Posture,
+    ShotKind,
+    ShotSize,
+)
+
+
+class AssetModification(Frozen):
+    """A change of an asset's state within a shot (the paper's; a part such as a door may be named)."""
+
+    asset_id: Identifier
+    modification_type: ModificationType
+    description: str | None = None
+    state: str = ""
+    """For doors, lamps and the like: ``open``, ``closed``, ``on``, ``off``."""
+
+
+class CharacterAction(Frozen):
+    """One action of one character, as the Director read it."""
+
+    asset_id: Identifier
+    action_description: str
+    motion: str = "idle"
+    """Key of the motion vocabulary: walk, sit, give, look, talk, ..."""
+    target_id: Identifier | None = None
+    prop_id: Identifier | None = None
+    distance: float | None = None
+    """Metres travelled, where the script says so."""
+    mood: Mood = "neutral"
+    line_index: int | None = None
+    """Index into the shot's lines, where the action belongs to one (speech)."""
+
+
+class BodyState(Frozen):
+    """What a person is doing when a shot begins: carried from shot to shot until the script changes it."""
+
+    asset_id: Identifier
+    posture: Posture = "stand"
+    support_id: Identifier | None = None
+    """What they sit, lie or lean on."""
+    held: tuple[Identifier, ...] = ()
+    looking_at: Identifier | None = None
+
+
+class CameraInstruction(Frozen):
+    """The camera as the Director wants it (the paper's fields; ``distance`` follows ``size``)."""
+
+    focus_on_ids: tuple[Identifier, ...] = ()
+    kind: ShotKind = "action"
+    size: ShotSize = "MS"
+    angle: Angle = "eye-level"
+    distance: Distance = "medium shot"
+    movement: Movement = "static"
+    direction: CameraDirection | None = None
+    over_id: Identifier | None = None
+    """OTS: over whose shoulder."""
+    pov_id: Identifier | None = None
+    """POV: through whose eyes."""
+    lens: float | None = None
+    """mm; None takes the lens kit's default for the size."""
+    axis: tuple[Identifier, Identifier] | None = None
+    """The pair that defines the 180-degree line."""
+    description: str = ""
+    explicit: bool = False
+    """Written in the script: never overruled by taste."""
+
+
+class Flag(Frozen):
+    """A decision the Director was not sure of; listed in the report for a person to check."""
+
+    topic: str
+    choice: str
+    reason: str
+    start: int = 0
+    end: int = 0
+
+
+class Mark(Frozen):
+    """Where a person is at one moment of a shot."""
+
+    asset_id: Identifier
+    location: Vec3
+    """Floor point under the hips while standing; the seat's front edge point while sitting."""
+    yaw: float
+    """Degrees; 0 faces -Y."""
+    posture: Posture = "stand"
+    support_id: Identifier | None = None
+    """node_id of the seat, bed or rail."""
+    anchor_name: str = ""
+    held: tuple[tuple[Hand, Identifier], ...] = ()
+
+
+class Blocking(Frozen):
+    """One person's marks at the start and at the end of a shot."""
+
+    start: Mark
+    end: Mark
+    visible: bool = True
+    """False while the person is off stage for the whole shot."""
+
+
+class Cue(Frozen):
+    """One clip in a performance: who does what, when. Frames count from 0 at the shot's start."""
+
+    asset_id: Identifier
+    clip: Identifier
+    """Key of ``catalog.motions``."""
+    start: int = Field(ge=0)
+    duration: int | None = None
+    """Frames; None lets the clip take its natural length."""
+    target_id: Identifier | None = None
+    """node_id or asset_id of a person or thing."""
+    prop_id: Identifier | None = None
+    hand: Hand | None = None
+    mark: Mark | None = None
+    """Where the clip ends, for travel and posture changes."""
+    mood: Mood = "neutral"
+
+
+class PropState(Frozen):
+    """Where a movable prop is during a shot when it is not at its place in the layout."""
+
+    asset_id: Identifier
+    visible: bool = True
+    location: Vec3 | None = None
+    rotation: Vec3 = (0.0, 0.0, 0.0)
+    held_by: Identifier | None = None
+    hand: Hand | None = None
+
+
+class CameraPose(Frozen):
+    """The orbital state at one frame (paper, appendix: pivot, rotation, distance)."""
+
+    frame: int = 0
+    pivot: Vec3
+    rotation: tuple[float, float, float, float]
+    """Unit quaternion w, x, y, z: world from camera; the camera looks along its -Z."""
+    distance: float = Field(gt=0)
+    lens: float = Field(gt=0)
+
+
+class CameraState(Frozen):
+    """The camera of a shot: one pose if static, two or more if it moves; eased between."""
+
+    poses: tuple[CameraPose, ...]
+    sensor_width: float = 36.0
+    f_number: float = 2.8
+    hidden_node_ids: tuple[Identifier, ...] = ()
+    """Wild walls: set pieces taken away for this shot."""
+    score: float = 0.0
+    residual: tuple[str, ...] = ()
+    """What the critic still minds."""
+
+
+class ShotContext(Frozen):
+    """Everything about one shot."""
+
+    scene_id: int = Field(ge=1)
+    shot_id: int = Field(ge=1)
+    on_stage: tuple[Identifier, ...] = ()
+    """Characters present in the space of the scene during the shot."""
+    in_frame: tuple[Identifier, ...] = ()
+    """Characters the shot is meant to show."""
+    states: tuple[BodyState, ...] = ()
+    """At the start of the shot, one for each person on stage."""
+    asset_modifications: tuple[AssetModification, ...] = ()
+    character_actions: tuple[CharacterAction, ...] = ()
+    new_lighting_description: str | None = None
+    sound_effect: str | None = None
+    camera_instruction: CameraInstruction
+    duration: int = Field(48, ge=1)
+    """Frames at the project's rate."""
+    flags: tuple[Flag, ...] = ()
+    blocking: tuple[Blocking, ...] = ()
+    cues: tuple[Cue, ...] = ()
+    prop_states: tuple[PropState, ...] = ()
+    camera: CameraState | None = None
+    lights: tuple[Light, ...] = ()
+    """Key, fill and rim of this shot, solved for its camera."""
+    lighting: Lighting | None = None
+    """Replaces the scene's light plan from this shot on, where the script changes the light."""
+    locked: tuple[Literal["camera", "blocking", "duration"], ...] = ()

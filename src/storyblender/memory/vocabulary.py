@@ -1,0 +1,57 @@
+"""The closed vocabularies of the field. The paper's values keep their spelling; ours extend them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+AssetType = Literal["character", "object"]
+SceneType = Literal["indoor", "outdoor"]
+ModificationType = Literal["add", "remove", "transform"]
+
+ShotSize = Literal["EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU"]
+ShotKind = Literal[
+    "establishing", "action", "two_shot", "group", "ots", "single", "reaction", "insert", "pov"
+]
+Angle = Literal["eye-level", "high angle", "low angle", "bird's-eye", "worm's-eye", "dutch"]
+Distance = Literal["close-up", "medium shot", "long shot"]
+Movement = Literal[
+    "static",
+    "pan",
+    "tilt",
+    "orbit",
+    "push in",
+    "pull out",
+    "truck",
+    "pedestal",
+    "zoom in",
+    "zoom out",
+    "track",
+]
+CameraDirection = Literal["left", "right", "up", "down"]
+
+Relationship = Literal["on_top_of", "on_the_left_of", "on_the_right_of", "in_front_of", "behind"]
+Facing = Literal["facing", "facing_away", "left_side_facing", "right_side_facing"]
+RelationKind = Literal[
+    "on", "in", "under", "over", "behind", "in_front_of", "next_to", "at", "against", "between", "facing",
+    "left_of", "right_of", "inside",
+]  # fmt: skip
+Posture = Literal["stand", "sit", "lie", "kneel", "crouch", "lean", "asleep"]
+Hand = Literal["L", "R"]
+Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]
+TimeOfDay = Literal["dawn", "morning", "day", "noon", "afternoon", "sunset", "dusk", "evening", "night"]
+Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]
+Gender = Literal["female", "male", "unknown"]
+
+SHOT_SIZES: tuple[ShotSize, ...] = ("EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU")
+"""From the widest to the tightest; cutting rules count steps in this order."""
+
+DISTANCE_OF_SIZE: dict[ShotSize, Distance] = {
+    "EWS": "long shot", "WS": "long shot", "FS": "long shot", "MWS": "medium shot", "MS": "medium shot",
+    "MCU": "close-up", "CU": "close-up", "ECU": "close-up",
+}  # fmt: skip
+"""The paper's three distances, one for each of our eight sizes."""
+
+LENS_OF_SIZE: dict[ShotSize, float] = {
+    "EWS": 24, "WS": 28, "FS": 35, "MWS": 40, "MS": 50, "MCU": 65, "CU": 85, "ECU": 100,
+}  # fmt: skip
+"""Default lens in mm on a 36 mm wide sensor (notes of the director; a setting may replace the kit)."""

@@ -1,0 +1,1 @@
+"""Readers for Fountain, Final Draft and prose; the text the user wrote is never rewritten."""

@@ -1,0 +1,51 @@
+"""One Screenplay model for every format. Every element knows its characters in the decoded text."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.memory.base import Frozen
+
+ScriptFormat = Literal["fountain", "fdx", "prose"]
+ElementKind = Literal[
+    "heading", "action", "cue", "parenthetical", "dialogue", "lyric", "transition", "shot", "centered",
+    "section", "synopsis", "note", "boneyard", "page_break",
+]  # fmt: skip
+
+
+class Element(Frozen):
+    """One element of a screenplay.
+
+    ``text`` is what the element says without markup; ``start``/``end`` point into ``Screenplay.text``
+    so that ``Screenplay.text[start:end]`` is exactly what the user wrote for it.
+    """
+
+    kind: ElementKind
+    text: str
+    start: int
+    end: int
+    line: int
+    """1-based line in the file as the user sees it (FDX: line of the XML)."""
+    name: str = ""
+    """cue: the character's name without extensions."""
+    extension: str = ""
+    """cue: what stood in brackets, e.g. ``V.O.``, ``CONT'D`` removed."""
+    scene_number: str = ""
+    dual: bool = False
+    """cue and its speech: second column of dual dialogue."""
+
+
+class Screenplay(Frozen):
+    """A script as read: decoded text, title page, elements in reading order."""
+
+    path: str = ""
+    format: ScriptFormat
+    text: str
+    """Decoded, newlines as \\n. For FDX the plain text that the elements were laid into."""
+    title_page: tuple[tuple[str, str], ...] = ()
+    elements: tuple[Element, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """The title on the title page, or an empty string."""
+        return next((value for key, value in self.title_page if key.lower() == "title"), "")

@@ -1,0 +1,37 @@
+"""The typed record of a run: what each role proposed, how it scored, what was fixed, who took over."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal
+
+from storyblender.memory.base import Frozen
+
+EventKind = Literal[
+    "stage", "propose", "score", "refine", "accept", "handover", "commit", "reject", "job", "done", "warning"
+]
+
+
+class Event(Frozen):
+    """One thing that happened; shown live and appended to ``trace.jsonl``."""
+
+    kind: EventKind
+    role: str
+    """Role or stage, e.g. ``spatial_planner``."""
+    subject: str = ""
+    """What it was about, e.g. ``SC010_SH020``."""
+    turn: int = 0
+    score: float | None = None
+    message: str = ""
+    details: tuple[str, ...] = ()
+    step: int | None = None
+    """Progress: this many of ``total`` are done."""
+    total: int | None = None
+
+
+Listener = Callable[[Event], None]
+"""Receives every event, in order."""
+
+
+def silent(event: Event) -> None:
+    """A listener that ignores everything."""
