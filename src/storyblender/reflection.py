@@ -10,6 +10,7 @@ from storyblender.trace import Event, Listener, silent
 
 View = TypeVar("View", contravariant=True)
 Draft = TypeVar("Draft")
+Judged = TypeVar("Judged", contravariant=True)
 
 
 class Fault(Frozen):
@@ -52,10 +53,10 @@ class Policy(Protocol[View, Draft]):
         ...
 
 
-class Critic(Protocol[View, Draft]):
+class Critic(Protocol[View, Judged]):
     """R: judges a draft; an engine critic computes, a vision critic looks."""
 
-    def judge(self, draft: Draft, view: View) -> Critique:
+    def judge(self, draft: Judged, view: View) -> Critique:
         """Score the draft."""
         ...
 

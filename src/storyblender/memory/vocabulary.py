@@ -9,9 +9,7 @@ SceneType = Literal["indoor", "outdoor"]
 ModificationType = Literal["add", "remove", "transform"]
 
 ShotSize = Literal["EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU"]
-ShotKind = Literal[
-    "establishing", "action", "two_shot", "group", "ots", "single", "reaction", "insert", "pov"
-]
+ShotKind = Literal["establishing", "action", "two_shot", "group", "ots", "single", "reaction", "insert", "pov"]
 Angle = Literal["eye-level", "high angle", "low angle", "bird's-eye", "worm's-eye", "dutch"]
 Distance = Literal["close-up", "medium shot", "long shot"]
 Movement = Literal[
