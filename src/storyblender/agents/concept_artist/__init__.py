@@ -1,0 +1,1 @@
+"""The Concept Artist: every asset becomes canonical geometry (paper, section 3.3)."""

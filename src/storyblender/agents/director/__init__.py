@@ -1,0 +1,1 @@
+"""The Director: script in, skeleton of the Continuity Memory Graph out (paper, section 3.2)."""

@@ -1,0 +1,177 @@
+"""What the Director understood: people, things, and the script unit by unit, before it is cut into shots.
+
+The reader (cast, sentences, clauses, staging) fills it in one pass in reading order; the breakdown only reads it.
+All offsets are characters of ``Screenplay.text``. Ids are asset ids.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from storyblender.memory.scene_context import Relation
+from storyblender.memory.shot_context import Flag
+from storyblender.memory.vocabulary import Gender, Mood, Posture, SceneType, TimeOfDay, Weather
+from storyblender.screenplay.model import Screenplay
+
+
+@dataclass
+class Person:
+    """A character (or animal) of the story, from every name the script uses for them."""
+
+    id: str
+    name: str
+    aliases: tuple[str, ...] = ()
+    kind: Literal["human", "animal", "group"] = "human"
+    gender: Gender = "unknown"
+    age: str = ""
+    """As written: ``35``, ``late 30s``, ``child``, ``old``."""
+    build: tuple[str, ...] = ()
+    hair: tuple[str, ...] = ()
+    outfit: tuple[str, ...] = ()
+    face: tuple[str, ...] = ()
+    role: str = ""
+    """What they are where the script says so: ``waiter``, ``officer``, ``grandmother``."""
+    variant_of: str | None = None
+    """Same person at another age or in another costume (reference_character)."""
+    speaks: bool = False
+    count: int = 1
+    """Members of a group."""
+    first: int = 0
+    """Offset of the first mention."""
+
+
+@dataclass
+class Thing:
+    """A prop or a set piece that matters to the story."""
+
+    id: str
+    name: str
+    """Head noun with its modifiers as written, e.g. ``birthday card``."""
+    kind: Literal["prop", "set_piece", "vehicle", "animal"] = "prop"
+    description: str = ""
+    handled: bool = False
+    first: int = 0
+
+
+@dataclass
+class Deed:
+    """One action of one person."""
+
+    actor: str
+    motion: str
+    """Key of the motion vocabulary (notes of the director, 4.1)."""
+    target: str | None = None
+    """Person, thing or set piece acted on or moved to."""
+    prop: str | None = None
+    at: int = 0
+    verb: str = ""
+    distance: float | None = None
+    """Metres, where the script says so."""
+    mood: Mood = "neutral"
+
+
+@dataclass
+class CameraNote:
+    """A camera direction written in the script."""
+
+    phrase: str
+    size: str = ""
+    kind: str = ""
+    angle: str = ""
+    movement: str = ""
+    direction: str = ""
+    subject: str = ""
+    """The words after ON, TO, OF: what it shows."""
+    who: str = ""
+    """POV and OTS: whose."""
+    roll: float = 0.0
+
+
+@dataclass
+class StateChange:
+    """A door, a lamp, a prop or the light changes."""
+
+    subject: str
+    """Thing id, or ``light``."""
+    state: str
+    """``open``, ``closed``, ``on``, ``off``, ``broken``, ``gone``, or a description for ``light``."""
+    at: int = 0
+
+
+@dataclass
+class Unit:
+    """A sentence of action or one speech: the smallest thing a shot can cover."""
+
+    kind: Literal["action", "dialogue"]
+    scene: int
+    """Index into ``Reading.scenes``."""
+    element: int
+    """Index into ``Screenplay.elements``; units of one paragraph share it."""
+    start: int
+    end: int
+    text: str
+    deeds: list[Deed] = field(default_factory=list)
+    on_stage: list[str] = field(default_factory=list)
+    """People on stage when the unit ends (before its exits take effect), in order of entrance."""
+    entering: list[str] = field(default_factory=list)
+    leaving: list[str] = field(default_factory=list)
+    people: list[str] = field(default_factory=list)
+    """People mentioned."""
+    things: list[str] = field(default_factory=list)
+    """Things mentioned."""
+    posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
+    """Person -> posture and what supports them, after the unit."""
+    held: dict[str, list[str]] = field(default_factory=dict)
+    """Person -> things in hand, after the unit."""
+    camera: CameraNote | None = None
+    changes: list[StateChange] = field(default_factory=list)
+    sounds: list[str] = field(default_factory=list)
+    expressions: dict[str, str] = field(default_factory=dict)
+    """Person -> face words without a motion: smiles, frowns."""
+    speaker: str | None = None
+    speaker_name: str = ""
+    to: str | None = None
+    """Whom a speech is addressed to."""
+    parenthetical: str = ""
+    off_screen: bool = False
+    """V.O., O.S., O.C. or not on stage."""
+    dual: bool = False
+
+
+@dataclass
+class SceneReading:
+    """One scene of the script."""
+
+    id: int
+    heading: str
+    place: str
+    place_kind: str
+    """Key of the place lexicon, or empty."""
+    scene_type: SceneType
+    time: TimeOfDay
+    time_written: str = ""
+    weather: Weather = "clear"
+    reference: int | None = None
+    """Id of the earlier scene in the same place."""
+    number: str = ""
+    start: int = 0
+    end: int = 0
+    furniture: list[str] = field(default_factory=list)
+    """Things of this scene that belong to the set, as mentioned."""
+
+
+@dataclass
+class Reading:
+    """Everything the reader understood."""
+
+    screenplay: Screenplay
+    people: list[Person] = field(default_factory=list)
+    things: list[Thing] = field(default_factory=list)
+    scenes: list[SceneReading] = field(default_factory=list)
+    units: list[Unit] = field(default_factory=list)
+    relations: list[tuple[int, Relation]] = field(default_factory=list)
+    """Scene index and relation, as of when it is stated."""
+    pronouns: list[tuple[int, str, tuple[str, ...]]] = field(default_factory=list)
+    """Offset, word, who: for scoring and for showing."""
+    flags: list[Flag] = field(default_factory=list)

@@ -1,0 +1,1 @@
+"""The Visual Effects Artist: set, dressing, light and motion (paper, section 3.4)."""

@@ -1,0 +1,1 @@
+"""The motion solver: marks and cues in, keyframes out."""

@@ -1,0 +1,1 @@
+"""Clothed, rigged people from MakeHuman CC0 data."""

@@ -1,0 +1,72 @@
+"""What the motion solver needs to know of one person: skeleton, skin and weights, measured once.
+
+Saved beside the person's cached geometry; a plain numpy archive, so it loads in milliseconds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Body:
+    """A person at rest (A-pose), armature space: metres, Z up, facing -Y, soles at z = 0.
+
+    Attributes:
+        bone_names: (B,) in the order of the armature's bones.
+        parents: (B,) index of each bone's parent, -1 for the root (``hips``).
+        rest: (B, 4, 4) rest matrices (``bone.matrix_local``).
+        heads: (B, 3) joint positions.
+        tails: (B, 3).
+        stature: Metres, barefoot crown height.
+        vertices: (V, 3) rest positions of the body's skin.
+        weights: (V, B) skin weights in the order of ``bone_names``; rows sum to 1.
+        shape_keys: Names of the face's shape keys.
+    """
+
+    bone_names: tuple[str, ...]
+    parents: tuple[int, ...]
+    rest: Floats
+    heads: Floats
+    tails: Floats
+    stature: float
+    vertices: Floats
+    weights: Floats
+    shape_keys: tuple[str, ...]
+
+    def save(self, path: Path) -> None:
+        """Write the archive."""
+        np.savez_compressed(
+            path,
+            bone_names=np.array(self.bone_names),
+            parents=np.array(self.parents),
+            rest=self.rest,
+            heads=self.heads,
+            tails=self.tails,
+            stature=self.stature,
+            vertices=self.vertices.astype(np.float32),
+            weights=self.weights.astype(np.float32),
+            shape_keys=np.array(self.shape_keys),
+        )
+
+    @classmethod
+    def load(cls, path: Path) -> Body:
+        """Read the archive."""
+        with np.load(path, allow_pickle=False) as data:
+            return cls(
+                bone_names=tuple(str(name) for name in data["bone_names"]),
+                parents=tuple(int(parent) for parent in data["parents"]),
+                rest=data["rest"],
+                heads=data["heads"],
+                tails=data["tails"],
+                stature=float(data["stature"]),
+                vertices=data["vertices"].astype(np.float64),
+                weights=data["weights"].astype(np.float64),
+                shape_keys=tuple(str(name) for name in data["shape_keys"]),
+            )

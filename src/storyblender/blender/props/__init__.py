@@ -1,0 +1,1 @@
+"""Parametric props: one builder a key of ``catalog.props``."""

@@ -1,0 +1,1 @@
+"""Sets built from a SetPlan."""

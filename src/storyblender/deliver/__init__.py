@@ -1,0 +1,1 @@
+"""Deliverables: board, shot list, timeline, animatic, page."""

@@ -1,0 +1,1 @@
+"""The client side of Blender: worker processes, MCP client, supervisor, pool."""

@@ -1,0 +1,1 @@
+"""Pure geometry: boxes, relations, support, orbit, framing, continuity. numpy only."""

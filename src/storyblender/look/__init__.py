@@ -1,0 +1,1 @@
+"""G-buffer and light list to picture: relight, atmosphere, ink, pencil, grade. Pure numpy."""
