@@ -1,0 +1,117 @@
+"""The Gatekeeper: V(o_new, S_exist) -> {0, 1} (paper, section 3.2). Nothing enters the graph past it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from storyblender.errors import Rejected
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import Change
+from storyblender.memory.scene_context import SceneContext
+from storyblender.memory.shot_context import ShotContext
+
+
+class Gatekeeper:
+    """Judges a new state against the existing one.
+
+    Args:
+        existing: The graph as it is committed (S_exist).
+    """
+
+    def __init__(self, existing: ContinuityMemoryGraph) -> None:
+        self.existing = existing
+
+    def admit(self, graph: ContinuityMemoryGraph, changes: Sequence[Change]) -> None:
+        """Let the new state in, or raise.
+
+        Only what changed is checked, except where something was removed: then every reference is.
+
+        Args:
+            graph: The proposed graph.
+            changes: What differs from the existing one.
+
+        Raises:
+            Rejected: With one sentence per violation.
+        """
+        violations = tuple(self._violations(graph, changes))
+        if violations:
+            raise Rejected(violations)
+
+    def _violations(self, graph: ContinuityMemoryGraph, changes: Sequence[Change]) -> Iterator[str]:
+        yield from _duplicates("asset", [asset.asset_id for asset in graph.assets])
+        yield from _duplicates("scene", [str(scene.scene_id) for scene in graph.scenes])
+        removed = any(change.after is None for change in changes)
+        touched = {(change.layer, change.key) for change in changes}
+        assets = {asset.asset_id for asset in graph.assets}
+        scenes = {scene.scene_id: scene for scene in graph.scenes}
+        for asset in graph.assets:
+            if asset.reference_character and asset.reference_character not in assets:
+                yield f"{asset.asset_id} refers to an unknown character {asset.reference_character!r}"
+        for scene in graph.scenes:
+            if removed or ("scenes", (scene.scene_id,)) in touched:
+                yield from _scene_violations(scene, scenes, assets)
+        for shot in graph.shots:
+            if removed or ("shots", (shot.scene_id, shot.shot_id)) in touched:
+                yield from _shot_violations(shot, scenes, assets)
+        yield from self._lock_violations(graph, touched)
+
+    def _lock_violations(
+        self, graph: ContinuityMemoryGraph, touched: set[tuple[str, tuple[int | str, ...]]]
+    ) -> Iterator[str]:
+        """What a person locked stays as it is while the lock stands."""
+        proposed = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+        for old in self.existing.shots:
+            new = proposed.get((old.scene_id, old.shot_id))
+            if new is None or ("shots", (old.scene_id, old.shot_id)) not in touched:
+                continue
+            for field in old.locked:
+                if field in new.locked and getattr(old, field) != getattr(new, field):
+                    yield f"the {field} of shot {old.scene_id}/{old.shot_id} is locked"
+
+
+def _duplicates(what: str, names: list[str]) -> Iterator[str]:
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
+            yield f"{what} {name!r} exists twice"
+        seen.add(name)
+
+
+def _scene_violations(scene: SceneContext, scenes: dict[int, SceneContext], assets: set[str]) -> Iterator[str]:
+    name = f"scene {scene.scene_id}"
+    reference = scene.setup.reference_scene_id
+    if reference is not None and (reference not in scenes or reference >= scene.scene_id):
+        yield f"{name} refers to scene {reference}, which is not an earlier one"
+    for asset_id in scene.setup.asset_ids:
+        if asset_id not in assets:
+            yield f"{name} uses {asset_id!r}, which is not on the asset sheet"
+    if scene.layout is None:
+        return
+    nodes = {item.node_id for item in scene.layout.objects}
+    yield from _duplicates(f"{name}: node", [item.node_id for item in scene.layout.objects])
+    for item in scene.layout.objects:
+        if item.asset_id not in assets:
+            yield f"{name}: {item.node_id} shows {item.asset_id!r}, which is not on the asset sheet"
+        if item.anchor_asset_id is not None and item.anchor_asset_id not in nodes:
+            yield f"{name}: {item.node_id} is anchored to {item.anchor_asset_id!r}, which is not in the layout"
+
+
+def _shot_violations(shot: ShotContext, scenes: dict[int, SceneContext], assets: set[str]) -> Iterator[str]:
+    name = f"shot {shot.scene_id}/{shot.shot_id}"
+    if shot.scene_id not in scenes:
+        yield f"{name} belongs to a scene that does not exist"
+    people = {
+        *shot.on_stage,
+        *shot.in_frame,
+        *(state.asset_id for state in shot.states),
+        *(action.asset_id for action in shot.character_actions),
+        *(mark.start.asset_id for mark in shot.blocking),
+        *(state.asset_id for state in shot.prop_states),
+    }
+    for asset_id in sorted(people - assets):
+        yield f"{name} uses {asset_id!r}, which is not on the asset sheet"
+    if shot.camera is not None and not shot.camera.poses:
+        yield f"{name} has a camera without a pose"
+    for cue in shot.cues:
+        if cue.asset_id not in assets:
+            yield f"{name}: a cue for {cue.asset_id!r}, which is not on the asset sheet"
