@@ -1,0 +1,84 @@
+"""The typed face of the engine: one method per tool, results as models, work spread over the pool."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import Future
+from pathlib import Path
+from types import TracebackType
+
+from pydantic import TypeAdapter
+
+from storyblender.engine.pool import WorkerPool
+from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
+from storyblender.memory.measure import AssetMeasure, CameraView
+from storyblender.ports import ViewRequest
+
+_VIEWS = TypeAdapter(list[CameraView])
+
+
+class BlenderEngine:
+    """Blender, in as many processes as the settings allow.
+
+    Args:
+        root: The project folder; every path in a job is relative to it.
+        models: The user's folder of models.
+        jobs: Number of processes; 0 decides by the machine.
+    """
+
+    def __init__(self, root: Path, models: Path | None = None, jobs: int = 0) -> None:
+        self._pool = WorkerPool(root, models, jobs)
+
+    def __enter__(self) -> BlenderEngine:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self._pool.close()
+
+    @property
+    def processes(self) -> int:
+        """How many Blender processes share the work."""
+        return self._pool.size
+
+    def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
+        """Build one canonical asset and measure it."""
+        return self._pool.submit("build_asset", {"job": _plain(job)}, AssetMeasure.model_validate)
+
+    def pack_scene(self, job: SceneJob) -> Future[PackRef]:
+        """Build one scene with the motion of all its shots."""
+        return self._pool.submit(
+            "pack_scene", {"job": _plain(job)}, PackRef.model_validate, affinity=f"scene{job.scene.scene_id}"
+        )
+
+    def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
+        """Look through the viewfinder."""
+        arguments = {"pack": _plain(pack), "requests": [_plain(request) for request in requests], "aspect": aspect}
+        return self._pool.submit("look", arguments, _VIEWS.validate_python, affinity=f"scene{pack.scene_id}")
+
+    def render_frame(self, job: FrameJob) -> Future[FrameReport]:
+        """Render the board frame of one shot."""
+        return self._pool.submit(
+            "render_frame", {"job": _plain(job)}, FrameReport.model_validate, affinity=f"scene{job.pack.scene_id}"
+        )
+
+    def render_motion(self, job: MotionJob) -> Future[int]:
+        """Render the moving frames of one shot."""
+        return self._pool.submit("render_motion", {"job": _plain(job)}, int, affinity=f"scene{job.pack.scene_id}")
+
+    def compile_story(self, job: StoryJob) -> Future[str]:
+        """Compile the story's .blend."""
+        return self._pool.submit("compile_story", {"job": _plain(job)}, str)
+
+    def export_scene(self, job: ExportJob) -> Future[str]:
+        """Write one scene as glTF or USD."""
+        return self._pool.submit("export_scene", {"job": _plain(job)}, str)
+
+    def portrait(self, job: AssetJob, out: str) -> Future[str]:
+        """Render a small picture of one asset."""
+        return self._pool.submit("portrait", {"job": _plain(job), "out": out}, str)
+
+
+def _plain(model: AssetJob | ExportJob | FrameJob | MotionJob | PackRef | SceneJob | StoryJob | ViewRequest) -> object:
+    return model.model_dump(mode="json")

@@ -1,0 +1,91 @@
+"""One Blender process and its MCP client, called from ordinary threads.
+
+A tool that fails raises EngineError; a process that dies is started again and the call is repeated, because every
+tool is a pure function of its request and of files in the project folder.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import sys
+import threading
+from collections.abc import Coroutine
+from pathlib import Path
+from typing import Any
+
+from fastmcp import Client
+from fastmcp.client.transports import StdioTransport
+from fastmcp.exceptions import ToolError
+
+from storyblender.errors import EngineError
+
+
+class Worker:
+    """A supervised worker process.
+
+    Args:
+        root: The project folder it may write to.
+        models: The user's folder of models it may read.
+        attempts: Starts per call before giving up.
+        timeout: Seconds one call may take.
+    """
+
+    def __init__(self, root: Path, models: Path | None = None, *, attempts: int = 3, timeout: float = 900) -> None:
+        self._root, self._models = root, models
+        self._attempts, self._timeout = attempts, timeout
+        self._client: Client[StdioTransport] | None = None
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, name="engine-client", daemon=True)
+        self._thread.start()
+
+    def call(self, tool: str, arguments: dict[str, Any]) -> Any:
+        """Call a tool and return its structured result.
+
+        Raises:
+            EngineError: The tool said no, or the process died ``attempts`` times.
+        """
+        trouble = ""
+        for _ in range(self._attempts):
+            try:
+                return self._wait(self._call(tool, arguments))
+            except ToolError as error:
+                raise EngineError(f"{tool}: {error}") from error
+            except Exception as error:  # noqa: BLE001 - the transport raises many kinds; all mean a lost process
+                trouble = f"{type(error).__name__}: {error}"
+                self._wait(self._disconnect())
+        raise EngineError(f"{tool}: Blender died {self._attempts} times ({trouble})")
+
+    def close(self) -> None:
+        """End the process."""
+        self._wait(self._disconnect())
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join(timeout=5)
+
+    def _wait(self, work: Coroutine[Any, Any, Any]) -> Any:
+        return asyncio.run_coroutine_threadsafe(work, self._loop).result()
+
+    async def _call(self, tool: str, arguments: dict[str, Any]) -> Any:
+        if self._client is None:
+            self._client = Client(self._transport(), timeout=self._timeout)
+            await self._client.__aenter__()
+        result = await self._client.call_tool(tool, arguments, timeout=self._timeout)
+        content = result.structured_content or {}
+        return content["result"] if set(content) == {"result"} else content
+
+    async def _disconnect(self) -> None:
+        client, self._client = self._client, None
+        if client is None:
+            return
+        try:
+            await asyncio.wait_for(client.__aexit__(None, None, None), timeout=10)
+        except Exception:  # noqa: BLE001 - the process is gone or going; nothing is left to close
+            return
+
+    def _transport(self) -> StdioTransport:
+        arguments = ["-m", "storyblender.blender", "--root", str(self._root)]
+        if self._models is not None:
+            arguments += ["--models", str(self._models)]
+        log = self._root / "build" / "engine.log"
+        log.parent.mkdir(parents=True, exist_ok=True)
+        return StdioTransport(sys.executable, arguments, env=dict(os.environ), keep_alive=False, log_file=log)

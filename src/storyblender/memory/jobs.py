@@ -1,0 +1,156 @@
+"""What the studio asks of the engine and what it answers: one request and one report per tool.
+
+Paths are relative to the project folder the worker was started on; the worker refuses any that leave it.
+A render job is a pure function of (pack, shot, lighting, settings), so it can run anywhere.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.graph import ProjectFormat
+from storyblender.memory.outline import SceneOutline
+from storyblender.memory.scene_context import Light, Lighting, SceneContext
+from storyblender.memory.shot_context import ShotContext
+
+Look = Literal["board", "fast", "pencil", "render"]
+
+GEOMETRY_VERSION = 1
+"""Raised when builders change shape: old caches are then built anew."""
+
+
+class AssetJob(Frozen):
+    """Build one canonical asset and measure it."""
+
+    asset: Asset
+
+    @property
+    def digest(self) -> str:
+        """Names the cached geometry: the same recipe gives the same digest, and the same geometry."""
+        asset = self.asset
+        canonical = asset.canonical
+        return content_hash(
+            GEOMETRY_VERSION,
+            asset.asset_id if asset.asset_type == "character" else "",
+            asset.look.model_dump(mode="json") if asset.look else None,
+            asset.dimension.model_dump(mode="json") if asset.dimension else None,
+            None if canonical is None else f"{canonical.source}:{canonical.key}",
+            dict(canonical.params) if canonical else None,
+            asset.name if canonical and canonical.source == "stand_in" else "",
+        )
+
+
+class SceneJob(Frozen):
+    """Pack one scene: set, objects, people and the motion of every shot; no cameras, no face lights."""
+
+    scene: SceneContext
+    shots: tuple[ShotContext, ...]
+    assets: tuple[Asset, ...]
+    fps: int = 24
+
+    @property
+    def digest(self) -> str:
+        """Names the pack: everything that the scene's geometry and motion depend on."""
+        scene = self.scene.model_dump(mode="json", exclude={"lighting"})
+        scene["setup"] = None
+        shots = [
+            shot.model_dump(
+                mode="json", include={"shot_id", "blocking", "cues", "prop_states", "duration", "asset_modifications"}
+            )
+            for shot in self.shots
+        ]
+        geometry = [asset.canonical.digest if asset.canonical else asset.asset_id for asset in self.assets]
+        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps)
+
+
+class PackRef(Frozen):
+    """A packed scene."""
+
+    scene_id: int
+    path: str
+    starts: tuple[tuple[int, int], ...]
+    """Shot id and its first frame on the scene's timeline."""
+    problems: tuple[str, ...] = ()
+
+    def start_of(self, shot_id: int) -> int:
+        """Return the first frame of a shot on the scene's timeline."""
+        return dict(self.starts)[shot_id]
+
+
+class FrameJob(Frozen):
+    """Render the board frame of one shot."""
+
+    pack: PackRef
+    shot: ShotContext
+    lighting: Lighting
+    format: ProjectFormat
+    look: Look
+    frame: int
+    """From the start of the shot."""
+    out: str
+
+    @property
+    def digest(self) -> str:
+        """Equal digests, equal pixels."""
+        shot = self.shot.model_dump(mode="json", include={"camera", "in_frame"})
+        lighting = self.lighting.model_dump(mode="json")
+        return content_hash(
+            self.pack.path, self.pack.start_of(self.shot.shot_id), shot, lighting, self.format, self.look, self.frame
+        )
+
+
+class FrameReport(Frozen):
+    """A rendered board frame."""
+
+    out: str
+    lights: tuple[Light, ...] = ()
+    face_luminance: float | None = None
+    void: float = 0.0
+    visible: tuple[str, ...] = ()
+    """Characters that cover pixels of the frame."""
+
+
+class MotionJob(Frozen):
+    """Render the moving frames of one shot for the animatic."""
+
+    pack: PackRef
+    shot: ShotContext
+    lighting: Lighting
+    format: ProjectFormat
+    width: int
+    step: int
+    """2 renders on twos."""
+    folder: str
+
+    @property
+    def digest(self) -> str:
+        """Equal digests, equal frames."""
+        shot = self.shot.model_dump(mode="json", include={"camera", "lights", "duration"})
+        lighting = self.lighting.model_dump(mode="json")
+        return content_hash(
+            self.pack.path, self.pack.start_of(self.shot.shot_id), shot, lighting, self.format, self.width, self.step
+        )
+
+
+class StoryJob(Frozen):
+    """Compile the story's .blend from the packed scenes."""
+
+    title: str
+    format: ProjectFormat
+    outline: tuple[SceneOutline, ...]
+    assets: tuple[Asset, ...]
+    scenes: tuple[SceneContext, ...]
+    shots: tuple[ShotContext, ...]
+    packs: tuple[PackRef, ...]
+    out: str
+
+
+class ExportJob(Frozen):
+    """Write one scene in an exchange format."""
+
+    story: str
+    scene_id: int
+    format: Literal["glb", "usd"]
+    out: str
