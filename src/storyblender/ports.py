@@ -8,23 +8,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.memory.base import Frozen, Identifier
-from storyblender.memory.measure import CameraView
-from storyblender.memory.shot_context import CameraPose
+from storyblender.memory.measure import CameraView, ViewRequest
 
-
-class ViewRequest(Frozen):
-    """One look through the viewfinder at one moment of one shot."""
-
-    scene_id: int
-    shot_id: int
-    frame: int
-    """From the start of the shot."""
-    pose: CameraPose
-    sensor_width: float = 36.0
-    hidden_node_ids: tuple[Identifier, ...] = ()
-    focus_ids: tuple[str, ...] = ()
-    """node_ids the shot is about."""
+__all__ = ["Embedder", "ViewRequest", "Viewfinder"]
 
 
 class Viewfinder(Protocol):

@@ -20,8 +20,7 @@ from storyblender.memory.jobs import (
     SceneJob,
     StoryJob,
 )
-from storyblender.memory.measure import AssetMeasure, CameraView
-from storyblender.ports import ViewRequest
+from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
 
 Result = TypeVar("Result")
 

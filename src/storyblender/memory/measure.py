@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from storyblender.memory.asset_sheet import Anchor
-from storyblender.memory.base import Frozen, Vec2, Vec3
+from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3
+from storyblender.memory.shot_context import CameraPose
 
 
 class AssetMeasure(Frozen):
@@ -56,3 +57,17 @@ class CameraView(Frozen):
     inside: tuple[str, ...] = ()
     """node_ids of solids that contain the camera or are closer than 0.25 m."""
     below_floor: bool = False
+
+
+class ViewRequest(Frozen):
+    """One look through the viewfinder at one moment of one shot."""
+
+    scene_id: int
+    shot_id: int
+    frame: int
+    """From the start of the shot."""
+    pose: CameraPose
+    sensor_width: float = 36.0
+    hidden_node_ids: tuple[Identifier, ...] = ()
+    focus_ids: tuple[str, ...] = ()
+    """node_ids the shot is about."""
