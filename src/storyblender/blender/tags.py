@@ -2,29 +2,15 @@
 
 from __future__ import annotations
 
-from enum import IntEnum
 from typing import Literal
 
 import bpy
 
+from storyblender.look.surface import Surface
+
+__all__ = ["NodeKind", "Surface", "tag"]
+
 NodeKind = Literal["character", "prop", "set", "light", "camera"]
-
-
-class Surface(IntEnum):
-    """Class of a surface; the ink and the light solve treat each differently (notes: sets and light, section 2)."""
-
-    SET = 1
-    PROP = 2
-    SKIN = 3
-    CLOTH = 4
-    HAIR = 5
-    EYE = 6
-    FOLIAGE = 7
-    EMISSIVE = 8
-    CARD = 9
-    WET = 10
-    GLASS = 11
-    NO_INK = 12
 
 
 def tag(
