@@ -1,0 +1,87 @@
+"""The animatic: moving frames strung to an H.264 film, with the dialogue as a subtitle track and file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+
+import av
+from PIL import Image
+
+from storyblender.deliver.panel import Panel, panels
+from storyblender.memory.graph import ContinuityMemoryGraph
+
+
+def write_animatic(
+    graph: ContinuityMemoryGraph, clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path], out: Path
+) -> None:
+    """Write the film and, beside it, ``.srt`` subtitles.
+
+    Args:
+        graph: The story; its format gives the rate.
+        clips: Shot name to its moving frames in order; each is held so that together they fill the shot.
+        stills: Shot name to its board frame, for a shot without moving frames.
+        out: The ``.mp4``.
+    """
+    shots = panels(graph)
+    size = _size(clips, stills)
+    with av.open(str(out), "w", options={"movflags": "faststart"}) as container:
+        stream = container.add_stream("libx264", rate=graph.format.fps)
+        stream.width, stream.height = size
+        stream.pix_fmt = "yuv420p"
+        stream.options = {"crf": "20", "preset": "veryfast", "threads": "1"}
+        stream.time_base = Fraction(1, graph.format.fps)
+        for index, picture in enumerate(_pictures(shots, clips, stills, size)):
+            frame = av.VideoFrame.from_image(picture)
+            frame.pts = index
+            frame.time_base = Fraction(1, graph.format.fps)
+            container.mux(stream.encode(frame))
+        container.mux(stream.encode(None))
+    out.with_suffix(".srt").write_text(subtitles(shots), encoding="utf-8")
+
+
+def subtitles(shots: Sequence[Panel]) -> str:
+    """Return the dialogue as SubRip text; the speeches of a shot share its time by their length."""
+    entries: list[str] = []
+    for panel in shots:
+        total = sum(len(line.text) for line in panel.dialogue) or 1
+        start = panel.start / panel.fps
+        for line in panel.dialogue:
+            end = start + panel.seconds * len(line.text) / total
+            entries.append(
+                f"{len(entries) + 1}\n{_srt_time(start)} --> {_srt_time(end)}\n{line.speaker_name}: {line.text}\n"
+            )
+            start = end
+    return "\n".join(entries)
+
+
+def _pictures(
+    shots: Sequence[Panel], clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path], size: tuple[int, int]
+) -> Iterator[Image.Image]:
+    for panel in shots:
+        paths = clips.get(panel.name) or [stills[panel.name]]
+        shown: Path | None = None
+        picture = Image.new("RGB", size)
+        for frame in range(panel.shot.duration):
+            path = paths[min(len(paths) - 1, frame * len(paths) // panel.shot.duration)]
+            if path != shown:
+                with Image.open(path) as image:
+                    picture = image.convert("RGB").resize(size)
+                shown = path
+            yield picture
+
+
+def _size(clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path]) -> tuple[int, int]:
+    """The size of the first picture, made even as the codec needs."""
+    first = next((paths[0] for paths in clips.values() if paths), None) or next(iter(stills.values()))
+    with Image.open(first) as image:
+        return image.width // 2 * 2, image.height // 2 * 2
+
+
+def _srt_time(seconds: float) -> str:
+    milliseconds = round(seconds * 1000)
+    return (
+        f"{milliseconds // 3_600_000:02d}:{milliseconds // 60_000 % 60:02d}:"
+        f"{milliseconds // 1000 % 60:02d},{milliseconds % 1000:03d}"
+    )

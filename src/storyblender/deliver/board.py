@@ -1,0 +1,222 @@
+"""The storyboard as a PDF: a grid of panels, or one panel a page."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Literal
+
+from PIL import Image
+from reportlab.lib.colors import Color, HexColor
+from reportlab.lib.pagesizes import A4, landscape
+from reportlab.lib.styles import ParagraphStyle
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfgen.canvas import Canvas
+from reportlab.platypus import Paragraph
+
+from storyblender.deliver import fonts
+from storyblender.deliver.panel import Panel, panels
+from storyblender.memory.graph import ContinuityMemoryGraph
+
+INK, GREY, RULE = HexColor("#1b1b1f"), HexColor("#6d6d76"), HexColor("#d5d5da")
+ARROW = Color(0.91, 0.27, 0.16, alpha=0.9)
+MARGIN, GUTTER = 30.0, 16.0
+PAGE_WIDTH, PAGE_HEIGHT = landscape(A4)
+
+
+def write_board(
+    graph: ContinuityMemoryGraph,
+    frames: Mapping[str, Path],
+    out: Path,
+    layout: Literal["grid", "single"] = "grid",
+) -> None:
+    """Write the board.
+
+    Args:
+        graph: The story.
+        frames: Shot name to picture; a missing one is drawn as an empty frame.
+        out: The PDF.
+        layout: ``grid`` sets six panels on a page, ``single`` one.
+    """
+    fonts.register()
+    canvas = Canvas(str(out), pagesize=(PAGE_WIDTH, PAGE_HEIGHT), invariant=1)
+    canvas.setTitle(graph.title or "Storyboard")
+    canvas.setAuthor("StoryBlender")
+    pages = _pages(panels(graph), 6 if layout == "grid" else 1)
+    for number, page in enumerate(pages, start=1):
+        _furniture(canvas, graph.title, page[0], number, len(pages))
+        for index, panel in enumerate(page):
+            x, y, width, height = _cell(index, layout)
+            _panel(canvas, panel, frames.get(panel.name), graph.format.aspect, x, y, width, height, layout)
+        canvas.showPage()
+    canvas.save()
+
+
+def _pages(items: Sequence[Panel], size: int) -> list[list[Panel]]:
+    """Split into pages; a scene starts a new page only where its heading would stand alone at the end."""
+    return [list(items[index : index + size]) for index in range(0, len(items), size)] or [[]]
+
+
+def _cell(index: int, layout: str) -> tuple[float, float, float, float]:
+    """Left, top, width, height of a panel on the page."""
+    top, height = PAGE_HEIGHT - MARGIN - 22, PAGE_HEIGHT - 2 * MARGIN - 36
+    if layout == "single":
+        return MARGIN, top, PAGE_WIDTH - 2 * MARGIN, height
+    width = (PAGE_WIDTH - 2 * MARGIN - 2 * GUTTER) / 3
+    row_height = (height - GUTTER) / 2
+    column, row = index % 3, index // 3
+    return MARGIN + column * (width + GUTTER), top - row * (row_height + GUTTER), width, row_height
+
+
+def _furniture(canvas: Canvas, title: str, first: Panel | None, number: int, count: int) -> None:
+    """Title, scene and page number around the panels."""
+    _line(canvas, title or "Untitled", MARGIN, PAGE_HEIGHT - MARGIN - 6, 12, PAGE_WIDTH * 0.5)
+    if first is not None:
+        heading = first.scene.heading or first.scene.scene_description
+        _line(
+            canvas,
+            heading,
+            PAGE_WIDTH / 2,
+            PAGE_HEIGHT - MARGIN - 6,
+            9,
+            PAGE_WIDTH / 2 - MARGIN,
+            color=GREY,
+            right=True,
+        )
+    canvas.setFillColor(GREY)
+    canvas.setFont(fonts.REGULAR, 8)
+    canvas.drawRightString(PAGE_WIDTH - MARGIN, MARGIN - 12, f"{number} / {count}")
+    canvas.setStrokeColor(RULE)
+    canvas.line(MARGIN, PAGE_HEIGHT - MARGIN - 14, PAGE_WIDTH - MARGIN, PAGE_HEIGHT - MARGIN - 14)
+
+
+def _panel(
+    canvas: Canvas,
+    panel: Panel,
+    frame: Path | None,
+    aspect: float,
+    x: float,
+    top: float,
+    width: float,
+    height: float,
+    layout: str,
+) -> None:
+    single = layout == "single"
+    share = 0.74 if single else 0.66
+    picture_height = min(width / aspect, height * share)
+    picture_width = picture_height * aspect
+    left = x + (width - picture_width) / 2
+    bottom = top - picture_height
+    if frame is not None:
+        canvas.drawImage(_jpeg(frame), left, bottom, picture_width, picture_height)
+    canvas.setStrokeColor(INK)
+    canvas.setLineWidth(0.8)
+    canvas.rect(left, bottom, picture_width, picture_height)
+    _arrow(canvas, panel.shot.camera_instruction.movement, panel.shot.camera_instruction.direction, left, bottom,
+           picture_width, picture_height)  # fmt: skip
+    size = 11.0 if single else 8.0
+    y = bottom - size * 1.35
+    facts = f"{panel.framing}   {panel.lens:.0f} mm   {panel.movement}"
+    _line(canvas, panel.name, x, y, size, width)
+    name_width = canvas.stringWidth(panel.name, fonts.REGULAR, size)
+    _line(canvas, facts, x + name_width + 8, y, size * 0.86, width - name_width - 40, color=GREY)
+    _line(canvas, f"{panel.seconds:.1f} s", x, y, size * 0.86, width, color=GREY, right=True)
+    _words(canvas, panel, x, y - 3, width, y - 3 - (top - height), size)
+
+
+def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room: float, size: float) -> None:
+    """Action, then dialogue, as much as the room holds; an ellipsis says that more was written."""
+    style = ParagraphStyle("action", fontName=fonts.REGULAR, fontSize=size * 0.9, leading=size * 1.12, textColor=INK)
+    speech = ParagraphStyle("speech", parent=style, leftIndent=size)
+    texts = [(panel.action or panel.outline.shot_description, style)] if not panel.dialogue or panel.action else []
+    for line in panel.dialogue:
+        texts.append((f"{line.speaker_name.upper()}: {line.text}", speech))
+    for text, kind in texts:
+        paragraph = Paragraph(fonts.markup(text), kind)
+        _, used = paragraph.wrap(width, room)
+        if used > room:
+            lines = paragraph.split(width, max(room, 0))
+            if not lines:
+                return
+            paragraph, used = lines[0], room
+            paragraph.wrap(width, room)
+            canvas.setFillColor(GREY)
+            canvas.setFont(fonts.REGULAR, size)
+            canvas.drawRightString(x + width, y - room + 1, "…")
+        paragraph.drawOn(canvas, x, y - used)
+        y, room = y - used, room - used
+        if room < size:
+            return
+
+
+def _line(
+    canvas: Canvas,
+    text: str,
+    x: float,
+    y: float,
+    size: float,
+    width: float,
+    *,
+    color: Color = INK,
+    right: bool = False,
+) -> None:
+    """One line of text, cut with an ellipsis where it is too long."""
+    while text and canvas.stringWidth(text, fonts.REGULAR, size) > width:
+        text = text[:-2].rstrip() + "…"
+    style = ParagraphStyle("line", fontName=fonts.REGULAR, fontSize=size, leading=size * 1.2,
+                           textColor=color, alignment=2 if right else 0)  # fmt: skip
+    paragraph = Paragraph(fonts.markup(text), style)
+    paragraph.wrap(width, size * 3)
+    paragraph.drawOn(canvas, x, y - size * 0.35)
+
+
+def _arrow(
+    canvas: Canvas, movement: str, direction: str | None, x: float, y: float, width: float, height: float
+) -> None:
+    """Draw the camera move on the picture as boards do: an arrow, or a frame closing in or opening."""
+    canvas.saveState()
+    canvas.setStrokeColor(ARROW)
+    canvas.setFillColor(ARROW)
+    canvas.setLineWidth(max(1.5, width / 150))
+    cx, cy = x + width / 2, y + height / 2
+    if movement in ("push in", "zoom in", "pull out", "zoom out"):
+        inner = 0.62
+        canvas.setDash(5, 3)
+        canvas.rect(cx - width * inner / 2, cy - height * inner / 2, width * inner, height * inner)
+        canvas.setDash()
+        inward = movement.endswith("in")
+        for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            outer_point = (cx + sx * width * 0.46, cy + sy * height * 0.46)
+            inner_point = (cx + sx * width * inner / 2, cy + sy * height * inner / 2)
+            _head(canvas, *((outer_point, inner_point) if inward else (inner_point, outer_point)), width / 40)
+    elif movement != "static":
+        dx, dy = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}.get(direction or "right", (1, 0))
+        edge_x, edge_y = cx + dx * width * 0.42, cy + dy * height * 0.40
+        if dx:
+            edge_y = y + height * 0.09
+        start = (edge_x - dx * width * 0.30, edge_y - dy * height * 0.40)
+        _head(canvas, start, (edge_x, edge_y), width / 28)
+    canvas.restoreState()
+
+
+def _head(canvas: Canvas, start: tuple[float, float], end: tuple[float, float], size: float) -> None:
+    """A line with an arrow head at its end."""
+    canvas.line(*start, *end)
+    angle = math.atan2(end[1] - start[1], end[0] - start[0])
+    path = canvas.beginPath()
+    path.moveTo(end[0] + size * 0.4 * math.cos(angle), end[1] + size * 0.4 * math.sin(angle))
+    for turn in (2.6, -2.6):
+        path.lineTo(end[0] + size * math.cos(angle + turn), end[1] + size * math.sin(angle + turn))
+    path.close()
+    canvas.drawPath(path, fill=1, stroke=0)
+
+
+def _jpeg(path: Path) -> ImageReader:
+    """Frames go in as JPEG: a board of 200 panels stays a few megabytes."""
+    buffer = io.BytesIO()
+    with Image.open(path) as image:
+        image.convert("RGB").save(buffer, "JPEG", quality=88)
+    buffer.seek(0)
+    return ImageReader(buffer)

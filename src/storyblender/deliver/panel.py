@@ -1,0 +1,97 @@
+"""One shot as the deliverables show it: its names, words and numbers, gathered once from the graph."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from storyblender.memory.base import shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
+from storyblender.memory.shot_context import ShotContext
+
+KIND_LABEL = {
+    "two_shot": "two-shot",
+    "ots": "over the shoulder",
+    "pov": "POV",
+    "establishing": "establishing",
+    "insert": "insert",
+    "reaction": "reaction",
+    "group": "group",
+}
+
+
+@dataclass(frozen=True)
+class Panel:
+    """What a board, a list, a timeline and a page say about one shot.
+
+    Attributes:
+        name: Slate, e.g. ``SC010_SH020``.
+        scene: Its scene in the outline.
+        outline: Its description and script lines.
+        shot: Its context.
+        start: First frame on the story's timeline.
+        fps: Frames a second.
+    """
+
+    name: str
+    scene: SceneOutline
+    outline: ShotOutline
+    shot: ShotContext
+    start: int
+    fps: int
+
+    @property
+    def lens(self) -> float:
+        """mm."""
+        camera = self.shot.camera
+        if camera is not None:
+            return camera.poses[0].lens
+        return self.shot.camera_instruction.lens or 0.0
+
+    @property
+    def framing(self) -> str:
+        """Size and kind, e.g. ``MCU over the shoulder``."""
+        instruction = self.shot.camera_instruction
+        label = KIND_LABEL.get(instruction.kind)
+        return f"{instruction.size} {label}" if label else instruction.size
+
+    @property
+    def movement(self) -> str:
+        """The camera move in words."""
+        instruction = self.shot.camera_instruction
+        return f"{instruction.movement} {instruction.direction}" if instruction.direction else instruction.movement
+
+    @property
+    def seconds(self) -> float:
+        """Length of the shot."""
+        return self.shot.duration / self.fps
+
+    @property
+    def action(self) -> str:
+        """The script's action lines, verbatim."""
+        return " ".join(line.text.strip() for line in self.outline.lines if line.kind == "action")
+
+    @property
+    def dialogue(self) -> tuple[ScriptLine, ...]:
+        """The speeches, verbatim."""
+        return tuple(line for line in self.outline.lines if line.kind == "dialogue")
+
+
+def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
+    """Return every shot of the story in order."""
+    contexts = {(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    result: list[Panel] = []
+    start = 0
+    for scene in graph.outline:
+        for outline in scene.shots:
+            shot = contexts[scene.scene_id, outline.shot_id]
+            name = shot_name(scene.scene_id, outline.shot_id)
+            result.append(Panel(name, scene, outline, shot, start, graph.format.fps))
+            start += shot.duration
+    return result
+
+
+def timecode(frame: int, fps: int) -> str:
+    """Return ``HH:MM:SS:FF``."""
+    seconds, frames = divmod(frame, fps)
+    return f"{seconds // 3600:02d}:{seconds // 60 % 60:02d}:{seconds % 60:02d}:{frames:02d}"

@@ -1,0 +1,56 @@
+"""The shot list as CSV, one row a shot."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+from storyblender.deliver.panel import panels, timecode
+from storyblender.memory.graph import ContinuityMemoryGraph
+
+COLUMNS: tuple[str, ...] = (
+    "shot", "scene", "heading", "script_scene", "size", "kind", "angle", "movement", "direction", "lens_mm",
+    "f_number", "frames", "seconds", "record_in", "record_out", "characters", "action", "dialogue", "sound",
+    "description", "script_start", "script_end",
+)  # fmt: skip
+
+
+def write_shot_list(graph: ContinuityMemoryGraph, out: Path) -> None:
+    """Write the list. UTF-8 with a byte order mark, so that spreadsheets read names rightly."""
+    names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
+    with out.open("w", encoding="utf-8-sig", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS)
+        writer.writeheader()
+        for panel in panels(graph):
+            shot, instruction = panel.shot, panel.shot.camera_instruction
+            spans = [line.span for line in panel.outline.lines]
+            row = {
+                "shot": panel.name,
+                "scene": shot.scene_id,
+                "heading": panel.scene.heading,
+                "script_scene": panel.scene.script_number,
+                "size": instruction.size,
+                "kind": instruction.kind,
+                "angle": instruction.angle,
+                "movement": instruction.movement,
+                "direction": instruction.direction or "",
+                "lens_mm": f"{panel.lens:.0f}",
+                "f_number": f"{shot.camera.f_number:g}" if shot.camera else "",
+                "frames": shot.duration,
+                "seconds": f"{panel.seconds:.2f}",
+                "record_in": timecode(panel.start, panel.fps),
+                "record_out": timecode(panel.start + shot.duration, panel.fps),
+                "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.in_frame),
+                "action": panel.action,
+                "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),
+                "sound": shot.sound_effect or "",
+                "description": instruction.description,
+                "script_start": min((span.start for span in spans), default=""),
+                "script_end": max((span.end for span in spans), default=""),
+            }
+            writer.writerow({key: _inert(value) for key, value in row.items()})
+
+
+def _inert(value: object) -> object:
+    """A script line must never run as a spreadsheet formula."""
+    return f"'{value}" if isinstance(value, str) and value[:1] in ("=", "+", "-", "@") else value
