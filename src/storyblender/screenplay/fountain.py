@@ -1,0 +1,363 @@
+"""Fountain, the whole syntax (fountain.io), with every element tied to its characters.
+
+Notes and boneyard are blanked with spaces of equal length before the lines are read, so offsets stay true. Forcing
+characters (``. ! @ > ~``) lie outside an element's span; emphasis lies inside it, and is stripped from ``text`` only.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from storyblender.errors import InputError
+from storyblender.screenplay.model import Element, ElementKind, Screenplay
+
+_HEADING = re.compile(r"(?:INT|EXT|EST|INT\.?/EXT|EXT\.?/INT|I/E|E/I)(\.?)(?=[\s.]|$)", re.IGNORECASE)
+_SCENE_NUMBER = re.compile(r"#([\w.\-–()]+)#$")
+_TRANSITION = re.compile(
+    r"[^a-z]*\bTO:|(?:FADE (?:IN|OUT|TO BLACK|TO WHITE)|CUT TO BLACK|SMASH CUT|DISSOLVE)[^a-z]{0,3}|THE END\.?"
+)
+_CONTINUED = re.compile(r"\s*\b(?:CONT['’]?D|CONTINUED|CONTINUING)\b\.?\s*", re.IGNORECASE)
+_CAMERA_LEAD = re.compile(r"(?:CLOSE|EXTREME|WIDE|INSERT|ANGLE|POV|TRACKING|BACK TO SCENE|INTERCUT|MONTAGE)\b")
+_TITLE_KEY = re.compile(r"([^\W\d_][\w ]{0,30}):[ \t]*(.*)")
+_MARK = re.compile(r"#+|[>=~]?")
+_KNOWN_TITLE_KEYS = {
+    "title", "credit", "author", "authors", "source", "notes", "draft date", "date", "contact", "copyright", "revision",
+}  # fmt: skip
+_EMPHASIS = re.compile(
+    r"(?<!\\)(?P<stars>\*{1,3})(?=[^\s*])(?P<starred>[^\n]{0,400}?[^\s\\*])(?P=stars)"
+    r"|(?<![\\\w])_(?=\S)(?P<lined>[^\n]{0,400}?[^\s\\])_(?!\w)"
+)
+
+
+class _Line(NamedTuple):
+    """A line of the file: ``shown`` has notes and boneyard blanked out."""
+
+    number: int
+    start: int
+    raw: str
+    shown: str
+
+    @property
+    def words(self) -> str:
+        return self.shown.strip()
+
+    @property
+    def blank(self) -> bool:
+        """Whether it is blank as written; a line that only holds a note is not."""
+        return not self.raw.strip()
+
+
+def parse(text: str, path: str = "") -> Screenplay:
+    """Read Fountain.
+
+    Args:
+        text: The script, newlines as ``\\n``.
+        path: Named in errors.
+
+    Raises:
+        InputError: A boneyard or a note is opened and never closed.
+    """
+    return _Reader(text, path).read()
+
+
+def strip_emphasis(text: str) -> str:
+    """Return ``text`` without ``*``, ``**``, ``***`` and ``_`` markup; escaped marks become themselves."""
+    previous = None
+    while text != previous:
+        previous = text
+        text = _EMPHASIS.sub(lambda match: match["starred"] or match["lined"], text)
+    return re.sub(r"\\([*_])", r"\1", text)
+
+
+def split_cue(cue: str) -> tuple[str, str, bool]:
+    """Return the name, the extension without CONT'D in capitals, and whether it is a dual-dialogue cue."""
+    name = cue.strip()
+    dual = name.endswith("^")
+    name = name.removesuffix("^").rstrip()
+    extensions: list[str] = []
+    while name.endswith(")") and (opening := name.rfind("(")) > 0:
+        extensions.insert(0, _CONTINUED.sub("", name[opening + 1 : -1]).strip())
+        name = name[:opening].rstrip()
+    return name, ", ".join(part.upper() for part in extensions if part), dual
+
+
+def is_heading(line: str) -> bool:
+    """Return whether a line reads as a scene heading; without the dot it must be in capitals."""
+    match = _HEADING.match(line)
+    return bool(match) and len(line) > match.end() and (bool(match[1]) or line == line.upper())
+
+
+@dataclass
+class _Comment:
+    kind: ElementKind
+    start: int
+    end: int
+
+
+class _Reader:
+    def __init__(self, text: str, path: str) -> None:
+        self.text = text
+        self.path = path
+        self.comments = self._find_comments()
+        self.shown = self._blank_comments()
+        self.lines = self._split_lines()
+        self.elements: list[Element] = []
+        self.at = 0
+
+    def read(self) -> Screenplay:
+        title_page = self._title_page()
+        while self.at < len(self.lines):
+            self._element()
+        self._add_comments()
+        return Screenplay(
+            path=self.path,
+            format="fountain",
+            text=self.text,
+            title_page=title_page,
+            elements=tuple(sorted(self.elements, key=lambda element: element.start)),
+        )
+
+    def _find_comments(self) -> list[_Comment]:
+        found: list[_Comment] = []
+        position = 0
+        while opening := re.compile(r"/\*|\[\[").search(self.text, position):
+            boneyard = opening[0] == "/*"
+            end = self.text.find("*/" if boneyard else "]]", opening.end())
+            another = -1 if boneyard else self.text.find("[[", opening.end())
+            if end < 0 or 0 <= another < end:
+                what, mark = ("boneyard", "*/") if boneyard else ("note", "]]")
+                raise InputError(
+                    f"a {what} is opened with {opening[0]} and never closed",
+                    mend=f"close it with {mark}",
+                    path=self.path or None,
+                    line=self.text.count("\n", 0, opening.start()) + 1,
+                )
+            position = end + 2
+            found.append(_Comment("boneyard" if boneyard else "note", opening.start(), position))
+        return found
+
+    def _blank_comments(self) -> str:
+        pieces, position = [], 0
+        for comment in self.comments:
+            pieces += [
+                self.text[position : comment.start],
+                re.sub(r"[^\n]", " ", self.text[comment.start : comment.end]),
+            ]
+            position = comment.end
+        return "".join([*pieces, self.text[position:]])
+
+    def _split_lines(self) -> list[_Line]:
+        lines, start = [], 0
+        for number, raw in enumerate(self.text.split("\n"), 1):
+            lines.append(_Line(number, start, raw, self.shown[start : start + len(raw)]))
+            start += len(raw) + 1
+        return lines
+
+    def _title_page(self) -> tuple[tuple[str, str], ...]:
+        first = next((index for index, line in enumerate(self.lines) if line.words), len(self.lines))
+        block = []
+        for line in self.lines[first:]:
+            if line.blank:
+                break
+            block.append(line)
+        keys = [match[1].strip().lower() for line in block if (match := _TITLE_KEY.fullmatch(line.shown.rstrip()))]
+        if not block or not _TITLE_KEY.fullmatch(block[0].shown.rstrip()) or not _KNOWN_TITLE_KEYS & set(keys):
+            return ()
+        entries: list[tuple[str, list[str]]] = []
+        for line in block:
+            match = _TITLE_KEY.fullmatch(line.shown.rstrip())
+            if match:
+                entries.append((match[1].strip(), [match[2]]))
+            else:
+                entries[-1][1].append(line.words)
+        self.at = first + len(block)
+        return tuple(
+            (key, strip_emphasis("\n".join(part.strip() for part in value if part.strip()))) for key, value in entries
+        )
+
+    def _element(self) -> None:
+        line = self.lines[self.at]
+        if not line.words:
+            self.at += 1
+            return
+        kind = self._kind(self.at)
+        if kind == "cue":
+            self._speech()
+        elif kind == "action":
+            self._action()
+        else:
+            self._single(kind, line)
+            self.at += 1
+
+    def _kind(self, index: int) -> ElementKind:
+        """Classify the line at ``index`` by its forcing mark, or by its form and its neighbours."""
+        words = self.lines[index].words
+        before = index == 0 or not self.lines[index - 1].words
+        after = index + 1 == len(self.lines) or self.lines[index + 1].blank
+        forced = self._forced(words)
+        if forced is not None:
+            return forced
+        if is_heading(words) and (before or words == words.upper()):
+            return "heading"
+        if before and after and _TRANSITION.fullmatch(words):
+            return "transition"
+        return "cue" if before and not after and _looks_like_cue(words) else "action"
+
+    @staticmethod
+    def _forced(words: str) -> ElementKind | None:
+        if re.fullmatch(r"={3,}", words):
+            return "page_break"
+        if re.match(r"\.[^\W_]", words):
+            return "heading"
+        if words[0] == ">":
+            return "centered" if words[-1] == "<" and len(words) > 1 else "transition"
+        marks: dict[str, ElementKind] = {"!": "action", "@": "cue", "~": "lyric", "#": "section", "=": "synopsis"}
+        return marks.get(words[0])
+
+    def _single(self, kind: ElementKind, line: _Line) -> None:
+        number = ""
+        start, end = self._trim(line.start, line.start + len(line.shown))
+        if kind == "heading":
+            start += self.text[start] == "."
+            match = _SCENE_NUMBER.search(self.shown[start:end])
+            if match:
+                number, end = match[1], start + match.start()
+        elif kind in ("lyric", "section", "synopsis", "transition", "centered"):
+            start = _MARK.match(self.shown, start, end).end()  # pyright: ignore[reportOptionalMemberAccess]
+            end -= kind == "centered"
+        self._add(kind, start, end, scene_number=number)
+
+    def _action(self) -> None:
+        first = self.at
+        self.at += 1
+        while self.at < len(self.lines) and not self.lines[self.at].blank:
+            line = self.lines[self.at]
+            if line.words and (line.words[0] == "!" or self._kind(self.at) != "action"):
+                break
+            self.at += 1
+        start = self.lines[first].start + len(self.lines[first].shown) - len(self.lines[first].shown.lstrip())
+        start += self.text[start] == "!"
+        self._add_pieces("action", start, self._end_of(self.at - 1))
+
+    def _speech(self) -> None:
+        line = self.lines[self.at]
+        start, end = self._trim(line.start, line.start + len(line.shown))
+        start += self.text[start] == "@"
+        name, extension, dual = split_cue(self.shown[start:end])
+        end -= dual
+        self._add("cue", start, end, name=strip_emphasis(name), extension=extension, dual=dual)
+        self.at += 1
+        while self._in_speech(self.at):
+            first = self.at
+            kind = self._speech_kind(self.lines[first].words)
+            self.at += 1
+            while self._speech_goes_on(kind):
+                self.at += 1
+            lyric = kind == "lyric"
+            start = self.lines[first].start + (self.lines[first].shown.find("~") + 1 if lyric else 0)
+            self._add_pieces(kind, start, self._end_of(self.at - 1), dual=dual)
+
+    def _in_speech(self, index: int) -> bool:
+        """A speech runs to the next blank line; two spaces keep it open, unless the next line starts something else."""
+        if index >= len(self.lines) or not self.lines[index].blank:
+            return index < len(self.lines)
+        following = index + 1 < len(self.lines) and not self.lines[index + 1].blank
+        return len(self.lines[index].raw) >= 2 and following and self._kind(index + 1) == "action"
+
+    @staticmethod
+    def _speech_kind(words: str) -> ElementKind:
+        return "parenthetical" if words.startswith("(") else "lyric" if words.startswith("~") else "dialogue"
+
+    def _speech_goes_on(self, kind: ElementKind) -> bool:
+        if not self._in_speech(self.at) or kind == "lyric":
+            return False
+        if kind == "parenthetical":
+            return not self.lines[self.at - 1].words.endswith(")")
+        return self._speech_kind(self.lines[self.at].words) == "dialogue"
+
+    def _end_of(self, index: int) -> int:
+        return self.lines[index].start + len(self.lines[index].shown)
+
+    def _trim(self, start: int, end: int) -> tuple[int, int]:
+        """Shrink a span to what is shown in it, without the space around."""
+        shown = self.shown[start:end]
+        return start + len(shown) - len(shown.lstrip()), start + len(shown.rstrip())
+
+    def _add_pieces(self, kind: ElementKind, start: int, end: int, *, dual: bool = False) -> None:
+        """Add what lies between the comments of a span, one element a piece, so that each is verbatim."""
+        inside = [comment for comment in self.comments if start < comment.end and comment.start < end]
+        for comment in inside:
+            self._add(kind, start, comment.start, dual=dual)
+            start = max(start, comment.end)
+        self._add(kind, start, end, dual=dual)
+
+    def _add(
+        self,
+        kind: ElementKind,
+        start: int,
+        end: int,
+        *,
+        name: str = "",
+        extension: str = "",
+        scene_number: str = "",
+        dual: bool = False,
+    ) -> None:
+        start, end = self._trim(start, max(start, end))
+        if start >= end:
+            return
+        text = strip_emphasis(self.shown[start:end])
+        if kind == "parenthetical":
+            text = text.strip("()").strip()
+        self.elements.append(
+            Element(
+                kind=kind,
+                text=text,
+                start=start,
+                end=end,
+                line=self._line_at(start),
+                name=name,
+                extension=extension,
+                scene_number=scene_number,
+                dual=dual,
+            )
+        )
+
+    def _line_at(self, offset: int) -> int:
+        low, high = 0, len(self.lines)
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if self.lines[middle].start <= offset else (low, middle)
+        return self.lines[low].number
+
+    def _add_comments(self) -> None:
+        """Add notes and boneyards, except those that lie inside another element (a heading, a cue)."""
+        inside = [(element.start, element.end) for element in self.elements]
+        spans = iter(sorted(inside))
+        span = next(spans, None)
+        for comment in self.comments:
+            while span and span[1] <= comment.start:
+                span = next(spans, None)
+            if span and span[0] <= comment.start:
+                continue
+            self.elements.append(
+                Element(
+                    kind=comment.kind,
+                    text=self.text[comment.start + 2 : comment.end - 2].strip(),
+                    start=comment.start,
+                    end=comment.end,
+                    line=self._line_at(comment.start),
+                )
+            )
+
+
+def _looks_like_cue(words: str) -> bool:
+    name = split_cue(words[:120])[0]
+    letters = [letter for letter in name if letter.isalpha()]
+    if not letters or name != name.upper() or len(name) > 60 or _CAMERA_LEAD.match(name):
+        return False
+    if name.endswith((":", "!", "?", "...", "…")) or (name.endswith(".") and len(name.split()[-1]) > 4):
+        return False
+    caseless = all(letter.lower() == letter.upper() for letter in letters)
+    return not caseless or (len(name) <= 12 and not re.search(r"[。，！？、；：]", name))

@@ -1,0 +1,197 @@
+"""The way in: a file of any kind becomes decoded text, then a Screenplay, or one clear sentence of refusal."""
+
+from __future__ import annotations
+
+import codecs
+import json
+import re
+from pathlib import Path
+from typing import Final
+
+from storyblender.errors import InputError
+from storyblender.screenplay import fdx, fountain, prose
+from storyblender.screenplay.model import Screenplay, ScriptFormat
+
+MAX_BYTES: Final = 20_000_000
+"""A feature script is about 0.3 MB; anything beyond this is not a script."""
+
+_EXPORT: Final = "export the script as Fountain (.fountain) or Final Draft (.fdx)"
+_MAGIC: Final[tuple[tuple[bytes, str], ...]] = (
+    (b"%PDF", "this is a PDF, which keeps pages but loses the script's structure"),
+    (b"\xd0\xcf\x11\xe0", "this is a Word document (.doc)"),
+    (b"{\\rtf", "this is a rich-text document (RTF)"),
+    (b"\x1f\x8b", "this is a gzip archive"),
+    (b"\x89PNG", "this is a picture"),
+    (b"\xff\xd8\xff", "this is a picture"),
+    (b"GIF8", "this is a picture"),
+    (b"BLENDER", "this is a .blend file"),
+)
+_ZIPPED: Final = {
+    ".docx": "this is a Word document (.docx)",
+    ".odt": "this is an OpenDocument text (.odt)",
+    ".pages": "this is a Pages document",
+    ".highland": "this is a Highland document",
+    ".fadein": "this is a Fade In document",
+}
+_FORMAT_OF_SUFFIX: Final[dict[str, ScriptFormat]] = {".fountain": "fountain", ".spmd": "fountain", ".fdx": "fdx"}
+_BOMS: Final = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+_NEWLINES: Final = re.compile("\r\n|[\r\v\f\x85\u2028\u2029]")
+
+
+def load(path: Path) -> Screenplay:
+    """Read a script from a file: Fountain, Final Draft or prose, in any common encoding.
+
+    Args:
+        path: The file; its suffix decides the format where it is ``.fountain``, ``.spmd`` or ``.fdx``.
+
+    Raises:
+        InputError: The file cannot be used; the message says why and what to do.
+    """
+    return read(decode(_bytes(path), path), _FORMAT_OF_SUFFIX.get(path.suffix.lower()), str(path))
+
+
+def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Screenplay:
+    """Read a script from text.
+
+    Args:
+        text: The script.
+        format: Its format; None finds out.
+        path: Named in errors and kept for display.
+
+    Raises:
+        InputError: There is no script in the text.
+    """
+    text = _NEWLINES.sub("\n", text.encode("utf-8", "replace").decode("utf-8").removeprefix("\ufeff").rstrip("\x1a"))
+    if not text.strip():
+        raise InputError("there is nothing to read", mend="write at least one scene", path=path or None)
+    if "\0" in text:
+        raise InputError(
+            "the text holds NUL characters, so its encoding is damaged", mend="save it as UTF-8", path=path or None
+        )
+    if format is None or _is_xml(text):
+        format = _sniff(text, path)
+    screenplay = {"fountain": fountain.parse, "fdx": fdx.parse, "prose": prose.parse}[format](text, path)
+    _refuse_empty(screenplay)
+    return screenplay
+
+
+def decode(data: bytes, path: Path | str = "") -> str:
+    """Decode a file's bytes: by its byte-order mark, as UTF-16 without one, as UTF-8, else as Windows-1252.
+
+    Raises:
+        InputError: The bytes are a known binary format, or text in no encoding that can be told.
+    """
+    _refuse_binary(data, path)
+    for mark, encoding in _BOMS:
+        if data.startswith(mark):
+            return _strictly(data[len(mark) :], encoding, path)
+    if (encoding := _utf16_without_mark(data)) is not None:
+        return _strictly(data, encoding, path)
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError:
+        text = _strictly(data, "cp1252", path)
+    if sum(letter < " " and letter not in "\t\n\r\v\f\x1a" for letter in text) > len(text) / 200:
+        raise InputError("this is binary data, not text", mend=_EXPORT, path=path or None)
+    return text
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        if path.is_dir():
+            raise InputError("this is a folder, not a script", mend="name a file in it", path=path)
+        if not path.exists():
+            raise InputError("there is no such file", mend="check the name", path=path)
+        if not path.is_file():
+            raise InputError("this is not a regular file", mend="name a script file", path=path)
+        size = path.stat().st_size
+        if size > MAX_BYTES:
+            raise InputError(
+                f"this file has {size / 1e6:.0f} MB, far more than a script",
+                mend=f"give a text of at most {MAX_BYTES / 1e6:.0f} MB",
+                path=path,
+            )
+        return path.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError(
+            f"the file cannot be read ({reason})", mend="check its name and permissions", path=path
+        ) from error
+
+
+def _refuse_binary(data: bytes, path: Path | str) -> None:
+    head = data.lstrip()[:16]
+    for magic, problem in _MAGIC:
+        if head.startswith(magic):
+            raise InputError(problem, mend=_EXPORT, path=path or None)
+    if head.startswith(b"PK\x03\x04"):
+        problem = _ZIPPED.get(Path(path).suffix.lower(), "this is a zip archive")
+        raise InputError(problem, mend=_EXPORT, path=path or None)
+
+
+def _utf16_without_mark(data: bytes) -> str | None:
+    """Tell UTF-16 by its zero bytes: Latin letters have one in every pair, always on the same side."""
+    sample = data[:4096]
+    if len(sample) < 4 or len(data) % 2:
+        return None
+    low, high = sample[0::2].count(0) / (len(sample) / 2), sample[1::2].count(0) / (len(sample) / 2)
+    if high > 0.4 and low < 0.05:
+        return "utf-16-le"
+    return "utf-16-be" if low > 0.4 and high < 0.05 else None
+
+
+def _strictly(data: bytes, encoding: str, path: Path | str) -> str:
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"the text is not valid {encoding.upper()} (byte {error.start})", mend="save it as UTF-8", path=path or None
+        ) from None
+
+
+def _is_xml(text: str) -> bool:
+    return text.lstrip().startswith(("<?xml", "<FinalDraft", "<!DOCTYPE"))
+
+
+def _sniff(text: str, path: str) -> ScriptFormat:
+    head = text.lstrip()[:500]
+    if re.match(r"(?:<!DOCTYPE )?\s*<?html\b", head, re.IGNORECASE):
+        raise InputError("this is a web page (HTML)", mend="save the script itself as text", path=path or None)
+    if _is_xml(text):
+        return "fdx"
+    if head[0] in "{[":
+        try:
+            json.loads(text)
+        except (ValueError, RecursionError):
+            pass
+        else:
+            raise InputError("this is JSON data, not a script", mend=_EXPORT, path=path or None)
+    return "fountain" if _is_fountain(text) else "prose"
+
+
+def _is_fountain(text: str) -> bool:
+    lines = [line.strip() for line in text.split("\n")]
+    if any(fountain.is_heading(line) and line == line.upper() for line in lines):
+        return True
+    forced = sum(bool(re.match(r"\.[A-Z]|@\w|>.*TO:$", line)) for line in lines)
+    title = bool(re.match(r"(?:title|credit|authors?):", lines[0], re.IGNORECASE))
+    return forced >= 2 or (title and len(lines) > 2)
+
+
+def _refuse_empty(screenplay: Screenplay) -> None:
+    told = {"heading", "action", "dialogue", "lyric", "shot", "centered"}
+    if any(element.kind in told for element in screenplay.elements):
+        return
+    if screenplay.title_page and not screenplay.elements:
+        problem = "there is a title page but no scene"
+    elif screenplay.elements and all(element.kind in ("note", "boneyard") for element in screenplay.elements):
+        problem = "there are only notes and cut text"
+    else:
+        problem = "there is no scene and no story in it"
+    raise InputError(problem, mend="write at least one scene", path=screenplay.path or None)
