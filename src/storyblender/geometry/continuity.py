@@ -1,0 +1,70 @@
+"""Rules of the cut: the 180-degree line, the 30-degree rule, matching singles, screen direction."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from storyblender.geometry.boxes import wrapped
+from storyblender.geometry.orbit import Orbit
+
+THIRTY = 30.0
+"""Degrees that a camera must move between two shots of one subject in like size."""
+
+
+def side_of_line(camera: ArrayLike, first: ArrayLike, second: ArrayLike) -> int:
+    """Return on which side of the line from ``first`` to ``second`` the camera is: 1 left, -1 right, 0 on it.
+
+    Within 5 degrees of the line as seen from the middle counts as on it: a neutral shot breaks no axis.
+    """
+    a, b, c = (np.asarray(point, float)[:2] for point in (first, second, camera))
+    line, sight = b - a, c - (a + b) / 2
+    cross = line[0] * sight[1] - line[1] * sight[0]
+    scale = float(np.hypot(*line) * np.hypot(*sight))
+    if scale < 1e-9 or abs(cross) / scale < math.sin(math.radians(5)):
+        return 0
+    return 1 if cross > 0 else -1
+
+
+def crosses_line(camera: Orbit, first: ArrayLike, second: ArrayLike, side: int) -> bool:
+    """Return whether the camera is across the line from the side used so far (0: none used yet)."""
+    here = side_of_line(camera.position, first, second)
+    return side != 0 and here != 0 and here != side
+
+
+def view_change(before: Orbit, after: Orbit, subject: ArrayLike) -> float:
+    """Return the angle in degrees between two cameras as seen from the subject."""
+    a = before.position - np.asarray(subject, float)
+    b = after.position - np.asarray(subject, float)
+    cosine = float(a @ b / (np.linalg.norm(a) * np.linalg.norm(b)))
+    return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
+
+
+def jumps(before: Orbit, after: Orbit, subject: ArrayLike, size_steps: int) -> bool:
+    """Return whether a cut would jump: the same subject, less than 30 degrees and less than two sizes apart."""
+    return size_steps < 2 and view_change(before, after, subject) < THIRTY
+
+
+def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
+    """Return how much a world direction runs to the right of the picture: 1 right, -1 left."""
+    flat = np.asarray(vector, float)
+    length = float(np.linalg.norm(flat))
+    return float(camera.axes[:, 0] @ flat / length) if length > 1e-9 else 0.0
+
+
+def looks_meet(one: Orbit, one_look: ArrayLike, other: Orbit, other_look: ArrayLike, *, least: float = 0.12) -> bool:
+    """Return whether two singles match: the faces look to opposite sides of the picture."""
+    a, b = screen_direction(one, one_look), screen_direction(other, other_look)
+    return a * b < 0 or abs(a) < least or abs(b) < least
+
+
+def mirrored(azimuth: float, first: ArrayLike, second: ArrayLike) -> float:
+    """Return the azimuth that mirrors a camera across the plane between two people, degrees.
+
+    The reverse of a single: same side of the line, same angle off it, looking at the other one.
+    """
+    line = np.asarray(second, float) - np.asarray(first, float)
+    along = math.degrees(math.atan2(line[0], -line[1]))
+    return math.degrees(wrapped(math.radians(2 * (along + 90.0) - azimuth)))

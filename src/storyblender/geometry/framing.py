@@ -1,0 +1,251 @@
+"""The picture: projection, how large a head is in each shot size, where it goes, and cameras that start there.
+
+Screen coordinates run 0..1 from the top left, x right and y down. All cameras here are analytic: the servo of the
+Camera Operator only has to mend what other things in the room spoil.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from storyblender.geometry.orbit import Orbit, between, pan, stand
+
+Floats = NDArray[np.float64]
+
+
+class Scale(NamedTuple):
+    """What a shot size means: head height (crown to chin) / picture height, and where the crown goes."""
+
+    head: float
+    crown: float
+
+    @property
+    def band(self) -> tuple[float, float]:
+        """Head heights that still read as this size."""
+        return self.head / 1.28, self.head * 1.28
+
+
+SCALES: dict[str, Scale] = {
+    "EWS": Scale(0.030, 0.42),
+    "WS": Scale(0.062, 0.26),
+    "FS": Scale(0.108, 0.08),
+    "MWS": Scale(0.150, 0.09),
+    "MS": Scale(0.210, 0.10),
+    "MCU": Scale(0.310, 0.09),
+    "CU": Scale(0.450, 0.06),
+    "ECU": Scale(0.750, -0.12),
+}
+"""A head is 0.13 of a body: FS holds the body with a little air, MS cuts at the waist, CU at the shoulders."""
+
+ELEVATION: dict[str, float] = {
+    "eye-level": 2.0,
+    "high angle": 26.0,
+    "low angle": -16.0,
+    "bird's-eye": 65.0,
+    "worm's-eye": -32.0,
+    "dutch": 2.0,
+}
+"""Degrees that the camera is above the subject's eyes."""
+ELEVATION_BAND: dict[str, tuple[float, float]] = {
+    "eye-level": (-9.0, 14.0),
+    "high angle": (16.0, 55.0),
+    "low angle": (-38.0, -6.0),
+    "bird's-eye": (48.0, 88.0),
+    "worm's-eye": (-60.0, -18.0),
+    "dutch": (-9.0, 14.0),
+}
+DUTCH_ROLL = 12.0
+"""Degrees."""
+THIRD = 1 / 6
+"""How far a third line is from the middle of the picture."""
+_CROWN = 0.55
+"""Crown above the face's centre, in head heights."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A person as the camera sees them at one frame.
+
+    Attributes:
+        node_id: Who.
+        face: Centre of the face between crown and chin, world metres.
+        forward: Unit vector the face looks along.
+        head: Crown to chin, metres.
+        base: Floor point below.
+    """
+
+    node_id: str
+    face: tuple[float, float, float]
+    forward: tuple[float, float, float]
+    head: float
+    base: tuple[float, float, float]
+
+    @property
+    def yaw(self) -> float:
+        """Degrees the face is turned to; 0 is -Y."""
+        return math.degrees(math.atan2(self.forward[0], -self.forward[1]))
+
+
+def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
+    """Return screen positions (n, 2) and depths (n,) in metres; behind the camera the depth is not positive."""
+    world = np.atleast_2d(np.asarray(points, float))
+    seen = world @ camera.view[:3, :3].T + camera.view[:3, 3]
+    depth = -seen[:, 2]
+    safe = np.maximum(depth, 1e-3)
+    x = 0.5 + seen[:, 0] / safe / (2 * camera.tangent * camera.aspect)
+    y = 0.5 - seen[:, 1] / safe / (2 * camera.tangent)
+    return np.stack([x, y], 1), depth
+
+
+def distance_for(height: float, share: float, camera_tangent: float) -> float:
+    """Return the distance at which ``height`` metres fill ``share`` of the picture's height."""
+    return height / share / (2 * camera_tangent)
+
+
+def placed(camera: Orbit, point: ArrayLike, x: float, y: float) -> Orbit:
+    """Pan the camera until a world point is seen at screen position (x, y)."""
+    for _ in range(2):
+        screen, depth = project(camera, point)
+        ratio = float(depth[0]) / camera.distance
+        dx, dy = screen[0, 0] - x, screen[0, 1] - y
+        camera = pan(camera, float(dx) * camera.aspect * ratio, -float(dy) * ratio)
+    return camera
+
+
+def lead_room(camera: Orbit, figure: Figure) -> float:
+    """Return the screen x for a lone figure: looking across the picture, it gets room before its face."""
+    across = float(np.dot(figure.forward, camera.axes[:, 0]))
+    return 0.5 - THIRD * 0.85 * max(-1.0, min(1.0, 1.4 * across)) if abs(across) > 0.2 else 0.5
+
+
+def face_height(size: str) -> float:
+    """Return the screen y of the face's centre for a shot size."""
+    scale = SCALES[size]
+    return scale.crown + _CROWN * scale.head
+
+
+@dataclass(frozen=True)
+class Film:
+    """What the camera is loaded with: the same for every shot of a project."""
+
+    sensor_width: float = 36.0
+    aspect: float = 16 / 9
+
+    def tangent(self, lens: float) -> float:
+        """Half the picture's height at one metre through that lens."""
+        return self.sensor_width / self.aspect / (2 * lens)
+
+    def look(self, pivot: ArrayLike, azimuth: float, elevation: float, distance: float, lens: float) -> Orbit:
+        """Return a camera around a pivot with this film."""
+        return stand(
+            pivot, azimuth, elevation, distance, lens, sensor_width=self.sensor_width, aspect=self.aspect
+        )  # fmt: skip
+
+
+def single(film: Film, figure: Figure, size: str, azimuth: float, elevation: float, lens: float) -> Orbit:
+    """Return the camera for one person: face at its height, with lead room."""
+    distance = distance_for(figure.head, SCALES[size].head, film.tangent(lens))
+    camera = film.look(figure.face, azimuth, elevation, distance, lens)
+    return placed(camera, figure.face, lead_room(camera, figure), face_height(size))
+
+
+def group(
+    film: Film, figures: Sequence[Figure], size: str, azimuth: float, elevation: float, lens: float, span: float = 0.62
+) -> Orbit:
+    """Return the camera for two or more: all heads within ``span`` of the width, none larger than the size wants."""
+    faces = np.array([figure.face for figure in figures])
+    middle = (faces.min(0) + faces.max(0)) / 2
+    head = max(figure.head for figure in figures)
+    tangent = film.tangent(lens)
+    camera = film.look(middle, azimuth, elevation, distance_for(head, SCALES[size].head, tangent), lens)
+    for _ in range(3):
+        screen, depth = project(camera, faces)
+        aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
+        needed = aside / span - depth + camera.distance
+        camera = replace(camera, distance=max(camera.distance, float(needed.max())))
+    height = SCALES[size].crown + _CROWN * head / camera.frame_height
+    camera = placed(camera, middle, 0.5, min(max(height, 0.2), 0.45))
+    screen, _ = project(camera, faces)
+    return pan(camera, float(screen[:, 0].min() + screen[:, 0].max() - 1) / 2 * film.aspect, 0.0)
+
+
+def over_shoulder(
+    film: Film, focus: Figure, over: Figure, size: str, side: float, elevation: float, lens: float
+) -> Orbit:
+    """Return the camera behind a shoulder: the listener's head a dark third, the speaker's face in the other.
+
+    Args:
+        film: Sensor and aspect.
+        focus: The one who is seen.
+        over: The one whose shoulder is in the picture.
+        size: Of the focus.
+        side: +1 if the camera is on the left of the line from ``over`` to ``focus``, -1 if on the right.
+        elevation: Degrees above the focus's eyes, added to what sees over the shoulder.
+        lens: mm.
+    """
+    tangent = film.tangent(lens)
+    line = np.asarray(focus.face) - np.asarray(over.face)
+    apart = max(float(np.hypot(line[0], line[1])), 0.4)
+    ahead = np.array([line[0], line[1], 0.0]) / apart
+    left = np.array([-ahead[1], ahead[0], 0.0])
+    distance = max(distance_for(focus.head, SCALES[size].head, tangent), apart + 0.75)
+    behind = distance - apart
+    spread = 0.42 * 2 * tangent * film.aspect
+    aside = min(spread / (1 / behind - 1 / distance), 0.75 * behind, 0.7 * distance)
+    aside = max(aside, 0.32)
+    lift = distance * math.tan(math.radians(elevation))
+    position = np.asarray(over.face) - ahead * behind + left * side * aside
+    position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift
+    camera = between(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
+    return placed(camera, focus.face, 0.5 - side * 0.13, min(face_height(size) + 0.03, 0.42))
+
+
+def through_eyes(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:
+    """Return what somebody sees: the camera in their eyes, on the target."""
+    position = np.asarray(eyes.face) + 0.12 * np.asarray(eyes.forward)
+    return between(position, target, lens, sensor_width=film.sensor_width, aspect=film.aspect)
+
+
+def insert(
+    film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.5, reach: float = 0.45
+) -> Orbit:
+    """Return the camera for a thing, given its corners: it fills ``fill`` of the height or of the width.
+
+    Args:
+        film: Sensor and aspect.
+        points: (n, 3) corners of the thing.
+        azimuth: Degrees, 0 at -Y.
+        elevation: Degrees.
+        lens: mm.
+        fill: Share of the picture.
+        reach: Metres from which a hand-held thing is seen at the nearest.
+    """
+    corners = np.asarray(points, float)
+    middle = (corners.min(0) + corners.max(0)) / 2
+    camera = film.look(middle, azimuth, elevation, 10.0, lens)
+    screen, _ = project(camera, corners)
+    extent = (screen.max(0) - screen.min(0)) / fill
+    return replace(camera, distance=max(10.0 * float(extent.max()), reach))
+
+
+def master(film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.86) -> Orbit:
+    """Return the camera that holds all points (the place and whoever is in it) within ``fill`` of the picture."""
+    corners = np.asarray(points, float)
+    middle = (corners.min(0) + corners.max(0)) / 2
+    camera = film.look(middle, azimuth, elevation, 30.0, lens)
+    for _ in range(8):
+        screen, depth = project(camera, corners)
+        if (depth < 0.5).any():
+            camera = replace(camera, distance=camera.distance * 1.5)
+            continue
+        off = np.abs(screen - 0.5) * 2 / fill
+        camera = replace(camera, distance=max(float((off.max(1) * depth - depth).max()) + camera.distance, 1.0))
+    screen, _ = project(camera, corners)
+    box = (screen.min(0) + screen.max(0)) / 2
+    return placed(camera, middle, 0.5, 0.5 + float(project(camera, middle)[0][0, 1] - box[1]))

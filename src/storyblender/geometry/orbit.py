@@ -1,0 +1,218 @@
+"""The paper's orbital camera model: pivot, rotation, distance, and the update laws of the visual servo (appendix).
+
+World frame: metres, Z up. The camera looks along its -Z with +Y up in the picture. The sensor's width is stated; its
+height follows the aspect, whatever the aspect is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+Quaternion = tuple[float, float, float, float]
+"""w, x, y, z; unit length."""
+
+DOLLY = 1.15
+"""beta: how much closer one step of dolly comes."""
+_NEAREST = 0.3
+"""Metres: the camera never comes closer to its pivot."""
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """The state of a camera.
+
+    Attributes:
+        pivot: Point of interest (c_piv), world.
+        rotation: World from camera (r).
+        distance: From the optical centre to the pivot (d), metres.
+        lens: Focal length, mm.
+        sensor_width: mm.
+        aspect: Width / height of the picture.
+    """
+
+    pivot: tuple[float, float, float]
+    rotation: Quaternion
+    distance: float
+    lens: float
+    sensor_width: float = 36.0
+    aspect: float = 16 / 9
+
+    @property
+    def axes(self) -> Floats:
+        """Columns: right, up and backward of the camera in the world (R(r))."""
+        return matrix(self.rotation)
+
+    @property
+    def position(self) -> Floats:
+        """Optical centre: p_cam = c_piv + R(r) (0, 0, d)."""
+        return np.asarray(self.pivot) + self.axes[:, 2] * self.distance
+
+    @property
+    def view(self) -> Floats:
+        """M_view = T(0, 0, -d) R(r)^T T(-c_piv), 4 x 4, camera from world."""
+        out = np.eye(4)
+        out[:3, :3] = self.axes.T
+        out[:3, 3] = -self.axes.T @ np.asarray(self.pivot) - (0.0, 0.0, self.distance)
+        return out
+
+    @property
+    def world(self) -> Floats:
+        """World from camera, 4 x 4: what Blender calls ``matrix_world``."""
+        out = np.eye(4)
+        out[:3, :3] = self.axes
+        out[:3, 3] = self.position
+        return out
+
+    @property
+    def tangent(self) -> float:
+        """Half the picture's height at one metre: tan(alpha / 2)."""
+        return self.sensor_width / self.aspect / (2 * self.lens)
+
+    @property
+    def fov(self) -> float:
+        """Vertical field of view alpha = 2 atan(h_sensor / 2f), radians."""
+        return 2 * math.atan(self.tangent)
+
+    @property
+    def frame_height(self) -> float:
+        """Height of the picture at the pivot, metres (eta(d) for a viewport of height 1)."""
+        return 2 * self.distance * self.tangent
+
+    @property
+    def azimuth(self) -> float:
+        """Degrees around the pivot: 0 stands at -Y, 90 at +X."""
+        back = self.axes[:, 2]
+        return math.degrees(math.atan2(back[0], -back[1]))
+
+    @property
+    def elevation(self) -> float:
+        """Degrees above the pivot's horizon."""
+        return math.degrees(math.asin(min(1.0, max(-1.0, float(self.axes[2, 2])))))
+
+    @property
+    def roll(self) -> float:
+        """Degrees the horizon leans; 0 is level."""
+        axes = self.axes
+        return math.degrees(math.atan2(axes[2, 0], axes[2, 1]))
+
+
+def stand(
+    pivot: ArrayLike,
+    azimuth: float,
+    elevation: float,
+    distance: float,
+    lens: float,
+    *,
+    roll: float = 0.0,
+    sensor_width: float = 36.0,
+    aspect: float = 16 / 9,
+) -> Orbit:
+    """Return a camera at an azimuth (0 at -Y, 90 at +X) and elevation around the pivot; angles in degrees."""
+    about_z = turn((0.0, 0.0, 1.0), azimuth)
+    about_x = turn((1.0, 0.0, 0.0), 90.0 - elevation)
+    about_view = turn((0.0, 0.0, 1.0), roll)
+    rotation = product(product(about_z, about_x), about_view)
+    return Orbit(_triple(pivot), rotation, distance, lens, sensor_width, aspect)
+
+
+def between(position: ArrayLike, target: ArrayLike, lens: float, *, roll: float = 0.0, **film: float) -> Orbit:
+    """Return a camera at a position that looks at a target; ``film`` is sensor_width and aspect."""
+    back = np.asarray(position, float) - np.asarray(target, float)
+    distance = float(np.linalg.norm(back))
+    azimuth = math.degrees(math.atan2(back[0], -back[1]))
+    elevation = math.degrees(math.asin(back[2] / distance))
+    return stand(target, azimuth, elevation, distance, lens, roll=roll, **film)
+
+
+def safe_distance(radius: float, fov: float, margin: float = 1.15) -> float:
+    """Return d(0) = r lambda / sin(alpha / 2), at which a bounding sphere is in the picture."""
+    return radius * margin / math.sin(fov / 2)
+
+
+def pan(camera: Orbit, dx: float, dy: float) -> Orbit:
+    """Move the camera and its pivot across the picture: by shares of its height, right and up; 1:1 at the pivot."""
+    axes, eta = camera.axes, camera.frame_height
+    shift = axes[:, 0] * dx * eta + axes[:, 1] * dy * eta
+    return replace(camera, pivot=_triple(np.asarray(camera.pivot) + shift))
+
+
+def orbit(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
+    """Walk around the pivot by degrees; the horizon stays as it is, and the camera never passes the zenith."""
+    elevation = min(max(camera.elevation + elevation, -85.0), 85.0) - camera.elevation
+    level = product(camera.rotation, turn((0.0, 0.0, 1.0), -camera.roll))
+    tilted = product(product(turn((0.0, 0.0, 1.0), azimuth), level), turn((1.0, 0.0, 0.0), -elevation))
+    return replace(camera, rotation=product(tilted, turn((0.0, 0.0, 1.0), camera.roll)))
+
+
+def dolly(camera: Orbit, steps: float) -> Orbit:
+    """Come closer along the optical axis: d beta^-steps; negative steps go back."""
+    return replace(camera, distance=max(_NEAREST, camera.distance * DOLLY**-steps))
+
+
+def roll(camera: Orbit, angle: float) -> Orbit:
+    """Lean the horizon by degrees."""
+    return replace(camera, rotation=product(camera.rotation, turn((0.0, 0.0, 1.0), angle)))
+
+
+def swivel(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
+    """Turn on the tripod by degrees, left and up positive: the position stays, the pivot moves."""
+    position = camera.position
+    turned = product(product(turn((0.0, 0.0, 1.0), azimuth), camera.rotation), turn((1.0, 0.0, 0.0), elevation))
+    back = matrix(turned)[:, 2]
+    return replace(camera, rotation=turned, pivot=_triple(position - back * camera.distance))
+
+
+def turn(axis: tuple[float, float, float], angle: float) -> Quaternion:
+    """Return the quaternion of a turn about a unit axis by degrees."""
+    half = math.radians(angle) / 2
+    s = math.sin(half)
+    return math.cos(half), axis[0] * s, axis[1] * s, axis[2] * s
+
+
+def product(a: Quaternion, b: Quaternion) -> Quaternion:
+    """Return the Hamilton product: first ``b``, then ``a``; normalised."""
+    aw, ax, ay, az = a
+    bw, bx, by, bz = b
+    out = (
+        aw * bw - ax * bx - ay * by - az * bz,
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+    )
+    length = math.sqrt(sum(part * part for part in out))
+    return out[0] / length, out[1] / length, out[2] / length, out[3] / length
+
+
+def matrix(q: Quaternion) -> Floats:
+    """Return the 3 x 3 rotation of a unit quaternion."""
+    w, x, y, z = q
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
+    """Return the rotation that share of the shorter way from ``a`` to ``b``."""
+    p, q = np.asarray(a), np.asarray(b)
+    dot = float(p @ q)
+    if dot < 0:
+        q, dot = -q, -dot
+    angle = math.acos(min(1.0, dot))
+    if angle < 1e-6:
+        return b if share >= 0.5 else a
+    out = (math.sin((1 - share) * angle) * p + math.sin(share * angle) * q) / math.sin(angle)
+    return float(out[0]), float(out[1]), float(out[2]), float(out[3])
+
+
+def _triple(values: ArrayLike) -> tuple[float, float, float]:
+    x, y, z = np.asarray(values, float)
+    return float(x), float(y), float(z)

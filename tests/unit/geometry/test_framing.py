@@ -1,0 +1,121 @@
+import math
+
+import numpy as np
+import pytest
+
+from storyblender.geometry.continuity import crosses_line, jumps, looks_meet, mirrored, screen_direction, side_of_line
+from storyblender.geometry.framing import (
+    SCALES,
+    Figure,
+    Film,
+    face_height,
+    group,
+    insert,
+    master,
+    over_shoulder,
+    project,
+    single,
+    through_eyes,
+)
+from storyblender.geometry.orbit import orbit
+
+FILM = Film()
+
+
+def figure(name: str, x: float, y: float, yaw: float, stature: float = 1.7) -> Figure:
+    forward = (math.sin(math.radians(yaw)), -math.cos(math.radians(yaw)), 0.0)
+    return Figure(name, (x, y, stature - 0.13), forward, 0.13 * stature, (x, y, 0))
+
+
+ANNA, TOM = figure("anna", -0.6, 0, 90), figure("tom", 0.6, 0, -90, 1.85)
+
+
+def head_share(camera, who: Figure) -> float:
+    top = np.add(who.face, (0, 0, who.head / 2))
+    screen, _ = project(camera, [top, top - (0, 0, who.head)])
+    return float(screen[1, 1] - screen[0, 1])
+
+
+@pytest.mark.parametrize("size", SCALES)
+def test_a_single_has_the_head_height_of_its_size(size: str) -> None:
+    camera = single(FILM, ANNA, size, 40, 2, 50)
+    assert head_share(camera, ANNA) == pytest.approx(SCALES[size].head, rel=0.06)
+    assert project(camera, ANNA.face)[0][0, 1] == pytest.approx(face_height(size), abs=0.01)
+
+
+def test_lead_room_is_on_the_side_the_face_looks_to() -> None:
+    for azimuth in (20, 160):
+        camera = single(FILM, ANNA, "MCU", azimuth, 2, 65)
+        looks_right = screen_direction(camera, ANNA.forward) > 0
+        assert (project(camera, ANNA.face)[0][0, 0] < 0.5) == looks_right
+    frontal = single(FILM, ANNA, "MCU", 90, 2, 65)
+    assert project(frontal, ANNA.face)[0][0, 0] == pytest.approx(0.5, abs=0.01)
+
+
+def test_a_two_shot_holds_both_and_centres_them() -> None:
+    camera = group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
+    xs = project(camera, [ANNA.face, TOM.face])[0][:, 0]
+    assert xs.mean() == pytest.approx(0.5, abs=0.01)
+    assert xs.min() > 0.1 and xs.max() < 0.9
+    assert max(head_share(camera, who) for who in (ANNA, TOM)) <= SCALES["MS"].head * 1.05
+
+
+def test_a_wide_group_steps_back_until_all_are_in() -> None:
+    crowd = [figure(f"p{i}", -3 + 1.5 * i, 0.3 * i, 0) for i in range(5)]
+    xs = project(group(FILM, crowd, "MS", 0, 2, 50), [who.face for who in crowd])[0][:, 0]
+    assert xs.min() > 0.15 and xs.max() < 0.85
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_over_the_shoulder_shows_both_in_their_halves(side: int) -> None:
+    camera = over_shoulder(FILM, ANNA, TOM, "MS", side, 0, 50)
+    anna, tom = project(camera, [ANNA.face, TOM.face])[0]
+    assert side_of_line(camera.position, TOM.face, ANNA.face) == side
+    assert (anna[0] - 0.5) * (tom[0] - 0.5) < 0
+    assert head_share(camera, TOM) > 1.3 * head_share(camera, ANNA)
+    assert SCALES["MS"].band[0] < head_share(camera, ANNA) < SCALES["MS"].band[1]
+
+
+def test_point_of_view_is_in_the_eyes() -> None:
+    camera = through_eyes(FILM, ANNA, TOM.face, 50)
+    assert np.linalg.norm(camera.position - ANNA.face) < 0.2
+    assert project(camera, TOM.face)[0][0] == pytest.approx([0.5, 0.5])
+
+
+def test_an_insert_fills_the_picture_as_wanted() -> None:
+    corners = np.array([(x, y, z) for x in (-0.2, 0.2) for y in (-0.1, 0.1) for z in (0.8, 1.0)])
+    camera = insert(FILM, corners, 20, 30, 85)
+    screen, _ = project(camera, corners)
+    assert (screen.max(0) - screen.min(0)).max() == pytest.approx(0.5, abs=0.06)
+
+
+def test_a_master_holds_the_whole_place() -> None:
+    corners = np.array([(x, y, z) for x in (-4, 4) for y in (-3, 3) for z in (0, 2)])
+    screen, _ = project(master(FILM, corners, 15, 10, 24), corners)
+    assert screen.min() > 0 and screen.max() < 1
+    assert (screen.max(0) - screen.min(0)).max() > 0.7
+
+
+def test_the_line_is_crossed_only_on_the_other_side() -> None:
+    camera = group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
+    side = side_of_line(camera.position, ANNA.face, TOM.face)
+    assert side == -1
+    assert not crosses_line(orbit(camera, 60), ANNA.face, TOM.face, side)
+    assert crosses_line(orbit(camera, 180), ANNA.face, TOM.face, side)
+    assert side_of_line((-5, 0.05), ANNA.face, TOM.face) == 0
+
+
+def test_a_small_step_with_the_same_size_jumps() -> None:
+    camera = single(FILM, ANNA, "MS", 40, 2, 50)
+    assert jumps(camera, orbit(camera, 15), ANNA.face, 0)
+    assert not jumps(camera, orbit(camera, 35), ANNA.face, 0)
+    assert not jumps(camera, camera, ANNA.face, 2)
+
+
+def test_mirrored_singles_match_their_eyelines() -> None:
+    azimuth = 50.0
+    reverse = mirrored(azimuth, ANNA.face, TOM.face)
+    assert reverse == pytest.approx(-50)
+    first, second = single(FILM, ANNA, "MCU", azimuth, 2, 65), single(FILM, TOM, "MCU", reverse, 2, 65)
+    assert looks_meet(first, ANNA.forward, second, TOM.forward)
+    assert not looks_meet(first, ANNA.forward, single(FILM, TOM, "MCU", reverse + 180, 2, 65), TOM.forward)
