@@ -1,0 +1,37 @@
+# Everything goes through .venv, which is made on first use from the locked, hashed requirements.
+PYTHON ?= python3.11
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.PHONY: storyboard test test-all check bench clean
+
+storyboard: $(READY)  ## Make the example storyboard into out/casablanca.storyboard
+	$(BIN)/storyblender make examples/casablanca.fountain --out out/casablanca.storyboard
+
+test: $(READY)  ## Run the tests that CI runs
+	$(BIN)/python -m pytest -m "not slow"
+
+test-all: $(READY)  ## Run every test, the slow ones too
+	$(BIN)/python -m pytest
+
+check: $(READY)  ## Lint, types, layers
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/pyright
+	$(BIN)/lint-imports
+
+bench: $(READY)  ## Print the benchmark tables
+	$(BIN)/python -m benchmarks
+
+$(READY): requirements.lock pyproject.toml
+	@command -v $(PYTHON) >/dev/null || { echo "StoryBlender needs Python 3.11: install it, or run make PYTHON=/path/to/python3.11"; exit 2; }
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	$(BIN)/python -m storyblender.library.body_data
+	$(BIN)/storyblender doctor
+	@touch $@
+
+clean:  ## Remove what was made, not the environment
+	rm -rf out build
