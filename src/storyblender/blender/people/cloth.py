@@ -1,0 +1,223 @@
+"""Cut cloth: shirts, jackets, trousers, skirts, shoes. One builder and one cover field for each kind of piece.
+
+A builder returns bolts: a sheet with the tint and fabric it is made of. A cover field is positive where the piece
+hides what is worn below it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.people.figure import FAR, Figure
+from storyblender.blender.people.sheet import Sheet, clip, loosened, normals, smoothed
+from storyblender.blender.people.under import Under
+from storyblender.catalog.garments import Band, Collar, Fabric, Footwear, Lapel, Legs, Piece, Skirt, Top
+from storyblender.catalog.skeleton import columns
+
+Floats = NDArray[np.float64]
+_LEGS = columns("thigh", "shin", "foot", "toe")
+SKIRT_MARGIN = 0.12
+"""Below a skirt the legs stay for this length above its hem, because one looks in there."""
+
+
+@dataclass
+class Bolt:
+    """A sheet of one tint and fabric."""
+
+    sheet: Sheet
+    tint: str
+    fabric: Fabric
+
+
+Builder = Callable[[Any, Figure, Under], list[Bolt]]
+Cover = Callable[[Any, Figure, Sheet], Floats]
+
+
+def one(piece: Piece, sheet: Sheet) -> list[Bolt]:
+    """Return the single bolt of a piece made of one cloth."""
+    return [Bolt(sheet, piece.tint, piece.fabric)]
+
+
+# ---------------------------------------------------------------------- trunk and arms
+
+
+def cover_top(cut: Top, figure: Figure, sheet: Sheet) -> Floats:
+    """Return the field of a top."""
+    field = np.minimum(figure.inside_sleeve(sheet, cut.sleeve), figure.above(sheet, figure.height(cut.hem)))
+    field = np.minimum(field, figure.below_neck(sheet, cut.neck))
+    return np.minimum(field, figure.beside_opening(sheet, cut.opening)) if cut.opening else field
+
+
+def build_top(cut: Top, figure: Figure, under: Under) -> list[Bolt]:
+    """Cut a top from the body suit, loosen it and put it over what is worn."""
+    k = figure.k
+    sheet = figure.part("tights")
+    for field in (
+        lambda s: figure.inside_sleeve(s, cut.sleeve),
+        lambda s: figure.above(s, figure.height(cut.hem)),
+        lambda s: figure.below_neck(s, cut.neck),
+    ):
+        sheet = clip(sheet, field(sheet))
+    sheet = loosened(sheet, cut.ease * k, cut.drape)
+    if cut.elbow:
+        sheet = _fill_sleeves(sheet, figure, cut)
+    sheet = under.push_out(sheet, 0.006 * k)
+    if cut.opening:
+        sheet = clip(sheet, figure.beside_opening(sheet, cut.opening))
+    return one(cut, sheet)
+
+
+def _fill_sleeves(sheet: Sheet, figure: Figure, cut: Top) -> Sheet:
+    """Widen the sleeves to the radii of the cut."""
+    place, radial = figure.along_arm(sheet)
+    least = np.interp(place, (0.45, 1, 2), (0, cut.elbow, cut.cuff)) * figure.k
+    radius = np.maximum(np.linalg.norm(radial, axis=1), 1e-4)
+    widened = (figure.arm_share(sheet) > 0.5) & (place > 0.45) & (radius < least)
+    return sheet.moved(sheet.points + radial * np.where(widened, least / radius - 1, 0)[:, None])
+
+
+def build_lapel(cut: Lapel, figure: Figure, under: Under) -> list[Bolt]:
+    """Lay a strip along the opening of the jacket below it."""
+    opening, k = cut.opening, figure.k
+    bottom, top = figure.height(opening.bottom), figure.heights["neck"]
+    sheet = figure.part("tights")
+    for field in (
+        lambda s: figure.below_neck(s, 0.03),
+        lambda s: figure.above(s, bottom),
+        lambda s: np.where(figure.is_front(s), figure.beside_opening(s, opening), -FAR),
+        lambda s: _lapel_width(s, figure, cut, bottom, top) - figure.beside_opening(s, opening),
+    ):
+        sheet = clip(sheet, field(sheet))
+    sheet = sheet.moved(sheet.points + normals(sheet) * cut.ease * k)
+    return one(cut, under.push_out(sheet, 0.004 * k))
+
+
+def _lapel_width(sheet: Sheet, figure: Figure, cut: Lapel, bottom: float, top: float) -> Floats:
+    """A lapel is widest at two thirds of its height and pointed at the button."""
+    share = np.clip((sheet.skin[:, 2] - bottom) / (top - bottom), 0, 1)
+    return cut.width * figure.k * np.interp(share, (0, 0.66, 1), (0.15, 1.25, 0.7))
+
+
+def build_collar(cut: Collar, figure: Figure, under: Under) -> list[Bolt]:
+    """Cut a band of the neck that flares out below, open in front."""
+    k = figure.k
+    sheet = figure.part("tights")
+    sheet = clip(sheet, figure.below_neck(sheet, cut.high))
+    sheet = clip(sheet, -figure.below_neck(sheet, cut.low))
+
+    def share(s: Sheet) -> Floats:
+        return (figure.up_neck(s) / k - cut.low) / (cut.high - cut.low)
+
+    gap = cut.gap * k * np.clip(1 - share(sheet), 0, 1)
+    sheet = clip(sheet, np.where(figure.is_front(sheet), np.abs(sheet.skin[:, 0]) - gap, FAR))
+    stand = (0.009 + cut.flare * (1 - share(sheet))) * k
+    return one(cut, sheet.moved(sheet.points + normals(sheet) * stand[:, None]))
+
+
+# ---------------------------------------------------------------------- hips and legs
+
+
+def cover_legs(cut: Legs, figure: Figure, sheet: Sheet) -> Floats:
+    """Return the field of trousers."""
+    return np.minimum(figure.below(sheet, figure.height(cut.waist)), sheet.skin[:, 2] - figure.height(cut.hem))
+
+
+def build_legs(cut: Legs, figure: Figure, under: Under) -> list[Bolt]:
+    """Cut trousers from the body suit and give the legs the shape of real trousers."""
+    k = figure.k
+    hem = figure.height(cut.hem)
+    sheet = figure.part("tights")
+    sheet = clip(sheet, figure.below(sheet, figure.height(cut.waist)))
+    sheet = clip(sheet, sheet.skin[:, 2] - hem)
+    place, _ = figure.along_leg(sheet)
+    sheet = loosened(sheet, (0.006 + 0.008 * np.clip(place / 2, 0, 1)) * k, 8)
+    place, axis = figure.along_leg(sheet)
+    limb = sheet.weights[:, _LEGS].sum(1)
+    start, last = 0.2, max(1.05, float(place.max()))
+    least = np.interp(place, (start, 0.55, 1, last), (0, cut.thigh, cut.knee, cut.cuff)) * k
+    radial = sheet.points - axis
+    radius = np.maximum(np.linalg.norm(radial[:, :2], axis=1), 1e-4)
+    widened = (limb > 0.5) & (place > start) & (radius < least)
+    grow = np.where(widened, least / radius, 1)[:, None]
+    points = sheet.points.copy()
+    points[:, :2] = (axis + radial * grow)[:, :2]
+    points = smoothed(sheet.moved(points), 4)
+    points[sheet.skin[:, 2] < hem + 0.012 * k, 2] -= cut.drop * k
+    return one(cut, under.push_out(sheet.moved(points), 0.003 * k))
+
+
+def cover_skirt(cut: Skirt, figure: Figure, sheet: Sheet) -> Floats:
+    """Return the field of a skirt; trouser legs and skin near its hem stay."""
+    return np.minimum(
+        figure.below(sheet, figure.height(cut.top)),
+        sheet.skin[:, 2] - figure.height(cut.hem) - SKIRT_MARGIN * figure.k,
+    )
+
+
+def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
+    """Cut a skirt from the skirt tube, flare it and fold it."""
+    sheet = figure.part("skirt")
+    sheet = clip(sheet, figure.height(cut.top) - sheet.skin[:, 2])
+    sheet = clip(sheet, sheet.skin[:, 2] - figure.height(cut.hem))
+    sheet = loosened(sheet, cut.ease * figure.k, 3)
+    sheet = under.push_out(sheet, 0.004 * figure.k)
+    middle = figure.joint("pelvis")[1]
+    top = sheet.points[:, 2].max()
+    fall = np.clip((top - sheet.points[:, 2]) / max(top - sheet.points[:, 2].min(), 0.05), 0, 1)
+    angle = np.arctan2(sheet.points[:, 1] - middle, sheet.points[:, 0])
+    ripple = 1 + cut.depth * fall * (np.sin(angle * cut.folds) + 0.4 * np.sin(angle * (cut.folds * 2 - 3) + 1))
+    grow = (1 + cut.flare * fall**1.5) * ripple
+    points = sheet.points.copy()
+    points[:, 0] *= grow
+    points[:, 1] = middle + (points[:, 1] - middle) * grow
+    sheet = sheet.moved(points)
+    if cut.opening:
+        front = sheet.skin[:, 1] < middle
+        sheet = clip(sheet, np.where(front, np.abs(sheet.skin[:, 0]) - cut.opening * figure.k, FAR))
+    return one(cut, sheet)
+
+
+def build_band(cut: Band, figure: Figure, under: Under) -> list[Bolt]:
+    """Lay a belt around whatever is worn at the waist."""
+    sheet = figure.part("tights")
+    sheet = clip(sheet, figure.above(sheet, figure.height(cut.low)))
+    sheet = clip(sheet, figure.below(sheet, figure.height(cut.high)))
+    sheet = loosened(sheet, cut.ease * figure.k, 4)
+    return one(cut, under.push_out(sheet, 0.005 * figure.k))
+
+
+# ---------------------------------------------------------------------- feet
+
+
+def cover_footwear(cut: Footwear, figure: Figure, sheet: Sheet) -> Floats:
+    """Return the field of a shoe or boot."""
+    return figure.below(sheet, figure.height(cut.top)) - 0.004
+
+
+def build_footwear(cut: Footwear, figure: Figure, under: Under) -> list[Bolt]:
+    """Cut a shoe from the foot of the body suit; the sole is its own bolt."""
+    k = figure.k
+    sheet = figure.part("tights")
+    sheet = clip(sheet, figure.below(sheet, figure.height(cut.top)))
+    sheet = loosened(sheet, cut.ease * k, 6 if cut.sole else 2)
+    if cut.shaft:
+        place, axis = figure.along_leg(sheet)
+        radial = sheet.points - axis
+        radius = np.maximum(np.linalg.norm(radial[:, :2], axis=1), 1e-4)
+        grow = np.where((place < 1.93) & (radius < cut.shaft * k), cut.shaft * k / radius, 1)[:, None]
+        points = sheet.points.copy()
+        points[:, :2] = (axis + radial * grow)[:, :2]
+        sheet = sheet.moved(points)
+    if not cut.sole:
+        return one(cut, sheet)
+    points = sheet.points.copy()
+    points[:, 2] = np.maximum(points[:, 2], 0.0)
+    sheet = sheet.moved(points)
+    real = sheet.faces >= 0
+    low = (np.where(real, points[sheet.faces, 2], 0).sum(1) / real.sum(1)) < 0.012 * k
+    return [Bolt(sheet.keep_faces(~low), cut.tint, cut.fabric), Bolt(sheet.keep_faces(low), cut.sole, "rubber")]

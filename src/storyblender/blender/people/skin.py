@@ -1,0 +1,81 @@
+"""The skin: the visible body with its painted complexion and the face's shape keys."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.pack import PARTS, BodyPack, to_scene
+from storyblender.blender.people.sheet import Sheet
+from storyblender.catalog.bodies import Complexion
+
+Floats = NDArray[np.float64]
+
+EXPRESSIONS: dict[str, dict[str, float]] = {
+    "mouth_open": {"mouth-open": 0.7, "mouth-depression": 0.3},
+    "smile": {"mouth-corner-puller": 1.0},
+    "blink": {"eye-left-closure": 1.0, "eye-right-closure": 1.0},
+    "brow_up": {"eyebrows-left-up": 1.0, "eyebrows-right-up": 1.0},
+    "brow_down": {"eyebrows-left-down": 1.0, "eyebrows-right-down": 1.0},
+}
+"""The face's shape keys and the MakeHuman units they are mixed from."""
+
+
+def expressions(pack: BodyPack) -> dict[str, Floats]:
+    """Return the offsets of each shape key for the whole base mesh, (V, 3) metres in Blender's axes."""
+    return {
+        key: to_scene(pack.displacement({f"expression/units/caucasian/{unit}": w for unit, w in units.items()}))
+        for key, units in EXPRESSIONS.items()
+    }
+
+
+def keys_for(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the shape keys of a sheet whose vertices all come from the base mesh."""
+    return {key: offsets[sheet.source] for key, offsets in every.items()}
+
+
+def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, age: float, stubble: float) -> Floats:
+    """Return the vertex colours (V, 3): tone, blood in cheeks, nose and ears, lips, eye sockets, stubble, age.
+
+    Args:
+        figure: Whose body it is.
+        sheet: The skin, uncut.
+        colors: The person's colours.
+        age: Years.
+        stubble: Strength of a painted beard shadow, 0 to 1.
+    """
+    base = sheet.base
+    paint = np.tile(np.array(colors.skin), (len(base), 1))
+    flush = np.array((1.12, 0.80, 0.78))
+    shade = np.array((0.72, 0.58, 0.56))
+
+    def spot(x: float, y: float, z: float, size: float) -> Floats:
+        distance = (np.abs(base[:, 0]) - x) ** 2 + (base[:, 1] - y) ** 2 + (base[:, 2] - z) ** 2
+        return np.exp(-distance / size**2)[:, None]
+
+    ears = figure.pack.ears[sheet.source][:, None]
+    for strength, where in ((0.55, spot(0.55, 6.95, 1.2, 0.28)), (0.4, spot(0, 7.0, 1.7, 0.18)), (0.3, ears)):
+        paint *= 1 + strength * where * (flush - 1)
+    old = float(np.interp(age, (40, 80), (0, 1)))
+    folds = spot(0.42, 6.75, 1.35, 0.13) + spot(0.36, 7.13, 1.38, 0.10) + spot(0.62, 7.28, 1.15, 0.10)
+    for strength, where in ((0.28, spot(0.31, 7.30, 1.35, 0.16)), (0.4 * old, folds)):
+        paint *= 1 + strength * where * (shade - 1)
+    lips = figure.pack.lips[sheet.source] * (base[:, 1] > 6.4) * (base[:, 1] < 7) * (base[:, 2] > 0.9)
+    beard = (
+        np.clip((6.98 - base[:, 1]) / 0.12, 0, 1)
+        * np.clip((base[:, 2] - 0.35) / 0.3, 0, 1)
+        * np.clip((base[:, 1] - 6.1) / 0.15, 0, 1)
+        * (1 - lips)
+        * stubble
+    )[:, None]
+    paint = paint * (1 - beard) + np.array(colors.brow) * beard
+    return paint * (1 - lips[:, None]) + np.array(colors.lips) * lips[:, None]
+
+
+def skin_sheet(figure: Figure) -> Sheet:
+    """Return the whole skin; source numbers are base vertices."""
+    assert PARTS["skin"].start == 0
+    return figure.part("skin")

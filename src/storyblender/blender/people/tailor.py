@@ -1,0 +1,113 @@
+"""Dress a figure: build every garment from the inside out and take away what the next one hides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.people import cloth, trimmings
+from storyblender.blender.people.cloth import Bolt, Builder, Cover
+from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.sheet import Sheet
+from storyblender.blender.people.under import Under
+from storyblender.catalog import garments as cuts
+from storyblender.catalog.bodies import mix
+from storyblender.catalog.garments import GARMENTS, GarmentSpec
+from storyblender.catalog.materials import hex_color
+from storyblender.memory.asset_sheet import Garment
+from storyblender.memory.base import Color
+
+Floats = NDArray[np.float64]
+SKIN_MARGIN = 0.012
+CLOTH_MARGIN = 0.018
+
+BUILDERS: dict[type, Builder] = {
+    cuts.Top: cloth.build_top,
+    cuts.Lapel: cloth.build_lapel,
+    cuts.Collar: cloth.build_collar,
+    cuts.Legs: cloth.build_legs,
+    cuts.Skirt: cloth.build_skirt,
+    cuts.Band: cloth.build_band,
+    cuts.Footwear: cloth.build_footwear,
+    cuts.Buttons: trimmings.build_buttons,
+}
+"""Who sews which kind of piece."""
+
+COVERS: dict[type, Cover] = {
+    cuts.Top: cloth.cover_top,
+    cuts.Legs: cloth.cover_legs,
+    cuts.Skirt: cloth.cover_skirt,
+    cuts.Footwear: cloth.cover_footwear,
+}
+"""Pieces that hide what is below them."""
+
+
+@dataclass
+class Worn:
+    """A finished garment.
+
+    Attributes:
+        spec: Its catalog entry.
+        color: Its main colour.
+        bolts: Its sheets.
+    """
+
+    spec: GarmentSpec
+    color: Color
+    bolts: list[Bolt]
+
+
+def dress(figure: Figure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
+    """Return the garments of ``outfit`` (from the inside out) fitted to ``figure``."""
+    rng = np.random.default_rng(seed + 3)
+    under = Under(float(figure.joint("neck")[1]) - 0.01 * figure.k)
+    wardrobe: list[Worn] = []
+    for garment in outfit:
+        spec = GARMENTS[garment.key]
+        picked = hex_color(spec.colors[int(rng.integers(len(spec.colors)))])
+        worn = Worn(spec, garment.color or picked, [])
+        for piece in spec.pieces:
+            bolts = BUILDERS[type(piece)](piece, figure, under)
+            worn.bolts += bolts
+            for bolt in bolts:
+                under.add(bolt.sheet)
+        wardrobe.append(worn)
+    for place, worn in enumerate(wardrobe):
+        fields = _cover_fields(figure, wardrobe[place + 1 :])
+        for bolt in worn.bolts:
+            bolt.sheet = bolt.sheet.keep_faces(~_hidden(bolt.sheet, fields, CLOTH_MARGIN * figure.k))
+        worn.bolts = [bolt for bolt in worn.bolts if len(bolt.sheet.faces)]
+    return [worn for worn in wardrobe if worn.bolts]
+
+
+def covered_skin(figure: Figure, skin: Sheet, wardrobe: Sequence[Worn]) -> NDArray[np.bool_]:
+    """Return which faces of ``skin`` are under clothes."""
+    return _hidden(skin, _cover_fields(figure, wardrobe), SKIN_MARGIN * figure.k)
+
+
+def _cover_fields(figure: Figure, wardrobe: Sequence[Worn]) -> list[Callable[[Sheet], Floats]]:
+    return [
+        partial(COVERS[type(piece)], piece, figure)
+        for worn in wardrobe
+        for piece in worn.spec.pieces
+        if type(piece) in COVERS
+    ]
+
+
+def _hidden(sheet: Sheet, fields: Sequence[Callable[[Sheet], Floats]], margin: float) -> NDArray[np.bool_]:
+    """Return which faces lie wholly inside one of ``fields`` by at least ``margin`` metres."""
+    if not fields:
+        return np.zeros(len(sheet.faces), bool)
+    inside = np.any([field(sheet) > margin for field in fields], axis=0)
+    return (inside[sheet.faces] | (sheet.faces < 0)).all(1)
+
+
+def tinted(color: Color, tint: str) -> Color:
+    """Return the colour of a piece: ``main``, ``dark``, ``light`` or a hex code."""
+    if tint.startswith("#"):
+        return hex_color(tint)
+    return {"main": color, "dark": mix(color, (0, 0, 0), 0.3), "light": mix(color, (1, 1, 1), 0.35)}[tint]

@@ -1,0 +1,73 @@
+"""What is already worn: pushes the next garment outside it, and gives points on its front to sew trimmings to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+from numpy.typing import NDArray
+
+from storyblender.blender.people.sheet import Sheet
+
+Floats = NDArray[np.float64]
+REACH = 0.05
+
+
+@dataclass
+class FrontPoint:
+    """A point on the front of the clothes."""
+
+    location: Floats
+    normal: Floats
+    weights: Floats
+
+
+def polygons(sheet: Sheet) -> list[list[int]]:
+    """Return the faces as lists of corners."""
+    sizes = (sheet.faces >= 0).sum(1)
+    return [row[:size] for row, size in zip(sheet.faces.tolist(), sizes.tolist(), strict=True)]
+
+
+class Under:
+    """The clothes worn so far.
+
+    Args:
+        back: y of the neck; what lies farther back is never the front.
+    """
+
+    def __init__(self, back: float) -> None:
+        self._back = back
+        self._layers: list[tuple[Sheet, BVHTree]] = []
+
+    def add(self, sheet: Sheet) -> None:
+        """Put ``sheet`` on."""
+        self._layers.append((sheet, BVHTree.FromPolygons(sheet.points.tolist(), polygons(sheet))))
+
+    def push_out(self, sheet: Sheet, gap: float) -> Sheet:
+        """Return ``sheet`` with every vertex at least ``gap`` metres outside everything worn."""
+        points = sheet.points.copy()
+        for _, tree in self._layers:
+            for row, point in enumerate(points.tolist()):
+                nearest, normal, _, _ = tree.find_nearest(point, REACH)
+                if nearest is None:
+                    continue
+                depth = gap - (Vector(point) - nearest).dot(normal)
+                if depth > 0:
+                    points[row] += np.array(normal) * depth
+        return sheet.moved(points)
+
+    def front(self, x: float, z: float) -> FrontPoint | None:
+        """Return the foremost point of the clothes at ``x``, ``z``, or None where there is only the back."""
+        best: FrontPoint | None = None
+        for sheet, tree in self._layers:
+            hit, normal, face, _ = tree.ray_cast((x, -2.0, z), (0.0, 1.0, 0.0))
+            if hit is None or hit.y > self._back or (best is not None and hit.y >= best.location[1]):
+                continue
+            corners = sheet.faces[face]
+            corners = corners[corners >= 0]
+            nearest = corners[np.linalg.norm(sheet.points[corners] - np.array(hit), axis=1).argmin()]
+            outward = np.array(normal) * (1.0 if normal.y < 0 else -1.0)
+            best = FrontPoint(np.array(hit), outward, sheet.weights[nearest])
+        return best

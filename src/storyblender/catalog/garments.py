@@ -1,0 +1,347 @@
+"""The wardrobe: every garment as data. A garment is a tuple of pieces; the tailor has one builder for a kind of piece.
+
+Lengths are metres on a person of 1.70 m and scale with the wearer. To add a garment, add one ``GarmentSpec`` to
+``GARMENTS`` (docs/add-a-garment.md).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from storyblender.catalog.registry import Catalog
+from storyblender.memory.asset_sheet import CharacterLook, Garment
+
+Level = tuple[str, float]
+"""A landmark (sole ankle knee crotch hip belt waist ribs chest neck) and metres above it."""
+
+Fabric = Literal["cloth", "knit", "leather", "satin", "metal", "rubber"]
+
+
+@dataclass(frozen=True)
+class Opening:
+    """The opening of a neckline in front.
+
+    Attributes:
+        bottom: Where the V ends.
+        width: Half width of the V at the base of the neck.
+        gap: Half width that stays open from ``bottom`` down to the hem; 0 closes it.
+    """
+
+    bottom: Level
+    width: float
+    gap: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """One piece of a garment.
+
+    Attributes:
+        tint: ``main``, ``dark`` or ``light`` (shades of the garment's colour), or a hex code.
+        fabric: How it shines.
+    """
+
+    tint: str = "main"
+    fabric: Fabric = "cloth"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Top(Piece):
+    """Cloth for the trunk and arms.
+
+    Attributes:
+        sleeve: Where the sleeve ends: 0 shoulder, 1 elbow, 2 wrist.
+        hem: Lower edge.
+        neck: How far it goes up the neck.
+        ease: Least distance to the skin.
+        drape: Rounds of smoothing; more hides more of the body.
+        opening: The neckline's opening, or None.
+        elbow: Least radius of the sleeve at the elbow.
+        cuff: Least radius of the sleeve at the wrist.
+    """
+
+    sleeve: float = 1.93
+    hem: Level = ("hip", 0.0)
+    neck: float = 0.03
+    ease: float = 0.007
+    drape: int = 6
+    opening: Opening | None = None
+    elbow: float = 0.0
+    cuff: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lapel(Piece):
+    """The turned-out edges of a jacket's opening."""
+
+    opening: Opening
+    width: float = 0.036
+    ease: float = 0.02
+
+
+@dataclass(frozen=True, kw_only=True)
+class Legs(Piece):
+    """Cloth for the hips and both legs.
+
+    Attributes:
+        waist: Upper edge.
+        hem: Lower edge.
+        thigh: Least radius at the upper thigh.
+        knee: Least radius at the knee.
+        cuff: Least radius at the hem.
+        drop: How far the hem falls over the shoe.
+    """
+
+    waist: Level = ("belt", 0.0)
+    hem: Level = ("ankle", -0.01)
+    thigh: float = 0.083
+    knee: float = 0.078
+    cuff: float = 0.080
+    drop: float = 0.035
+
+
+@dataclass(frozen=True, kw_only=True)
+class Skirt(Piece):
+    """A tube around both legs.
+
+    Attributes:
+        top: Upper edge.
+        hem: Lower edge.
+        flare: Growth of the radius down to the hem, 0.3 = 30 %.
+        folds: How many folds run around.
+        depth: Depth of the folds as a share of the radius.
+        ease: Least distance to the body.
+        opening: Half width of a gap in front, 0 = closed.
+    """
+
+    top: Level = ("belt", 0.02)
+    hem: Level = ("knee", 0.0)
+    flare: float = 0.2
+    folds: int = 11
+    depth: float = 0.035
+    ease: float = 0.008
+    opening: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Footwear(Piece):
+    """A shoe, boot or sock.
+
+    Attributes:
+        top: Upper edge.
+        ease: Thickness over the foot.
+        shaft: Least radius of a boot's shaft, 0 follows the leg.
+        sole: Tint of the sole, empty for a sock.
+        heel: Height of the drawn heel block.
+        throat: How far the instep is cut out, as in a court shoe.
+    """
+
+    top: Level = ("ankle", 0.015)
+    ease: float = 0.007
+    shaft: float = 0.0
+    sole: str = "#151210"
+    throat: float = 0.0
+    fabric: Fabric = "leather"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Band(Piece):
+    """A belt or waistband over whatever is worn there."""
+
+    low: Level = ("belt", -0.025)
+    high: Level = ("belt", 0.015)
+    ease: float = 0.012
+    fabric: Fabric = "leather"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Collar(Piece):
+    """A folded collar: a band of the neck that flares out below.
+
+    Attributes:
+        low: Lower edge up the neck.
+        high: Upper edge up the neck.
+        flare: How far the lower edge stands off.
+        gap: Half width of the gap in front.
+    """
+
+    low: float = 0.012
+    high: float = 0.054
+    flare: float = 0.012
+    gap: float = 0.035
+
+
+@dataclass(frozen=True, kw_only=True)
+class Buttons(Piece):
+    """A row of buttons down the front."""
+
+    top: Level
+    bottom: Level
+    count: int
+    radius: float = 0.008
+    offset: float = 0.0
+    tint: str = "#d8d4c8"
+    fabric: Fabric = "satin"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Patches(Piece):
+    """A pair of pockets (or one, to the wearer's left)."""
+
+    top: Level
+    offset: float
+    width: float = 0.10
+    height: float = 0.11
+    pair: bool = True
+    tint: str = "dark"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Necktie(Piece):
+    """A long tie; ``length`` from the knot to the tip."""
+
+    length: float = 0.36
+    fabric: Fabric = "satin"
+
+
+@dataclass(frozen=True, kw_only=True)
+class BowTie(Piece):
+    """A bow at the collar."""
+
+    fabric: Fabric = "satin"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scarf(Piece):
+    """A wound ring around the neck."""
+
+    fabric: Fabric = "knit"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bib(Piece):
+    """The front of an apron: a panel from the chest to the hem with a waist band."""
+
+    top: Level = ("chest", -0.04)
+    hem: Level = ("knee", 0.05)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hat(Piece):
+    """Headwear.
+
+    Attributes:
+        shape: fedora, peaked cap, flat cap, straw hat or knitted cap.
+        band: Tint of its band.
+        visor: Tint of its visor.
+    """
+
+    shape: Literal["fedora", "peaked", "flat", "straw", "beanie"]
+    band: str = "dark"
+    visor: str = "#0c0b0b"
+
+
+AnyPiece = (
+    Top | Lapel | Legs | Skirt | Footwear | Band | Collar | Buttons | Patches | Necktie | BowTie | Scarf | Bib | Hat
+)
+
+
+@dataclass(frozen=True)
+class GarmentSpec:
+    """A garment.
+
+    Attributes:
+        key: Key in the catalog.
+        name: For people.
+        tags: Other words for it.
+        layer: Garments are put on in this order, so a jacket goes over a shirt in whatever order they were named.
+        covers: What it dresses; a person without upper or lower gets the default there.
+        colors: Typical colours (hex); the seed picks one where none is given.
+        pieces: What it is sewn from.
+    """
+
+    key: str
+    name: str
+    tags: tuple[str, ...]
+    layer: int
+    covers: tuple[Literal["upper", "lower", "feet"], ...]
+    colors: tuple[str, ...]
+    pieces: tuple[AnyPiece, ...]
+
+
+_JACKET_V = Opening(("waist", 0.07), 0.085)
+_DINNER_V = Opening(("waist", 0.045), 0.095)
+_DRESS_V = Opening(("chest", -0.01), 0.085)
+_KNIT_V = Opening(("ribs", 0.0), 0.085)
+_VEST_V = Opening(("ribs", 0.03), 0.075)
+_COAT_V = Opening(("ribs", 0.06), 0.07)
+
+
+def _spec(key: str, words: str, layer: int, covers: str, colors: str, *pieces: AnyPiece, name: str = "") -> GarmentSpec:
+    return GarmentSpec(
+        key=key,
+        name=name or key.replace("_", " "),
+        tags=tuple(words.split(", ")),
+        layer=layer,
+        covers=tuple(covers.split()),  # type: ignore[arg-type]
+        colors=tuple(colors.split()),
+        pieces=pieces,
+    )
+
+
+GARMENTS: Catalog[GarmentSpec] = Catalog("garment", (
+    _spec("socks", "stockings, hose", 0, "", "#c9c5bd #3a3c44 #6f6a60",
+          Footwear(top=("ankle", 0.07), ease=0.003, sole="", fabric="knit")),
+    _spec("shirt", "dress shirt, button-down, collared shirt", 20, "upper", "#e9e6de #c9d6e4 #d9cfc0 #8fa6bd",
+          Top(sleeve=1.96, neck=0.05, elbow=0.047, cuff=0.036),
+          Collar(), Buttons(top=("neck", -0.05), bottom=("waist", 0.02), count=6, radius=0.005)),
+    _spec("blouse", "ladies' shirt", 20, "upper", "#ece6da #d8b7b4 #b9c9c2",
+          Top(sleeve=1.9, neck=0.02, ease=0.008, drape=8, elbow=0.046, cuff=0.034),
+          Collar(low=0.0, high=0.036, gap=0.03)),
+    _spec("trousers", "pants, slacks, jeans, breeches", 30, "lower", "#2c2d33 #3d3a36 #4a4038 #39424f #6b6250",
+          Legs()),
+    _spec("shorts", "short trousers", 30, "lower", "#2b4a7a #6b5f46 #43503b",
+          Legs(hem=("knee", 0.05), thigh=0.09, knee=0.088, cuff=0.088, drop=0.0)),
+    _spec("skirt", "long skirt, pencil skirt", 30, "lower", "#574a52 #2f3a4c #5b4632 #3d4a3c",
+          Skirt(hem=("knee", -0.12), flare=0.16)),
+    _spec("dress", "gown, frock", 30, "upper lower", "#a3142a #27506b #3f5d46 #6a4a73 #c08a3e",
+          Top(sleeve=0.34, neck=-0.012, ease=0.006, drape=4, hem=("belt", -0.03), opening=_DRESS_V),
+          Skirt(hem=("knee", -0.03), flare=0.33, ease=0.010),
+          Band(low=("belt", -0.02), high=("belt", 0.02), ease=0.014, tint="dark")),
+    _spec("tee", "t-shirt, jersey, pullover, sweater", 40, "upper", "#d9a520 #b8433a #3f6b8a #d8d4cc #4d6b4a",
+          Top(sleeve=0.72, neck=0.01, ease=0.010, drape=10, hem=("hip", -0.03))),
+    _spec("jacket", "suit jacket, blazer", 60, "upper", "#2f3239 #4b4136 #3b4654 #5c5349",
+          Top(sleeve=1.88, neck=0.028, ease=0.013, drape=12, hem=("crotch", 0.0), opening=_JACKET_V, elbow=0.058, cuff=0.048),
+          Lapel(opening=_JACKET_V, tint="dark"),
+          Buttons(top=("waist", 0.04), bottom=("waist", -0.04), count=2, tint="#1a1614")),
+    _spec("shoes", "oxfords, loafers, sneakers", 10, "feet", "#1d1410 #0d0c0c #4a2a18",
+          Footwear()),
+))  # fmt: skip
+
+
+def default_outfit(gender: str, age: float, seed: int) -> tuple[Garment, ...]:
+    """Return what a ``female`` or ``male`` of ``age`` years wears where the script does not say."""
+    rng = np.random.default_rng(seed + 2)
+    if age < 13:
+        choices = ("tee shorts socks shoes", "shirt shorts socks shoes") if gender == "male" else ("dress socks shoes",)
+    elif gender == "male":
+        choices = ("shirt trousers shoes", "shirt trousers jacket shoes", "tee trousers shoes")
+    else:
+        choices = ("dress shoes", "blouse skirt shoes", "blouse trousers shoes")
+    return tuple(Garment(key=key) for key in choices[int(rng.integers(len(choices)))].split())
+
+
+def dressed(look: CharacterLook, gender: str, seed: int) -> tuple[Garment, ...]:
+    """Return what a person wears from the inside out, with nothing missing: nobody is ever without clothes."""
+    chosen = [garment for garment in look.garments if garment.key in GARMENTS]
+    covered = {area for garment in chosen for area in GARMENTS[garment.key].covers}
+    default = default_outfit(gender, look.age, seed)
+    if not covered & {"upper", "lower"}:
+        chosen += [garment for garment in default if set(GARMENTS[garment.key].covers) - covered]
+    else:
+        basics = {"upper": "blouse" if gender == "female" else "shirt", "lower": "trousers", "feet": "shoes"}
+        chosen += [Garment(key=key) for area, key in basics.items() if area not in covered]
+    return tuple(sorted(chosen, key=lambda garment: GARMENTS[garment.key].layer))

@@ -1,0 +1,1 @@
+"""What the studio already owns: assets on disk, and the body data it fetches once."""
