@@ -1,0 +1,108 @@
+"""The set kits of the built-in library and the one door to their plans: ``plan_of``. Pure; no bpy."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import get_args
+
+import numpy as np
+
+from storyblender.catalog.registry import Catalog, ParamValue
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets import (
+    airfield,
+    alley,
+    bar,
+    bathroom,
+    beach,
+    bedroom,
+    bridge,
+    cafe,
+    carriage,
+    cell,
+    church,
+    classroom,
+    corridor,
+    cottage,
+    desert,
+    dock,
+    forest,
+    great_hall,
+    hospital_ward,
+    interrogation,
+    kitchen,
+    library,
+    living_room,
+    lobby,
+    mountain,
+    office,
+    open_ground,
+    park,
+    plain_room,
+    rooftop,
+    ship_deck,
+    shop,
+    square,
+    street,
+    theatre,
+    warehouse,
+)
+from storyblender.catalog.sets.drawing import Period, SetParams
+from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.errors import InputError
+from storyblender.memory.scene_context import Environment
+
+__all__ = ["SETS", "SetKit", "Span", "plan_of"]
+
+SETS: Catalog[SetKit] = Catalog(
+    "set",
+    tuple(
+        module.KIT
+        for module in (
+            plain_room, living_room, bedroom, kitchen, bathroom, cafe, bar, office, corridor, hospital_ward, classroom,
+            library, cell, interrogation, shop, lobby, theatre, church, great_hall, cottage, warehouse, carriage,
+            open_ground, street, alley, square, park, forest, beach, dock, airfield, rooftop, bridge, desert, mountain,
+            ship_deck,
+        )
+    ),
+)  # fmt: skip
+"""Indoor kits first, each group from the most general to the most particular."""
+
+
+def plan_of(environment: Environment) -> SetPlan:
+    """Return the plan of a set: the same environment, the same plan.
+
+    Args:
+        environment: A kit, its parameters (``width``, ``depth``, ``height`` in metres, ``period``, the kit's own
+            options) and a seed. Dimensions are kept within what the kit can do.
+
+    Raises:
+        InputError: No such kit, or no such parameter.
+    """
+    return _plan(environment.model_dump_json())
+
+
+@lru_cache(maxsize=64)
+def _plan(environment_json: str) -> SetPlan:
+    environment = Environment.model_validate_json(environment_json)
+    if environment.kit not in SETS:
+        raise InputError(f"the catalog has no set kit called {environment.kit!r}", mend=f"it has {sorted(SETS)}")
+    kit = SETS[environment.kit]
+    return kit.draw(_params(kit, environment.params), np.random.default_rng(environment.seed))
+
+
+def _params(kit: SetKit, given: dict[str, ParamValue]) -> SetParams:
+    known = {"width", "depth", "height", "period", *kit.options}
+    unknown = sorted(set(given) - known)
+    if unknown:
+        raise InputError(f"the set kit {kit.key!r} has no parameter {unknown[0]!r}", mend=f"it has {sorted(known)}")
+    period = given.get("period", kit.period)
+    if period not in get_args(Period):
+        raise InputError(f"there is no period {period!r}", mend=f"choose one of {', '.join(get_args(Period))}")
+    return SetParams(
+        width=kit.width.clamp(float(given.get("width", kit.width.usual))),
+        depth=kit.depth.clamp(float(given.get("depth", kit.depth.usual))),
+        height=kit.height.clamp(float(given.get("height", kit.height.usual))),
+        period=period,  # pyright: ignore[reportArgumentType]
+        options={name: given.get(name, default) for name, default in kit.options.items()},
+    )

@@ -1,0 +1,58 @@
+"""A corridor running away from the audience: doors on both sides, ceiling lights, a window at its end."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import COOL, WARM, SetParams
+from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.catalog.sets.room import Finishes, Room
+
+_LOOKS = {
+    "past": Finishes("stone", "flagstones", "ceiling_dark", beams=6),
+    "classic": Finishes("plaster_cream", "tile_check", "ceiling_white", dado="dado_brown", dado_height=1.1),
+    "modern": Finishes("plaster_grey", "lino_grey", "ceiling_white", dado="plaster_blue", dado_height=1.2),
+}
+
+
+def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw doors every three metres and a light between each pair."""
+    room = Room("corridor", params, rng, _LOOKS[params.period], view="facades")
+    y, past = room.half_y, params.period == "past"
+    style = "panel" if params.period != "modern" else "glass"
+    count = max(2, int(params.depth // 3.2))
+    for index in range(count):
+        at = -y + params.depth * (index + 0.5) / count
+        room.door("left", at, style=style, name="left_door")
+        room.door("right", at + (0.6 if index < count - 1 else -0.6), style=style, name="right_door")
+    room.window("back", 0, width=1.1, height=1.5, sill=0.9, style="grid", mark=True)
+    for index in range(count + 1):
+        at = -y + params.depth * (index + 0.5) / (count + 1)
+        if past:
+            room.hang("lantern", 0, at)
+        else:
+            room.piece("ceiling_light", 0, at, params.height, modern=params.period == "modern")
+            room.lamp(
+                "ceiling_light", (0, at, params.height - 0.16), 26, COOL if params.period == "modern" else WARM,
+                kind="AREA", size=0.5,
+            )  # fmt: skip
+    room.against("left", "bench", -y + params.depth / count, 0.32, required=False)
+    room.furnish("potted_plant", room.half_x - 0.32, y - 0.35, required=False)
+    room.on_wall("right", "picture", -y + params.depth * 0.5 / count - 0.6, 1.5)
+    room.mark("far_end", 0, y - 0.9, 0, "enter", "exit", "back")
+    room.mark("near_end", 0, -y + 0.9, 180, "enter", "exit", "front")
+    return room.finish()
+
+
+KIT = SetKit(
+    key="corridor",
+    name="Corridor",
+    tags=("corridor", "hallway", "hall way", "hall", "passage", "passageway", "landing", "stairwell", "tunnel", "vestibule",
+          "entrance hall", "elevator", "staircase"),
+    indoor=True,
+    draw=draw,
+    width=Span(2.7, 2.9, 4.0),
+    depth=Span(8.0, 12.0, 20.0),
+    height=Span(2.5, 2.8, 3.6),
+)  # fmt: skip

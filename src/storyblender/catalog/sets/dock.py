@@ -1,0 +1,68 @@
+"""A dock: planks on posts, bollards and crates, a shed, black water and the far shore."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import SODIUM, SetParams, rectangle
+from storyblender.catalog.sets.ground import REACH, Ground
+from storyblender.catalog.sets.kit import SetKit, Span
+
+
+def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw the quay along x; water behind it, the shed at the left."""
+    dock = Ground("dock", params, rng)
+    x, y, old = dock.half_x, dock.half_y, params.period == "past"
+    edge = y + 0.6
+    deck = "planks_gray" if old else "concrete"
+    dock.slab("ground", rectangle(-REACH, -REACH, REACH, edge), deck, wet=True)
+    dock.slab("ground", rectangle(-REACH * 1.6, edge, REACH * 1.6, REACH * 1.6), "water_deep", z=-1.3, wet=True)
+    dock.piece("quay_edge", 0, edge, length=120.0, drop=1.6, material="boards_grey" if old else "concrete_dark")
+    for index in range(-4, 5):
+        dock.piece("bollard", index * 4.0 + 1.5, edge - 0.35, footprint=(0.4, 0.4))
+    dock.piece("shed", -x - 4.2, -1.0, yaw=90, footprint=(8.0, 6.0), width=8.0, depth=6.0, height=4.2)
+    dock.piece("moored_ship" if not old else "mast_ship", x + 6.0, edge + 6.5, -1.3, 90, length=24.0)
+    for index, (px, py, size) in enumerate(
+        ((x - 1.0, y - 0.9, 0.9), (x - 2.0, y - 0.8, 0.75), (-x + 0.9, y - 0.8, 0.8))
+    ):
+        dock.furnish(
+            "crate", px, py, yaw=dock.between(-15, 15), required=index == 0, width=size, depth=size, height=size
+        )
+    dock.furnish("crate", x - 1.0, y - 0.9, 0.9, 25, required=False, width=0.6, depth=0.6, height=0.6)
+    for px, py in ((-x + 0.6, -y * 0.2), (-x + 0.7, -y * 0.2 + 0.75), (x - 0.6, -y * 0.4)):
+        dock.furnish("barrel", px, py, required=False)
+    for px in (-x * 0.62, x * 0.62):
+        dock.furnish("lamppost", px, edge - 0.5)
+    dock.lamp("shed_lamp", (-x - 0.7, -1.0, 3.2), 120, SODIUM, size=0.12, glow=0.4)
+    dock.mark("water_edge", 0, y - 0.3, 180, "window", "water")
+    dock.ring("sea", 120, 5, bottom=-6, azimuths=(-95, 95), sides=8)
+    dock.ring("skyline", 110, 12, bottom=-3, azimuths=(20, 80), sides=3)
+    dock.ring("facades", 40, 11, azimuths=(90, 270), sides=8)
+    dock.entrances(back=False)
+    return dock.finish()
+
+
+KIT = SetKit(
+    key="dock",
+    name="Dock",
+    tags=(
+        "dock",
+        "docks",
+        "pier",
+        "harbor",
+        "harbour",
+        "wharf",
+        "quay",
+        "port",
+        "marina",
+        "jetty",
+        "shipyard",
+        "canal",
+        "boathouse",
+    ),
+    indoor=False,
+    draw=draw,
+    width=Span(9.0, 12.0, 20.0),
+    depth=Span(6.0, 8.0, 12.0),
+)

@@ -1,0 +1,256 @@
+"""The drawing board: a kit draws its walls, pieces, furniture, lamps and marks here and gets a SetPlan."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.set_plan import Backdrop, Furnishing, Piece, PlanMark, SetPlan, Slab, Wall
+from storyblender.memory.base import Color, Vec2, Vec3
+from storyblender.memory.scene_context import Light, SceneSize
+
+Period = Literal["past", "classic", "modern"]
+"""past: before electric light; classic: about 1900 to 1970; modern."""
+
+WARM: Color = (1.0, 0.74, 0.44)
+CANDLE: Color = (1.0, 0.62, 0.28)
+COOL: Color = (0.86, 0.94, 1.0)
+SODIUM: Color = (1.0, 0.70, 0.38)
+
+
+@dataclass(frozen=True)
+class SetParams:
+    """What every kit is told: metres between the walls or the extent of the ground people act on."""
+
+    width: float
+    depth: float
+    height: float = 2.9
+    period: Period = "classic"
+    options: Mapping[str, ParamValue] = field(default_factory=dict)
+    """The kit's own parameters."""
+
+    def option(self, name: str) -> ParamValue:
+        """Return one of the kit's own parameters. Raises KeyError."""
+        return self.options[name]
+
+
+def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[Vec2, ...]:
+    """Return the counter-clockwise corners of an axis-parallel rectangle."""
+    return ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+
+
+def facing(x: float, y: float, target: Vec2) -> float:
+    """Return the yaw in degrees of something at ``x, y`` that faces ``target`` (yaw 0 faces -Y)."""
+    return math.degrees(math.atan2(target[0] - x, y - target[1]))
+
+
+class Drawing:
+    """Collects the parts of a plan and numbers them, so that ids are unique and stable.
+
+    Args:
+        kit: Key of the kit.
+        indoor: False where the sky is the ceiling.
+        size: The playing area.
+        rng: The seeded source of variation.
+    """
+
+    def __init__(self, kit: str, *, indoor: bool, size: SceneSize, rng: np.random.Generator) -> None:
+        self.kit, self.indoor, self.size, self.rng = kit, indoor, size, rng
+        self.walls: list[Wall] = []
+        self.slabs: list[Slab] = []
+        self.pieces: list[Piece] = []
+        self.backdrops: list[Backdrop] = []
+        self.furnishings: list[Furnishing] = []
+        self.lamps: list[Light] = []
+        self.marks: list[PlanMark] = []
+        self._counts: Counter[str] = Counter()
+
+    def name(self, stem: str) -> str:
+        """Return the next id of a family: ``facade_1``, ``facade_2``."""
+        self._counts[stem] += 1
+        return f"{stem}_{self._counts[stem]}"
+
+    def between(self, low: float, high: float) -> float:
+        """Draw a number, rounded so that plans read well."""
+        return round(float(self.rng.uniform(low, high)), 3)
+
+    def choose(self, options: Iterable[str]) -> str:
+        """Draw one of ``options``."""
+        choices = tuple(options)
+        return choices[int(self.rng.integers(len(choices)))]
+
+    def slab(
+        self,
+        role: Literal["floor", "ground", "ceiling", "patch", "block"],
+        polygon: tuple[Vec2, ...],
+        material: str,
+        *,
+        z: float = 0.0,
+        thickness: float = 0.0,
+        wet: bool = False,
+        beams: int = 0,
+    ) -> None:
+        """Lay a horizontal sheet or block; a ``wet`` one mirrors when it rains or at night."""
+        self.slabs.append(
+            Slab(
+                node_id=self.name(role),
+                role=role,
+                polygon=polygon,
+                z=z,
+                thickness=thickness,
+                material=material,
+                wet=wet,
+                beams=beams,
+            )
+        )
+
+    def piece(
+        self,
+        part: str,
+        x: float,
+        y: float,
+        z: float = 0.0,
+        yaw: float = 0.0,
+        *,
+        scale: float = 1.0,
+        footprint: Vec2 | None = None,
+        wild: bool = False,
+        **params: ParamValue,
+    ) -> str:
+        """Put a set piece; one with a ``footprint`` is solid. Return its id."""
+        node_id = self.name(part)
+        self.pieces.append(
+            Piece(
+                node_id=node_id,
+                part=part,
+                location=(x, y, z),
+                yaw=yaw,
+                scale=scale,
+                params=params,
+                solid=footprint is not None,
+                footprint=footprint,
+                wild=wild,
+            )
+        )
+        return node_id
+
+    def furnish(
+        self,
+        prop: str,
+        x: float,
+        y: float,
+        z: float = 0.0,
+        yaw: float = 0.0,
+        *,
+        required: bool = True,
+        **params: ParamValue,
+    ) -> str:
+        """Put a prop of ``catalog.props``. Return its id."""
+        node_id = self.name(f"set_{prop}")
+        self.furnishings.append(
+            Furnishing(node_id=node_id, prop=prop, location=(x, y, z), yaw=yaw % 360, params=params, required=required)
+        )
+        return node_id
+
+    def seats_around(
+        self, prop: str, x: float, y: float, radius: float, yaws: Iterable[float], *, required: bool = True
+    ) -> None:
+        """Put seats on a circle, each facing its centre from the direction ``yaw``."""
+        for yaw in yaws:
+            angle = math.radians(yaw)
+            self.furnish(
+                prop, x + radius * math.sin(angle), y - radius * math.cos(angle), yaw=yaw + 180, required=required
+            )
+
+    def lamp(
+        self,
+        name: str,
+        location: Vec3,
+        power: float,
+        color: Color = WARM,
+        *,
+        kind: Literal["POINT", "SPOT", "AREA"] = "POINT",
+        target: Vec3 | None = None,
+        size: float = 0.1,
+        cone: float = 120.0,
+        glow: float = 0.0,
+        role: Literal["set", "practical"] = "practical",
+    ) -> None:
+        """Hang a light that belongs to the place; ``power`` in watts at night."""
+        below = (location[0], location[1], 0.0)
+        self.lamps.append(
+            Light(
+                name=self.name(name),
+                kind=kind,
+                role=role,
+                location=location,
+                target=below if target is None else target,
+                power=power,
+                color=color,
+                size=size,
+                cone=cone,
+                glow=glow,
+            )
+        )
+
+    def mark(self, name: str, x: float, y: float, yaw: float, *tags: str) -> None:
+        """Name a place where people enter, stand or wait."""
+        self.marks.append(PlanMark(name=name, location=(x, y, 0.0), yaw=yaw % 360, tags=tags or (name,)))
+
+    def card(
+        self,
+        kind: Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "plain"],
+        left: Vec2,
+        right: Vec2,
+        bottom: float,
+        top: float,
+        emission: float = 1.0,
+    ) -> None:
+        """Hang a backdrop between two points, ``left`` and ``right`` as seen from the set."""
+        self.backdrops.append(
+            Backdrop(
+                node_id=self.name(f"backdrop_{kind}"),
+                kind=kind,
+                corners=((*left, bottom), (*right, bottom), (*right, top), (*left, top)),
+                emission=emission,
+            )
+        )
+
+    def ring(
+        self,
+        kind: Literal["skyline", "treeline", "hills", "sea", "facades"],
+        radius: float,
+        top: float,
+        *,
+        bottom: float = -2.0,
+        centre: Vec2 = (0.0, 0.0),
+        azimuths: tuple[float, float] = (0.0, 360.0),
+        sides: int = 12,
+    ) -> None:
+        """Close the horizon with ``sides`` cards; azimuth 0 is +Y, counter-clockwise as yaw."""
+        start, end = azimuths
+        for index in range(sides):
+            a, b = (math.radians(start + (end - start) * k / sides) for k in (index, index + 1))
+            ends = [(centre[0] - radius * math.sin(t), centre[1] + radius * math.cos(t)) for t in (b, a)]
+            self.card(kind, ends[0], ends[1], bottom, top)
+
+    def finish(self) -> SetPlan:
+        """Return the plan as drawn."""
+        return SetPlan(
+            kit=self.kit,
+            indoor=self.indoor,
+            size=self.size,
+            walls=tuple(self.walls),
+            slabs=tuple(self.slabs),
+            pieces=tuple(self.pieces),
+            backdrops=tuple(self.backdrops),
+            furnishings=tuple(self.furnishings),
+            lamps=tuple(self.lamps),
+            marks=tuple(self.marks),
+        )

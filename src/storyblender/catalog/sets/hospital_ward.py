@@ -1,0 +1,51 @@
+"""A hospital ward: two beds with their heads to the back wall, curtain between, window, cool even light."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import COOL, WARM, SetParams
+from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.catalog.sets.room import Finishes, Room
+
+
+def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw beds along the back wall and the doctors' floor before them."""
+    modern = params.period == "modern"
+    look = Finishes("plaster_white", "lino_grey" if modern else "tile_green", dado="plaster_mint", dado_height=1.3)
+    room = Room("hospital_ward", params, rng, look, view="treeline")
+    x, y = room.half_x, room.half_y
+    room.door("left", -y * 0.45, width=1.2, style="glass")
+    room.window("right", y * 0.1, width=1.6, style="blinds" if modern else "grid", mark=True)
+    beds = (-x * 0.5, x * 0.5)
+    for index, at in enumerate(beds):
+        room.against("back", "hospital_bed", at, 1.15, required=index == 0)
+        room.against("back", "nightstand", at + 0.85, 0.3, required=False)
+        room.piece("bed_rail_light", at, y - 0.05, 1.75)
+        room.lamp("bed_light", (at, y - 0.3, 1.85), 5, WARM, kind="AREA", size=0.5, target=(at, y - 1.0, 0.6))
+        room.mark(f"bedside_{index + 1}", at + 0.95, y - 1.5, 270, "bed")
+    room.furnish("curtain", 0, y - 1.2, yaw=90, required=False)
+    room.furnish("chair", beds[0] - 0.95, y - 1.3, yaw=90)
+    room.against("left", "cabinet", y * 0.2, 0.3, required=False)
+    room.against("right", "sink", -y * 0.5, 0.33, required=False)
+    room.on_wall("left", "clock", y * 0.2, 2.1)
+    for px in (-x * 0.45, x * 0.45):
+        for py in (-y * 0.4, y * 0.3):
+            room.piece("ceiling_light", px, py, params.height, modern=True)
+            room.lamp("ceiling_light", (px, py, params.height - 0.12), 26, COOL, kind="AREA", size=0.9)
+    return room.finish()
+
+
+KIT = SetKit(
+    key="hospital_ward",
+    name="Hospital ward",
+    tags=("hospital", "ward", "hospital room", "clinic", "infirmary", "operating room", "surgery", "er",
+          "emergency room", "intensive care", "sickbay", "examination room", "morgue", "asylum"),
+    indoor=True,
+    draw=draw,
+    width=Span(6.0, 7.0, 12.0),
+    depth=Span(5.6, 6.2, 9.0),
+    height=Span(2.7, 3.0, 3.6),
+    period="modern",
+)  # fmt: skip

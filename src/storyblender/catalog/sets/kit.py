@@ -1,0 +1,54 @@
+"""What a set kit is: a name, its words, the sizes it works at, and the function that draws it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import Period, SetParams
+
+
+@dataclass(frozen=True)
+class Span:
+    """Smallest, usual and largest value of a dimension in metres."""
+
+    least: float
+    usual: float
+    most: float
+
+    def clamp(self, value: float) -> float:
+        """Return ``value`` kept inside the span."""
+        return min(max(value, self.least), self.most)
+
+
+@dataclass(frozen=True)
+class SetKit:
+    """One kind of place.
+
+    Args:
+        key: snake_case key of the kit.
+        name: Name for people.
+        tags: Words of headings that mean this place, the strongest first.
+        indoor: False where the sky is the ceiling.
+        draw: The kit's plan as a pure function of its parameters and a seeded generator.
+        width: Span in x.
+        depth: Span in y.
+        height: Span of the ceiling; ignored outdoors.
+        period: When the place is usually set.
+        options: The kit's own parameters and their defaults.
+    """
+
+    key: str
+    name: str
+    tags: tuple[str, ...]
+    indoor: bool
+    draw: Callable[[SetParams, np.random.Generator], SetPlan]
+    width: Span
+    depth: Span
+    height: Span = Span(2.4, 2.8, 4.0)
+    period: Period = "classic"
+    options: Mapping[str, ParamValue] = field(default_factory=dict)

@@ -1,0 +1,53 @@
+"""A kitchen: a run of counters with sink and stove along the back wall, fridge, a table to eat at."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import SetParams
+from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.catalog.sets.room import Finishes, Room
+
+
+def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw the counter run, the table at the right, the middle free."""
+    past = params.period == "past"
+    look = (
+        Finishes("limewash", "flagstones", "ceiling_dark", beams=4)
+        if past
+        else Finishes("plaster_cream", "tile_green", dado="wall_tile", dado_height=1.45)
+    )
+    room = Room("kitchen", params, rng, look, view="treeline")
+    x, y = room.half_x, room.half_y
+    room.door("left", -y * 0.3)
+    room.window("back", -0.2, width=1.5, height=1.1, sill=1.15, style="curtains", mark=False)
+    room.mark("sink", -0.2, y - 0.95, 180, "sink", "window")
+    room.against("back", "sink", -0.2, 0.33)
+    room.against("back", "counter", -1.4, 0.33)
+    room.against("back", "stove", 0.75, 0.34)
+    room.against("back", "counter", 1.85, 0.33, required=False)
+    room.mark("stove", 0.75, y - 0.95, 180, "stove")
+    room.against("back", "cabinet" if past else "fridge", -x + 0.45, 0.38)
+    table_x, table_y = x - 0.95, -y * 0.2
+    room.furnish("dining_table", table_x, table_y, yaw=90)
+    for dy in (-0.45, 0.45):
+        room.furnish("chair", table_x - 0.72, table_y + dy, yaw=90)
+    room.furnish("chair", table_x, table_y + 1.2, yaw=0, required=False)
+    room.against("left", "cabinet", y * 0.3, 0.3, required=False)
+    room.on_wall("right", "picture", -y * 0.2, 1.45)
+    room.on_wall("left", "clock", y * 0.3, 1.95)
+    room.hang("lantern" if past else "pendant_lamp", x - 1.0, -y * 0.2)
+    room.hang("lantern" if past else "pendant_lamp", 0, y * 0.3)
+    return room.finish()
+
+
+KIT = SetKit(
+    key="kitchen",
+    name="Kitchen",
+    tags=("kitchen", "scullery", "pantry", "dining room", "galley", "kitchenette"),
+    indoor=True,
+    draw=draw,
+    width=Span(5.6, 6.2, 9.0),
+    depth=Span(4.6, 5.2, 8.0),
+)

@@ -1,0 +1,71 @@
+"""Which kit a place of the script gets: by the words of its heading alone, with a plausible set for any place."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.catalog.sets import SETS
+from storyblender.memory.vocabulary import SceneType
+
+FALLBACK: dict[SceneType, str] = {"indoor": "room", "outdoor": "open_ground"}
+
+_VAGUE = frozenset(
+    "room house apartment flat home interior chamber city town downtown building outside exterior village hall school "
+    "hospital hotel castle palace camp yard ship boat car plane estate farm island university station".split()
+)
+"""Words that name the whole around a place; a more particular word beside them wins."""
+
+_OUTSIDE_OF = {
+    "living_room": "park", "bedroom": "park", "kitchen": "park", "cottage": "park", "church": "park", "great_hall": "square",
+    "library": "street", "cell": "street", "warehouse": "dock", "carriage": "street", "room": "street", "classroom": "park",
+    "interrogation": "alley", "bathroom": "street",
+}  # fmt: skip
+"""EXT. of an indoor place: what lies before its door; a street unless said otherwise."""
+
+_INSIDE_OF = {
+    "street": "room", "alley": "warehouse", "forest": "cottage", "park": "living_room", "square": "shop", "beach": "cottage",
+    "dock": "warehouse", "airfield": "lobby", "rooftop": "room", "bridge": "carriage", "desert": "cottage",
+    "mountain": "cell", "ship_deck": "carriage", "open_ground": "cottage",
+}  # fmt: skip
+"""INT. of an outdoor place: the room such a place has."""
+
+
+def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
+    """Return the key of the kit that fits a place best.
+
+    Args:
+        place_kind: The Director's key of the place, or empty; counts more than the heading's other words.
+        words: The place as written, e.g. ``HOTEL - LOBBY``, or any description.
+        scene_type: INT or EXT: an outdoor scene never gets a ceiling, an indoor one always does.
+    """
+    scores: dict[str, float] = {}
+    for kit in SETS.values():
+        score = max((_score(tag, place_kind, words) for tag in (kit.key.replace("_", " "), *kit.tags)), default=0.0)
+        if score > 0:
+            scores[kit.key] = score
+    if not scores:
+        return FALLBACK[scene_type]
+    indoor = scene_type == "indoor"
+    best = max(scores, key=lambda key: scores[key] + (4.0 if SETS[key].indoor == indoor else 0.0))
+    if SETS[best].indoor == indoor:
+        return best
+    return _INSIDE_OF.get(best, "room") if indoor else _OUTSIDE_OF.get(best, "street")
+
+
+def _score(tag: str, place_kind: str, words: str) -> float:
+    """Return how strongly a tag is meant: longer phrases, particular words, and the last word named count most."""
+    phrase = _tokens(tag)
+    weight = 10.0 * len(phrase) - (6.0 if len(phrase) == 1 and phrase[0] in _VAGUE else 0.0)
+    score = weight + 6.0 if _tokens(place_kind.replace("_", " ")) == phrase else 0.0
+    head, _, owner = words.lower().partition(" of ")
+    for text, share in ((head, 1.0), (owner, 0.5)):
+        tokens = _tokens(text)
+        for start in range(len(tokens) - len(phrase) + 1):
+            if tokens[start : start + len(phrase)] == phrase:
+                score = max(score, share * weight + (start + len(phrase)) / (1 + len(tokens)))
+    return score
+
+
+def _tokens(text: str) -> list[str]:
+    words = re.findall(r"[a-zà-ÿ]+", re.sub(r"['’]s?\b", "", text.lower()))
+    return [word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word for word in words]

@@ -1,0 +1,40 @@
+"""A room of no particular kind: the indoor fallback. Door, window, a few plain things against the walls."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import SetParams
+from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.catalog.sets.room import Finishes, Room
+
+
+def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw a plain room with its middle free."""
+    wall = ("plaster_cream", "plaster_grey", "plaster_green")[int(rng.integers(3))]
+    room = Room("room", params, rng, Finishes(wall, "boards", dado="dado_brown" if rng.random() < 0.5 else None))
+    x, y = room.half_x, room.half_y
+    room.door("left", -y * 0.35)
+    room.window("back", -x * 0.45, mark=True)
+    room.window("back", x * 0.45)
+    room.against("right", "cabinet", y * 0.45, 0.35, required=False)
+    room.against("right", "chair", -y * 0.1, 0.4, required=False)
+    room.against("left", "bookshelf", y * 0.5, 0.24, required=False)
+    room.furnish("rug", 0, 0.1, required=False)
+    room.furnish("potted_plant", x - 0.45, y - 0.45, required=False)
+    room.on_wall("right", "picture", -y * 0.1, 1.45)
+    room.on_wall("back", "clock", 0, 1.95)
+    room.hang("pendant_lamp" if params.period != "past" else "lantern", 0, 0)
+    return room.finish()
+
+
+KIT = SetKit(
+    key="room",
+    name="Room",
+    tags=("room", "house", "apartment", "flat", "home", "interior", "chamber", "waiting room", "back room"),
+    indoor=True,
+    draw=draw,
+    width=Span(4.2, 6.0, 12.0),
+    depth=Span(4.0, 5.2, 10.0),
+)

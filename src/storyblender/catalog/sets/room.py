@@ -1,0 +1,228 @@
+"""A rectangular room: four walls with doors and windows, floor, ceiling, and something to see outside.
+
+Sides are named as the audience sees them: ``back`` (+Y), ``front`` (-Y), ``left`` (-X), ``right`` (+X).
+``at`` is measured along a side from its middle, to the right (back, front) or to the back (left, right).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.set_plan import Opening, SetPlan, Wall
+from storyblender.catalog.sets.drawing import Drawing, SetParams, rectangle
+from storyblender.memory.base import Vec2
+from storyblender.memory.scene_context import SceneSize
+
+Side = Literal["back", "front", "left", "right"]
+View = Literal["skyline", "treeline", "hills", "sea", "facades", "none"]
+
+YAW_OF_SIDE: dict[Side, float] = {"back": 0.0, "front": 180.0, "left": 90.0, "right": 270.0}
+"""The yaw of a thing that stands against the side and faces the room."""
+
+
+@dataclass(frozen=True)
+class Finishes:
+    """Finish keys of a room's shell."""
+
+    wall: str
+    floor: str
+    ceiling: str = "ceiling_white"
+    dado: str | None = None
+    dado_height: float = 0.95
+    beams: int = 0
+    outside: str = "paving"
+
+
+@dataclass
+class _View:
+    kind: View
+    distance: float = 16.0
+    top: float = 12.0
+    sides: set[Side] = field(default_factory=set)
+
+
+class Room(Drawing):
+    """A drawing that starts with four walls; kits add openings and furniture.
+
+    Args:
+        kit: Key of the kit.
+        params: Width (x), depth (y) and height inside the walls.
+        rng: The seeded source of variation.
+        finishes: What the shell is made of.
+        view: What stands outside the windows.
+    """
+
+    def __init__(
+        self,
+        kit: str,
+        params: SetParams,
+        rng: np.random.Generator,
+        finishes: Finishes,
+        *,
+        view: View = "facades",
+        thickness: float = 0.15,
+    ) -> None:
+        self.half_x, self.half_y, self.height = params.width / 2, params.depth / 2, params.height
+        size = SceneSize(x=self.half_x, x_negative=-self.half_x, y=self.half_y, y_negative=-self.half_y)
+        super().__init__(kit, indoor=True, size=size, rng=rng)
+        self.params, self.finishes, self.thickness = params, finishes, thickness
+        self._view = _View(view)
+        self._openings: dict[Side, list[Opening]] = {"back": [], "front": [], "left": [], "right": []}
+
+    def length(self, side: Side) -> float:
+        """Return the length of a side in metres."""
+        return 2 * (self.half_x if side in ("back", "front") else self.half_y)
+
+    def spot(self, side: Side, at: float, off: float) -> Vec2:
+        """Return the floor point ``off`` metres from a side."""
+        if side == "back":
+            return (at, self.half_y - off)
+        if side == "front":
+            return (at, -self.half_y + off)
+        if side == "left":
+            return (-self.half_x + off, at)
+        return (self.half_x - off, at)
+
+    def against(
+        self,
+        side: Side,
+        prop: str,
+        at: float,
+        off: float,
+        *,
+        z: float = 0.0,
+        required: bool = True,
+        **params: ParamValue,
+    ) -> str:
+        """Put a prop against a side, facing the room, its centre ``off`` metres from the wall."""
+        x, y = self.spot(side, at, off)
+        return self.furnish(prop, x, y, z, YAW_OF_SIDE[side], required=required, **params)
+
+    def on_wall(self, side: Side, prop: str, at: float, z: float, *, off: float = 0.04, **params: ParamValue) -> str:
+        """Hang a prop on a side with its lower edge at ``z``; dressing, never needed."""
+        return self.against(side, prop, at, off, z=z, required=False, **params)
+
+    def hang(self, prop: str, x: float, y: float, *, low: float = 2.15) -> str:
+        """Hang a lamp from the ceiling, its lower edge at ``low``: over heads, or lower over a table."""
+        length = round(min(max(self.height - low, 0.4), 1.6), 3)
+        if prop == "lantern":
+            self.piece("chain", x, y, self.height, length=length - 0.3)
+            return self.furnish(prop, x, y, round(self.height - length - 0.05, 3))
+        return self.furnish(prop, x, y, round(self.height - length, 3), height=length)
+
+    def door(
+        self,
+        side: Side,
+        at: float,
+        *,
+        width: float = 0.95,
+        height: float = 2.1,
+        style: str = "panel",
+        state: Literal["open", "closed"] = "closed",
+        name: str = "door",
+        tags: tuple[str, ...] = ("enter", "exit", "door"),
+    ) -> None:
+        """Cut a door and mark the place before it where people come in."""
+        kind: Literal["door", "arch"] = "arch" if style == "arch" else "door"
+        self._cut(side, at, name, kind, 0.0, width, height, style, state)
+        x, y = self.spot(side, at, 0.55)
+        self.mark(self.name(f"{name}_mark"), x, y, YAW_OF_SIDE[side], *tags)
+
+    def window(
+        self,
+        side: Side,
+        at: float,
+        *,
+        width: float = 1.3,
+        height: float = 1.45,
+        sill: float = 0.9,
+        style: str = "sash",
+        mark: bool = False,
+    ) -> None:
+        """Cut a window; with ``mark`` somebody may stand and look out of it."""
+        self._cut(side, at, "window", "window", sill, width, min(height, self.height - sill - 0.15), style, "closed")
+        self._view.sides.add(side)
+        if mark:
+            x, y = self.spot(side, at, 0.6)
+            self.mark(self.name("window_mark"), x, y, YAW_OF_SIDE[side] + 180, "window")
+
+    def _cut(
+        self,
+        side: Side,
+        at: float,
+        name: str,
+        kind: Literal["door", "window", "arch"],
+        sill: float,
+        width: float,
+        height: float,
+        style: str,
+        state: Literal["open", "closed"],
+    ) -> None:
+        half = self.length(side) / 2
+        along = at if side in ("front", "right") else -at
+        self._openings[side].append(
+            Opening(
+                name=self.name(name),
+                kind=kind,
+                x=round(half + along - width / 2, 4),
+                sill=sill,
+                width=width,
+                height=min(height, self.height - 0.1),
+                style=style,
+                state=state,
+            )
+        )
+
+    def finish(self) -> SetPlan:
+        """Raise the walls, lay floor and ceiling, hang what is seen through the windows, return the plan."""
+        x, y, look = self.half_x, self.half_y, self.finishes
+        ends: dict[Side, tuple[Vec2, Vec2]] = {
+            "front": ((-x, -y), (x, -y)),
+            "right": ((x, -y), (x, y)),
+            "back": ((x, y), (-x, y)),
+            "left": ((-x, y), (-x, -y)),
+        }
+        for side, (start, end) in ends.items():
+            self.walls.append(
+                Wall(
+                    node_id=f"wall_{side}",
+                    start=start,
+                    end=end,
+                    height=self.height,
+                    thickness=self.thickness,
+                    material=look.wall,
+                    dado=look.dado,
+                    dado_height=look.dado_height,
+                    openings=tuple(sorted(self._openings[side], key=lambda opening: opening.x)),
+                )
+            )
+        edge = self.thickness
+        self.slab("floor", rectangle(-x - edge, -y - edge, x + edge, y + edge), look.floor)
+        self.slab(
+            "ceiling",
+            rectangle(-x - edge, -y - edge, x + edge, y + edge),
+            look.ceiling,
+            z=self.height,
+            beams=look.beams,
+        )
+        self.mark("centre", 0.0, 0.0, 0.0, "centre")
+        for side in ("back", "left", "right", "front"):
+            if side in self._view.sides and self._view.kind != "none":
+                self._hang_view(side, self._view.kind)
+        return super().finish()
+
+    def _hang_view(self, side: Side, kind: Literal["skyline", "treeline", "hills", "sea", "facades"]) -> None:
+        x, y, view = self.half_x, self.half_y, self._view
+        far, spread, edge = view.distance, view.distance, self.thickness
+        left, right, ground = {
+            "back": ((-x - spread, y + far), (x + spread, y + far), (-x - spread, y + edge, x + spread, y + far)),
+            "front": ((x + spread, -y - far), (-x - spread, -y - far), (-x - spread, -y - far, x + spread, -y - edge)),
+            "left": ((-x - far, -y - spread), (-x - far, y + spread), (-x - far, -y - spread, -x - edge, y + spread)),
+            "right": ((x + far, y + spread), (x + far, -y - spread), (x + edge, -y - spread, x + far, y + spread)),
+        }[side]
+        self.card(kind, left, right, -1.0, view.top)
+        self.slab("patch", rectangle(*ground), self.finishes.outside, z=-0.18)

@@ -1,0 +1,93 @@
+"""A street seen across: pavement with people, facades behind, road with cars before, lampposts both sides."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import SODIUM, Drawing, SetParams, rectangle
+from storyblender.catalog.sets.ground import REACH, Ground
+from storyblender.catalog.sets.kit import SetKit, Span
+
+PAVEMENT = (-2.2, 2.8)
+ROAD = (-9.6, -2.2)
+FAR_PAVEMENT = (-13.2, -9.6)
+STREET_LENGTH = 44.0
+_WALLS = ("brick_red", "brick_brown", "limewash", "plaster_grey", "stone_light", "brick_yellow", "plaster_rose")
+
+
+def row_of_facades(
+    drawing: Drawing, y: float, yaw: float, *, start: float, end: float, floors: tuple[int, ...], shops: bool = True
+) -> None:
+    """Close one side of a street with houses between ``start`` and ``end``; yaw 0 looks to -Y."""
+    at, index = start, int(drawing.rng.integers(len(_WALLS)))
+    while at < end - 3.0:
+        width = min(float(drawing.choose(("7.2", "8.4", "9.6", "11.0"))), end - at)
+        drawing.piece(
+            "facade",
+            at + width / 2,
+            y,
+            yaw=yaw,
+            footprint=(width, 1.0),
+            width=width,
+            floors=float(floors[int(drawing.rng.integers(len(floors)))]),
+            material=_WALLS[index % len(_WALLS)],
+            shop=shops and index % 2 == 0,
+            seed=float(drawing.rng.integers(1000)),
+        )
+        at, index = at + width, index + 1
+
+
+def lay_road(drawing: Ground, *, old: bool) -> None:
+    """Lay pavements, kerbs and the road from horizon to horizon along x."""
+    pave, road = ("flagstones", "cobbles") if old else ("paving", "asphalt")
+    drawing.slab("ground", rectangle(-REACH, PAVEMENT[0], REACH, REACH), pave, wet=True)
+    drawing.slab("ground", rectangle(-REACH, ROAD[0], REACH, ROAD[1]), road, wet=True)
+    drawing.slab("ground", rectangle(-REACH, -REACH, REACH, FAR_PAVEMENT[1]), pave, wet=True)
+    for y in (PAVEMENT[0], FAR_PAVEMENT[1]):
+        drawing.piece("kerb", 0, y, length=2 * STREET_LENGTH)
+    if not old:
+        drawing.piece("road_marking", 0, (ROAD[0] + ROAD[1]) / 2, length=2 * STREET_LENGTH)
+
+
+def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw both rows of houses, the road between, and the things of a street."""
+    street = Ground("street", params, rng)
+    x, old = street.half_x, params.period == "past"
+    lay_road(street, old=old)
+    floors = (2, 3, 3) if old else (3, 4, 4, 5)
+    row_of_facades(street, PAVEMENT[1], 0, start=-STREET_LENGTH, end=STREET_LENGTH, floors=floors)
+    row_of_facades(street, FAR_PAVEMENT[0], 180, start=-STREET_LENGTH, end=STREET_LENGTH, floors=floors)
+    for side in (-1, 1):
+        end = side * (STREET_LENGTH + 4)
+        street.card("facades", (end, side * 24.0), (end, side * -34.0), -1.0, 16.0)
+        street.card("skyline", (end + side * 8, side * 36.0), (end + side * 8, side * -46.0), -1.0, 24.0)
+    for index in range(-3, 4):
+        for px, py in ((index * 11.0 + 5.5, PAVEMENT[0] + 0.5), (index * 11.0, FAR_PAVEMENT[1] - 0.5)):
+            street.furnish("lamppost", px, py, required=abs(index) < 2)
+    street.furnish("car" if not old else "cart", -6.2, ROAD[1] - 1.25, yaw=90, required=False)
+    street.furnish("car" if not old else "cart", 8.4, ROAD[0] + 1.3, yaw=-90, required=False)
+    street.furnish("bench", -x + 1.2, PAVEMENT[1] - 0.5, required=False)
+    street.furnish("trash_can" if not old else "barrel", x - 1.6, PAVEMENT[1] - 0.5, required=False)
+    street.furnish("hydrant" if not old else "crate", 3.1, PAVEMENT[0] + 0.6, required=False)
+    for px in (-x * 0.55, x * 0.6):
+        street.lamp(
+            "shop_window", (px, PAVEMENT[1] - 0.25, 1.8), 60, SODIUM, kind="AREA", size=2.0, target=(px, -2, 0.4)
+        )
+    street.entrances(back=False)
+    street.mark("house_door", 0, PAVEMENT[1] - 0.7, 0, "enter", "exit", "door", "back")
+    street.mark("kerb", 1.5, PAVEMENT[0] + 0.5, 0, "kerb", "window")
+    street.mark("road", 0, (ROAD[0] + ROAD[1]) / 2, 180, "road")
+    return street.finish()
+
+
+KIT = SetKit(
+    key="street",
+    name="Street",
+    tags=("street", "road", "avenue", "sidewalk", "pavement", "city", "downtown", "town", "boulevard", "intersection",
+          "bus stop", "suburb", "neighborhood", "shopfront", "outside the house", "building", "crosswalk", "village"),
+    indoor=False,
+    draw=draw,
+    width=Span(10.0, 14.0, 24.0),
+    depth=Span(5.0, 5.2, 5.6),
+)  # fmt: skip
