@@ -1,0 +1,121 @@
+"""A light meter: how much light falls on what surrounds the stage, and the gain that brings it to the set's level.
+
+It measures what falls on surfaces, not what leaves them: dark wood must stay dark (notes: sets and light, 1.2). It
+stands where the scene is played, never at the camera, so every shot of a scene gets the same gain.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import bpy
+import numpy as np
+from mathutils import Vector
+from numpy.typing import NDArray
+
+from storyblender.look.exposure import geometric_mean
+from storyblender.look.illumination import LightField, ambient_light, direction_of, light_field, total
+from storyblender.look.raster import luminance
+from storyblender.memory.base import Color, Vec3
+from storyblender.memory.scene_context import Fog, Light, Lighting, Sky
+
+_STATIONS: tuple[Vec3, ...] = ((0, 0, 1.5), (1.3, 1.0, 1.5), (-1.3, 1.0, 1.5), (1.3, -1.0, 1.5), (-1.3, -1.0, 1.5))
+"""Where the meter stands: round the middle of the playing area, at eye level."""
+_RAYS = 70
+_STEEPEST = 0.6
+"""Sine of the elevation up to which the meter looks: cameras seldom look higher or lower."""
+_GREY = 0.18
+_REACH = 60.0
+_GAIN = (0.1, 8.0)
+_FITTING = 0.35
+_FEWEST_HITS = 20
+
+
+def balanced(scene: bpy.types.Scene, lighting: Lighting) -> Lighting:
+    """Return the plan with set lamps, ambient light, sky and fog scaled so that grey reaches ``set_luminance``.
+
+    Args:
+        scene: The context's scene, with its set; people are looked through.
+        lighting: The plan as designed.
+    """
+    points = list(_surroundings(scene))
+    if len(points) < _FEWEST_HITS:
+        return lighting
+    positions = np.array([[p for p, _ in points]], np.float32)
+    normal = np.array([[n for _, n in points]], np.float32)
+    fields = [light_field(light, positions, normal) for light in lighting.lights]
+    ambient = ambient_light(lighting.ambient, normal, np.ones(normal.shape[:2], np.float32))
+    strong = 0.02 * luminance(total(fields, ambient))
+    reaching = [field.shadowed(_reached(scene, field, positions, normal, strong)) for field in fields]
+    level = _GREY * geometric_mean(luminance(total(reaching, ambient)))
+    return scaled(lighting, float(np.clip(lighting.set_luminance / level, *_GAIN)))
+
+
+def scaled(lighting: Lighting, gain: float) -> Lighting:
+    """Return the plan with everything that lights the set ``gain`` times as bright."""
+
+    def times(color: Color) -> Color:
+        return (color[0] * gain, color[1] * gain, color[2] * gain)
+
+    sky, fog = lighting.sky, lighting.fog
+    return lighting.model_copy(
+        update={
+            "lights": tuple(light.model_copy(update={"power": light.power * gain}) for light in lighting.lights),
+            "ambient": times(lighting.ambient),
+            "sky": Sky(zenith=times(sky.zenith), horizon=times(sky.horizon), ground=times(sky.ground)),
+            "fog": fog and Fog.model_copy(fog, update={"color": times(fog.color), "sun_color": times(fog.sun_color)}),
+        }
+    )
+
+
+def _surroundings(scene: bpy.types.Scene) -> Iterator[tuple[Vector, Vector]]:
+    """Yield points of the set, with their normals, as seen from the stations."""
+    depsgraph = scene.view_layers[0].depsgraph
+    for station in _STATIONS:
+        for index in range(_RAYS):
+            height = _STEEPEST * (2 * (index + 0.5) / _RAYS - 1)
+            flat, angle = math.sqrt(1 - height * height), index * 2.399963
+            direction = Vector((flat * math.cos(angle), flat * math.sin(angle), height))
+            hit, place, normal = _first_hit(scene, depsgraph, Vector(station), direction, _REACH)
+            if hit:
+                toward = normal if normal.dot(direction) < 0 else -normal
+                yield place + toward * 0.01, toward
+
+
+def _reached(
+    scene: bpy.types.Scene, field: LightField, positions: NDArray, normal: NDArray, strong: NDArray
+) -> NDArray[np.float32]:
+    """Return 0 where something stands between lamp and point, else 1; weak light is not worth a ray."""
+    depsgraph = scene.view_layers[0].depsgraph
+    light, lit = field.light, np.ones(field.amount.shape, np.float32)
+    for column in np.flatnonzero(field.amount[0] > strong[0]):
+        start = Vector(positions[0, column].tolist())
+        toward, distance = _toward(light, start)
+        hit, _, _ = _first_hit(scene, depsgraph, start, toward, distance - _FITTING)
+        lit[0, column] = 0.0 if hit else 1.0
+    return lit
+
+
+def _toward(light: Light, start: Vector) -> tuple[Vector, float]:
+    if light.kind == "SUN":
+        return -Vector(direction_of(light).tolist()), 300.0
+    way = Vector(light.location) - start
+    return way.normalized(), way.length
+
+
+def _first_hit(
+    scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph, start: Vector, direction: Vector, reach: float
+) -> tuple[bool, Vector, Vector]:
+    """Cast a ray that goes through people and backdrops."""
+    for _ in range(6):
+        if reach <= 0.02:
+            break
+        hit, place, normal, _, obj, _ = scene.ray_cast(depsgraph, start, direction, distance=reach)
+        if not hit:
+            break
+        if obj.get("kind") != "character":
+            return True, place, normal
+        step = (place - start).length + 0.01
+        start, reach = place + direction * 0.01, reach - step
+    return False, start, direction

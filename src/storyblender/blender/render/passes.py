@@ -1,0 +1,191 @@
+"""Workbench flat passes to the G-buffer: ids, depth, normals, materials, albedo (notes: sets and light, section 0)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.render.exr import Channels, color
+from storyblender.blender.render.session import RenderSession, changed
+from storyblender.look.gbuffer import FAR, GBuffer, View
+from storyblender.look.surface import PERSON, Surface
+
+NORMAL_MATCAP = "check_normal+y.exr"
+_HAS_SKIN_COLORS = 16
+"""Added to the class of objects whose albedo is in vertex colours."""
+_BAND = 128
+"""Rows decoded at a time; keeps the float32 temporaries small."""
+
+
+@dataclass(frozen=True)
+class Node:
+    """What a gid of the G-buffer stands for."""
+
+    node_id: str
+    asset_id: str
+    kind: str
+
+
+@dataclass(frozen=True)
+class Passes:
+    """A G-buffer and the nodes its ids name; ``nodes[gid - 1]``."""
+
+    gbuffer: GBuffer
+    nodes: tuple[Node, ...]
+
+    def visible_shares(self) -> dict[str, float]:
+        """Return the share of the frame that each visible node covers, by node_id."""
+        counts = np.bincount(self.gbuffer.ids.ravel(), minlength=len(self.nodes) + 1)
+        shares: dict[str, float] = {}
+        for node, count in zip(self.nodes, counts[1:], strict=True):
+            if count:
+                shares[node.node_id] = shares.get(node.node_id, 0.0) + float(count) / self.gbuffer.ids.size
+        return shares
+
+
+def render_passes(session: RenderSession, width: int, height: int) -> Passes:
+    """Draw the flat passes of the session's frame at the given (supersampled) size, without antialiasing."""
+    view = session.view(width, height)
+    objects = session.visible_objects()
+    materials = list(bpy.data.materials)
+    with flat_workbench(session.scene), _identity_colors(objects) as nodes:
+        with _shading(session.scene, light="FLAT", color_type="OBJECT"):
+            channels = session.exr(width, height, depth=True)
+        red, green, blue = (_levels(channels[f"Combined.{name}"]) for name in "RGB")
+        ids = red.astype(np.uint16) + green.astype(np.uint16) * 256
+        surface = np.where(ids > 0, blue % _HAS_SKIN_COLORS, 0).astype(np.uint8)
+        skin_colored = (blue >= _HAS_SKIN_COLORS) & (ids > 0)
+        depth = np.where(ids > 0, channels["Depth.Z"], FAR).astype(np.float32)
+        del channels, red, green, blue
+        with _shading(session.scene, light="MATCAP", studio_light=NORMAL_MATCAP, color_type="SINGLE"):
+            normal = _decode_normals(session.exr(width, height), view)
+        with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
+            albedo = color(session.exr(width, height)).astype(np.float16)
+        if skin_colored.any():
+            with _shading(session.scene, light="FLAT", color_type="VERTEX"):
+                albedo[skin_colored] = color(session.exr(width, height))[skin_colored]
+        with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
+            channels = session.exr(width, height)
+            material = _levels(channels["Combined.R"]).astype(np.uint16)
+            material += _levels(channels["Combined.G"]).astype(np.uint16) * 256
+    material[(ids == 0) | (material > len(materials))] = 0
+    normal[ids == 0] = 0
+    albedo[ids == 0] = 0
+    glow_color, glow_gain = _glow_of(materials)
+    return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain), nodes)
+
+
+@contextmanager
+def flat_workbench(scene: bpy.types.Scene) -> Iterator[None]:
+    """Set Workbench up for data: no antialiasing, shadow, cavity, outline or specular light."""
+    render = {"engine": "BLENDER_WORKBENCH", "film_transparent": True}
+    plain = {
+        "show_shadows": False,
+        "show_cavity": False,
+        "show_object_outline": False,
+        "show_specular_highlight": False,
+        "show_backface_culling": False,
+        "show_xray": False,
+        "use_dof": False,
+        "single_color": (1.0, 1.0, 1.0),
+    }
+    with (
+        changed(scene.render, render),
+        changed(scene.display, {"render_aa": "OFF"}),
+        changed(scene.display.shading, plain),
+    ):
+        yield
+
+
+@contextmanager
+def _shading(scene: bpy.types.Scene, **values: Any) -> Iterator[None]:
+    with changed(scene.display.shading, values):
+        yield
+
+
+@contextmanager
+def _identity_colors(objects: Sequence[bpy.types.Object]) -> Iterator[tuple[Node, ...]]:
+    """Write gid and class of every object into its viewport colour; one gid for each ink group."""
+    gids: dict[str, int] = {}
+    nodes: list[Node] = []
+    with ExitStack() as stack:
+        for obj in objects:
+            group = str(obj.get("ink_group", obj.name))
+            if group not in gids:
+                gids[group] = len(nodes) + 1
+                node_id = str(obj.get("node_id", obj.name))
+                nodes.append(Node(node_id, str(obj.get("asset_id", "")), str(obj.get("kind", "prop"))))
+            gid, code = gids[group], int(obj.get("surface", Surface.PROP))
+            if code in PERSON and obj.type == "MESH" and len(obj.data.color_attributes):
+                code += _HAS_SKIN_COLORS
+            stack.enter_context(changed(obj, {"color": (gid % 256 / 255, gid // 256 / 255, code / 255, 1.0)}))
+        yield tuple(nodes)
+
+
+@contextmanager
+def _material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]:
+    """Write every material's index (from 1) into its viewport colour."""
+    with ExitStack() as stack:
+        for index, material in enumerate(materials, 1):
+            code = (index % 256 / 255, index // 256 / 255, 0.0, 1.0)
+            stack.enter_context(changed(material, {"diffuse_color": code}))
+        yield
+
+
+def _levels(channel: NDArray[np.float32]) -> NDArray[np.uint8]:
+    return (channel * 255 + 0.5).astype(np.uint8)
+
+
+def _decode_normals(channels: Channels, view: View) -> NDArray[np.float16]:
+    """Turn the matcap picture into world normals.
+
+    The matcap stores sRGB-encoded x and y of the normal in a basis that turns with the view ray: z towards the eye,
+    x horizontal (measured in notes: sets and light, "traps met").
+    """
+    rays = view.camera_rays()
+    axes = view.axes.T.astype(np.float32)
+    normal = np.empty(rays.shape, np.float16)
+    for top in range(0, view.height, _BAND):
+        rows = slice(top, top + _BAND)
+        toward = -rays[rows]
+        toward /= np.linalg.norm(toward, axis=2, keepdims=True)
+        side = np.stack([toward[..., 2], np.zeros_like(toward[..., 0]), -toward[..., 0]], axis=2)
+        side /= np.linalg.norm(side, axis=2, keepdims=True)
+        x, y = (_encode_srgb(channels[f"Combined.{name}"][rows]) * 2 - 1 for name in "RG")
+        z = np.sqrt(np.clip(1 - x * x - y * y, 0, 1))
+        local = x[..., None] * side + y[..., None] * np.cross(toward, side) + z[..., None] * toward
+        local /= np.maximum(np.linalg.norm(local, axis=2, keepdims=True), 1e-4)
+        normal[rows] = local @ axes
+    return normal
+
+
+def _encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.float32]:
+    value = np.clip(linear, 0, 1)
+    return np.where(value <= 0.0031308, value * 12.92, 1.055 * value ** (1 / 2.4) - 0.055)
+
+
+def _glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return what each material gives off: a colour, or a multiple of its albedo where a texture glows."""
+    glow_color = np.zeros((len(materials) + 1, 3), np.float32)
+    glow_gain = np.zeros(len(materials) + 1, np.float32)
+    for index, material in enumerate(materials, 1):
+        for node in material.node_tree.nodes if material.use_nodes else ():
+            if node.type == "BSDF_PRINCIPLED":
+                strength, tint = node.inputs["Emission Strength"].default_value, node.inputs["Emission Color"]
+            elif node.type == "EMISSION":
+                strength, tint = node.inputs["Strength"].default_value, node.inputs["Color"]
+            else:
+                continue
+            if strength <= 0:
+                continue
+            if tint.is_linked:
+                glow_gain[index] = strength
+            else:
+                glow_color[index] = np.array(tint.default_value[:3]) * strength
+    return glow_color, glow_gain

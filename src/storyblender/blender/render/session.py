@@ -1,0 +1,175 @@
+"""Everything a render changes in the file, changed inside ``with`` and put back after: renders leave no trace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import bpy
+import numpy as np
+from mathutils import Matrix
+from numpy.typing import NDArray
+
+from storyblender.blender.render.exr import Channels, read_channels
+from storyblender.look.gbuffer import View
+
+_STILL = {
+    "pixel_aspect_x": 1.0,
+    "pixel_aspect_y": 1.0,
+    "resolution_percentage": 100,
+    "use_border": False,
+    "use_compositing": False,
+    "use_sequencer": False,
+    "use_multiview": False,
+    "use_motion_blur": False,
+    "use_freestyle": False,
+    "use_stamp": False,
+    "dither_intensity": 0.0,
+    "use_file_extension": False,
+    "use_overwrite": True,
+}
+
+
+@contextmanager
+def changed(owner: Any, values: Mapping[str, Any]) -> Iterator[None]:
+    """Set attributes of a Blender struct and set them back, in the same order.
+
+    The order matters where one enumeration decides what another may hold: file format before colour depth.
+    """
+    before = {name: _copied(getattr(owner, name)) for name in values}
+    try:
+        for name, value in values.items():
+            setattr(owner, name, value)
+        yield
+    finally:
+        for name, value in before.items():
+            if value != "":  # an enumeration without a valid item reads as the empty string
+                setattr(owner, name, value)
+
+
+def _copied(value: Any) -> Any:
+    """Vectors and colours are read as views on Blender's memory; keep their values instead."""
+    return tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
+
+
+class RenderSession:
+    """One scene made the context's scene, at one frame, with scratch space for its renders. A context manager.
+
+    Args:
+        scene: What to render.
+        camera: A camera object of the scene.
+        frame: Timeline frame; None stays where the scene is.
+        hidden_node_ids: Nodes left out of every picture (wild walls).
+    """
+
+    def __init__(
+        self,
+        scene: bpy.types.Scene,
+        camera: bpy.types.Object,
+        frame: int | None = None,
+        hidden_node_ids: Sequence[str] = (),
+    ) -> None:
+        self.scene = scene
+        self.camera = camera
+        self._frame = frame
+        self._hidden = frozenset(hidden_node_ids)
+        self.hidden_objects: list[bpy.types.Object] = []
+        self._stack = ExitStack()
+
+    def __enter__(self) -> RenderSession:
+        stack = self._stack.__enter__()
+        try:
+            stack.enter_context(changed(bpy.context.window, {"scene": self.scene}))
+            stack.enter_context(changed(self.scene, {"camera": self.camera}))
+            self._folder = Path(stack.enter_context(TemporaryDirectory(prefix="storyblender_")))
+            if self._frame is not None and self._frame != self.scene.frame_current:
+                stack.callback(self.scene.frame_set, self.scene.frame_current)
+                self.scene.frame_set(self._frame)
+            for obj in self.scene.objects:
+                if obj.get("node_id") in self._hidden and obj.type in _DRAWN and not obj.hide_render:
+                    self.hidden_objects.append(obj)
+                    stack.enter_context(changed(obj, {"hide_render": True}))
+            self.scene.view_layers[0].update()
+        except BaseException:
+            stack.close()
+            raise
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._stack.close()
+
+    def visible_objects(self) -> list[bpy.types.Object]:
+        """Return what renders, in the scene's order."""
+        return [obj for obj in self.scene.objects if obj.type in _DRAWN and not obj.hide_render]
+
+    def view(self, width: int, height: int, camera: bpy.types.Object | None = None) -> View:
+        """Return the pinhole of a camera (the session's, if None) for pictures of that size."""
+        depsgraph = self.scene.view_layers[0].depsgraph
+        camera = camera or self.camera
+        projection = np.array(camera.calc_matrix_camera(depsgraph, x=width, y=height))
+        world = np.array(camera.evaluated_get(depsgraph).matrix_world.normalized())
+        return View(
+            eye=world[:3, 3].copy(),
+            axes=world[:3, :3].copy(),
+            width=width,
+            height=height,
+            half_width=1 / projection[0, 0],
+            half_height=1 / projection[1, 1],
+            shift=(float(projection[0, 2]), float(projection[1, 2])),
+        )
+
+    def exr(self, width: int, height: int, *, half: bool = True, depth: bool = False) -> Channels:
+        """Render with the engine that is set and return the channels of the multilayer EXR.
+
+        Args:
+            width: Pixels.
+            height: Pixels.
+            half: Write colours as 16 bit floats; depth is always 32 bit.
+            depth: Also write the depth pass.
+        """
+        render = self.scene.render
+        path = self._folder / "pass.exr"
+        size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
+        image = {
+            "file_format": "OPEN_EXR_MULTILAYER",
+            "color_depth": "16" if half else "32",
+            "exr_codec": "NONE",
+        }
+        with (
+            changed(render, size | _STILL),
+            changed(render.image_settings, image),
+            changed(self.scene.view_layers[0], {"use_pass_z": depth}),
+        ):
+            bpy.ops.render.render(write_still=True)
+        return read_channels(path)
+
+    def png(self, width: int, height: int, path: Path) -> None:
+        """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run."""
+        render = self.scene.render
+        size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
+        image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
+        with changed(render, size | _STILL), changed(render.image_settings, image):
+            bpy.ops.render.render(write_still=True)
+
+
+@contextmanager
+def temporary_camera(scene: bpy.types.Scene, matrix: NDArray, **settings: Any) -> Iterator[bpy.types.Object]:
+    """Add a camera at a (4, 4) world matrix, make it the scene's camera, and take it away after."""
+    data = bpy.data.cameras.new("temporary")
+    for name, value in settings.items():
+        setattr(data, name, value)
+    obj = bpy.data.objects.new("temporary", data)
+    scene.collection.objects.link(obj)
+    obj.matrix_world = Matrix(matrix.tolist())
+    try:
+        with changed(scene, {"camera": obj}):
+            scene.view_layers[0].update()
+            yield obj
+    finally:
+        bpy.data.cameras.remove(data)
+
+
+_DRAWN = frozenset({"MESH", "CURVE", "SURFACE", "FONT", "META"})

@@ -1,0 +1,103 @@
+"""Air: fog with height, halos round lamps, rain. Added in linear light after rendering, the same in every look."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from storyblender.look.gbuffer import GBuffer
+from storyblender.look.raster import LUMA, Image, blur, luminance
+from storyblender.memory.scene_context import Fog, Light
+
+_REACH = 400.0
+"""Metres of air at most."""
+_HALO = 0.10
+_HALO_LIMIT = 0.35
+"""A halo adds at most this much luminance: more turned frames into soup (notes 1.8)."""
+_RAIN_LAYERS = ((2.5, 40, 120, 0.5), (6.0, 160, 60, 0.4), (14.0, 420, 28, 0.3))
+"""Distance in metres, streaks, length in pixels at 540 rows, strength."""
+_RAIN_SLANT = 0.1
+
+
+def transmittance(fog: Fog | None, gbuffer: GBuffer) -> Image:
+    """Return the share, 0 to 1, of light that comes through the air from every pixel."""
+    if fog is None:
+        return np.ones(gbuffer.depth.shape, np.float32)
+    rays = gbuffer.view.rays()
+    length = np.linalg.norm(rays, axis=2)
+    distance = np.minimum(gbuffer.depth * length, _REACH)
+    climb = rays[..., 2] / length * distance / fog.height
+    flat = np.abs(climb) < 1e-3
+    thinning = np.where(flat, 1.0, (1 - np.exp(-np.clip(climb, -30, 30))) / np.where(flat, 1.0, climb))
+    at_eye = math.exp(-float(np.clip(gbuffer.view.eye[2] / fog.height, -5, 30)))
+    depth = fog.density * at_eye * np.maximum(0, distance - fog.start) * np.clip(thinning, 0, 8)
+    return np.exp(-np.clip(depth, 0, 30)).astype(np.float32)
+
+
+def add_fog(picture: Image, fog: Fog | None, gbuffer: GBuffer) -> Image:
+    """Veil the picture; towards the sun the air is brighter (cosine to the sixth)."""
+    if fog is None:
+        return picture
+    through = transmittance(fog, gbuffer)[..., None]
+    color = np.broadcast_to(np.asarray(fog.color, np.float32), picture.shape)
+    if fog.sun_direction is not None:
+        rays = gbuffer.view.rays()
+        toward = np.asarray(fog.sun_direction, np.float32)
+        cosine = rays @ (toward / np.linalg.norm(toward)) / np.linalg.norm(rays, axis=2)
+        color = color + (np.clip(cosine, 0, 1) ** 6)[..., None] * np.asarray(fog.sun_color, np.float32)
+    return picture * through + color * (1 - through)
+
+
+def add_halos(picture: Image, lights: Sequence[Light], gbuffer: GBuffer) -> Image:
+    """Add the glow of every lamp in the air between it and the eye (closed-form single scatter of a point light)."""
+    glowing = [light for light in lights if light.glow > 0 and light.kind != "SUN"]
+    if not glowing:
+        return picture
+    rays = gbuffer.view.rays()
+    length = np.linalg.norm(rays, axis=2)
+    rays /= length[..., None]
+    distance = np.minimum(gbuffer.depth * length, _REACH)
+    result = picture.copy()
+    for light in glowing:
+        from_light = (gbuffer.view.eye - np.asarray(light.location)).astype(np.float32)
+        along = rays @ from_light
+        aside = np.sqrt(np.maximum(float(from_light @ from_light) - along * along, 0.0036) + 0.05)
+        scatter = (np.arctan((distance + along) / aside) - np.arctan(along / aside)) / aside
+        share = 0.6 if light.kind == "SPOT" else 1.0
+        color = np.asarray(light.color, np.float32)
+        amount = _HALO * share * light.glow * light.power / (16 * math.pi**2) * scatter
+        amount = np.minimum(amount, _HALO_LIMIT / max(float(LUMA @ color), 1e-3))
+        result += amount[..., None] * color
+    return result
+
+
+def add_rain(picture: Image, gbuffer: GBuffer, rain: float, seed: int) -> Image:
+    """Draw streaks in three depths of air, hidden by what is nearer, lit by the light around them.
+
+    Args:
+        picture: Linear, exposed.
+        gbuffer: At the picture's size.
+        rain: 0 none, 1 downpour.
+        seed: Where the streaks fall.
+    """
+    if rain <= 0:
+        return picture
+    height, width = gbuffer.depth.shape
+    random = np.random.default_rng(seed)
+    streaks = np.zeros((height, width), np.float32)
+    for distance, count, reach, strength in _RAIN_LAYERS:
+        number = round(count * rain * width / 960)
+        left, top = random.uniform(-20, width + 20, number), random.uniform(-reach, height, number)
+        span = reach * height / 540 * random.uniform(0.6, 1.3, number)
+        power = strength * random.uniform(0.5, 1, number)
+        steps = np.arange(math.ceil(reach * height / 540 * 1.3))
+        rows = (top[:, None] + steps).astype(int)
+        columns = (left[:, None] + steps * _RAIN_SLANT).astype(int)
+        drawn = (steps < span[:, None]) & (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
+        rows, columns, power = rows[drawn], columns[drawn], np.broadcast_to(power[:, None], drawn.shape)[drawn]
+        free = gbuffer.depth[rows, columns] > distance
+        np.maximum.at(streaks, (rows[free], columns[free]), power[free].astype(np.float32))
+    around = blur(luminance(picture), max(1, round(14 * height / 540)))
+    return picture + (streaks * (0.55 * around + 0.012))[..., None] * np.array([0.8, 0.9, 1.0], np.float32)

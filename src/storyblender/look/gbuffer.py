@@ -1,0 +1,142 @@
+"""The G-buffer: what every pixel shows, before any light. All looks start from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.look.raster import Image, Mask, every, shrink
+from storyblender.look.surface import SKY
+
+FAR = 1e4
+"""Depth in metres of the sky."""
+
+
+@dataclass(frozen=True)
+class View:
+    """A pinhole camera.
+
+    Attributes:
+        eye: (3,) position, world, metres.
+        axes: (3, 3) world from camera; the camera looks along its -Z, +Y is up in the picture.
+        width: Pixels.
+        height: Pixels.
+        half_width: Tangent of half the horizontal field of view.
+        half_height: Tangent of half the vertical field of view.
+        shift: Offset of the optical axis, in half widths and half heights.
+    """
+
+    eye: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    width: int
+    height: int
+    half_width: float
+    half_height: float
+    shift: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def pixels_per_metre(self) -> float:
+        """Pixels that one metre covers at a depth of one metre."""
+        return self.width / (2 * self.half_width)
+
+    def reduced(self, step: int) -> View:
+        """Return the same camera with ``step`` times fewer pixels in each direction."""
+        return View(
+            self.eye,
+            self.axes,
+            self.width // step,
+            self.height // step,
+            self.half_width,
+            self.half_height,
+            self.shift,
+        )
+
+    def camera_rays(self) -> Image:
+        """Return (h, w, 3) rays through the pixel centres in camera space, scaled to depth 1 (z = -1)."""
+        x = ((np.arange(self.width, dtype=np.float32) + 0.5) / self.width * 2 - 1 + self.shift[0]) * self.half_width
+        y = (1 - (np.arange(self.height, dtype=np.float32) + 0.5) / self.height * 2 + self.shift[1]) * self.half_height
+        rays = np.empty((self.height, self.width, 3), np.float32)
+        rays[..., 0], rays[..., 1], rays[..., 2] = x[None, :], y[:, None], -1.0
+        return rays
+
+    def rays(self) -> Image:
+        """Return the rays in world space; position = eye + ray * depth."""
+        return self.camera_rays() @ self.axes.T.astype(np.float32)
+
+    def project(self, points: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+        """Return column, row (pixels, float) and depth (metres, positive in front) of (..., 3) world points."""
+        local = (np.asarray(points, np.float64) - self.eye) @ self.axes
+        depth = -local[..., 2]
+        safe = np.where(np.abs(depth) < 1e-6, 1e-6, depth)
+        column = ((local[..., 0] / safe / self.half_width - self.shift[0]) + 1) / 2 * self.width
+        row = (1 - (local[..., 1] / safe / self.half_height - self.shift[1])) / 2 * self.height
+        return column, row, depth
+
+
+@dataclass(frozen=True)
+class GBuffer:
+    """Flat passes of one frame at the supersampled size. Small types: 25 bytes a pixel.
+
+    Attributes:
+        view: The camera, with this buffer's size.
+        ids: uint16 (h, w); 0 is sky, others index the frame's table of nodes.
+        surface: uint8 (h, w) ``Surface``; 0 is sky.
+        material: uint16 (h, w); 0 is none.
+        depth: float32 (h, w) metres along the camera axis; ``FAR`` where sky.
+        normal: float16 (h, w, 3) world space, unit; 0 where sky.
+        albedo: float16 (h, w, 3) linear reflectance; 0 where sky.
+        glow_color: float32 (materials, 3) light a material gives off, by ``material``.
+        glow_gain: float32 (materials,) the same as a multiple of its albedo, for textured screens and cards.
+    """
+
+    view: View
+    ids: NDArray[np.uint16]
+    surface: NDArray[np.uint8]
+    material: NDArray[np.uint16]
+    depth: NDArray[np.float32]
+    normal: NDArray[np.float16]
+    albedo: NDArray[np.float16]
+    glow_color: NDArray[np.float32]
+    glow_gain: NDArray[np.float32]
+
+    def reduced(self, step: int) -> GBuffer:
+        """Return a point sample of every ``step``-th pixel, for light at low resolution."""
+        if step == 1:
+            return self
+        return GBuffer(
+            self.view.reduced(step),
+            every(self.ids, step),
+            every(self.surface, step),
+            every(self.material, step),
+            every(self.depth, step),
+            every(self.normal, step),
+            every(self.albedo, step),
+            self.glow_color,
+            self.glow_gain,
+        )
+
+    @property
+    def sky(self) -> Mask:
+        """True where the pixel shows no object."""
+        return self.ids == SKY
+
+    def positions(self) -> Image:
+        """Return (h, w, 3) world positions; far away where sky."""
+        return self.view.rays() * self.depth[..., None] + self.view.eye.astype(np.float32)
+
+    def emission(self, step: int = 1) -> Image:
+        """Return the linear light given off, averaged over blocks of ``step`` pixels."""
+        out = np.empty((self.view.height // step, self.view.width // step, 3), np.float32)
+        band = 64 * step
+        for top in range(0, self.view.height, band):
+            rows = slice(top, top + band)
+            material = self.material[rows]
+            light = self.albedo[rows] * self.glow_gain[material][..., None] + self.glow_color[material]
+            out[top // step : (top + band) // step] = shrink(light, step)
+        return out
+
+    def coverage(self, classes: tuple[int, ...], step: int = 1) -> Image:
+        """Return the share, 0 to 1, of each block of ``step`` pixels whose surface is one of ``classes``."""
+        return shrink(np.isin(self.surface, classes).astype(np.float32), step)

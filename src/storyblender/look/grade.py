@@ -1,0 +1,58 @@
+"""Scene-linear light to display values: AgX through OpenColorIO, or a filmic curve where that is missing."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.look.bundled import blender_folder, bundled_module
+from storyblender.look.raster import Image
+
+AGX_CONTRAST = "AgX - Medium High Contrast"
+"""Keeps faces and deepens the room (measured in notes: sets and light, section 1.6)."""
+AGX_SOFT = "AgX - Base Contrast"
+
+
+def to_display(image: Image, contrast: str = AGX_CONTRAST) -> Image:
+    """Return display-referred sRGB, 0 to 1.
+
+    Args:
+        image: (h, w, 3) scene-linear Rec. 709.
+        contrast: Name of an AgX look of Blender's colour configuration.
+    """
+    processor = _processor(contrast)
+    if processor is None:
+        return _filmic(image)
+    display = np.array(image, np.float32, order="C", copy=True)
+    processor.applyRGB(display)
+    return np.clip(display, 0, 1, out=display)
+
+
+def to_bytes(display: Image) -> NDArray[np.uint8]:
+    """Round display values to 8 bits."""
+    return (np.clip(display, 0, 1) * 255 + 0.5).astype(np.uint8)
+
+
+@cache
+def _processor(contrast: str) -> Any:
+    folder, ocio = blender_folder(), bundled_module("PyOpenColorIO")
+    if folder is None or ocio is None:
+        return None
+    config = ocio.Config.CreateFromFile(str(folder / "datafiles" / "colormanagement" / "config.ocio"))
+    transform = ocio.DisplayViewTransform(src="Linear Rec.709", display="sRGB", view="AgX")
+    pipeline = ocio.LegacyViewingPipeline()
+    pipeline.setDisplayViewTransform(transform)
+    pipeline.setLooksOverrideEnabled(True)
+    pipeline.setLooksOverride(contrast)
+    return pipeline.getProcessor(config, config.getCurrentContext()).getDefaultCPUProcessor()
+
+
+def _filmic(image: Image) -> Image:
+    """A rational filmic curve that meets AgX at middle grey and rolls off the highlights (Hable's shape)."""
+    x = np.maximum(image, 0) * 0.8
+    curve = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)
+    linear = np.clip(curve, 0, 1)
+    return np.where(linear <= 0.0031308, linear * 12.92, 1.055 * linear ** (1 / 2.4) - 0.055).astype(np.float32)

@@ -1,0 +1,113 @@
+"""Numpy lights: how much every lamp gives to every pixel (formulas checked against Cycles, notes 1.1).
+
+Illumination here is irradiance / pi: the luminance a white diffuse surface would show. Picture = albedo * illumination.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.look.raster import LUMA, Image, luminance
+from storyblender.memory.scene_context import Light, Sky
+
+_BOUNCE = 0.55
+"""Share of the mean outgoing light that comes back from all sides as first bounce (fitted to Cycles, 3 bounces)."""
+SKY_STOPS = (-1.0, -0.03, 0.0, 0.22, 1.0)
+"""Sines of elevation of the sky's colours: ground, ground, horizon, midway, zenith."""
+
+
+@dataclass(frozen=True)
+class LightField:
+    """One lamp over the picture.
+
+    Attributes:
+        light: The lamp.
+        amount: (h, w) illumination at the lamp's power, before its colour.
+    """
+
+    light: Light
+    amount: Image
+
+    def scaled(self, gain: float) -> LightField:
+        """Return the same lamp ``gain`` times as strong; exact, light is linear."""
+        return LightField(self.light.model_copy(update={"power": self.light.power * gain}), self.amount * gain)
+
+    def shadowed(self, visibility: Image) -> LightField:
+        """Return the lamp with what it does not reach taken away."""
+        return replace(self, amount=self.amount * visibility)
+
+
+def direction_of(light: Light) -> NDArray[np.float64]:
+    """Return the unit vector along which the lamp shines."""
+    along = np.asarray(light.target, float) - np.asarray(light.location, float)
+    length = np.linalg.norm(along)
+    return along / length if length > 1e-9 else np.array([0.0, 0.0, -1.0])
+
+
+def light_field(light: Light, positions: Image, normal: Image) -> LightField:
+    """Return what the lamp gives to (h, w, 3) world positions with these normals, nothing in between."""
+    aim = direction_of(light).astype(np.float32)
+    if light.kind == "SUN":
+        return LightField(light, np.clip(-(normal @ aim), 0, 1) * np.float32(light.power / math.pi))
+    toward = np.asarray(light.location, np.float32) - positions
+    squared = np.einsum("hwc,hwc->hw", toward, toward)
+    toward /= np.sqrt(squared)[..., None]
+    facing = np.clip(np.einsum("hwc,hwc->hw", normal, toward), 0, 1)
+    amount = facing * np.float32(light.power / (4 * math.pi**2)) / (squared + (light.size / 2) ** 2)
+    if light.kind == "AREA":
+        amount *= 4 * np.clip(-(toward @ aim), 0, 1)
+    elif light.kind == "SPOT":
+        edge = math.cos(math.radians(light.cone / 2))
+        amount *= np.clip((-(toward @ aim) - edge) / max(1e-3, (1 - edge) * light.blend), 0, 1)
+    return LightField(light, amount)
+
+
+def ambient_light(ambient: Sequence[float], normal: Image, openness: Image) -> Image:
+    """Return the (h, w, 3) light from all sides: a little more from above, none in the corners."""
+    amount = openness * (0.75 + 0.25 * normal[..., 2])
+    return amount[..., None] * np.asarray(ambient, np.float32)
+
+
+def bounce_light(albedo: Image, direct: Image, solid: NDArray[np.bool_], openness: Image) -> Image:
+    """Return the first bounce, taken as even over the picture: the mean light that leaves the surfaces in it."""
+    if not solid.any():
+        return np.zeros_like(direct)
+    leaving = np.minimum(albedo * direct, 4.0)[solid].mean(axis=0)
+    return openness[..., None] * (leaving * np.float32(_BOUNCE))
+
+
+def total(fields: Sequence[LightField], ambient: Image) -> Image:
+    """Sum lamps and ambient light to (h, w, 3) illumination."""
+    result = ambient.copy()
+    for field in fields:
+        result += field.amount[..., None] * np.asarray(field.light.color, np.float32)
+    return result
+
+
+def power_for(luminance_wanted: float, distance: float, color: Sequence[float], albedo: float = 0.4) -> float:
+    """Return the watts of a SPOT or POINT that show a facing surface at that luminance (notes 1.1, a = mixed skin)."""
+    brightness = 0.8 * float(np.dot(LUMA, np.asarray(color, np.float32)))
+    return luminance_wanted * 4 * math.pi**2 * distance**2 / (albedo * max(brightness, 1e-3))
+
+
+def sky_colors(sky: Sky) -> NDArray[np.float32]:
+    """Return (5, 3) the sky's colours at ``SKY_STOPS``; Cycles' world is made of the same."""
+    ground, horizon, zenith = (np.asarray(color, np.float32) for color in (sky.ground, sky.horizon, sky.zenith))
+    return np.stack([ground, ground, horizon, (horizon + zenith) / 2, zenith])
+
+
+def sky_light(sky: Sky, rays: Image) -> Image:
+    """Return the sky seen along (h, w, 3) rays."""
+    height = rays[..., 2] / np.linalg.norm(rays, axis=2)
+    colors = sky_colors(sky)
+    return np.stack([np.interp(height, SKY_STOPS, colors[:, band]) for band in range(3)], axis=2).astype(np.float32)
+
+
+def strength(field: LightField, albedo: Image) -> float:
+    """Return the mean luminance the lamp adds to the picture; used to choose which lamps get shadows."""
+    return float((field.amount * luminance(albedo)).mean() * np.dot(LUMA, np.asarray(field.light.color, np.float32)))

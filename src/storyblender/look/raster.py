@@ -1,0 +1,66 @@
+"""Arithmetic on pictures: (h, w) and (h, w, 3) float32 arrays, row 0 at the top."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Image = NDArray[np.float32]
+Mask = NDArray[np.bool_]
+
+LUMA = np.array([0.2126, 0.7152, 0.0722], np.float32)
+"""Weights of Rec. 709 luminance."""
+
+
+def luminance(image: Image) -> Image:
+    """Return the (h, w) luminance of a linear picture; of a display picture, its luma."""
+    return image @ LUMA
+
+
+def shrink(image: NDArray, factor: int) -> Image:
+    """Average blocks of ``factor`` x ``factor`` pixels; height and width must be multiples of it."""
+    if factor == 1:
+        return image.astype(np.float32)
+    height, width = image.shape[:2]
+    blocks = image.reshape(height // factor, factor, width // factor, factor, *image.shape[2:])
+    return blocks.mean(axis=(1, 3), dtype=np.float32)
+
+
+def every(image: NDArray, step: int) -> NDArray:
+    """Take one pixel from the middle of each ``step`` x ``step`` block, as a contiguous copy."""
+    return np.ascontiguousarray(image[step // 2 :: step, step // 2 :: step])
+
+
+def blur(image: Image, radius: int) -> Image:
+    """Box blur of (2 radius + 1) squared pixels; edges repeat."""
+    return blur_rows(np.swapaxes(blur_rows(np.swapaxes(image, 0, 1), radius), 0, 1), radius)
+
+
+def blur_rows(image: Image, radius: int) -> Image:
+    """Box blur along the columns only (a vertical smear); edges repeat."""
+    if radius < 1:
+        return image
+    count, padding = image.shape[0], [(radius + 1, radius)] + [(0, 0)] * (image.ndim - 1)
+    sums = np.cumsum(np.pad(image, padding, mode="edge"), axis=0, dtype=np.float64)
+    window = 2 * radius + 1
+    return ((sums[window : window + count] - sums[:count]) / window).astype(np.float32)
+
+
+def spread(values: NDArray) -> NDArray:
+    """Give every pixel the largest value among itself and its four neighbours."""
+    grown = values.copy()
+    np.maximum(grown[1:], values[:-1], out=grown[1:])
+    np.maximum(grown[:-1], values[1:], out=grown[:-1])
+    np.maximum(grown[:, 1:], values[:, :-1], out=grown[:, 1:])
+    np.maximum(grown[:, :-1], values[:, 1:], out=grown[:, :-1])
+    return grown
+
+
+def noise(size: int, exponent: float, seed: int) -> Image:
+    """Tileable 1/f^exponent noise, 0 to 1, mean 0.5, (size, size)."""
+    frequency = np.fft.fftfreq(size) * size
+    distance = np.hypot(frequency[None, :], frequency[:, None])
+    distance[0, 0] = np.inf
+    white = np.random.default_rng(seed).standard_normal((size, size))
+    field = np.fft.ifft2(np.fft.fft2(white) * distance**-exponent).real
+    return np.clip(0.5 + 0.22 * field / field.std(), 0, 1).astype(np.float32)

@@ -1,0 +1,96 @@
+"""Light at low resolution, texture at full: demodulate by albedo, upsample along edges, remodulate (notes 0.3)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.look.gbuffer import GBuffer
+from storyblender.look.raster import Image, every, shrink
+
+FLOOR = 0.04
+"""Reflectance added to every albedo, so that gloss on black survives the division."""
+_BAND = 90
+"""Rows upsampled at a time; keeps the temporaries small."""
+
+
+def demodulate(picture: Image, albedo: Image) -> Image:
+    """Return the illumination of a rendered picture; ``albedo`` at the same size."""
+    return picture / (albedo + FLOOR)
+
+
+def remodulate(illumination: Image, albedo: Image) -> Image:
+    """Return the picture of an illumination over an albedo."""
+    return illumination * (albedo + FLOOR)
+
+
+def upsample(low: Image, gbuffer: GBuffer, factor: int) -> Image:
+    """Enlarge a low-resolution image by ``factor`` without bleeding over edges of depth or normal.
+
+    Args:
+        low: (h, w, 3).
+        gbuffer: Of the same frame; its size a multiple of h * factor.
+        factor: Enlargement.
+
+    Returns:
+        (h * factor, w * factor, 3).
+    """
+    height, width = low.shape[:2]
+    coarse, fine = gbuffer.view.height // height, gbuffer.view.height // (height * factor)
+    low_depth, low_normal = every(gbuffer.depth, coarse), every(gbuffer.normal, coarse).astype(np.float32)
+    depth, normal = every(gbuffer.depth, fine), every(gbuffer.normal, fine)
+    rows = (np.arange(height * factor, dtype=np.float32) + 0.5) / factor - 0.5
+    columns = (np.arange(width * factor, dtype=np.float32) + 0.5) / factor - 0.5
+    result = np.empty((height * factor, width * factor, 3), np.float32)
+    for top in range(0, height * factor, _BAND):
+        band = slice(top, top + _BAND)
+        result[band] = _blend(
+            low, low_depth, low_normal, depth[band], normal[band].astype(np.float32), rows[band], columns
+        )
+    return result
+
+
+def _blend(
+    low: Image,
+    low_depth: Image,
+    low_normal: Image,
+    depth: Image,
+    normal: Image,
+    rows: NDArray[np.float32],
+    columns: NDArray[np.float32],
+) -> Image:
+    """Mix the four nearest low-resolution pixels, weighted by nearness, depth and normal."""
+    height, width = low_depth.shape
+    y0, x0 = np.floor(rows).astype(np.int32), np.floor(columns).astype(np.int32)
+    fy, fx = (rows - y0)[:, None], (columns - x0)[None, :]
+    tolerance = 0.01 * depth + 0.01
+    mixed, weights = np.zeros((*depth.shape, 3), np.float32), np.zeros(depth.shape, np.float32)
+    for dy in (0, 1):
+        for dx in (0, 1):
+            y, x = np.clip(y0 + dy, 0, height - 1)[:, None], np.clip(x0 + dx, 0, width - 1)[None, :]
+            near = (fy if dy else 1 - fy) * (fx if dx else 1 - fx) + 0.02
+            level = np.exp(-np.abs(low_depth[y, x] - depth) / tolerance)
+            facing = np.maximum(0.02, np.einsum("hwc,hwc->hw", low_normal[y, x], normal)) ** 4
+            weight = near * level * facing + 1e-5
+            mixed += low[y, x] * weight[..., None]
+            weights += weight
+    return mixed / weights[..., None]
+
+
+def mean_albedo(gbuffer: GBuffer, step: int, sky: Image | None = None) -> Image:
+    """Return the albedo averaged over blocks of ``step`` pixels, in bands to save memory.
+
+    Args:
+        gbuffer: Any size.
+        step: Block size.
+        sky: (h / step, w / step, 3) what stands in for albedo where the sky shows; black if None.
+    """
+    height, width = gbuffer.view.height // step, gbuffer.view.width // step
+    result = np.empty((height, width, 3), np.float32)
+    band = 64
+    for top in range(0, height, band):
+        rows = slice(top * step, (top + band) * step)
+        result[top : top + band] = shrink(gbuffer.albedo[rows], step)
+    if sky is not None:
+        result += sky * shrink(gbuffer.sky.astype(np.float32), step)[..., None]
+    return result
