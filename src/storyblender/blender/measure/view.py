@@ -1,0 +1,273 @@
+"""The viewfinder: draw an ID mask from a camera pose and say in numbers what it shows (notes: engine, section 3).
+
+A look costs one flat Workbench picture of 320 pixels' width. Colours are node ids, the depth pass gives the rest.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+from numpy.typing import NDArray
+
+from storyblender.blender.measure.figures import figures
+from storyblender.blender.render.passes import flat_workbench
+from storyblender.blender.render.session import RenderSession, changed, temporary_camera
+from storyblender.geometry.framing import Figure, project
+from storyblender.geometry.orbit import Orbit
+from storyblender.look.surface import Surface
+from storyblender.memory.measure import CameraView, SubjectView
+from storyblender.memory.shot_context import CameraPose
+
+WIDTH = 320
+_SAMPLES = 400
+"""Vertices of one object that stand for it."""
+_NEAR_PROP, _NEAR_WALL = 0.25, 0.12
+"""Metres a camera body needs."""
+_FLOOR = 0.08
+"""Metres above the floor at which a camera still stands."""
+_CROWN = 0.58
+"""Hair and skull above the face's centre, in head heights."""
+
+Ints = NDArray[np.int32]
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """One look to take.
+
+    Attributes:
+        pose: Camera.
+        frame: Timeline frame; None stays where the scene is.
+        sensor_width: mm.
+        focus_ids: node_ids the shot is about.
+        hidden: node_ids left out of the picture.
+    """
+
+    pose: CameraPose
+    frame: int | None = None
+    sensor_width: float = 36.0
+    focus_ids: tuple[str, ...] = ()
+    hidden: tuple[str, ...] = ()
+
+
+def view(
+    scene: bpy.types.Scene,
+    pose: CameraPose,
+    sensor_width: float = 36.0,
+    width: int = WIDTH,
+    height: int = WIDTH * 9 // 16,
+    focus_ids: Sequence[str] = (),
+    hidden: Sequence[str] = (),
+) -> CameraView:
+    """Return what one camera pose sees at the scene's current frame."""
+    sighting = Sighting(pose, None, sensor_width, tuple(focus_ids), tuple(hidden))
+    return look(scene, [sighting], width, height)[0]
+
+
+def look(
+    scene: bpy.types.Scene, sightings: Sequence[Sighting], width: int = WIDTH, height: int = WIDTH * 9 // 16
+) -> list[CameraView]:
+    """Return what each camera sees, in order; the file is as it was afterwards.
+
+    Looks of one frame with the same hidden nodes share their set-up, so order them that way. The frame's aspect is
+    width / height. A scene with the custom property ``open_sky`` shows sky above the horizon where it shows nothing.
+    """
+    results: list[CameraView] = []
+    with (
+        temporary_camera(scene, np.eye(4), sensor_fit="HORIZONTAL", clip_start=0.02, clip_end=2000.0) as camera,
+        flat_workbench(scene),
+        changed(scene.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
+    ):
+        batch: list[Sighting] = []
+        for sighting in sightings:
+            if batch and (sighting.frame, sighting.hidden) != (batch[0].frame, batch[0].hidden):
+                results += _look_at_once(scene, camera, batch, width, height)
+                batch = []
+            batch.append(sighting)
+        if batch:
+            results += _look_at_once(scene, camera, batch, width, height)
+    return results
+
+
+def _look_at_once(
+    scene: bpy.types.Scene, camera: bpy.types.Object, batch: Sequence[Sighting], width: int, height: int
+) -> list[CameraView]:
+    """Take the looks of one frame with the same hidden nodes."""
+    with RenderSession(scene, camera, batch[0].frame, batch[0].hidden) as session:
+        stage = _Stage(session, frozenset(node for sighting in batch for node in sighting.focus_ids))
+        with _numbered(stage.objects, stage.numbers):
+            return [stage.see(sighting, width, height) for sighting in batch]
+
+
+@contextmanager
+def _numbered(objects: Sequence[bpy.types.Object], numbers: dict[str, int]) -> Iterator[None]:
+    """Write every object's node number into its viewport colour."""
+    with ExitStack() as stack:
+        for obj in objects:
+            number = numbers[_node_id(obj)]
+            card = float(obj.get("surface") == int(Surface.CARD))
+            stack.enter_context(changed(obj, {"color": (number % 256 / 255, number // 256 / 255, card, 1.0)}))
+        yield
+
+
+def _node_id(obj: bpy.types.Object) -> str:
+    return str(obj.get("node_id", obj.name))
+
+
+class _Stage:
+    """What is drawn at one frame: objects, their sample points, faces. Shared by all looks of a batch."""
+
+    def __init__(self, session: RenderSession, focus: frozenset[str]) -> None:
+        self.session = session
+        self.objects = session.visible_objects()
+        nodes = dict.fromkeys(_node_id(obj) for obj in self.objects)
+        self.numbers = {node: number for number, node in enumerate(nodes, 1)}
+        self.depsgraph = session.scene.view_layers[0].depsgraph
+        self.faces = {figure.node_id: figure for figure in figures(session.scene) if figure.node_id in nodes}
+        wanted = [node for node in nodes if node in self.faces or node in focus]
+        self.points = {node: self._sample(node) for node in wanted}
+
+    def _sample(self, node_id: str) -> Floats:
+        clouds = [self._vertices(obj) for obj in self.objects if _node_id(obj) == node_id]
+        return np.concatenate(clouds) if clouds else np.zeros((0, 3))
+
+    def _vertices(self, obj: bpy.types.Object) -> Floats:
+        evaluated = obj.evaluated_get(self.depsgraph)
+        mesh = evaluated.to_mesh()
+        local = np.empty(len(mesh.vertices) * 3, np.float32)
+        mesh.vertices.foreach_get("co", local)
+        evaluated.to_mesh_clear()
+        points = local.reshape(-1, 3).astype(np.float64)
+        points = points[:: max(1, len(points) // _SAMPLES)]
+        world = np.array(evaluated.matrix_world)
+        return points @ world[:3, :3].T + world[:3, 3]
+
+    def see(self, sighting: Sighting, width: int, height: int) -> CameraView:
+        """Render one pose and measure it."""
+        pose = sighting.pose
+        orbit = Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, sighting.sensor_width, width / height)
+        camera = self.session.camera
+        camera.data.lens, camera.data.sensor_width = pose.lens, sighting.sensor_width
+        camera.matrix_world = Matrix(orbit.world.tolist())
+        channels = self.session.exr(width, height, depth=True)
+        red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
+        ids, depth = red + 256 * green, channels["Depth.Z"]
+        sky = self._sky(ids, blue, orbit)
+        subjects = tuple(self._subject(node, orbit, ids) for node in self.points)
+        return CameraView(
+            subjects=subjects,
+            void=float(((ids == 0) & ~sky).mean()),
+            sky=float(sky.mean()),
+            foreground=self._foreground(sighting, orbit, ids, depth),
+            nearest=float(depth[ids > 0].min()) if (ids > 0).any() else 1e9,
+            inside=self._inside(orbit.position),
+            below_floor=float(orbit.position[2]) < _FLOOR,
+        )
+
+    def _sky(self, ids: Ints, blue: Ints, orbit: Orbit) -> NDArray[np.bool_]:
+        """Cards are sky; where nothing is drawn there is sky above the horizon, if the scene has one."""
+        sky = (blue > 0) & (ids > 0)
+        if self.session.scene.get("open_sky"):
+            height, width = ids.shape
+            y = (0.5 - (np.arange(height) + 0.5) / height)[:, None] * 2 * orbit.tangent
+            x = ((np.arange(width) + 0.5) / width - 0.5)[None, :] * 2 * orbit.tangent * orbit.aspect
+            right, up, back = orbit.axes[2]
+            sky |= (ids == 0) & (x * right + y * up - back > -0.02)
+        return sky
+
+    def _foreground(self, sighting: Sighting, orbit: Orbit, ids: Ints, depth: NDArray[np.float32]) -> float:
+        clouds = [self.points[node] for node in sighting.focus_ids if len(self.points.get(node, ()))]
+        away = orbit.distance
+        if clouds:
+            away = min(float(np.median(project(orbit, cloud)[1])) for cloud in clouds)
+        own = [self.numbers[node] for node in sighting.focus_ids if node in self.numbers]
+        return float(((ids > 0) & (depth < away / 2) & ~np.isin(ids, own)).mean())
+
+    def _subject(self, node_id: str, orbit: Orbit, ids: Ints) -> SubjectView:
+        mine = ids == self.numbers[node_id]
+        rows, columns = np.nonzero(mine)
+        height, width = ids.shape
+        box = None
+        if len(rows):
+            box = (
+                float(columns.min() / width),
+                float(rows.min() / height),
+                float((columns.max() + 1) / width),
+                float((rows.max() + 1) / height),
+            )
+        screen, depth = project(orbit, self.points[node_id])
+        inside = ((screen > 0) & (screen < 1)).all(1) & (depth > 0)
+        seen = inside & _hit(screen, mine)
+        count = max(len(screen), 1)
+        subject = SubjectView(
+            node_id=node_id,
+            visible_fraction=float(seen.sum() / count),
+            in_frame_fraction=float(inside.sum() / count),
+            box=box,
+            pixels=float(mine.mean()),
+        )
+        return _with_face(subject, self.faces[node_id], orbit, mine) if node_id in self.faces else subject
+
+    def _inside(self, position: Floats) -> tuple[str, ...]:
+        """Return the solids the camera is in, or too close to."""
+        point = Vector(position.tolist())
+        found: dict[str, None] = {}
+        for obj in self.objects:
+            if obj.get("surface") == int(Surface.CARD) or obj.type != "MESH":
+                continue
+            evaluated = obj.evaluated_get(self.depsgraph)
+            local = evaluated.matrix_world.inverted_safe() @ point
+            margin = _NEAR_WALL if obj.get("kind") == "set" else _NEAR_PROP
+            low, high = evaluated.bound_box[0], evaluated.bound_box[6]
+            if any(not low[k] - margin < local[k] < high[k] + margin for k in range(3)):
+                continue
+            hit, nearest, normal, _ = evaluated.closest_point_on_mesh(local, distance=0.8)
+            away = (local - nearest).length if hit else math.inf
+            if away < margin or (hit and (local - nearest).dot(normal) < 0):
+                found[_node_id(obj)] = None
+        return tuple(found)
+
+
+def _hit(screen: Floats, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which screen points fall on own pixels or beside them: outlines are a pixel wide."""
+    height, width = mine.shape
+    wide = np.pad(mine, 1)
+    wide = wide[1:-1, 1:-1] | wide[:-2, 1:-1] | wide[2:, 1:-1] | wide[1:-1, :-2] | wide[1:-1, 2:]
+    columns = np.clip((screen[:, 0] * width).astype(int), 0, width - 1)
+    rows = np.clip((screen[:, 1] * height).astype(int), 0, height - 1)
+    return wide[rows, columns]
+
+
+def _with_face(subject: SubjectView, figure: Figure, orbit: Orbit, mine: NDArray[np.bool_]) -> SubjectView:
+    """Add the face: where, how large, turned how far away, how much of it hidden."""
+    centre, up = np.asarray(figure.face), orbit.axes[:, 1]
+    crown, chin = centre + up * _CROWN * figure.head, centre - up * 0.5 * figure.head
+    screen, depth = project(orbit, [centre, crown, chin])
+    to_camera = orbit.position - centre
+    turned = float(np.dot(figure.forward, to_camera) / max(float(np.linalg.norm(to_camera)), 1e-9))
+    angle = math.degrees(math.acos(min(1.0, max(-1.0, turned))))
+    if depth.min() <= 0.05:
+        return subject.model_copy(update={"face_angle": angle})
+    oval = [
+        centre + figure.head * ring * (0.36 * math.cos(a) * orbit.axes[:, 0] + 0.46 * math.sin(a) * up)
+        for ring in (0.0, 0.45, 0.9)
+        for a in np.linspace(0, 2 * math.pi, 12, endpoint=False)
+    ]
+    spots, _ = project(orbit, oval)
+    shown = ((spots > 0) & (spots < 1)).all(1) & _hit(spots, mine)
+    return subject.model_copy(
+        update={
+            "face": (float(screen[0, 0]), float(screen[0, 1])),
+            "face_visible": float(shown.mean()),
+            "head_height": float(screen[2, 1] - screen[1, 1]),
+            "head_top": float(screen[1, 1]),
+            "face_angle": angle,
+        }
+    )
