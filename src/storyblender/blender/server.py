@@ -10,6 +10,7 @@ from fastmcp import FastMCP
 
 from storyblender.blender.main_thread import MainThread
 from storyblender.blender.session import Session
+from storyblender.geometry.framing import Figure
 from storyblender.memory.jobs import (
     AssetJob,
     ExportJob,
@@ -51,6 +52,11 @@ def make_server(session: Session, main_thread: MainThread) -> FastMCP:
     async def pack_scene(job: SceneJob) -> PackRef:
         """Build one scene with the motion of all its shots into a pack."""
         return await on_main(lambda: session.pack_scene(job))
+
+    @server.tool
+    async def read_figures(pack: PackRef, frames: list[int]) -> list[list[Figure]]:
+        """Say where everybody's face is at frames of the scene's timeline."""
+        return await on_main(lambda: session.figures(pack, frames))
 
     @server.tool
     async def look(pack: PackRef, requests: list[ViewRequest], aspect: float) -> list[CameraView]:

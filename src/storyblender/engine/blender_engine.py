@@ -10,10 +10,11 @@ from types import TracebackType
 from pydantic import TypeAdapter
 
 from storyblender.engine.pool import WorkerPool
+from storyblender.geometry.framing import Figure
 from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
-from storyblender.memory.measure import AssetMeasure, CameraView
-from storyblender.ports import ViewRequest
+from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
 
+_FIGURES = TypeAdapter(list[list[Figure]])
 _VIEWS = TypeAdapter(list[CameraView])
 
 
@@ -51,6 +52,11 @@ class BlenderEngine:
         return self._pool.submit(
             "pack_scene", {"job": _plain(job)}, PackRef.model_validate, affinity=f"scene{job.scene.scene_id}"
         )
+
+    def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
+        """Say where everybody's face is at frames of the scene's timeline."""
+        arguments = {"pack": _plain(pack), "frames": list(frames)}
+        return self._pool.submit("read_figures", arguments, _FIGURES.validate_python, affinity=f"scene{pack.scene_id}")
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
         """Look through the viewfinder."""

@@ -1,0 +1,174 @@
+"""The canonical assets on disk: ``assets/<digest>.blend`` with the geometry, ``.json`` with its measure.
+
+Content-addressed: the same recipe is built once, by whichever worker comes first, and appended everywhere else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import bpy
+
+from storyblender.blender.measure.hashing import geometry_hash
+from storyblender.blender.measure.surfaces import find_tops
+from storyblender.blender.people.body import Body
+from storyblender.blender.people.person import build_person
+from storyblender.blender.props.build import PropBuild, build_prop
+from storyblender.blender.props.imported import build_from_file
+from storyblender.blender.props.stand_in import build_stand_in
+from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Asset, CharacterLook
+from storyblender.memory.base import content_hash
+from storyblender.memory.jobs import AssetJob
+from storyblender.memory.measure import AssetMeasure
+
+
+@dataclass(frozen=True)
+class CastMember:
+    """An appended person.
+
+    Attributes:
+        armature: The rig's object.
+        meshes: What hangs on it.
+        body: Its measures for the motion solver.
+    """
+
+    armature: bpy.types.Object
+    meshes: list[bpy.types.Object]
+    body: Body
+
+
+class AssetStore:
+    """Builds assets into a folder and appends them to the open file.
+
+    Args:
+        folder: ``assets`` of the project.
+        models: The user's folder of models, for assets that came from files.
+    """
+
+    def __init__(self, folder: Path, models: Path | None = None) -> None:
+        self._folder, self._models = folder, models
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def measure(self, job: AssetJob) -> AssetMeasure:
+        """Return the measure of an asset, building it into the store first where it is not there yet.
+
+        The open Blender file is replaced while building.
+        """
+        path = self._folder / f"{job.digest}.json"
+        if path.exists():
+            return AssetMeasure.model_validate_json(path.read_bytes())
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        measure = self._build(job)
+        part = path.with_suffix(".json.part")
+        part.write_text(measure.model_dump_json())
+        part.replace(path)
+        return measure
+
+    def append_mesh(self, asset: Asset) -> bpy.types.Mesh:
+        """Return the canonical mesh of an object, appended once to the open file."""
+        digest = _digest(asset)
+        present = next((mesh for mesh in bpy.data.meshes if mesh.get("digest") == digest), None)
+        if present is not None:
+            return present
+        objects = self._append(digest)
+        mesh = objects[0].data
+        for obj in objects:
+            bpy.data.objects.remove(obj)
+        return mesh
+
+    def append_person(self, asset: Asset) -> CastMember:
+        """Return a fresh copy of a person's rig and meshes in the open file, linked to no collection yet."""
+        digest = _digest(asset)
+        objects = self._append(digest)
+        armature = next(obj for obj in objects if obj.type == "ARMATURE")
+        meshes = [obj for obj in objects if obj.type == "MESH"]
+        return CastMember(armature, meshes, Body.load(self._folder / f"{digest}.npz"))
+
+    def _append(self, digest: str) -> list[bpy.types.Object]:
+        path = self._folder / f"{digest}.blend"
+        with bpy.data.libraries.load(str(path), link=False) as (source, target):
+            target.collections = list(source.collections)
+        collection = target.collections[0]
+        objects = sorted(collection.objects, key=lambda obj: obj.name)
+        bpy.data.collections.remove(collection)
+        return objects
+
+    def _build(self, job: AssetJob) -> AssetMeasure:
+        asset, digest = job.asset, job.digest
+        collection = bpy.data.collections.new(f"AST_{asset.asset_id}")
+        if asset.asset_type == "character":
+            measure = self._build_person(asset, digest, collection)
+        else:
+            measure = self._build_object(asset, digest, collection)
+        part = self._folder / f"{digest}.part.blend"
+        bpy.data.libraries.write(str(part), {collection}, compress=True, fake_user=True)
+        part.replace(self._folder / f"{digest}.blend")
+        return measure
+
+    def _build_person(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
+        look = asset.look or CharacterLook()
+        if asset.dimension is not None and asset.dimension.height is not None:
+            look = look.model_copy(update={"stature": min(2.4, max(0.4, asset.dimension.height))})
+        identity = asset.reference_character or asset.asset_id
+        build = build_person(asset.asset_id, look, seed=_seed(identity))
+        for obj in (build.armature, *build.meshes):
+            collection.objects.link(obj) if obj.name not in collection.objects else None
+            obj.data["digest"] = digest
+        build.body.save(self._folder / f"{digest}.npz")
+        hashes = [geometry_hash(obj.data) for obj in build.meshes]
+        width = float(build.body.vertices[:, 0].max() - build.body.vertices[:, 0].min())
+        depth = float(build.body.vertices[:, 1].max() - build.body.vertices[:, 1].min())
+        return AssetMeasure(
+            asset_id=asset.asset_id,
+            digest=digest,
+            geometry_hash=content_hash(list(hashes)),
+            dimensions=(min(width, 0.55 * build.body.stature / 1.7), depth, build.body.stature),
+            faces=sum(len(obj.data.polygons) for obj in build.meshes),
+        )
+
+    def _build_object(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
+        build = self._make_object(asset, digest)
+        build.mesh.name = asset.asset_id
+        build.mesh["digest"] = digest
+        obj = bpy.data.objects.new(asset.asset_id, build.mesh)
+        collection.objects.link(obj)
+        tops = () if any(anchor.kind == "top" for anchor in build.anchors) else find_tops(build.mesh)
+        return AssetMeasure(
+            asset_id=asset.asset_id,
+            digest=digest,
+            geometry_hash=geometry_hash(build.mesh),
+            dimensions=build.dimensions,
+            anchors=(*build.anchors, *tops),
+            faces=len(build.mesh.polygons),
+        )
+
+    def _make_object(self, asset: Asset, digest: str) -> PropBuild:
+        canonical = asset.canonical
+        assert canonical is not None, "the Concept Artist decides what an asset is before it is built"
+        seed = _seed(digest)
+        match canonical.source:
+            case "catalog":
+                return build_prop(canonical.key, canonical.params, seed, asset.dimension)
+            case "file":
+                return build_from_file(self._model_path(canonical.key), asset.dimension)
+            case _:
+                return build_stand_in(asset.name or asset.asset_id, canonical.key, seed, asset.dimension)
+
+    def _model_path(self, name: str) -> Path:
+        if self._models is None:
+            raise InputError(f"the model {name!r} is in no folder", mend="give --models FOLDER")
+        path = (self._models / name).resolve()
+        if not path.is_relative_to(self._models.resolve()):
+            raise InputError(f"the model {name!r} lies outside the folder of models")
+        return path
+
+
+def _digest(asset: Asset) -> str:
+    assert asset.canonical is not None, f"{asset.asset_id} has not been built"
+    return asset.canonical.digest
+
+
+def _seed(text: str) -> int:
+    return int(content_hash(text)[:8], 16)

@@ -1,0 +1,81 @@
+"""Camera objects from camera states: lens, aperture and eased keys on the scene's timeline."""
+
+from __future__ import annotations
+
+import bpy
+from mathutils import Matrix
+
+from storyblender.blender.tags import tag
+from storyblender.geometry.moves import eased, in_between
+from storyblender.geometry.orbit import Orbit
+from storyblender.memory.base import shot_name
+from storyblender.memory.shot_context import CameraPose, CameraState, ShotContext
+
+KEY_EVERY = 4
+"""Frames between the keys of a move: the eased path is kept, and an artist can still edit it."""
+
+
+def make_camera(
+    scene: bpy.types.Scene, collection: bpy.types.Collection, shot: ShotContext, start: int
+) -> bpy.types.Object:
+    """Make the camera of a shot and link it.
+
+    Args:
+        scene: Whose evaluation is not needed; matrices are written directly.
+        collection: Where it goes.
+        shot: With its camera solved.
+        start: First frame of the shot on the scene's timeline.
+    """
+    state = shot.camera
+    assert state is not None, "the Camera Operator comes before the camera"
+    name = shot_name(shot.scene_id, shot.shot_id)
+    data = bpy.data.cameras.new(name)
+    data.sensor_width = state.sensor_width
+    data.sensor_fit = "HORIZONTAL"
+    data.clip_start, data.clip_end = 0.05, 1000.0
+    data.dof.aperture_fstop = state.f_number
+    camera = bpy.data.objects.new(name, data)
+    camera.rotation_mode = "QUATERNION"
+    tag(camera, kind="camera", node_id=name.lower())
+    collection.objects.link(camera)
+    _key(camera, state, shot.duration, start)
+    return camera
+
+
+def pose_at(state: CameraState, frame: float) -> Orbit:
+    """Return the camera at a frame counted from the shot's start, eased between its poses."""
+    poses = state.poses
+    if len(poses) == 1 or frame <= poses[0].frame:
+        return _orbit(poses[0], state.sensor_width)
+    for before, after in zip(poses, poses[1:], strict=False):
+        if frame <= after.frame:
+            share = (frame - before.frame) / max(1, after.frame - before.frame)
+            return in_between(_orbit(before, state.sensor_width), _orbit(after, state.sensor_width), eased(share))
+    return _orbit(poses[-1], state.sensor_width)
+
+
+def _orbit(pose: CameraPose, sensor_width: float) -> Orbit:
+    return Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, sensor_width)
+
+
+def _key(camera: bpy.types.Object, state: CameraState, duration: int, start: int) -> None:
+    _set(camera, pose_at(state, 0))
+    if len(state.poses) == 1:
+        return
+    last = max(duration - 1, 1)
+    for frame in [*range(0, last, KEY_EVERY), last]:
+        _set(camera, pose_at(state, frame))
+        camera.keyframe_insert("location", frame=start + frame)
+        camera.keyframe_insert("rotation_quaternion", frame=start + frame)
+        camera.data.keyframe_insert("lens", frame=start + frame)
+
+
+def _set(camera: bpy.types.Object, orbit: Orbit) -> None:
+    world = Matrix(orbit.world.tolist())
+    location, rotation, _ = world.decompose()
+    if camera.rotation_quaternion.dot(rotation) < 0:
+        rotation.negate()
+    camera.location, camera.rotation_quaternion = location, rotation
+    camera.matrix_world = world
+    camera.data.lens = orbit.lens
+    camera.data.dof.focus_distance = orbit.distance

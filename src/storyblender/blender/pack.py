@@ -1,0 +1,177 @@
+"""A scene pack: one Blender scene with set, objects, people and the motion of all its shots.
+
+No cameras, no face lights: a changed camera never rebuilds a scene. Names and custom properties are the contract
+of the design: scene ``SC010``, objects ``SC010.<node_id>`` with ``node_id``, ``asset_id`` and ``kind``.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import bpy
+
+from storyblender.blender.asset_store import AssetStore, CastMember
+from storyblender.blender.merge import merge_duplicates
+from storyblender.blender.motion.bake import bake
+from storyblender.blender.motion.solve import solve_shot
+from storyblender.blender.sets.build import build_set
+from storyblender.blender.staging import Stage, moved_assets
+from storyblender.blender.tags import Surface, tag
+from storyblender.catalog.sets import plan_of
+from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.jobs import SceneJob
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.shot_context import ShotContext
+
+MOTION_STEP = 1
+"""Legs are solved on ones: on twos the linear in-between makes feet slide (notes: motion, section 6)."""
+
+
+class ScenePacker:
+    """Builds one scene into the open file.
+
+    Args:
+        job: What to build.
+        store: Where the canonical assets are.
+    """
+
+    def __init__(self, job: SceneJob, store: AssetStore) -> None:
+        self._job, self._store = job, store
+        self._name = scene_name(job.scene.scene_id)
+        self._assets = {asset.asset_id: asset for asset in job.assets}
+        self._starts = shot_starts(job.shots)
+        self._props: dict[str, bpy.types.Object] = {}
+        self._cast: dict[str, CastMember] = {}
+
+    def build(self) -> tuple[str, ...]:
+        """Build everything and return what could not be staged, one sentence each."""
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        scene = bpy.context.scene
+        scene.name = self._name
+        scene.render.fps = self._job.fps
+        scene.frame_start = 1
+        scene.frame_end = max(1, sum(shot.duration for shot in self._job.shots))
+        environment = self._job.scene.environment
+        assert environment is not None, "the Environment Designer comes before the pack"
+        plan = plan_of(environment)
+        build_set(plan, scene, self._collection("set"))
+        self._place_objects()
+        self._place_people()
+        stage = Stage(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
+        problems: list[str] = []
+        for shot in self._job.shots:
+            problems += self._perform(stage, shot)
+        self._key_visibility()
+        merge_duplicates()
+        return tuple(problems)
+
+    def _collection(self, part: str) -> bpy.types.Collection:
+        collection = bpy.data.collections.new(f"{self._name}_{part}")
+        bpy.context.scene.collection.children.link(collection)
+        return collection
+
+    def _place_objects(self) -> None:
+        layout = self._job.scene.layout
+        assert layout is not None, "the Spatial Planner comes before the pack"
+        collection = self._collection("props")
+        for item in layout.objects:
+            if self._assets[item.asset_id].asset_type == "object":
+                self._place(item, collection)
+        for asset_id in moved_assets(self._job):
+            if asset_id not in self._props:
+                self._place(LayoutObject(node_id=asset_id, asset_id=asset_id, location=(0, 0, -5)), collection)
+
+    def _place(self, item: LayoutObject, collection: bpy.types.Collection) -> None:
+        asset = self._assets[item.asset_id]
+        obj = bpy.data.objects.new(f"{self._name}.{item.node_id}", self._store.append_mesh(asset))
+        obj.location = item.location
+        obj.rotation_euler = [math.radians(angle) for angle in item.rotation]
+        tag(obj, kind="prop", node_id=item.node_id, asset_id=item.asset_id, surface=_surface(obj))
+        collection.objects.link(obj)
+        self._props.setdefault(item.asset_id, obj)
+
+    def _place_people(self) -> None:
+        collection = self._collection("cast")
+        present = {blocking.start.asset_id for shot in self._job.shots for blocking in shot.blocking}
+        for asset in self._job.assets:
+            if asset.asset_type != "character" or asset.asset_id not in present:
+                continue
+            member = self._store.append_person(asset)
+            member.armature.name = f"{self._name}.{asset.asset_id}"
+            member.armature.rotation_mode = "XYZ"
+            for obj in (member.armature, *member.meshes):
+                collection.objects.link(obj)
+            for mesh in member.meshes:
+                mesh.name = f"{self._name}.{mesh.name.split('.')[0]}"
+            self._cast[asset.asset_id] = member
+
+    def _perform(self, stage: Stage, shot: ShotContext) -> list[str]:
+        plan = stage.plan(shot)
+        performance = solve_shot(plan, self._job.fps, MOTION_STEP)
+        name = shot_name(shot.scene_id, shot.shot_id)
+        armatures = {asset_id: member.armature for asset_id, member in self._cast.items()}
+        bake(performance, armatures, self._props, name, self._starts[shot.shot_id])
+        return [f"{name}: {problem.message}" for problem in performance.problems]
+
+    def _key_visibility(self) -> None:
+        """People off stage and props out of the picture are hidden shot by shot, with constant keys."""
+        for asset_id, member in self._cast.items():
+            shown = [
+                (self._starts[shot.shot_id], any(b.start.asset_id == asset_id and b.visible for b in shot.blocking))
+                for shot in self._job.shots
+            ]
+            for obj in (member.armature, *member.meshes):
+                key_hidden(obj, shown)
+        for asset_id in moved_assets(self._job):
+            shown = [
+                (
+                    self._starts[shot.shot_id],
+                    all(state.visible for state in shot.prop_states if state.asset_id == asset_id),
+                )
+                for shot in self._job.shots
+            ]
+            key_hidden(self._props[asset_id], shown)
+
+
+def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:
+    """Return each shot's first frame on the scene's timeline; the scene begins at frame 1."""
+    starts: dict[int, int] = {}
+    frame = 1
+    for shot in shots:
+        starts[shot.shot_id] = frame
+        frame += shot.duration
+    return starts
+
+
+def key_hidden(obj: bpy.types.Object, shown: list[tuple[int, bool]]) -> None:
+    """Hide an object over time.
+
+    Args:
+        obj: The object.
+        shown: Frame and whether it is seen from there on; keys are written only where that changes.
+    """
+    if all(visible for _, visible in shown):
+        return
+    last: bool | None = None
+    for frame, visible in shown:
+        if visible == last:
+            continue
+        last = visible
+        obj.hide_render = obj.hide_viewport = not visible
+        for path in ("hide_render", "hide_viewport"):
+            obj.keyframe_insert(path, frame=frame)
+
+
+def save_pack(path: Path) -> None:
+    """Save the open file whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_name(f"{path.stem}.part.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)
+    part.replace(path)
+
+
+def _surface(obj: bpy.types.Object) -> Surface:
+    """Plants get the ink of foliage; everything else is a prop."""
+    names = {material.name.split(".")[0] for material in obj.data.materials if material}
+    return Surface.FOLIAGE if any("leaves" in name or "foliage" in name for name in names) else Surface.PROP

@@ -1,0 +1,217 @@
+"""The Blender state of one worker: which pack is open, and what each tool does with it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+import bpy
+
+from storyblender.blender.asset_store import AssetStore
+from storyblender.blender.cameras import make_camera
+from storyblender.blender.export import export_scene
+from storyblender.blender.measure.figures import figures
+from storyblender.blender.measure.view import WIDTH, Sighting, look
+from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
+from storyblender.blender.props.portrait import render_portrait
+from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
+from storyblender.blender.render.motion_frames import render_motion
+from storyblender.blender.render.picture import write_png
+from storyblender.blender.sets.world import set_world
+from storyblender.blender.story import compile_story
+from storyblender.errors import InputError
+from storyblender.geometry.framing import Figure
+from storyblender.memory.base import scene_name
+from storyblender.memory.graph import ProjectFormat
+from storyblender.memory.jobs import (
+    AssetJob,
+    ExportJob,
+    FrameJob,
+    FrameReport,
+    MotionJob,
+    PackRef,
+    SceneJob,
+    StoryJob,
+)
+from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
+
+GROWN_HEAD = 0.235
+"""Metres from crown to chin that count as scale 1."""
+
+
+class Session:
+    """Does the engine's jobs in this process.
+
+    Args:
+        root: The project folder; every path in a job is relative to it and must stay inside.
+        models: The user's folder of models.
+    """
+
+    def __init__(self, root: Path, models: Path | None = None) -> None:
+        self._root = root.resolve()
+        self._store = AssetStore(self._root / "assets", models)
+        self._open = ""
+
+    def health(self) -> dict[str, str]:
+        """Return the Blender version and the process id."""
+        return {"blender": bpy.app.version_string, "pid": str(os.getpid())}
+
+    def build_asset(self, job: AssetJob) -> AssetMeasure:
+        """Build and measure one asset."""
+        self._open = ""
+        return self._store.measure(job)
+
+    def pack_scene(self, job: SceneJob) -> PackRef:
+        """Build one scene, or find it built already."""
+        name = f"build/scenes/{scene_name(job.scene.scene_id)}-{job.digest}"
+        path, record = self._path(f"{name}.blend"), self._path(f"{name}.json")
+        if record.exists() and path.exists():
+            return PackRef.model_validate_json(record.read_bytes())
+        self._open = ""
+        problems = ScenePacker(job, self._store).build()
+        save_pack(path)
+        starts = tuple(shot_starts(job.shots).items())
+        reference = PackRef(scene_id=job.scene.scene_id, path=f"{name}.blend", starts=starts, problems=problems)
+        part = record.with_suffix(".part")
+        part.write_text(reference.model_dump_json())
+        part.replace(record)
+        return reference
+
+    def figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
+        """Return everybody's faces at frames of the scene's timeline."""
+        scene = self._open_pack(pack)
+        return [list(figures(scene, frame)) for frame in frames]
+
+    def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
+        """Look through the viewfinder."""
+        scene = self._open_pack(pack)
+        sightings = [
+            Sighting(
+                request.pose,
+                pack.start_of(request.shot_id) + request.frame,
+                request.sensor_width,
+                request.focus_ids,
+                request.hidden_node_ids,
+            )
+            for request in requests
+        ]
+        return look(scene, sightings, WIDTH, max(2, round(WIDTH / aspect)))
+
+    def render_frame(self, job: FrameJob) -> FrameReport:
+        """Render the board frame of one shot."""
+        scene = self._open_pack(job.pack)
+        start = job.pack.start_of(job.shot.shot_id)
+        camera = make_camera(scene, scene.collection, job.shot, start)
+        assert job.shot.camera is not None, "make_camera has made sure"
+        set_world(scene, job.lighting.sky)
+        request = FrameRequest(
+            look=job.look,
+            width=job.format.width,
+            height=job.format.height,
+            frame=start + job.frame,
+            seed=job.format.seed,
+            hidden_node_ids=job.shot.camera.hidden_node_ids,
+        )
+        heads = [_head(figure, job.shot.in_frame) for figure in figures(scene, start + job.frame)]
+        try:
+            result = render_frame(scene, camera, job.lighting, heads, request)
+        finally:
+            _remove_camera(camera)
+        write_png(result.image, self._path(job.out))
+        cast = {str(obj["node_id"]) for obj in scene.objects if obj.get("kind") == "character"}
+        return FrameReport(
+            out=job.out,
+            lights=result.lights,
+            face_luminance=result.statistics.face_luminance,
+            void=result.statistics.void,
+            visible=tuple(sorted(node for node in result.statistics.visible if node in cast)),
+        )
+
+    def render_motion(self, job: MotionJob) -> int:
+        """Render the moving frames of one shot into its folder."""
+        scene = self._open_pack(job.pack)
+        start = job.pack.start_of(job.shot.shot_id)
+        camera = make_camera(scene, scene.collection, job.shot, start)
+        assert job.shot.camera is not None, "make_camera has made sure"
+        set_world(scene, job.lighting.sky)
+        height = ProjectFormat(aspect=job.format.aspect, width=job.width).height
+        frames = range(start, start + job.shot.duration, job.step)
+        folder = self._path(job.folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        try:
+            return len(
+                render_motion(
+                    scene,
+                    camera,
+                    frames,
+                    job.width,
+                    height,
+                    folder,
+                    job.lighting,
+                    hidden_node_ids=job.shot.camera.hidden_node_ids,
+                )
+            )
+        finally:
+            _remove_camera(camera)
+
+    def compile_story(self, job: StoryJob) -> str:
+        """Compile the story's .blend."""
+        self._open = ""
+        compile_story(job, self._root, self._path(job.out))
+        return job.out
+
+    def export_scene(self, job: ExportJob) -> str:
+        """Write one scene as glTF or USD."""
+        self._open = ""
+        export_scene(self._path(job.story), scene_name(job.scene_id), job.format, self._path(job.out))
+        return job.out
+
+    def portrait(self, job: AssetJob, out: str) -> str:
+        """Render a small picture of one asset."""
+        self._open = ""
+        measure = self._store.measure(job)
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        canonical = job.asset.canonical
+        assert canonical is not None, "a portrait shows what an asset became"
+        asset = job.asset.model_copy(update={"canonical": canonical.model_copy(update={"digest": measure.digest})})
+        if asset.asset_type == "character":
+            parts = [mesh for mesh in self._store.append_person(asset).meshes]
+        else:
+            parts = [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
+        render_portrait(parts, self._path(out))
+        return out
+
+    def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
+        if self._open != pack.path:
+            bpy.ops.wm.open_mainfile(filepath=str(self._path(pack.path)), load_ui=False, use_scripts=False)
+            self._open = pack.path
+        scene = bpy.data.scenes[scene_name(pack.scene_id)]
+        bpy.context.window.scene = scene
+        return scene
+
+    def _path(self, name: str) -> Path:
+        path = (self._root / name).resolve()
+        if not path.is_relative_to(self._root):
+            raise InputError(f"{name!r} leaves the project folder")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        return path
+
+
+def _head(figure: Figure, in_frame: Sequence[str]) -> PersonHead:
+    return PersonHead(
+        asset_id=figure.node_id,
+        location=figure.face,
+        yaw=figure.yaw,
+        scale=figure.head / GROWN_HEAD,
+        in_frame=figure.node_id in in_frame,
+    )
+
+
+def _remove_camera(camera: bpy.types.Object) -> None:
+    data = camera.data
+    for block in (camera, data):
+        if block.animation_data and block.animation_data.action:
+            bpy.data.actions.remove(block.animation_data.action)
+    bpy.data.objects.remove(camera)
+    bpy.data.cameras.remove(data)

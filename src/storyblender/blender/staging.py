@@ -1,0 +1,156 @@
+"""Scene job to stage plans: who, what and where for every shot, as the motion solver wants it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from storyblender.blender.motion.plan import Obstacle, StageFurniture, StagePerson, StagePlan, StageProp, box_of
+from storyblender.blender.people.body import Body
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.geometry.solids import transform
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Vec2, content_hash
+from storyblender.memory.jobs import SceneJob
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.shot_context import PropState, ShotContext
+
+UNDERFOOT = 0.12
+"""Metres: what is lower is stepped over (rugs, kerbs)."""
+OVERHEAD = 2.0
+"""Metres: what begins higher is walked under (lamps)."""
+
+
+class Stage:
+    """The fixed part of a scene's stage, shared by its shots.
+
+    Args:
+        job: The scene.
+        plan: Its set.
+        bodies: Person's asset id to body.
+    """
+
+    def __init__(self, job: SceneJob, plan: SetPlan, bodies: dict[str, Body]) -> None:
+        assert job.scene.layout is not None, "a scene is laid out before it is packed"
+        self._job, self._bodies = job, bodies
+        self._assets = {asset.asset_id: asset for asset in job.assets}
+        self._objects = [
+            item for item in job.scene.layout.objects if self._assets[item.asset_id].asset_type == "object"
+        ]
+        self._movable = moved_assets(job)
+        self._furniture = {
+            item.node_id: _furniture(item, self._assets[item.asset_id])
+            for item in self._objects
+            if item.asset_id not in self._movable
+        }
+        size = job.scene.layout.scene_size
+        self._bounds = (size.x_negative, size.y_negative, size.x, size.y)
+        self._obstacles = (*self._solid_furniture(), *_walls(plan), *_pieces(plan))
+
+    def plan(self, shot: ShotContext) -> StagePlan:
+        """Return one shot's stage."""
+        people = {
+            blocking.start.asset_id: StagePerson(self._bodies[blocking.start.asset_id], blocking)
+            for blocking in shot.blocking
+            if blocking.start.asset_id in self._bodies
+        }
+        return StagePlan(
+            people=people,
+            frames=shot.duration,
+            cues=shot.cues,
+            props=self._props(shot),
+            furniture=self._furniture,
+            obstacles=self._obstacles,
+            bounds=self._bounds,
+            seed=int(content_hash(shot.scene_id, shot.shot_id)[:8], 16),
+        )
+
+    def _props(self, shot: ShotContext) -> dict[str, StageProp]:
+        states = {state.asset_id: state for state in shot.prop_states}
+        props: dict[str, StageProp] = {}
+        for asset_id in self._movable:
+            asset = self._assets[asset_id]
+            item = next((item for item in self._objects if item.asset_id == asset_id), None)
+            if asset.canonical is None:
+                continue
+            state = states.get(asset_id)
+            props[asset_id] = StageProp(
+                world=_prop_world(item, state),
+                dimensions=asset.canonical.dimensions,
+                anchors=asset.canonical.anchors,
+                state=state,
+                node_id=item.node_id if item else asset_id,
+            )
+        return props
+
+    def _solid_furniture(self) -> list[Obstacle]:
+        return [
+            box_of(node_id, furniture)
+            for node_id, furniture in self._furniture.items()
+            if furniture.world[2, 3] < OVERHEAD and furniture.world[2, 3] + furniture.dimensions[2] > UNDERFOOT
+        ]
+
+
+def moved_assets(job: SceneJob) -> list[str]:
+    """Return the ids of objects that people touch or that change place in any shot, in order."""
+    objects = {asset.asset_id for asset in job.assets if asset.asset_type == "object"}
+    moved: dict[str, None] = {}
+    for shot in job.shots:
+        for cue in shot.cues:
+            if cue.prop_id in objects:
+                moved[str(cue.prop_id)] = None
+        for state in shot.prop_states:
+            if state.asset_id in objects:
+                moved[state.asset_id] = None
+        for blocking in shot.blocking:
+            for _, asset_id in (*blocking.start.held, *blocking.end.held):
+                if asset_id in objects:
+                    moved[asset_id] = None
+    return list(moved)
+
+
+def _furniture(item: LayoutObject, asset: Asset) -> StageFurniture:
+    assert asset.canonical is not None, f"{asset.asset_id} has not been built"
+    world = transform(item.location, item.rotation, 1.0)
+    return StageFurniture(world, asset.canonical.dimensions, asset.canonical.anchors, asset.asset_id)
+
+
+def _prop_world(item: LayoutObject | None, state: PropState | None) -> np.ndarray:
+    if state is not None and state.location is not None:
+        return transform(state.location, state.rotation, 1.0)
+    if item is not None:
+        return transform(item.location, item.rotation, 1.0)
+    return transform((0.0, 0.0, -5.0), (0.0, 0.0, 0.0), 1.0)
+
+
+def _walls(plan: SetPlan) -> list[Obstacle]:
+    """Walls as boxes, with gaps where a door, an arch or a gap lets people through."""
+    boxes: list[Obstacle] = []
+    for wall in plan.walls:
+        (x0, y0), (x1, y1) = wall.start, wall.end
+        length = math.hypot(x1 - x0, y1 - y0)
+        yaw = math.atan2(y1 - y0, x1 - x0)
+        doors = sorted((o.x, o.x + o.width) for o in wall.openings if o.kind != "window" and o.sill < 0.3)
+        start = 0.0
+        for gap_start, gap_end in [*doors, (length, length)]:
+            if gap_start - start > 0.05:
+                middle = (start + gap_start) / 2
+                centre: Vec2 = (x0 + (x1 - x0) * middle / length, y0 + (y1 - y0) * middle / length)
+                size = (gap_start - start, wall.thickness, wall.height)
+                boxes.append(Obstacle(wall.node_id, (*centre, wall.height / 2), size, yaw))
+            start = gap_end
+    return boxes
+
+
+def _pieces(plan: SetPlan) -> list[Obstacle]:
+    return [
+        Obstacle(
+            piece.node_id,
+            (piece.location[0], piece.location[1], piece.location[2] + 1.0),
+            (piece.footprint[0], piece.footprint[1], 2.0),
+            math.radians(piece.yaw),
+        )
+        for piece in plan.pieces
+        if piece.solid and piece.footprint is not None
+    ]
