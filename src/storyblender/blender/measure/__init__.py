@@ -1,0 +1,1 @@
+"""Measures built geometry: hashes, tops, views."""

@@ -1,0 +1,93 @@
+"""Builds a prop of the catalog: its mesh in the canonical frame and its anchors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.registry import Anchors, PropSpec, builders
+from storyblender.catalog.props import PROPS
+from storyblender.errors import InputError
+from storyblender.memory.asset_sheet import Anchor, AssetDimension, ParamValue
+from storyblender.memory.base import Vec3
+
+
+@dataclass(frozen=True)
+class PropBuild:
+    """A built prop: origin bottom centre, front -Y, metres.
+
+    Attributes:
+        mesh: A new mesh data-block named after the key.
+        anchors: What its builder declared; tops are found by ``measure.surfaces``.
+        dimensions: Width, depth, height as built.
+    """
+
+    mesh: bpy.types.Mesh
+    anchors: Anchors
+    dimensions: Vec3
+
+
+def build_prop(
+    key: str, params: dict[str, ParamValue] | None = None, seed: int = 0, dimension: AssetDimension | None = None
+) -> PropBuild:
+    """Build one prop of the catalog.
+
+    Args:
+        key: A key of ``catalog.props``.
+        params: Replaces the entry's defaults; also ``color``, ``material``, and ``width``, ``depth``, ``height`` in
+            metres, which rebuild it at that size instead of scaling it.
+        seed: Everything that varies follows from it.
+        dimension: The wanted size; one number scales the whole, more stretch it.
+
+    Raises:
+        InputError: No such prop, or no such parameter.
+    """
+    if key not in PROPS:
+        raise InputError(f"the catalog has no prop called {key!r}", mend="see `storyblender catalog props`")
+    entry = PROPS[key]
+    given = dict(params or {})
+    unknown = sorted(set(given) - set(entry.params) - {"color", "material", "width", "depth", "height"})
+    if unknown:
+        raise InputError(f"the prop {key!r} has no parameter {unknown[0]!r}", mend=f"it has {sorted(entry.params)}")
+    size = tuple(
+        float(given.get(name, value)) for name, value in zip(("width", "depth", "height"), entry.size, strict=True)
+    )
+    spec = PropSpec(entry, (size[0], size[1], size[2]), entry.params | given, np.random.default_rng(seed))
+    builder = MeshBuilder(key)
+    anchors = builders()[key](builder, spec)
+    return settle(builder.mesh(), anchors, stretched(spec.size, dimension))
+
+
+def settle(mesh: bpy.types.Mesh, anchors: Anchors, size: Vec3) -> PropBuild:
+    """Scale a mesh to ``size`` and move its bottom centre to the origin, with its anchors. Changes ``mesh``."""
+    points = np.empty(len(mesh.vertices) * 3, np.float32)
+    mesh.vertices.foreach_get("co", points)
+    cloud = points.reshape(-1, 3).astype(float)
+    low, high = cloud.min(axis=0), cloud.max(axis=0)
+    factors = np.asarray(size) / np.maximum(high - low, 1e-6)
+    origin = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+    mesh.vertices.foreach_set("co", ((cloud - origin) * factors).astype(np.float32).ravel())
+    mesh.update()
+    return PropBuild(mesh, tuple(_moved(anchor, origin, factors) for anchor in anchors), size)
+
+
+def stretched(size: Vec3, dimension: AssetDimension | None) -> Vec3:
+    """Return ``size`` with the wanted dimensions; axes nobody gave keep the shape."""
+    if dimension is None:
+        return size
+    wanted = (dimension.width, dimension.depth, dimension.height)
+    ratios = [goal / extent for goal, extent in zip(wanted, size, strict=True) if goal is not None]
+    rest = float(np.mean(ratios)) if ratios else 1.0
+    width, depth, height = (goal or extent * rest for goal, extent in zip(wanted, size, strict=True))
+    return (width, depth, height)
+
+
+def _moved(anchor: Anchor, origin: np.ndarray, factors: np.ndarray) -> Anchor:
+    x, y, z = (float(value) for value in (np.asarray(anchor.location) - origin) * factors)
+    turned = abs(anchor.direction[0]) > abs(anchor.direction[1])
+    across, along = (factors[1], factors[0]) if turned and anchor.kind != "top" else (factors[0], factors[1])
+    size = (anchor.size[0] * float(across), anchor.size[1] * float(along))
+    return anchor.model_copy(update={"location": (x, y, z), "size": size})

@@ -1,0 +1,224 @@
+"""Parts that many props share: legs, drawers, panelled doors, cloths, wheels, bottles, books."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
+
+Profile = list[tuple[float, float]]
+
+
+def four_legs(
+    b: MeshBuilder,
+    material: MaterialRef,
+    width: float,
+    depth: float,
+    height: float,
+    thick: float,
+    *,
+    splay: float = 0.0,
+) -> None:
+    """Add tapering square legs under the corners of ``width`` x ``depth``; ``splay`` metres outwards at the foot."""
+    for x in (-1, 1):
+        for y in (-1, 1):
+            top = np.array([x * (width - thick) / 2, y * (depth - thick) / 2, height])
+            foot = np.array([top[0] + x * splay, top[1] + y * splay, 0.0])
+            half = thick / 2
+            rings = [_square(foot, half * 0.65), _square(top - (0, 0, height * 0.25), half), _square(top, half)]
+            b.loft(material, rings)
+
+
+def _square(center: Floats, half: float) -> Floats:
+    return center + np.array([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)])
+
+
+def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height: float, radius: float) -> None:
+    """Add a leg turned on a lathe, with a ring and a bulb."""
+    r, h = radius, height
+    profile = [
+        (r * 0.55, 0), (r * 0.7, h * 0.04), (r * 0.45, h * 0.08), (r * 0.75, h * 0.4), (r, h * 0.62), (r * 0.6, h * 0.72),
+        (r * 0.95, h * 0.76), (r * 0.95, h * 0.8), (r * 0.6, h * 0.82), (r, h * 0.86), (r, h),
+    ]  # fmt: skip
+    b.lathe(material, profile, origin=(x, y, 0), segments=12)
+
+
+def table_top(b: MeshBuilder, material: MaterialRef, width: float, depth: float, height: float, thick: float) -> None:
+    """Add a board whose upper side is at ``height``."""
+    b.box(material, (0, 0, height - thick / 2), (width, depth, thick), bevel=min(0.008, thick / 4))
+
+
+def drawer(
+    b: MeshBuilder,
+    front: MaterialRef,
+    handle: MaterialRef,
+    center: tuple[float, float, float],
+    width: float,
+    height: float,
+    *,
+    knob: bool = False,
+) -> None:
+    """Add a drawer's front that faces -Y at ``center``, with a bar handle or knobs."""
+    x, y, z = center
+    b.box(front, (x, y, z), (width, 0.022, height), bevel=0.006)
+    if knob:
+        for side in (-0.25, 0.25) if width > 0.5 else (0.0,):
+            b.sphere(handle, (x + side * width, y - 0.026, z), 0.016, segments=10, rings=6)
+        return
+    length = min(0.14, width * 0.35)
+    b.tube(handle, [(x - length / 2, y - 0.01, z), (x - length / 2, y - 0.035, z), (x + length / 2, y - 0.035, z),
+                    (x + length / 2, y - 0.01, z)], 0.006, segments=6)  # fmt: skip
+
+
+def panel_door(
+    b: MeshBuilder,
+    material: MaterialRef,
+    center: tuple[float, float, float],
+    width: float,
+    height: float,
+    *,
+    panels: int = 1,
+) -> None:
+    """Add a cupboard door that faces -Y: a frame of stiles and rails round sunken panels."""
+    x, y, z = center
+    frame = min(0.075, width * 0.16)
+    for side in (-1, 1):
+        b.box(material, (x + side * (width - frame) / 2, y, z), (frame, 0.024, height), bevel=0.004)
+    step = (height - frame) / panels
+    for k in range(panels + 1):
+        b.box(material, (x, y, z - (height - frame) / 2 + k * step), (width - 2 * frame, 0.022, frame), bevel=0.004)
+    b.box(material, (x, y + 0.008, z), (width - frame, 0.008, height - frame))
+
+
+def draped_cloth(
+    b: MeshBuilder, material: MaterialRef, outline: Floats, top: float, drop: float, waves: int, *, flare: float = 0.05
+) -> None:
+    """Add a cloth over a table: flat on top, hanging in folds.
+
+    Args:
+        b: The builder.
+        material: Cloth.
+        outline: (n, 2) counter-clockwise edge of the table, finely sampled.
+        top: Height of the cloth's upper side.
+        drop: How far it hangs.
+        waves: Folds around.
+        flare: How far it stands off at its hem.
+    """
+    middle = outline.mean(axis=0)
+    out = outline - middle
+    out = out / np.linalg.norm(out, axis=1, keepdims=True)
+    phase = np.linspace(0, 2 * math.pi * waves, len(outline), endpoint=False)
+    rings = []
+    for t in (1.0, 0.55, 0.12, 0.0):
+        reach = 0.012 + flare * t + 0.5 * flare * t * np.sin(phase)
+        z = top - drop * t if t else top
+        reach = reach if t else np.full(len(outline), -0.004)
+        rings.append(np.c_[outline + out * np.asarray(reach)[:, None], np.full(len(outline), z)])
+    b.loft(material, rings, caps=False)
+    b.polygon(material, rings[-1])
+
+
+def circle(radius: float, count: int = 48) -> Floats:
+    """Return (count, 2) points on a circle, counter-clockwise."""
+    angle = np.linspace(0, 2 * math.pi, count, endpoint=False)
+    return radius * np.c_[np.cos(angle), np.sin(angle)]
+
+
+def rectangle(width: float, depth: float, count: int = 96, corner: float = 0.04) -> Floats:
+    """Return (count, 2) points on a rectangle with round corners, evenly spaced, counter-clockwise."""
+    arcs = []
+    for quarter, (x, y) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
+        angle = np.linspace(quarter, quarter + 1, 5) * math.pi / 2
+        middle = np.array([x * (width / 2 - corner), y * (depth / 2 - corner)])
+        arcs.append(middle + corner * np.c_[np.cos(angle), np.sin(angle)])
+    loop = np.concatenate(arcs)
+    loop = np.r_[loop, loop[:1]]
+    length = np.r_[0, np.cumsum(np.linalg.norm(np.diff(loop, axis=0), axis=1))]
+    at = np.linspace(0, length[-1], count, endpoint=False)
+    return np.c_[np.interp(at, length, loop[:, 0]), np.interp(at, length, loop[:, 1])]
+
+
+def wheel(
+    b: MeshBuilder, tyre: MaterialRef, hub: MaterialRef, center: tuple[float, float, float], radius: float, width: float
+) -> None:
+    """Add a tyred disc wheel whose axle runs along X; its hub shows on the side away from x = 0."""
+    side = 1.0 if center[0] >= 0 else -1.0
+    half, r = width / 2, radius
+    outline = [
+        (r * 0.58, -half),
+        (r * 0.94, -half),
+        (r, -half * 0.45),
+        (r, half * 0.45),
+        (r * 0.94, half),
+        (r * 0.58, half),
+    ]
+    b.lathe(tyre, outline, origin=center, axis=(side, 0, 0), segments=24)
+    hubcap = [
+        (r * 0.58, half * 0.55),
+        (r * 0.52, half * 0.8),
+        (r * 0.34, half * 0.72),
+        (r * 0.22, half * 1.1),
+        (0.004, half * 1.2),
+    ]
+    b.lathe(hub, hubcap, origin=center, axis=(side, 0, 0), segments=20, caps=False)
+
+
+def spoked_wheel(
+    b: MeshBuilder,
+    rim: MaterialRef,
+    spoke: MaterialRef,
+    center: tuple[float, float, float],
+    radius: float,
+    thick: float,
+    count: int,
+) -> None:
+    """Add an open wheel with spokes whose axle runs along X."""
+    x, y, z = center
+    angle = np.linspace(0, 2 * math.pi, 28, endpoint=False)
+    path = np.c_[np.full(28, x), y + radius * np.cos(angle), z + radius * np.sin(angle)]
+    b.tube(rim, path, thick, segments=8, closed=True)
+    b.cylinder(spoke, (x - 2 * thick, y, z), (x + 2 * thick, y, z), max(0.025, radius * 0.09), segments=10)
+    for k in range(count):
+        turn = 2 * math.pi * k / count
+        end = (x, y + radius * math.cos(turn), z + radius * math.sin(turn))
+        b.cylinder(spoke, center, end, thick * 0.35, segments=6, caps=False)
+
+
+def bottle_profile(radius: float, height: float) -> Profile:
+    """Return the outline of a bottle for ``lathe``."""
+    r, h = radius, height
+    return [(r * 0.92, 0), (r, h * 0.03), (r, h * 0.58), (r * 0.85, h * 0.66), (r * 0.4, h * 0.76), (r * 0.34, h * 0.94),
+            (r * 0.42, h * 0.95), (r * 0.42, h)]  # fmt: skip
+
+
+def book_row(
+    b: MeshBuilder,
+    covers: Sequence[MaterialRef],
+    rng: np.random.Generator,
+    start: tuple[float, float, float],
+    width: float,
+    depth: float,
+    height: float,
+    fill: float,
+) -> None:
+    """Add standing books from ``start`` (left end, middle of their depth, shelf) along +X, some gaps, one leaning."""
+    x, y, z = start
+    end = x + width
+    while True:
+        thick = float(rng.uniform(0.022, 0.05))
+        if x + thick > end:
+            return
+        tall = height * float(rng.uniform(0.66, 0.92))
+        deep = depth * float(rng.uniform(0.72, 0.95))
+        cover = covers[int(rng.integers(len(covers)))]
+        if rng.random() < fill:
+            b.box(
+                cover,
+                (x + thick / 2, y + (depth - deep) / 2, z + tall / 2),
+                (thick * 0.94, deep, tall),
+                bevel=0.004,
+            )
+        x += thick

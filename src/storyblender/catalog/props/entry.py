@@ -1,0 +1,61 @@
+"""What the catalog knows of one prop: words, size, parameters, materials, where it stands. Data only."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.catalog.registry import ParamValue
+from storyblender.look.surface import Surface
+from storyblender.memory.base import Frozen, Identifier, Vec3
+
+Category = Literal["furniture", "fitting", "vehicle", "street", "nature", "hand", "animal"]
+Placement = Literal["floor", "surface", "wall", "ceiling"]
+
+
+class PropEntry(Frozen):
+    """One prop that ``blender/props`` can build."""
+
+    key: Identifier
+    name: str
+    tags: tuple[str, ...] = ()
+    """Other names for it, and words that go with it."""
+    description: str = ""
+    category: Category
+    size: Vec3
+    """Width x, depth y, height z in metres, at its defaults."""
+    params: dict[str, ParamValue] = {}
+    """What the builder may vary, with defaults. Every prop also takes ``color`` (hex) and ``material`` (key)
+    for the first of its materials."""
+    materials: dict[str, Identifier] = {}
+    """Role in the builder -> key of ``catalog.materials``; the first is the one people mean by its colour."""
+    placement: Placement = "floor"
+    """surface: on a table, a shelf or the floor; wall: its back (+Y) against one; ceiling: its top under one."""
+    seats: int = 0
+    holdable: bool = False
+    """A person can carry it in one hand; the builder gives it grips."""
+    lamp: Vec3 | None = None
+    """Where its light sits, for lamps and fires; scales with the prop."""
+    surface: Surface = Surface.PROP
+    """How ink and light treat it."""
+
+
+def entry(
+    category: Category,
+    key: str,
+    words: str,
+    size: Vec3,
+    materials: dict[str, str],
+    description: str = "",
+    **fields: object,
+) -> PropEntry:
+    """Return an entry; ``words`` are its other names, separated by commas."""
+    return PropEntry(
+        key=key,
+        name=key.replace("_", " "),
+        tags=tuple(word.strip() for word in words.split(",")),
+        description=description,
+        category=category,
+        size=size,
+        materials=materials,
+        **fields,  # pyright: ignore[reportArgumentType]
+    )
