@@ -1,0 +1,155 @@
+"""The doctor: is this machine able to run StoryBlender, and if not, which line mends it."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from storyblender.deliver.fonts import font_file
+from storyblender.catalog.bodies import body_pack_path
+
+SYSTEM_LIBRARIES = {
+    "libX11.so.6": "libx11-6",
+    "libXext.so.6": "libxext6",
+    "libXrender.so.1": "libxrender1",
+    "libXfixes.so.3": "libxfixes3",
+    "libXi.so.6": "libxi6",
+    "libxkbcommon.so.0": "libxkbcommon0",
+    "libSM.so.6": "libsm6",
+    "libICE.so.6": "libice6",
+    "libGL.so.1": "libgl1",
+    "libEGL.so.1": "libegl1",
+}
+"""What bpy loads on Linux, and the Debian package that has it (notes: engine, section 7)."""
+
+DRIVERS = ("libegl-mesa0", "libgl1-mesa-dri")
+LEAST_DISK = 2 * 1024**3
+
+_PROBE = """
+import bpy, os
+bpy.ops.wm.read_factory_settings(use_empty=True)
+scene = bpy.context.scene
+scene.camera = bpy.data.objects.new("c", bpy.data.cameras.new("c"))
+scene.collection.objects.link(scene.camera)
+scene.render.engine = "BLENDER_WORKBENCH"
+scene.render.resolution_x = scene.render.resolution_y = 16
+scene.render.filepath = os.environ["STORYBLENDER_PROBE"]
+bpy.ops.render.render(write_still=True)
+os._exit(0)
+"""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One check.
+
+    Attributes:
+        name: What was checked.
+        healthy: Whether it is as it should be.
+        says: What was found.
+        mend: The command that mends it.
+    """
+
+    name: str
+    healthy: bool
+    says: str
+    mend: str = ""
+
+
+def examine(folder: Path | None = None) -> list[Finding]:
+    """Run every check.
+
+    Args:
+        folder: Where projects will be written; the current folder if not given.
+    """
+    libraries = check_libraries()
+    findings = [check_python(), libraries]
+    if libraries.healthy:
+        findings.append(check_blender())
+        findings.append(check_drawing())
+    return [*findings, check_people(), check_fonts(), check_disk(folder or Path.cwd())]
+
+
+def check_python(version: tuple[int, int] = sys.version_info[:2]) -> Finding:
+    """bpy is built for exactly one Python."""
+    says = f"Python {version[0]}.{version[1]}"
+    return Finding("Python", version == (3, 11), says, "" if version == (3, 11) else "use Python 3.11")
+
+
+def check_libraries(load: Callable[[str], object] = ctypes.CDLL) -> Finding:
+    """The shared libraries that Blender needs.
+
+    Args:
+        load: Loads a library by its name, raising OSError if it is missing.
+    """
+    if platform.system() != "Linux":
+        return Finding("System libraries", True, f"{platform.system()} brings its own")
+    missing = []
+    for library, package in SYSTEM_LIBRARIES.items():
+        try:
+            load(library)
+        except OSError:
+            missing.append(package)
+    if not missing:
+        return Finding("System libraries", True, f"all {len(SYSTEM_LIBRARIES)} found")
+    return Finding("System libraries", False, f"missing {', '.join(missing)}", apt_line([*missing, *DRIVERS]))
+
+
+def check_blender() -> Finding:
+    """Blender's module, imported in a process of its own."""
+    done = _run("import bpy, os; print(bpy.app.version_string, flush=True); os._exit(0)")
+    if done.returncode == 0:
+        return Finding("Blender", True, f"bpy {done.stdout.strip().splitlines()[-1]}")
+    reason = (done.stderr.strip().splitlines() or ["no reason given"])[-1]
+    return Finding("Blender", False, f"bpy cannot be imported: {reason}", apt_line(list(SYSTEM_LIBRARIES.values())))
+
+
+def check_drawing() -> Finding:
+    """A real picture in a process of its own: without EGL Blender aborts instead of raising."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder) / "probe.png"
+        done = _run(_PROBE, {"STORYBLENDER_PROBE": str(picture)})
+        if done.returncode == 0 and picture.exists():
+            return Finding("Drawing", True, "Workbench draws without a window")
+    return Finding("Drawing", False, f"Workbench failed ({done.returncode})", apt_line(["libegl1", *DRIVERS]))
+
+
+def check_people() -> Finding:
+    """The data that people are built from."""
+    pack = body_pack_path(os.environ, Path.home())
+    if pack.is_file():
+        return Finding("Body data", True, str(pack))
+    return Finding("Body data", False, "not fetched yet", f"{sys.executable} -m storyblender.library.body_data")
+
+
+def check_fonts() -> Finding:
+    """The font of boards and slates."""
+    path = font_file()
+    return Finding("Fonts", path.is_file(), path.name, "" if path.is_file() else "pip install fontpkg-noto-sans")
+
+
+def check_disk(folder: Path) -> Finding:
+    """Room for frames."""
+    free = shutil.disk_usage(folder).free
+    says = f"{free / 1024**3:.1f} GiB free"
+    return Finding("Disk", free >= LEAST_DISK, says, "" if free >= LEAST_DISK else "free at least 2 GiB")
+
+
+def apt_line(packages: list[str]) -> str:
+    """Return the exact line that installs Debian packages."""
+    return "apt-get install -y " + " ".join(dict.fromkeys(packages))
+
+
+def _run(code: str, extra: dict[str, str] | None = None) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, **(extra or {})}
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=120, env=environment, check=False
+    )

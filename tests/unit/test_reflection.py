@@ -1,0 +1,51 @@
+"""Eq. 1: accept, refine, hand over."""
+
+from __future__ import annotations
+
+from storyblender.reflection import Critique, Fault, reflect
+from storyblender.trace import Event
+
+
+class Climber:
+    """Starts at a score and gains one at each refinement, up to a ceiling."""
+
+    def __init__(self, start: float, ceiling: float) -> None:
+        self.start, self.ceiling = start, ceiling
+
+    def propose(self, view: str) -> float:
+        return self.start
+
+    def refine(self, draft: float, critique: Critique, view: str) -> float:
+        return min(draft + 1, self.ceiling)
+
+
+class Scale:
+    def judge(self, draft: float, view: str) -> Critique:
+        return Critique(score=draft, faults=(Fault(kind="low", message=f"only {draft}"),) if draft < 8 else ())
+
+
+def run(policy: Climber, fallback: Climber | None = None, horizon: int = 5) -> tuple[object, list[Event]]:
+    events: list[Event] = []
+    outcome = reflect("role", "x", "view", policy, Scale(), horizon=horizon, fallback=fallback, listener=events.append)
+    return outcome, events
+
+
+def test_refines_until_the_threshold() -> None:
+    outcome, events = run(Climber(5, 10))
+    assert (outcome.draft, outcome.turns, outcome.handed_over, outcome.accepted) == (8, 3, False, True)
+    assert [event.score for event in events] == [5, 6, 7, 8]
+
+
+def test_hands_over_after_the_horizon() -> None:
+    outcome, events = run(Climber(2, 4), fallback=Climber(9, 9))
+    assert outcome.handed_over and outcome.draft == 9
+    assert [event.kind for event in events].count("handover") == 1
+
+
+def test_keeps_the_best_where_nobody_converges() -> None:
+    outcome, _ = run(Climber(2, 4), fallback=Climber(3, 3), horizon=2)
+    assert (outcome.draft, outcome.handed_over, outcome.accepted) == (4, False, False)
+
+
+def test_score_never_falls_under_one() -> None:
+    assert Critique.of(tuple(Fault(kind="x", message="", severity=4) for _ in range(5))).score == 1

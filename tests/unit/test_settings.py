@@ -1,0 +1,26 @@
+"""Settings: defaults, the file beside the script, the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from storyblender.errors import InputError
+from storyblender.settings import Settings
+
+
+def test_the_command_line_wins_over_the_file_over_the_defaults(tmp_path: Path) -> None:
+    (tmp_path / "storyblender.toml").write_text('look = "pencil"\nfps = 25\n')
+    settings = Settings.load(tmp_path / "a.fountain", look="fast", seed=None)
+    assert (settings.look, settings.fps, settings.seed) == ("fast", 25, 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [("look = ", "not valid TOML"), ('look = "oil"', "'look'"), ("fps = 1000", "'fps'"), ("colour = 1", "'colour'")],
+)
+def test_bad_settings_are_one_clear_error(tmp_path: Path, text: str, words: str) -> None:
+    (tmp_path / "storyblender.toml").write_text(text)
+    with pytest.raises(InputError, match=words):
+        Settings.load(tmp_path / "a.fountain")
