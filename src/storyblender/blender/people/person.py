@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import bpy
+import numpy as np
 
 from storyblender.blender.people import face, hair, rig, skin, tailor
 from storyblender.blender.people.body import Body
@@ -12,13 +14,21 @@ from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
 from storyblender.blender.people.parts import Paint, build_object
 from storyblender.blender.people.sheet import hemmed, join
+from storyblender.blender.people.tailor import Worn
 from storyblender.blender.tags import Surface, tag
-from storyblender.catalog.bodies import Complexion, complexion, recipe, resolved_gender
+from storyblender.catalog.bodies import Complexion, complexion, mix, recipe, resolved_gender
 from storyblender.catalog.garments import dressed
 from storyblender.catalog.skeleton import SKELETON
+from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import CharacterLook
 
 HEM = 0.004
+"""Visible thickness of cloth on a person of 1.70 m, metres."""
+PUPIL = (0.005, 0.005, 0.005)
+SCLERA = (0.78, 0.76, 0.74)
+LASH = (0.010, 0.008, 0.006)
+TOOTH = (0.75, 0.72, 0.65)
+TONGUE = (0.40, 0.12, 0.10)
 
 
 @dataclass(frozen=True)
@@ -45,97 +55,109 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
         seed: Makes two people with the same words different.
     """
     pack = load_body_pack()
-    assert pack
-    figure = Figure(pack, pack.shape(recipe(look, seed)))
+    if pack is None:
+        raise InputError("the body data is missing", mend="run python -m storyblender.library.body_data once")
     gender = resolved_gender(look, seed)
     colors = complexion(look, seed)
-    joints = {name: figure.joint(name) for bone in SKELETON for name in (bone.head, bone.tail)}
-    armature = rig.build_armature(asset_id, joints)
+    figure = Figure(pack, pack.shape(recipe(look, seed)))
+    armature = rig.build_armature(asset_id, {n: figure.joint(n) for bone in SKELETON for n in (bone.head, bone.tail)})
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
     wardrobe = tailor.dress(figure, dressed(look, gender, seed), seed)
     meshes = [
-        *_head_and_body(pack, figure, armature, look, colors, wardrobe),
-        *_clothes(figure, armature, wardrobe),
+        _build_skin(pack, figure, armature, look, colors, wardrobe),
+        _build_eyes(figure, armature, colors),
+        *_build_hair(figure, armature, look, colors, wardrobe, float(gender == "male"), seed),
+        *(_build_garment(figure, armature, worn) for worn in wardrobe),
     ]
-    sheet = hair.cap(figure, 0.022, 0.010)
-    meshes.append(
-        build_object(
-            f"{asset_id}_hair",
-            sheet,
-            [Paint(colors.hair, "hair")],
-            armature,
-            surface=Surface.HAIR,
-            ink_group=f"{asset_id}_hair",
-        )
-    )
     bare = PARTS["skin"]
     body = rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, tuple(skin.EXPRESSIONS))
     return PersonBuild(armature, meshes, body)
 
 
-def _head_and_body(
+def _build_skin(
     pack: BodyPack,
     figure: Figure,
     armature: bpy.types.Object,
     look: CharacterLook,
     colors: Complexion,
-    wardrobe: list[tailor.Worn],
-) -> list[bpy.types.Object]:
-    name = armature.name
+    wardrobe: Sequence[Worn],
+) -> bpy.types.Object:
+    """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys."""
     every = skin.expressions(pack)
-    bare = skin.skin_sheet(figure)
+    bare = figure.part("skin")
     bare = bare.keep_faces(~tailor.covered_skin(figure, bare, wardrobe))
-    paint = skin.paint_skin(figure, bare, colors, look.age, 0.15)
-    lashes, teeth, tongue = (figure.part(part) for part in ("lashes", "teeth", "tongue"))
-    brow, brow_keys = face.brows(figure, 0.034, every)
-    sheets = [bare, lashes, teeth, tongue, brow]
-    import numpy as np
-
+    paint = skin.paint_skin(figure, bare, colors, look.age, 0.6 if look.facial_hair == "stubble" else 0.0)
+    sheets = [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
+    keys = [skin.keys_for(sheet, every) for sheet in sheets]
+    brows, brow_keys = face.brows(figure, 0.034, every)
+    sheets.append(brows)
+    keys.append(brow_keys)
     for slot, sheet in enumerate(sheets):
         sheet.slot[:] = slot
-    keys = {
-        key: np.concatenate([*(skin.keys_for(sheet, every)[key] for sheet in sheets[:4]), brow_keys[key]])
-        for key in every
-    }
-    body = join(sheets)
-    flat = np.zeros((len(body.points) - len(bare.points), 3))
-    group = f"{name}_skin"
-    paints = [
-        Paint(colors.skin, "skin", vertex_colors=True),
-        Paint((0.01, 0.008, 0.006), "cloth"),
-        Paint((0.75, 0.72, 0.65), "satin"),
-        Paint((0.4, 0.12, 0.1), "skin"),
-        Paint(colors.brow, "hair"),
-    ]
-    skin_object = build_object(
-        f"{name}_skin", body, paints, armature, surface=Surface.SKIN, ink_group=group,
-        colors=np.concatenate([paint, flat]), shape_keys=keys,
-    )  # fmt: skip
-    iris = colors.iris
-    limbus = tuple(c * 0.35 for c in iris)
-    eye_paints = [
-        Paint((0.005, 0.005, 0.005), "eye"),
-        Paint(iris, "eye"),
-        Paint(limbus, "eye"),
-        Paint((0.78, 0.76, 0.74), "eye"),
-        Paint((1, 1, 1), "eye"),
-    ]
-    eyes = build_object(f"{name}_eyes", face.eyes(figure), eye_paints, armature, surface=Surface.EYE, ink_group=group)
-    return [skin_object, eyes]
+    whole = join(sheets)
+    return build_object(
+        f"{armature.name}_skin",
+        whole,
+        [
+            Paint(colors.skin, "skin", vertex_colors=True),
+            Paint(LASH, "cloth"),
+            Paint(TOOTH, "satin"),
+            Paint(TONGUE, "skin"),
+            Paint(colors.brow, "hair"),
+        ],
+        armature,
+        surface=Surface.SKIN,
+        ink_group=f"{armature.name}_skin",
+        colors=np.concatenate([paint, np.zeros((len(whole.points) - len(paint), 3))]),
+        shape_keys={key: np.concatenate([part[key] for part in keys]) for key in every},
+    )
 
 
-def _clothes(figure: Figure, armature: bpy.types.Object, wardrobe: list[tailor.Worn]) -> list[bpy.types.Object]:
-    made = []
-    for worn in wardrobe:
-        sheets, paints = [], []
-        for bolt in worn.bolts:
-            sheet = hemmed(bolt.sheet, HEM * figure.k)
-            paint = Paint(tailor.tinted(worn.color, bolt.tint), bolt.fabric)
-            if paint not in paints:
-                paints.append(paint)
-            sheet.slot[:] = paints.index(paint)
-            sheets.append(sheet)
-        made.append(
-            build_object(f"{armature.name}_{worn.spec.key}", join(sheets), paints, armature, surface=Surface.CLOTH)
+def _build_eyes(figure: Figure, armature: bpy.types.Object, colors: Complexion) -> bpy.types.Object:
+    limbus = mix(colors.iris, (0.0, 0.0, 0.0), 0.65)
+    shades = (PUPIL, colors.iris, limbus, SCLERA, (1.0, 1.0, 1.0))
+    return build_object(
+        f"{armature.name}_eyes",
+        face.eyes(figure),
+        [Paint(shade, "eye") for shade in shades],
+        armature,
+        surface=Surface.EYE,
+        ink_group=f"{armature.name}_skin",
+    )
+
+
+def _build_hair(
+    figure: Figure,
+    armature: bpy.types.Object,
+    look: CharacterLook,
+    colors: Complexion,
+    wardrobe: Sequence[Worn],
+    masculine: float,
+    seed: int,
+) -> list[bpy.types.Object]:
+    clothes = [bolt.sheet for worn in wardrobe for bolt in worn.bolts]
+    hatted = any("head" in worn.spec.covers for worn in wardrobe)
+    grown = hair.build_hair(figure, look.hair, colors.hair, masculine, seed, clothes=clothes, hatted=hatted)
+    if grown is None:
+        return []
+    group = f"{armature.name}_hair"
+    paint = Paint(colors.hair, "hair", vertex_colors=True)
+    return [
+        build_object(
+            group, grown.sheet, [paint], armature, surface=Surface.HAIR, ink_group=group, colors=grown.colors
         )
-    return made
+    ]  # fmt: skip
+
+
+def _build_garment(figure: Figure, armature: bpy.types.Object, worn: Worn) -> bpy.types.Object:
+    paints: list[Paint] = []
+    sheets = []
+    for bolt in worn.bolts:
+        sheet = hemmed(bolt.sheet, HEM * figure.k)
+        paint = Paint(tailor.tinted(worn.color, bolt.tint), bolt.fabric)
+        if paint not in paints:
+            paints.append(paint)
+        sheet.slot[:] = paints.index(paint)
+        sheets.append(sheet)
+    name = f"{armature.name}_{worn.spec.key}"
+    return build_object(name, join(sheets), paints, armature, surface=Surface.CLOTH)

@@ -75,7 +75,3 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, age: float, stu
     return paint * (1 - lips[:, None]) + np.array(colors.lips) * lips[:, None]
 
 
-def skin_sheet(figure: Figure) -> Sheet:
-    """Return the whole skin; source numbers are base vertices."""
-    assert PARTS["skin"].start == 0
-    return figure.part("skin")

@@ -73,8 +73,9 @@ def dress(figure: Figure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
         for piece in spec.pieces:
             bolts = BUILDERS[type(piece)](piece, figure, under)
             worn.bolts += bolts
-            for bolt in bolts:
-                under.add(bolt.sheet)
+            if type(piece) in COVERS:
+                for bolt in bolts:
+                    under.add(bolt.sheet)
         wardrobe.append(worn)
     for place, worn in enumerate(wardrobe):
         fields = _cover_fields(figure, wardrobe[place + 1 :])

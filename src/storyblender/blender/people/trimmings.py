@@ -30,5 +30,5 @@ def build_buttons(cut: Buttons, figure: Figure, under: Under) -> list[Bolt]:
         turns = [2 * math.pi * step / 8 for step in range(8)]
         ring = [spot.location + (across * math.cos(a) + up * math.sin(a)) * cut.radius * k for a in turns]
         points = [spot.location + spot.normal * 0.004 * k, *(point + spot.normal * 0.002 * k for point in ring)]
-        discs.append(rigid(np.array(points), [(0, 1 + i, 1 + (i + 1) % 8) for i in range(8)], spot.weights))
+        discs.append(rigid(np.array(points), [(0, 1 + (i + 1) % 8, 1 + i) for i in range(8)], spot.weights))
     return one(cut, join(discs)) if discs else []

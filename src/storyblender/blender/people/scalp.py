@@ -1,0 +1,123 @@
+"""The head under the hair: where hair grows, how thick it lies, and points on or over the skull by direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+from numpy.typing import NDArray
+
+from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.sheet import Sheet, clip, normals, smoothed
+from storyblender.blender.people.under import polygons
+from storyblender.catalog.hair import HairSpec
+
+Floats = NDArray[np.float64]
+
+HAIRLINE = np.array([
+    (-1.0, 6.50), (-0.1, 6.58), (0.15, 6.88), (0.35, 7.22), (0.60, 7.36), (0.78, 7.08), (0.90, 7.12), (0.98, 7.62),
+    (1.12, 7.86), (1.30, 7.95), (2.0, 7.98),
+])  # fmt: skip
+"""Height of the hairline over depth (z, front positive) on the base mesh: nape, ear, sideburn, temple, forehead."""
+
+
+def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
+    """Return how far points of the base mesh lie above the hairline, decimetres; negative is skin."""
+    x, depth = np.abs(base[:, 0]), base[:, 2]
+    line = np.interp(depth, HAIRLINE[:, 0], HAIRLINE[:, 1])
+    temples = np.clip(1 - np.abs(x - 0.52) / 0.22, 0, 1) * np.clip((depth - 0.85) / 0.2, 0, 1)
+    line = line + temples * (0.06 + 0.10 * masculine)
+    if spec.growth == "receding":
+        line = line + np.interp(depth, (0.7, 1.1), (0, 0.16)) + 0.22 * temples
+    if spec.growth == "wreath":
+        crown = np.interp(np.hypot(x, (depth - 0.35) * 0.8), (0.50, 0.72), (1, 0))
+        line = line + 2 * crown + np.interp(depth, (0.75, 1.0), (0, 1.5))
+    return base[:, 1] - line
+
+
+@dataclass(frozen=True, eq=False)
+class Scalp:
+    """A head with a hairstyle's growth and thickness.
+
+    Attributes:
+        figure: Whose head.
+        spec: The hairstyle.
+        masculine: 0 to 1, shapes the hairline.
+        hatted: The hair on top is pressed flat.
+    """
+
+    figure: Figure
+    spec: HairSpec
+    masculine: float
+    hatted: bool = False
+
+    @cached_property
+    def center(self) -> Floats:
+        """A point inside the skull: between the ears, a little above them."""
+        ears = self.figure.points[: len(self.figure.pack.ears)][self.figure.pack.ears].mean(0)
+        return ears + np.array((0.0, 0.0, 0.042 * self.figure.head_scale))
+
+    @cached_property
+    def _skull(self) -> Sheet:
+        sheet = self.figure.part("skin")
+        base = sheet.base
+        kept = (base[:, 1] > 6.3) & ~self.figure.pack.ears & (np.abs(base[:, 0]) < 1.2)
+        return sheet.keep_faces(kept[sheet.faces].all(1))
+
+    @cached_property
+    def _tree(self) -> BVHTree:
+        return BVHTree.FromPolygons(self._skull.points.tolist(), polygons(self._skull))
+
+    def thickness(self, base: Floats) -> Floats:
+        """Return the thickness of the hair over points of the base mesh, metres."""
+        spec = self.spec
+        high = np.clip((base[:, 1] - 7.4) / 0.9, 0, 1)
+        full = spec.side * (1 - high) + spec.top * high
+        if self.hatted:
+            full = full * (1 - 0.85 * np.clip((base[:, 1] - 7.3) / 0.3, 0, 1))
+        grown = np.clip(above_hairline(base, spec, self.masculine) / 0.30, 0, 1) ** 0.6
+        return (0.0015 + full * grown) * self.figure.head_scale
+
+    def cap(self) -> Sheet:
+        """Return the hair as one thin shell over the scalp, below the locks."""
+        sheet = self._skull
+        back = sheet.base[:, 2] < 1.6
+        sheet = sheet.keep_faces(back[sheet.faces].all(1))
+        sheet = clip(sheet, above_hairline(sheet.base, self.spec, self.masculine))
+        ears = self.figure.pack.points[np.flatnonzero(self.figure.pack.ears)[::4]]
+        distance = np.sqrt(((sheet.base[:, None] - ears) ** 2).sum(2).min(1))
+        thick = self.thickness(sheet.base) * np.clip(distance / 0.12, 0.12, 1)
+        if self.spec.comb == "part":
+            groove = np.exp(-(((sheet.base[:, 0] / 0.8 - self.spec.parting) / 0.05) ** 2))
+            thick *= 1 - 0.6 * groove * np.clip((sheet.base[:, 1] - 7.8) / 0.3, 0, 1)
+        lifted = smoothed(sheet, 2) + normals(sheet) * (0.8 * thick)[:, None]
+        return sheet.moved(lifted)
+
+    def surface(self, direction: Floats) -> tuple[Floats, float] | None:
+        """Return the skull point in a direction from the centre and how far it lies above the hairline (dm)."""
+        hit, _, face, _ = self._tree.ray_cast(Vector(self.center), Vector(direction))
+        if hit is None:
+            return None
+        corners = self._skull.faces[face]
+        corners = corners[corners >= 0]
+        distance = np.linalg.norm(self._skull.points[corners] - np.array(hit), axis=1)
+        share = 1 / (distance + 1e-6)
+        base = (share / share.sum()) @ self._skull.base[corners]
+        return np.array(hit), float(above_hairline(base[None], self.spec, self.masculine)[0])
+
+    def over(self, direction: Floats, lift: float) -> tuple[Floats, float] | None:
+        """Return the point on the hair in a direction, ``lift`` metres higher, and its place above the hairline."""
+        found = self.surface(direction)
+        if found is None:
+            return None
+        point, grown = found
+        high = float(np.clip((direction[2] + 0.1) / 0.9, 0, 1))
+        full = self.spec.side * (1 - high) + self.spec.top * high
+        if self.hatted:
+            full *= 1 - 0.85 * high
+        thick = 0.0015 + full * float(np.clip((grown + 0.12) / 0.4, 0.25, 1)) ** 0.6
+        return point + direction * (thick * self.figure.head_scale + lift), grown
+
