@@ -1,0 +1,177 @@
+"""The words the Director knows: closed lists and maps, read once from the ``.tsv`` files of this room.
+
+Every file holds lines ``class<TAB>words``; a class may take several lines, ``#`` starts a comment. Underscores
+inside a word stand for spaces (``get_up``, ``living_room``), ``word=value`` makes the class a map.
+"""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from typing import Literal, NamedTuple, cast
+
+from storyblender.memory.vocabulary import Gender, RelationKind, TimeOfDay, Weather
+
+NounClass = Literal["abstract", "body", "set_piece", "prop", "worn", "scenery", "unknown"]
+
+
+def _lines(name: str) -> list[str]:
+    text = files(__package__).joinpath(name).read_text(encoding="utf-8")
+    return [line for line in text.splitlines() if line and not line.startswith("#")]
+
+
+def _read(name: str) -> dict[str, tuple[str, ...]]:
+    """The classes of one lexicon file, words in file order."""
+    classes: dict[str, list[str]] = {}
+    for line in _lines(name):
+        key, words = line.split("\t")
+        classes.setdefault(key, []).extend(words.split(" "))
+    return {key: tuple(words) for key, words in classes.items()}
+
+
+def _pairs(words: tuple[str, ...]) -> dict[str, str]:
+    return dict(word.split("=", 1) for word in words)
+
+
+def _spaced(words: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(word.replace("_", " ") for word in words)
+
+
+def _inverse(classes: dict[str, tuple[str, ...]]) -> dict[str, str]:
+    return {word: key for key, words in classes.items() for word in _spaced(words)}
+
+
+_nouns, _people, _places, _verbs = _read("nouns.tsv"), _read("people.tsv"), _read("places.tsv"), _read("verbs.tsv")
+_motions, _time = _read("motions.tsv"), _read("times.tsv")
+_names, _function = _read("names.tsv"), _read("function_words.tsv")
+
+# -- motions -----------------------------------------------------------------------------------------------------
+MOTION_OF_VERB: dict[str, str] = _inverse(_motions)
+"""Verb, or verb and particle, to motion: ``get up`` -> ``stand_up``."""
+MOTIONS: tuple[str, ...] = tuple(_motions)
+SILENT_VERBS = frozenset(_verbs["silent"])
+"""Verbs of state and of the face: no motion of the body."""
+SPEECH_VERBS = frozenset(_verbs["speech"])
+FACE_VERBS = frozenset(_verbs["face"])
+"""Verbs kept as an expression of the face."""
+HANDLING = frozenset(_verbs["handling"])
+"""Motions that touch a thing; the thing is then worth a place on the asset sheet."""
+GRIPPING = frozenset(_verbs["gripping"])
+"""Motions that take a thing in the hand or put it out of it."""
+VERBS: tuple[str, ...] = tuple(
+    dict.fromkeys([verb.split(" ")[0] for verb in MOTION_OF_VERB] + [*_verbs["plain"], *_verbs["silent"]])
+)
+IRREGULAR_PAST = _pairs(_verbs["irregular"])
+DOUBLING = frozenset(_verbs["doubling"])
+DOUBLING_ING = frozenset(_verbs["doubling_ing"]) | DOUBLING
+ODD_FORMS: dict[str, tuple[str, str]] = {
+    form: (value.split("/")[0], value.split("/")[1]) for form, value in _pairs(_verbs["form"]).items()
+}
+
+
+class Override(NamedTuple):
+    """A row of ``overrides.tsv``: what a verb means with this particle, object, preposition and noun after it."""
+
+    verbs: tuple[str, ...]
+    particles: tuple[str, ...]
+    objects: tuple[str, ...]
+    prepositions: tuple[str, ...]
+    nouns: tuple[str, ...]
+    motion: str
+
+
+def _overrides() -> tuple[Override, ...]:
+    rows = [line.split("\t") for line in _lines("overrides.tsv")]
+    return tuple(Override(*(tuple(cell.split(" ")) for cell in row[:5]), row[5]) for row in rows)
+
+
+OVERRIDES = _overrides()
+
+# -- things ------------------------------------------------------------------------------------------------------
+ABSTRACT, BODY, PROPS = frozenset(_nouns["abstract"]), frozenset(_nouns["body"]), frozenset(_nouns["prop"])
+WORN, SET_PIECES, SCENERY = frozenset(_nouns["worn"]), frozenset(_nouns["set_piece"]), frozenset(_nouns["scenery"])
+SEATS, VEHICLES = frozenset(_nouns["seat"]), frozenset(_nouns["vehicle"])
+PORTABLE = frozenset(_nouns["portable"])
+"""Nouns that are both set piece and prop, and rather a prop when they stand alone."""
+CARRIERS = frozenset(_nouns["carrier"])
+"""First words of a compound that name a kind of the second: ``coffee cup``, ``birthday card``."""
+MEASURES, LIQUIDS, WEATHER_NOUNS = (frozenset(_nouns[key]) for key in ("measure", "liquid", "weather"))
+PLURAL_ONLY, IRREGULAR_PLURALS = frozenset(_nouns["plural_only"]), _pairs(_nouns["irregular_plural"])
+SOUNDS = _pairs(_nouns["sound"])
+"""Word for a noise -> name of the sound effect."""
+
+# -- people ------------------------------------------------------------------------------------------------------
+MALE_NOUNS, FEMALE_NOUNS = frozenset(_people["male"]), frozenset(_people["female"])
+ANIMALS = frozenset(_people["animal"])
+PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS
+YOUNG_NOUNS = frozenset(_people["young"])
+CROWDS = frozenset(_people["crowd"])
+KIN = frozenset(_people["kin"])
+TITLES = frozenset(_people["title"])
+TITLE_GENDER = cast(dict[str, Gender], _pairs(_people["title_gender"]))
+AGE_WORDS, AGE_NOUNS = _pairs(_people["age_word"]), _pairs(_people["age_noun"])
+VARIANT_WORDS = frozenset(_people["variant"])
+"""Words before a name that make the same person at another age or in another costume."""
+BUILD, HAIR, FACE = frozenset(_people["build"]), frozenset(_people["hair"]), frozenset(_people["face"])
+MALE_NAMES, FEMALE_NAMES = frozenset(_names["male"]), frozenset(_names["female"])
+FIRST_NAMES = MALE_NAMES | FEMALE_NAMES
+
+# -- places and times --------------------------------------------------------------------------------------------
+INDOOR, OUTDOOR = frozenset(_places["indoor"]), frozenset(_places["outdoor"])
+PLACES = INDOOR | OUTDOOR
+PLACE_KINDS: dict[str, str] = {
+    word.replace("_", " "): kind for kind, words in _read("place_kinds.tsv").items() for word in words
+}
+"""Words of a heading -> place kind, e.g. ``tavern`` -> ``bar``."""
+RELATION_OF_PREPOSITION: dict[str, str] = _inverse(_read("relations.tsv"))
+TIME_WORDS = cast(dict[str, TimeOfDay], _pairs(_time["time"]))
+WEATHER_WORDS = cast(dict[str, Weather], _pairs(_time["weather"]))
+
+# -- function words ----------------------------------------------------------------------------------------------
+PRONOUNS = _pairs(_function["pronoun"])
+"""Pronoun -> ``male``, ``female``, ``plural`` or ``thing``."""
+DETERMINERS, POSSESSIVES = frozenset(_function["determiner"]), frozenset(_function["possessive"])
+NUMBERS = {word: int(value) for word, value in _pairs(_function["number"]).items()}
+PREPOSITIONS, CONJUNCTIONS = frozenset(_function["preposition"]), frozenset(_function["conjunction"])
+PARTICLES = frozenset(_function["particle"])
+COMPOUND_PREPOSITIONS = tuple(tuple(phrase.split("_")) for phrase in _function["compound_preposition"])
+ADVERBS = frozenset(_function["adverb"])
+NOT_PEOPLE = frozenset(_function["caps"])
+"""Words in capitals that are never people: noises, title cards, transitions."""
+
+
+def noun_class(key: str) -> NounClass:
+    """What kind of thing a noun names, from its head (the last word); the first list that knows it wins."""
+    head = key.rsplit(" ", 1)[-1]
+    if head in ABSTRACT or head in PRONOUNS:
+        return "abstract"
+    if head in BODY:
+        return "body"
+    if key in SET_PIECES or (head in SET_PIECES and head not in PORTABLE):
+        return "set_piece"
+    if head in PROPS:
+        return "prop"
+    if head in WORN:
+        return "worn"
+    if head in SET_PIECES:
+        return "set_piece"
+    return "scenery" if head in SCENERY or head in PLACES else "unknown"
+
+
+def gender_of_word(word: str) -> Gender:
+    """The gender a noun or first name carries."""
+    if word in MALE_NOUNS or word in MALE_NAMES:
+        return "male"
+    return "female" if word in FEMALE_NOUNS or word in FEMALE_NAMES else "unknown"
+
+
+def relation_of(preposition: str) -> RelationKind | None:
+    """The layout relation a preposition states, or None (``through``, ``along``, ``around`` place nothing)."""
+    kind = RELATION_OF_PREPOSITION.get(preposition)
+    return cast(RelationKind, kind) if kind else None
+
+
+def place_kind(place: str) -> str:
+    """The place kind of a heading or phrase: the longest known words in it, or an empty string."""
+    padded = f" {place.lower()} "
+    known = [word for word in PLACE_KINDS if f" {word} " in padded]
+    return PLACE_KINDS[max(known, key=lambda word: (len(word), padded.rfind(word)))] if known else ""

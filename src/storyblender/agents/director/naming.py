@@ -1,0 +1,34 @@
+"""Asset ids: snake_case ASCII, always valid, never twice."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Container
+
+_NO_DECOMPOSITION = str.maketrans({"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "ł": "l", "đ": "d", "ð": "d", "þ": "th"})
+
+
+def asset_id(name: str, taken: Container[str] = ()) -> str:
+    """Make the id of a person or thing from its name: ``Élodie`` -> ``elodie``, ``MAN #2`` -> ``man_2``.
+
+    Args:
+        name: As written in the script; a leading article is left out.
+        taken: Ids in use; the first free ``name_2``, ``name_3``, ... is given when the plain one is among them.
+
+    Returns:
+        An identifier that starts with a letter; ``asset`` where nothing of the name can be spelled in ASCII.
+    """
+    lowered = name.lower().translate(_NO_DECOMPOSITION)
+    plain = unicodedata.normalize("NFKD", lowered).encode("ascii", "ignore").decode()
+    words = re.findall(r"[a-z0-9]+", re.sub(r"(?<=[a-z])'s?\b", "", plain))
+    if len(words) > 1 and words[0] in ("the", "a", "an"):
+        words = words[1:]
+    base = "_".join(words) or "asset"
+    if base[0].isdigit():
+        base = f"asset_{base}"
+    candidate, count = base, 1
+    while candidate in taken:
+        count += 1
+        candidate = f"{base}_{count}"
+    return candidate

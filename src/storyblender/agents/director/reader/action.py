@@ -1,0 +1,162 @@
+"""One sentence of action: its clauses told to the stage in reading order."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader import deeds, entrances, relations, states
+from storyblender.agents.director.reader.clauses import Clause, Phrase, find_clauses, find_phrases
+from storyblender.agents.director.reader.coreference import Referents, remember, resolve_mention, resolve_pronoun
+from storyblender.agents.director.reader.morphology import singular
+from storyblender.agents.director.reader.motions import motion_of
+from storyblender.agents.director.reader.rewrite import regularise
+from storyblender.agents.director.reader.roles import Roles, resolve_objects, resolve_subject
+from storyblender.agents.director.reader.sentences import Sentence
+from storyblender.agents.director.reader.stage import SentenceState, Stage
+from storyblender.agents.director.reader.words import joined
+from storyblender.agents.director.reading import Person
+
+_OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
+_SPOKEN = frozenset({"call", "shout", "yell"})
+_WITH = frozenset({"with", "off"})
+_USING = frozenset({"on", "with", "into", "at", "through"})
+
+
+def read_action(stage: Stage, sentence: Sentence) -> None:
+    """Read a sentence into the unit that was opened for it."""
+    words = regularise(sentence.words)
+    phrases = find_phrases(words)
+    clauses = find_clauses(words, phrases)
+    previous = stage.discourse.subjects
+    stage.sentence = SentenceState(words, pictured=sentence.pictured or entrances.is_about_absence(joined(words)))
+    _notice_nouns(stage, phrases)
+    if not clauses:
+        _name_people(stage)
+    for index, clause in enumerate(clauses):
+        _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
+    entrances.named_enter(stage, words, clauses)
+    subjects = stage.sentence.subjects
+    relations.relate_apart(stage, words, subjects, previous)
+    _leftover_pronouns(stage, subjects, previous)
+    relations.relate_noun_phrases(stage, phrases, subjects, previous)
+    states.drawn_weapons(stage, subjects or previous)
+    states.sounds(stage, clauses)
+    if subjects:
+        stage.discourse.subjects = subjects
+
+
+def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
+    """Every noun that names a thing is seen; in capitals it is shown."""
+    for phrase in phrases:
+        noun = phrase.noun
+        if noun is None or noun.kind != "thing" or lexicon.noun_class(noun.key) == "abstract":
+            continue
+        word = stage.sentence.words[noun.index]
+        thing = stage.inventory.id_of(noun.key, word.start)
+        loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
+        stage.inventory.seen(thing, "shown" if loud else "seen")
+        if stage.inventory.class_of(thing) in _OBJECTLIKE and thing not in stage.unit.things:
+            stage.unit.things.append(thing)
+
+
+def _name_people(stage: Stage) -> None:
+    """A sentence without a clause: whoever it names is there."""
+    named: list[Person] = []
+    for word in stage.sentence.words:
+        if word.mention and word.named:
+            named += resolve_mention(stage, word.mention)
+    for person in named:
+        stage.mention(person, 0.6)
+        if not stage.sentence.pictured:
+            stage.enter(person)
+            stage.involve(person)
+    if named:
+        stage.sentence.subjects = named[:1]
+
+
+def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bool) -> None:
+    roles = resolve_subject(stage, clause, previous)
+    if len(roles.subjects) > 1:
+        discourse = stage.discourse
+        discourse.groups.append((discourse.sentence, list(roles.subjects), discourse.clock + len(roles.subjects)))
+    seen = entrances.subjects_enter(stage, clause, roles.subjects)
+    if roles.subjects and (clause.main or not stage.sentence.subjects):
+        stage.sentence.subjects = roles.subjects
+    resolve_objects(stage, clause, roles, previous)
+    states.changes(stage, clause, roles)
+    if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
+        return
+    motion = _motion(stage, clause, roles)
+    relations.relate_clause(stage, clause, roles, motion, first)
+    _notice_things(stage, clause, roles, motion)
+    entrances.objects_enter(stage, clause, roles, motion)
+    states.expressions(stage, clause, roles.subjects)
+    motion = motion or _pose(stage, clause, roles)
+    if roles.subjects and motion:
+        states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
+        entrances.leave(stage, clause, roles, motion)
+
+
+def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
+    if not roles.subjects or (clause.passive and clause.verb != "seat"):
+        return None
+    head = stage.inventory.head(roles.things[0]) if roles.things else "person" if roles.people else ""
+    if not head and any(noun.head == "it" for noun in clause.object):
+        head = "it"
+    posture = stage.scene.posture.get(roles.subjects[0].id, ("stand", None))[0]
+    return motion_of(clause, head, posture)
+
+
+def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
+    """``MAN #2 is on the bed``, ``Hale is asleep``: a posture without a verb for it."""
+    if clause.verb != "be" or not roles.subjects or stage.sentence.pictured:
+        return None
+    if any(noun.head == "asleep" for noun in clause.complement):
+        return "sleep"
+    kinds = {lexicon.relation_of(place.preposition) for place in roles.places}
+    seated = any(
+        stage.inventory.head(place.things[0]) in lexicon.SEATS
+        for place in roles.places
+        if place.things and lexicon.relation_of(place.preposition) in ("on", "in")
+    )
+    return "sit" if seated else "stand" if kinds & {"next_to", "at", "in", "behind"} else None
+
+
+def _notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
+    """Note how things come up, and which ``it`` and ``them`` may mean."""
+    inventory, discourse = stage.inventory, stage.discourse
+    if motion in lexicon.HANDLING and roles.subjects:
+        how = "held" if motion in lexicon.GRIPPING else "handled"
+        for thing, noun in zip(
+            roles.things, [n for n in clause.object if n.kind == "thing"] or clause.object, strict=False
+        ):
+            inventory.seen(thing, how, bool(noun.determiner or noun.possessor is not None))
+        for place in roles.places:
+            if not roles.things and place.preposition in _USING:
+                for thing in place.things:
+                    if inventory.class_of(thing) == "prop":
+                        inventory.seen(thing, "handled")
+    for place in roles.places:
+        if place.preposition in _WITH and roles.subjects:
+            for thing in place.things:
+                inventory.seen(thing, "with")
+    for thing in roles.subject_things:
+        if inventory.class_of(thing) == "prop":
+            inventory.seen(thing, "related")
+    if stage.sentence.plural_thing:
+        discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
+    handled = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
+    if handled:
+        discourse.last_thing = handled[0]
+    elif roles.subject_things and not roles.subjects and inventory.class_of(roles.subject_things[0]) in _OBJECTLIKE:
+        discourse.last_thing = roles.subject_things[0]
+
+
+def _leftover_pronouns(stage: Stage, subjects: list[Person], previous: list[Person]) -> None:
+    """Pronouns outside every clause, for the record and for whose things are."""
+    for index, word in enumerate(stage.sentence.words):
+        kind = lexicon.PRONOUNS.get(word.low, "thing")
+        if kind == "thing" or word.mention or word.inserted or index in stage.sentence.pronouns:
+            continue
+        role = "possessor" if word.low in lexicon.POSSESSIVES else "object"
+        people = resolve_pronoun(stage, word.low, role, subjects, previous)
+        remember(stage, index, Referents(people))

@@ -1,0 +1,168 @@
+"""Who is in a screenplay: cues, names in capitals, titles with a name (notes of the director, 1a)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.look import describe
+from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
+from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.roster import Roster, bare
+
+_RUN = re.compile(
+    r"(?<![A-Za-z])(?:THE |A |AN |TWO |THREE |FOUR |FIVE |SIX )?"
+    r"(?:(?:MRS|MR|DR|MS|PROF|SGT|LT|CAPT|ST)\.|[A-ZÀ-Ý][A-ZÀ-Ý'’.-]*[A-ZÀ-Ý]|[A-Z]{2,}\.|[A-Z])"
+    r"(?:[ ](?:(?:IN|OF|WITH|THE|A)\s)*(?:[A-ZÀ-Ý][A-ZÀ-Ý'’.-]*[A-ZÀ-Ý]\.?|#?\d+))*(?![a-z])"
+)
+"""A run of words in capitals."""
+_TITLED = re.compile(
+    r"\b(?:Mr|Mrs|Ms|Dr|Miss|Officer|Detective|Sergeant|Captain|Professor|Uncle|Aunt|Sheriff|Lieutenant|Deputy)\.? "
+    r"[A-Z][a-z]+"
+)
+_CAPITALISED_ROLE = re.compile(r"\b[Tt]he ((?:[A-Z][a-z]+ ){1,2}[A-Z][a-z]*)\b")
+_ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
+_COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
+_INTRODUCED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |in h)")
+_LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])", re.DOTALL)
+_NUMBERED = re.compile(r"\s*#?\d+$")
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
+
+
+@dataclass(frozen=True, order=True)
+class _Sighting:
+    """One place where a name stands."""
+
+    at: int
+    name: str
+    after: str
+    """What follows it in its paragraph."""
+
+
+def find_cast(script: Manuscript) -> Roster:
+    """Collect the people of a screenplay in the order they appear.
+
+    Longer names win: a cue HALE belongs to OFFICER HALE, JO and JOANNA stay two people.
+    """
+    cues = {paragraph.name for paragraph in script.paragraphs if paragraph.kind == "cue"}
+    sightings: list[_Sighting] = []
+    for paragraph in script.paragraphs:
+        if paragraph.kind == "cue":
+            sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
+        elif paragraph.kind == "action":
+            sightings += _in_action(script, paragraph.body, paragraph.start, cues)
+            sightings += _in_camera_notes(paragraph, cues)
+    singles = [
+        part for sighting in sightings for part in _split(sighting) if part.name in cues or "'S " not in part.name
+    ]
+    roster = Roster()
+    full_names = {_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles}
+    for sighting in sorted(singles):
+        _admit(roster, sighting, full_names, script.text)
+    speaking = {bare(cue) for cue in cues}
+    for person in roster.people:
+        person.speaks = any(alias in speaking for alias in person.aliases)
+    roster.link_variants()
+    return roster
+
+
+def _in_action(script: Manuscript, text: str, start: int, cues: set[str]) -> list[_Sighting]:
+    found: list[_Sighting] = []
+    for match in _RUN.finditer(text):
+        name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
+        if len(name) > 1 and _is_person(name, text[match.end() : match.end() + 40], cues, script.text):
+            found.append(_Sighting(start + match.start(), name, text[match.end() :]))
+    for match in _TITLED.finditer(text):
+        found.append(_Sighting(start + match.start(), match.group(0).upper(), ""))
+    for match in _CAPITALISED_ROLE.finditer(text):
+        words = match.group(1).split()
+        if len(words) > 1 and is_person_noun(singular(words[-1])):
+            found.append(_Sighting(start + match.start(1), match.group(1).upper(), ""))
+    return found
+
+
+def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
+    """CLOSE ON KIRA, BEN'S POV: people named to the camera."""
+    found: list[_Sighting] = []
+    for _, camera in paragraph.cameras:
+        for name in (camera.subject, camera.who):
+            at = paragraph.raw.find(name)
+            name_alone = name.upper() == name and at >= 0 and len(name) > 1
+            if name_alone and _is_person(name, paragraph.raw[at + len(name) :][:40], cues, ""):
+                found.append(_Sighting(paragraph.start + at, name, paragraph.raw[at + len(name) :]))
+    return found
+
+
+def _is_person(name: str, after: str, cues: set[str], text: str) -> bool:
+    """Whether words in capitals name somebody, and not a noise, a thing or a camera."""
+    base = _ARTICLE_OR_COUNT.sub("", name)
+    if base in cues or name in cues:
+        return True
+    unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"
+    head = singular(unnumbered.split()[-1])
+    if is_person_noun(head):
+        return True
+    if head in lexicon.PROPS | lexicon.SET_PIECES:
+        return False
+    if head in lexicon.FIRST_NAMES or _INTRODUCED.match(after):
+        return True
+    if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
+        return False
+    return _acts_like_a_person(base, after, text)
+
+
+def _acts_like_a_person(base: str, after: str, text: str) -> bool:
+    """A third-person verb follows, and elsewhere the name is written like a name."""
+    verb = re.match(r"\s+([a-z]+)", after)
+    return (
+        verb is not None
+        and form_kind(verb.group(1)) in ("3sg", "aux")
+        and not form_kind(base.lower())
+        and re.search(rf"\b{re.escape(base.title())}\b(?!['’])", text) is not None
+    )
+
+
+def _split(sighting: _Sighting) -> list[_Sighting]:
+    """VERA AND DUTCH are two; ON, WITH before and 'S VOICE behind a name go."""
+    name = re.sub(r"^(ON|AND|WITH|OF|IN) ", "", sighting.name)
+    name = re.sub(r"['’]S (VOICE|POV|HAND|HANDS|FACE|EYES)$", "", name)
+    parts = [part.strip() for part in re.split(r" AND | & ", name) if part.strip()]
+    return [
+        _Sighting(sighting.at + max(name.find(part), 0), part, sighting.after if part == parts[-1] else "")
+        for part in parts
+    ]
+
+
+def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str) -> None:
+    """Add a sighting to the cast unless a longer form of the name is introduced elsewhere."""
+    count = lexicon.NUMBERS[sighting.name.split()[0].lower()] if _COUNT.match(sighting.name) else 1
+    base = re.sub(r"^(A|AN) ", "", _COUNT.sub("", sighting.name))
+    name = re.sub(r"^THE ", "", base)
+    known = roster.find(name)
+    if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
+        return
+    if known:
+        person = known[0]
+    else:
+        words = name.split()
+        if count > 1:
+            base = " ".join([*words[:-1], singular(words[-1]).upper()])
+        person = roster.add(base, sighting.at)
+        person.count = max(person.count, count)
+        if count > 1:
+            person.kind = "group"
+    said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
+    if said:
+        describe(person, said.group(1) or said.group(2))
+
+
+def _is_part_of(name: str, full: str) -> bool:
+    words = full.split()
+    return (
+        full != name
+        and name in words
+        and not re.search(r"\d", full)
+        and not (words[0].lower() in lexicon.VARIANT_WORDS and words[-1] == name)
+        and (words[0].strip(".").lower() in lexicon.TITLES or name in (words[0], words[-1]))
+    )

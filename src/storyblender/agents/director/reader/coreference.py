@@ -1,0 +1,312 @@
+"""Who is meant: pronouns, ``the old woman``, ``the two men``, in reading order (notes of the director, 1d)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.clauses import NounPhrase
+from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.words import Mention
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+Role = Literal["subject", "object", "possessor", "other"]
+
+_CLOSE_CALL = 0.3
+"""A pronoun whose best two candidates lie nearer than this is flagged."""
+_GROUP_MEMORY = 15
+"""Sentences for which ``they`` can mean people who acted together; four for ``them``."""
+_GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
+_PAIRS = frozenset(
+    {"brother", "sister", "friend", "twin", "child", "kid", "man", "woman", "boy", "girl", "couple", "companion",
+     "lover", "partner", "guy"}
+)  # fmt: skip
+
+
+class Referents(NamedTuple):
+    """What a noun phrase means: people, or a thing (its id)."""
+
+    people: list[Person]
+    thing: str | None = None
+
+
+def fits(person: Person, gender: Gender) -> bool:
+    """Whether nothing speaks against a person having a gender."""
+    return "unknown" in (person.gender, gender) or person.gender == gender
+
+
+# -- names, roles, groups ----------------------------------------------------------------------------------------
+
+
+def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
+    """Decide who a mention means, once."""
+    if not mention.people:
+        if mention.kind == "group":
+            mention.people = _group(stage, mention)
+        elif mention.kind == "generic":
+            mention.people = _generic(stage, mention)
+        else:
+            mention.people = [max(mention.candidates, key=stage.presence)]
+    return mention.people
+
+
+def _generic(stage: Stage, mention: Mention) -> list[Person]:
+    """The old woman, the girl: of those on stage, by gender and age."""
+    if mention.candidates:
+        return [max(mention.candidates, key=stage.presence)]
+    if mention.determiner in lexicon.POSSESSIVES:
+        return _kin(stage, mention)
+    if mention.determiner not in ("the", "that", "this"):
+        return []
+    gender = lexicon.gender_of_word(mention.head)
+    young = mention.head in lexicon.YOUNG_NOUNS
+    pool = [
+        person
+        for person in stage.on_stage()
+        if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
+    ]
+    if "old" in mention.adjectives or "elderly" in mention.adjectives:
+        pool.sort(key=lambda person: -years(person))
+    elif young:
+        pool = [person for person in pool if years(person) < 31]
+        pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
+    else:
+        pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+    return pool[:1]
+
+
+_CONVERSE = {
+    "uncle": ("niece", "nephew"), "aunt": ("niece", "nephew"), "niece": ("uncle", "aunt"), "nephew": ("uncle", "aunt"),
+    "father": ("son", "daughter"), "mother": ("son", "daughter"), "son": ("father", "mother"),
+    "daughter": ("father", "mother"), "husband": ("wife",), "wife": ("husband",),
+}  # fmt: skip
+
+
+def _kin(stage: Stage, mention: Mention) -> list[Person]:
+    """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
+    converse = _CONVERSE.get(mention.head)
+    if not converse or not any(person.role in converse for person in stage.roster.people):
+        return []
+    gender = lexicon.gender_of_word(mention.head)
+    pool = [
+        person
+        for person in stage.on_stage()
+        if person.kind == "human" and person.gender == gender and person.role not in converse and not person.age
+    ]
+    return [max(pool, key=stage.presence)] if pool else []
+
+
+def _group(stage: Stage, mention: Mention) -> list[Person]:
+    """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
+    numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
+    absent = not any(person.id in stage.scene.on for person in numbered)
+    if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):
+        return numbered
+    gender = lexicon.gender_of_word(mention.head)
+    pool = [
+        person
+        for person in stage.on_stage()
+        if person.role == mention.head
+        or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
+    ]
+    pool = pool or [person for person in stage.roster.people if person.role == mention.head]
+    if not pool and (mention.head in _PAIRS or mention.number == 2):
+        pool = _pair(stage, mention, gender)
+    if len(pool) > mention.number > 1:
+        exact = [person for person in pool if person.role == mention.head]
+        ranked = sorted(pool, key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+        pool = exact if len(exact) >= mention.number else ranked[: mention.number]
+    return pool
+
+
+def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
+    """The two, the children: the last group, or those on stage who were spoken of last."""
+    young = mention.head in lexicon.YOUNG_NOUNS
+    if not young:
+        for _, group, _ in reversed(stage.discourse.groups):
+            if all(fits(person, gender) for person in group):
+                return group
+    here = [
+        person
+        for person in stage.on_stage()
+        if fits(person, gender)
+        and person.kind == "human"
+        and not (young and (re.search(r"[2-9]0s|old", person.age) or _titled(person)))
+    ]
+    here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    return here[: max(mention.number, 2)]
+
+
+def _titled(person: Person) -> bool:
+    """Whether somebody is called Mr. or Mrs.: no child."""
+    return person.name.lower().split()[0].strip(".") in lexicon.TITLES
+
+
+# -- pronouns ----------------------------------------------------------------------------------------------------
+
+
+def resolve_pronoun(
+    stage: Stage,
+    pronoun: str,
+    role: Role,
+    subjects: Sequence[Person] = (),
+    previous: Sequence[Person] = (),
+    excluded: Sequence[Person] = (),
+) -> list[Person]:
+    """Decide who a pronoun for people means.
+
+    Args:
+        stage: The state before it.
+        pronoun: Lower case; not ``it``.
+        role: Its role in the clause.
+        subjects: Subject of the clause it stands in.
+        previous: Subject of the sentence before.
+        excluded: Who it cannot be: ``her brother`` is not her.
+    """
+    kind = lexicon.PRONOUNS[pronoun]
+    if kind == "plural":
+        return _they(stage, role, subjects)
+    gender: Gender = "female" if kind == "female" else "male"
+    pool = [
+        person
+        for person in stage.roster.people
+        if (person.id in stage.scene.on or person.id in stage.scene.named)
+        and person.kind != "group"
+        and fits(person, gender)
+    ]
+    if role in ("object", "other"):
+        pool = [person for person in pool if person not in subjects] or pool
+    pool = [person for person in pool if person not in excluded]
+    if not pool:
+        return []
+
+    def score(person: Person) -> tuple[float, int]:
+        value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else -0.05)
+        value -= 0.6 * (person.kind == "animal" and person.gender != gender)
+        value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
+        value += 0.8 * (role == "subject" and person in previous) + 1.2 * (role == "possessor" and person in subjects)
+        return value, stage.discourse.last_named.get(person.id, 0)
+
+    ranked = sorted(pool, key=score, reverse=True)
+    best = ranked[0]
+    if best.gender == "unknown" and not any(person.gender == gender for person in pool):
+        best.gender = gender
+    if len(ranked) > 1 and score(best)[0] - score(ranked[1])[0] < _CLOSE_CALL:
+        unit = stage.unit
+        stage.flag("pronoun", best.id, f"“{pronoun}” may also be {ranked[1].name}", unit.start, unit.end)
+    return [best]
+
+
+def _they(stage: Stage, role: Role, subjects: Sequence[Person]) -> list[Person]:
+    if role == "possessor" and len(subjects) > 1:
+        return list(subjects)
+    discourse = stage.discourse
+    here = stage.on_stage()
+    bands = [person for person in here if person.count > 1 and person not in subjects]
+    last = discourse.last_named
+    if bands:
+        band = max(bands, key=lambda person: last.get(person.id, 0))
+        if not discourse.groups or last.get(band.id, 0) > discourse.groups[-1][2]:
+            return [band]
+    memory = 4 if role == "object" else _GROUP_MEMORY
+    for sentence, group, _ in reversed(discourse.groups):
+        shared = {person.id for person in group} & {person.id for person in subjects}
+        overlaps = role in ("object", "possessor") and shared and len(shared) != len(group)
+        if group and discourse.sentence - sentence <= memory and not overlaps:
+            return group
+    if role == "object":
+        here = [person for person in here if person not in subjects]
+    if len(here) <= 2:
+        return here
+    here = [person for person in here if stage.scene.posture.get(person.id, ("", None))[0] != "asleep"] or here
+    for age in (2, 4, 6):
+        recent = [p for p in here if discourse.sentence - discourse.last_sentence.get(p.id, -99) <= age]
+        if len(recent) > 1:
+            return recent
+    return here
+
+
+# -- noun phrases ------------------------------------------------------------------------------------------------
+
+
+def resolve(
+    stage: Stage,
+    noun: NounPhrase,
+    role: Role = "object",
+    subjects: Sequence[Person] = (),
+    previous: Sequence[Person] = (),
+) -> Referents:
+    """Decide who or what a noun phrase means, and keep it for the record."""
+    if noun.kind == "person" and noun.mention:
+        return Referents(_resolve_person(stage, noun, noun.mention))
+    if noun.kind == "thing":
+        return Referents([], stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start))
+    if noun.head == "":
+        return Referents(list(previous) or stage.discourse.subjects[:1])
+    known = stage.sentence.pronouns.get(noun.index)
+    if known:
+        return Referents(*known)
+    return remember(stage, noun.index, _resolve_pronoun_phrase(stage, noun.head, role, subjects, previous))
+
+
+def _resolve_pronoun_phrase(
+    stage: Stage, pronoun: str, role: Role, subjects: Sequence[Person], previous: Sequence[Person]
+) -> Referents:
+    discourse = stage.discourse
+    kind = lexicon.PRONOUNS[pronoun]
+    if kind == "thing":
+        return Referents([], discourse.last_thing)
+    plural = discourse.last_plural
+    if kind == "plural" and role == "object" and plural and plural[1] >= discourse.sentence - 1:
+        return Referents([], plural[0])
+    return Referents(resolve_pronoun(stage, pronoun, role, list(subjects), list(previous)))
+
+
+def remember(stage: Stage, index: int, referents: Referents) -> Referents:
+    """Keep what the pronoun at a position means, for this sentence and for the record."""
+    word = stage.sentence.words[index]
+    stage.sentence.pronouns[index] = (referents.people, referents.thing)
+    who = [person.id for person in referents.people] or ([referents.thing] if referents.thing else [])
+    if who or lexicon.PRONOUNS.get(word.low) != "thing":
+        stage.record(word.start, word.text, who)
+    return referents
+
+
+def _resolve_person(stage: Stage, noun: NounPhrase, mention: Mention) -> list[Person]:
+    people = resolve_mention(stage, mention)
+    indirect = mention.kind in ("group", "generic") or (
+        mention.kind == "role" and people and mention.head not in people[0].name.lower().split()
+    )
+    if people and indirect and not mention.recorded:
+        mention.recorded = True
+        stage.record(mention.start, stage.noun_text(noun), [person.id for person in people])
+    return people
+
+
+def resolve_owner(
+    stage: Stage,
+    noun: NounPhrase,
+    role: Role,
+    subjects: Sequence[Person],
+    previous: Sequence[Person],
+) -> None:
+    """Find out whose a thing is (``her hand``, ``Nora's car``) and note it in the phrase."""
+    if noun.possessor is None:
+        return
+    word = stage.sentence.words[noun.possessor]
+    if word.mention:
+        for person in resolve_mention(stage, word.mention):
+            stage.mention(person, 0.2)
+            noun.owner = person.id
+        return
+    known = stage.sentence.pronouns.get(noun.possessor)
+    if known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":
+        excluded = resolve_mention(stage, noun.mention) if noun.mention else []
+        people = resolve_pronoun(stage, word.low, role, subjects, previous, excluded)
+        known = remember(stage, noun.possessor, Referents(people))
+    if known and known[0]:
+        noun.owner = known[0][0].id

@@ -1,0 +1,120 @@
+"""Who is on stage: entrances, exits, and mentions that are neither (notes of the director, 1e)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.agents.director.reader.clauses import Clause
+from storyblender.agents.director.reader.coreference import resolve_mention
+from storyblender.agents.director.reader.roles import Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.words import Word
+from storyblender.agents.director.reading import Person
+
+_CALLING = frozenset({"call", "shout", "yell", "scream", "answer"})
+_MINDING = frozenset({"think", "talk", "dream", "remember", "miss", "mention", "imagine"})
+_NEAR = (
+    "to", "at", "behind", "beside", "with", "by", "toward", "towards", "near", "against", "between", "in front of",
+    "next to", "from", "around", "past", "over", "under",
+)  # fmt: skip
+_LEAVING = re.compile(
+    r"(exit|leave|depart|vanish|disappear|flee|escape|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
+)
+_TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "ride", "drive"})
+_COMING_OUT = frozenset({"back", "crawl", "pull", "step", "burst", "come", "get", "look", "emerge", "climb", "lean"})
+_PICTURE_OF = re.compile(
+    r"\b(photo|photograph|picture|portrait|painting|statue|name|letter|news|memory|voice|dream) (of|from)\b"
+    r"|\b(about|without|like|unlike|named|called|calls|misses|remembers|expects|awaits)( the| a)?$"
+)
+_ABSENT = re.compile(r"\bnowhere\b|\b(is|are|has|have) (gone|vanished)\b")
+
+
+def is_about_absence(text: str) -> bool:
+    """Whether a sentence says that somebody is not there."""
+    return _ABSENT.search(text) is not None
+
+
+def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> bool:
+    """Bring the subjects of a clause on stage; returns False where they are only heard."""
+    seen = True
+    for person in subjects:
+        stage.mention(person, 1.0 if len(subjects) == 1 else 0.3)
+        stage.sentence.named.add(person.id)
+        stage.discourse.last_sentence[person.id] = stage.discourse.sentence
+        calls = clause.verb in _CALLING and clause.particle != "out" and any(p == "from" for p, _ in clause.places)
+        if calls and person.id not in stage.scene.on:
+            stage.scene.off_screen.add(person.id)
+            seen = False
+        if seen and not clause.unreal and not stage.sentence.pictured:
+            stage.enter(person)
+            stage.involve(person)
+    return seen
+
+
+def objects_enter(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
+    """People who are touched, spoken to or stood beside are on stage too."""
+    physical = bool(roles.subjects) and not stage.sentence.pictured
+    for person in roles.people + roles.recipients:
+        stage.mention(person, 0.6)
+        stage.sentence.named.add(person.id)
+        stage.discourse.last_sentence[person.id] = stage.discourse.sentence
+        if physical and motion and motion not in ("think", "listen", "phone"):
+            stage.enter(person)
+            stage.involve(person)
+    for place in roles.places:
+        for person in place.people:
+            stage.mention(person, 0.5)
+            stage.sentence.named.add(person.id)
+            stage.discourse.last_sentence[person.id] = stage.discourse.sentence
+            if physical and place.preposition in _NEAR and clause.verb not in _MINDING:
+                stage.enter(person)
+                stage.involve(person)
+
+
+def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
+    """Everybody named in action is on stage, unless the words around say otherwise."""
+    for index, word in enumerate(words):
+        if word.mention is None or not word.named:
+            continue
+        fresh = not word.mention.people
+        people = resolve_mention(stage, word.mention)
+        clause = next((c for c in clauses if any(n.index == index for n in c.subject + c.object)), None)
+        before = " ".join(w.low for w in words[max(0, index - 4) : index])
+        possessive = index + 1 < len(words) and words[index + 1].low == "'s"
+        elsewhere = possessive or stage.sentence.pictured or _PICTURE_OF.search(before) is not None
+        elsewhere = elsewhere or (clause is not None and (clause.unreal or clause.verb in _MINDING))
+        for person in people:
+            if fresh:
+                stage.discourse.raise_(person, 0.3)
+            stage.scene.named.add(person.id)
+            if not elsewhere and person.id not in stage.scene.off_screen:
+                stage.enter(person)
+                stage.involve(person)
+
+
+def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
+    """Note exits; they take effect after the sentence."""
+    phrase = f"{clause.verb} {clause.particle}".strip()
+    indoors = stage.place.scene_type == "indoor"
+    goes = _LEAVING.match(phrase) or _LEAVING.match(clause.verb)
+    goes_out = (
+        motion in _TRAVEL and clause.particle in ("out", "off", "away", "outside") and clause.verb not in _COMING_OUT
+    ) or (motion in _TRAVEL and indoors and "out of" in roles.prepositions and clause.verb not in _COMING_OUT)
+    if not (goes or goes_out) or clause.verb == "slip":
+        return
+    left_behind = clause.verb == "leave" and any(
+        stage.inventory.class_of(thing) in ("prop", "body", "worn") for thing in roles.things
+    )
+    if left_behind or (not indoors and "into" in roles.prepositions):
+        return
+    stage.scene.leaving += [person.id for person in roles.subjects if person.id not in stage.scene.leaving]
+
+
+def clear_exits(stage: Stage) -> None:
+    """Take those who left off the stage, before the next unit."""
+    for person in stage.scene.leaving:
+        if person in stage.scene.on:
+            stage.scene.on.remove(person)
+        stage.scene.held.pop(person, None)
+    stage.scene.leaving = []

@@ -1,0 +1,62 @@
+"""What the script says a person looks like: age, build, hair, clothes, face, gender."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.morphology import singular
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+_AGE = re.compile(r"^(?:(?:early|mid|late|age|aged|about|around)[- ]+)?(\d{1,3})(?:['’]?s)?(?: years old)?$")
+_GENDER_WORDS: dict[str, Gender] = {
+    "woman": "female", "female": "female", "girl": "female", "lady": "female",
+    "man": "male", "male": "male", "boy": "male", "gentleman": "male",
+}  # fmt: skip
+
+
+def describe(person: Person, phrase: str) -> None:
+    """Read a description into a person: ``35, lean, short black hair, grey trench coat``.
+
+    Args:
+        person: Takes what is said; what is known already stays.
+        phrase: The words in brackets after a name, or the apposition.
+    """
+    for part in re.split(r",|;| with | and ", phrase):
+        part = " ".join(part.split())
+        words = part.lower().split()
+        if not words:
+            continue
+        if _AGE.match(part.lower()):
+            person.age = part
+            continue
+        _sort(person, part, words)
+        for word in words:
+            if word in _GENDER_WORDS:
+                person.gender = _GENDER_WORDS[word]
+            if not person.age and (word in lexicon.AGE_WORDS or word in lexicon.AGE_NOUNS):
+                person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
+            if word in lexicon.ANIMALS:
+                person.kind, person.role = "animal", word
+                person.aliases = (*person.aliases, word)
+
+
+def _sort(person: Person, part: str, words: list[str]) -> None:
+    """Put one part of a description where it belongs."""
+    if any(word in lexicon.HAIR or "hair" in word for word in words):
+        person.hair = (*person.hair, part)
+    elif part.lower().startswith(("in a ", "in an ")) or any(
+        word in lexicon.WORN or singular(word) in lexicon.WORN for word in words
+    ):
+        person.outfit = (*person.outfit, part)
+    elif any(word in lexicon.BUILD for word in words):
+        person.build = (*person.build, part)
+    elif any(word in lexicon.FACE for word in words):
+        person.face = (*person.face, part)
+
+
+def years(person: Person) -> int:
+    """Age in years for comparing; 30 where nothing is said."""
+    number = re.search(r"\d+", person.age)
+    return int(number.group(0)) if number else {"infant": 1, "child": 8, "teen": 15}.get(person.age, 30)

@@ -1,0 +1,138 @@
+"""The screenplay as the reader works on it: paragraphs whose characters still lie where the user wrote them.
+
+What is no sentence (markup, camera directions, brackets after a name, quoted writing) is blanked with spaces, so
+every offset in a paragraph's body is an offset in the script.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Literal
+
+from storyblender.agents.director import camera_phrases
+from storyblender.agents.director.reading import CameraNote
+from storyblender.screenplay.model import Element, Screenplay
+
+ParagraphKind = Literal["heading", "action", "cue", "parenthetical", "dialogue"]
+
+_KINDS: dict[str, ParagraphKind] = {
+    "heading": "heading", "action": "action", "shot": "action", "cue": "cue", "parenthetical": "parenthetical",
+    "dialogue": "dialogue", "lyric": "dialogue",
+}  # fmt: skip
+_MARKUP = re.compile(r"[*\\]|(?<!\w)_(?=\S)|(?<=\S)_(?!\w)|\[\[.*?\]\]|/\*.*?\*/", re.DOTALL)
+_BRACKETS = re.compile(r"\([^)]*\)")
+_SENTENCE_END = re.compile(
+    r"(?<=[.!?])(?<!\bMR\.)(?<!\bDR\.)(?<!\bMS\.)(?<!\bST\.)(?<!\bMRS\.)(?<!\bMr\.)(?<!\bDr\.)(?<!\bMs\.)(?<!\bSt\.)"
+    r"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[A-ZÀ-Ý\"“'‘0-9#])"
+)
+_QUOTED = re.compile(r'["“][^"”]*["”]')
+
+
+@dataclass
+class Paragraph:
+    """One element of the screenplay that tells something."""
+
+    kind: ParagraphKind
+    element: int
+    """Index into ``Screenplay.elements``."""
+    start: int
+    end: int
+    text: str
+    """What it says, without markup."""
+    raw: str
+    """Its characters as written, markup blanked; ``raw[i]`` is character ``start + i`` of the script."""
+    name: str = ""
+    extension: str = ""
+    dual: bool = False
+    scene_number: str = ""
+    cameras: list[tuple[int, CameraNote]] = field(default_factory=list)
+    """Camera directions with the offset they hold from."""
+    body: str = ""
+    """``raw`` without camera directions."""
+
+
+@dataclass
+class Manuscript:
+    """The whole script."""
+
+    screenplay: Screenplay
+    paragraphs: list[Paragraph]
+
+    @property
+    def text(self) -> str:
+        """The characters all offsets count."""
+        return self.screenplay.text
+
+    @property
+    def prose(self) -> bool:
+        """Whether it is a story, not a screenplay."""
+        return self.screenplay.format == "prose"
+
+
+def blanked(pattern: re.Pattern[str], text: str) -> str:
+    """Text with every match of a pattern replaced by as many spaces."""
+    return pattern.sub(lambda match: " " * len(match.group(0)), text)
+
+
+def without_brackets(text: str) -> str:
+    """Text with descriptions in brackets blanked."""
+    return blanked(_BRACKETS, text)
+
+
+def without_quotations(text: str) -> str:
+    """Text with everything in quotation marks blanked."""
+    return blanked(_QUOTED, text)
+
+
+def open_manuscript(screenplay: Screenplay) -> Manuscript:
+    """Lay out a screenplay for reading; a ``SHOT`` note belongs to the action or speech after it."""
+    paragraphs: list[Paragraph] = []
+    pending: CameraNote | None = None
+    for index, element in enumerate(screenplay.elements):
+        if element.kind == "note":
+            pending = camera_phrases.parse_note(element.text) or pending
+        kind = _KINDS.get(element.kind)
+        if kind is None:
+            continue
+        paragraph = _paragraph(screenplay, index, element, kind)
+        if pending and kind in ("action", "dialogue"):
+            paragraph.cameras.insert(0, (paragraph.start, pending))
+            pending = None
+        paragraphs.append(paragraph)
+    return Manuscript(screenplay, paragraphs)
+
+
+def _paragraph(screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind) -> Paragraph:
+    raw = blanked(_MARKUP, screenplay.text[element.start : element.end])
+    paragraph = Paragraph(
+        kind, index, element.start, element.end, element.text, raw, element.name, element.extension, element.dual,
+        element.scene_number, body=raw,
+    )  # fmt: skip
+    if kind == "action" and screenplay.format != "prose":
+        _take_out_cameras(paragraph)
+    return paragraph
+
+
+def _take_out_cameras(paragraph: Paragraph) -> None:
+    """Move the camera directions of a paragraph from its body to its notes."""
+    body = paragraph.raw
+    for start, end in _sentence_spans(paragraph.raw):
+        camera, (first, last) = camera_phrases.parse(paragraph.raw[start:end])
+        if camera:
+            paragraph.cameras.append((paragraph.start + start, camera))
+            kept = range(start + first, start + last)
+            body = "".join(
+                letter if at in kept or not start <= at < end or letter == "\n" else " " for at, letter in enumerate(body)
+            )
+    paragraph.body = body
+
+
+def _sentence_spans(text: str) -> list[tuple[int, int]]:
+    """Rough sentences: after a full stop that ends no abbreviation, before a capital or a quotation mark."""
+    spans: list[tuple[int, int]] = []
+    start = 0
+    for match in _SENTENCE_END.finditer(text):
+        spans.append((start, match.start()))
+        start = match.end()
+    return [*spans, (start, len(text))]

@@ -1,0 +1,104 @@
+"""Finding people in a row of words: the longest known name wins, then nouns for people with a determiner."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.morphology import FORMS, is_person_noun, singular
+from storyblender.agents.director.reader.roster import Roster
+from storyblender.agents.director.reader.words import Mention, Word
+from storyblender.agents.director.reading import Person
+
+_COUNTS = frozenset(lexicon.NUMBERS) - {"a", "an", "one"}
+_NOT_ALONE = frozenset({"cook", "guide"})
+_OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+
+
+def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
+    """Join the words of every name into one word that carries its mention.
+
+    Args:
+        words: A paragraph.
+        roster: The cast, indexed.
+    """
+    marked: list[Word] = []
+    at = 0
+    while at < len(words):
+        length, people = _longest_name(words, at, roster)
+        if length:
+            run = words[at : at + length]
+            role = people[0].role if people[0].role == run[-1].low else ""
+            if run[0].text[0].isupper() or _after_determiner(marked):
+                mention = Mention("role" if role else "name", people, run[-1].low, start=run[0].start)
+                name = " ".join(word.text for word in run)
+                marked.append(Word(name, run[0].start, run[-1].end, mention))
+                at += length
+                continue
+        word = words[at]
+        word.mention = _noun_phrase(words, at, roster.people)
+        marked.append(word)
+        at += 1
+    return marked
+
+
+def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list[Person]]:
+    named = words[at].text[0].isupper()
+    for length in range(min(roster.longest, len(words) - at), 0, -1):
+        key = tuple(word.low for word in words[at : at + length])
+        people = roster.by_name.get(key)
+        if not people or key == ("the",):
+            continue
+        role = people[0].role
+        if named or (role and (key[-1] == role or key[-1].strip("#").isdigit())):
+            return length, people
+    return 0, []
+
+
+def _after_determiner(words: list[Word]) -> bool:
+    """Whether the words so far end in a determiner and at most three adjectives."""
+    at = len(words) - 1
+    while (
+        at > len(words) - 4
+        and at >= 0
+        and words[at].text.islower()
+        and words[at].low not in _OPENERS | lexicon.PREPOSITIONS
+        and words[at].low not in FORMS
+    ):
+        at -= 1
+    return at >= 0 and words[at].low in _OPENERS
+
+
+def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | None:
+    """The old woman, two guards, his niece: a noun for people with its determiner, adjectives and number."""
+    word = words[at]
+    noun = singular(word.low)
+    if not word.text.isalpha() or not is_person_noun(noun) or noun in _NOT_ALONE:
+        return None
+    if not (word.text[0].islower() or word.text.isupper() or (at and words[at - 1].low in lexicon.DETERMINERS)):
+        return None
+    adjectives: list[str] = []
+    number, determiner, start, back = 0, "", word.start, at - 1
+    while back >= 0 and at - back < 5:
+        low = words[back].low
+        if low in _COUNTS:
+            number, determiner, start = lexicon.NUMBERS[low], determiner or "number", words[back].start
+        elif low in _OPENERS:
+            determiner, start = low, words[back].start
+            break
+        elif low in lexicon.PREPOSITIONS or not low.isalpha() or (low in FORMS and low not in ("young", "old")):
+            break
+        else:
+            adjectives.append(low)
+        back -= 1
+    if not determiner:
+        return None
+    several = noun != word.low or number > 1
+    candidates = [person for person in people if person.role == noun]
+    return Mention(
+        "group" if several else "generic",
+        candidates,
+        noun,
+        determiner,
+        adjectives,
+        number or (2 if several else 1),
+        start,
+    )

@@ -1,0 +1,75 @@
+"""Which motion a clause tells: the verb, corrected by its particle, object and prepositions (notes, 4.1)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.clauses import Clause
+
+_GARMENTS = lexicon.WORN | {"ring"}
+_SUPINE = frozenset({"sit", "lie", "kneel", "crouch"})
+"""Postures from which ``She stands.`` is getting up."""
+
+
+@dataclass(frozen=True)
+class Doing:
+    """What decides the motion of a clause."""
+
+    verb: str
+    particle: str
+    object: str
+    """Head noun of the object, ``person``, or empty."""
+    prepositions: frozenset[str]
+    nouns: frozenset[str]
+    """Head nouns after prepositions."""
+
+
+def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
+    """The motion a clause tells of its subject, or None where the body does nothing.
+
+    Args:
+        clause: An active clause with somebody as its subject.
+        object_head: Head noun of what it is done to, ``person``, or empty.
+        posture: Posture of the subject before.
+    """
+    prepositions = frozenset(preposition.replace(" ", "_") for preposition, _ in clause.places)
+    if clause.recipient:
+        prepositions |= {"to"}
+    nouns = frozenset(noun.head for _, nouns in clause.places for noun in nouns)
+    doing = Doing(clause.verb, clause.particle, object_head, prepositions, nouns)
+    for rule in lexicon.OVERRIDES:
+        if _applies(rule, doing):
+            return None if rule.motion == "none" else rule.motion
+    if clause.verb in lexicon.SILENT_VERBS:
+        return None
+    if clause.verb == "stand":
+        rises = clause.particle == "up" or (posture in _SUPINE and not clause.places and not clause.participle)
+        return "stand_up" if rises else "stand"
+    known = lexicon.MOTION_OF_VERB.get(f"{clause.verb} {clause.particle}") if clause.particle else None
+    return known or lexicon.MOTION_OF_VERB.get(clause.verb)
+
+
+def _applies(rule: lexicon.Override, doing: Doing) -> bool:
+    return (
+        doing.verb in rule.verbs
+        and _matches(rule.particles, doing.particle)
+        and _matches(rule.objects, doing.object)
+        and (rule.prepositions == ("*",) or any(_matches(rule.prepositions, p) for p in doing.prepositions))
+        and (rule.nouns == ("*",) or any(_matches(rule.nouns, noun) for noun in doing.nouns))
+    )
+
+
+def _matches(wanted: tuple[str, ...], word: str) -> bool:
+    """Whether a word is among those of a rule; ``*``, ``-``, ``+`` and classes in capitals as in the lexicon."""
+    for want in wanted:
+        if (
+            want in ("*", word)
+            or (want == "-" and not word)
+            or (want == "+" and word != "")
+            or (want == "BODY" and word in lexicon.BODY)
+            or (want == "GARMENT" and word in _GARMENTS)
+            or (want == "VEHICLE" and word in lexicon.VEHICLES)
+        ):
+            return True
+    return False

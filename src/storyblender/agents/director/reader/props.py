@@ -1,0 +1,109 @@
+"""The things of the script: which nouns name them, and which of them matter to the story (notes, 4.2)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import Literal
+
+from storyblender.agents.director.lexicon import LIQUIDS, VEHICLES, WORN, NounClass, noun_class
+from storyblender.agents.director.naming import asset_id
+from storyblender.agents.director.reading import Thing
+
+Notice = Literal["seen", "with", "related", "shown", "handled", "held"]
+"""How a thing comes up: mentioned, ``with X``, part of a relation, in capitals, used, taken in the hand."""
+
+_OFTEN = 4
+"""A prop mentioned this often matters even if nobody touches it."""
+
+
+@dataclass
+class Item:
+    """A noun that names a thing, and what was said about it."""
+
+    id: str
+    key: str
+    noun_class: NounClass
+    first: int
+    notices: Counter[str] = field(default_factory=Counter)
+    determined: bool = False
+    """Stood after a determiner when handled, so an unknown noun is a thing and no adverb."""
+
+
+class Inventory:
+    """All nouns that name things, by key and by id.
+
+    Args:
+        ids: Asset ids in use; shared with the roster.
+    """
+
+    def __init__(self, ids: set[str]) -> None:
+        self._ids = ids
+        self._by_key: dict[str, Item] = {}
+        self._by_id: dict[str, Item] = {}
+
+    def id_of(self, key: str, at: int) -> str:
+        """The id of a noun, new if it comes up for the first time; ``the cup`` is the ``coffee cup`` of before.
+
+        Args:
+            key: Singular noun with its kind, ``coffee cup``.
+            at: Offset in the script.
+        """
+        item = self._by_key.get(key)
+        if item is None:
+            item = Item(asset_id(key, self._ids), key, noun_class(key), at)
+            self._ids.add(item.id)
+            self._by_id[item.id] = item
+            self._by_key[key] = item
+        if " " in key and item.noun_class == "prop":
+            self._by_key[key.rsplit(" ", 1)[-1]] = item
+        return item.id
+
+    def class_of(self, id: str | None) -> NounClass:
+        """What kind of thing an id names; ``unknown`` for people."""
+        item = self._by_id.get(id or "")
+        return item.noun_class if item else "unknown"
+
+    def head(self, id: str | None) -> str:
+        """The head noun of an id, or an empty string."""
+        item = self._by_id.get(id or "")
+        return item.key.rsplit(" ", 1)[-1] if item else ""
+
+    def seen(self, id: str, how: Notice, determined: bool = False) -> None:
+        """A thing comes up in the text. People are passed over."""
+        item = self._by_id.get(id)
+        if item:
+            item.notices[how] += 1
+            item.determined |= determined and how == "held"
+
+    def is_thing(self, id: str) -> bool:
+        """Whether an id was given to a thing, not to a person."""
+        return id in self._by_id
+
+    def story_things(self) -> list[tuple[Thing, bool]]:
+        """Everything for the asset sheet in order of appearance, and whether its noun is unknown."""
+        things: list[tuple[Thing, bool]] = []
+        for item in sorted(self._by_id.values(), key=lambda item: (item.first, item.id)):
+            handled = bool(item.notices["handled"] + item.notices["held"])
+            if item.noun_class == "set_piece":
+                kind = "vehicle" if item.key.rsplit(" ", 1)[-1] in VEHICLES else "set_piece"
+                things.append((Thing(item.id, item.key, kind, handled=handled, first=item.first), False))
+            elif _matters(item):
+                thing = Thing(item.id, item.key, "prop", handled=handled, first=item.first)
+                things.append((thing, item.noun_class == "unknown"))
+        return things
+
+
+def _matters(item: Item) -> bool:
+    """Whether a prop, a garment or an unknown noun belongs on the asset sheet."""
+    notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
+    used = notices["handled"] + notices["held"]
+    if item.noun_class == "unknown":
+        return notices["held"] > 0 and item.determined
+    if item.noun_class == "worn" or (item.noun_class == "prop" and head in WORN):
+        return used > 0
+    if item.noun_class != "prop":
+        return False
+    if head in LIQUIDS:
+        return used > 1 or notices["related"] + notices["shown"] + notices["with"] > 0
+    return used + notices["related"] + notices["shown"] + notices["with"] > 0 or notices.total() >= _OFTEN

@@ -1,0 +1,108 @@
+"""Sentences of a story: quoted speech with who says it, and the rest as action."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.manuscript import Paragraph
+from storyblender.agents.director.reader.mentions import mark_mentions
+from storyblender.agents.director.reader.morphology import FORMS
+from storyblender.agents.director.reader.roster import Roster
+from storyblender.agents.director.reader.sentences import Sentence, Speech
+from storyblender.agents.director.reader.words import Word, tokenize
+
+_QUOTATION = re.compile(r'["“][^"”]*["”]')
+_OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+_SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS
+
+
+def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Sentence]:
+    """Cut a paragraph of prose into sentences.
+
+    A quotation is one word. ``"..." whispered the grandmother`` is put in the order subject, verb; every word keeps
+    its place in the script.
+    """
+    words = mark_mentions(_words_and_quotations(paragraph.raw, paragraph.start), roster)
+    sentences: list[Sentence] = []
+    for run in _split(words):
+        quotations = [word for word in run if word.quotation]
+        told = [word for word in run if not word.quotation]
+        start, end = min(word.start for word in run), max(word.end for word in run)
+        sentence = Sentence(paragraph, scene, start, end, told)
+        if quotations:
+            text = " ".join(word.quotation.strip('"“”') for word in quotations)
+            sentence.words, sentence.speech = _said(told, " ".join(text.split()))
+        sentences.append(sentence)
+    return sentences
+
+
+def _words_and_quotations(text: str, offset: int) -> list[Word]:
+    words: list[Word] = []
+    at = 0
+    for match in _QUOTATION.finditer(text):
+        words += tokenize(text[at : match.start()], offset + at)
+        quotation = match.group(0)
+        words.append(
+            Word("“”", offset + match.start(), offset + match.end(), quotation=quotation,
+                 closes=re.search(r"[.!?…]\W*$", quotation) is not None)
+        )  # fmt: skip
+        at = match.end()
+    return words + tokenize(text[at:], offset + at)
+
+
+def _split(words: list[Word]) -> list[list[Word]]:
+    """Cut after full stops outside quotations, and after a quotation that closes with nothing said about it."""
+    sentences: list[list[Word]] = [[]]
+    for index, word in enumerate(words):
+        sentences[-1].append(word)
+        following = words[index + 1 : index + 3]
+        if (word.text in (".", "!", "?") and words[index - 1].low not in ("mr", "mrs", "dr", "ms")) or (
+            word.closes and _starts_anew(following)
+        ):
+            sentences.append([])
+    return [sentence for sentence in sentences if sentence]
+
+
+def _starts_anew(following: list[Word]) -> bool:
+    """Whether what follows a closed quotation is a new sentence and not its ``said the fox``."""
+    if not following or following[0].quotation:
+        return True
+    first = following[0]
+    if not first.text[0].isupper():
+        return False
+    speaks = len(following) > 1 and _is_speech_verb(following[1])
+    return not ((speaks and first.mention is not None) or first.text in ("He", "She", "They"))
+
+
+def _is_speech_verb(word: Word) -> bool:
+    return word.low in FORMS and FORMS[word.low].lemma in lexicon.SPEECH_VERBS
+
+
+def _said(words: list[Word], text: str) -> tuple[list[Word], Speech]:
+    """Find the verb of saying and its subject; returns the words in plain order and the speech."""
+    at = next((index for index, word in enumerate(words) if _is_speech_verb(word)), None)
+    if at is None:
+        return words, Speech(text)
+    verb = FORMS[words[at].low].lemma
+    end = _subject_end(words, at + 1)
+    inverted = (at == 0 or words[at - 1].text in ",—-") and end > at + 1
+    if not inverted:
+        return words, Speech(text, verb=verb, subject=words[:at])
+    subject = words[at + 1 : end]
+    before = [word for word in words[:at] if word.text != ","]
+    return [*before, *subject, words[at], *words[end:]], Speech(text, verb=verb, subject=subject)
+
+
+def _subject_end(words: list[Word], start: int) -> int:
+    """Index after the noun phrase that starts at ``start``: ends with the first mention or pronoun."""
+    at = start
+    while at < len(words) and at < start + 4:
+        word = words[at]
+        noun_like = word.text.isalpha() and word.low not in _SMALL and not word.low.endswith("ly")
+        if not (word.low in _OPENERS or word.mention or noun_like):
+            break
+        at += 1
+        if word.mention or (word.low in lexicon.PRONOUNS and word.low not in lexicon.POSSESSIVES):
+            break
+    return at

@@ -1,0 +1,163 @@
+"""The rule-based reader of the Director: a screenplay becomes a Reading, in one pass in reading order."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.action import read_action
+from storyblender.agents.director.reader.cast import find_cast
+from storyblender.agents.director.reader.entrances import clear_exits
+from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, open_manuscript
+from storyblender.agents.director.reader.props import Inventory
+from storyblender.agents.director.reader.prose_cast import find_prose_cast
+from storyblender.agents.director.reader.prose_scenes import read_scene_change
+from storyblender.agents.director.reader.prose_sentences import prose_sentences
+from storyblender.agents.director.reader.roster import Roster
+from storyblender.agents.director.reader.scenes import first_scene, read_heading
+from storyblender.agents.director.reader.sentences import Sentence, action_sentences, speech_sentences
+from storyblender.agents.director.reader.speech import speak
+from storyblender.agents.director.reader.stage import SceneState, Stage
+from storyblender.agents.director.reading import Reading, SceneReading, Unit
+from storyblender.memory.vocabulary import Gender
+from storyblender.screenplay.model import Screenplay
+
+_CARRIED = 8
+"""Words at the start of a prose scene in which a pronoun brings the people of the last scene along."""
+
+
+def read_script(screenplay: Screenplay) -> Reading:
+    """Understand a script without a language model.
+
+    Args:
+        screenplay: Any format.
+
+    Returns:
+        People, things, scenes and units with offsets into ``screenplay.text``; what was a guess is flagged.
+    """
+    script = open_manuscript(screenplay)
+    roster = find_prose_cast(script) if script.prose else find_cast(script)
+    roster.index()
+    reading = Reading(screenplay, people=roster.people)
+    sentences = _sentences(script, roster, reading.scenes)
+    _guess_genders(sentences, roster, script.prose)
+    stage = Stage(roster, Inventory(roster.ids), reading)
+    for sentence in sentences:
+        _read(stage, sentence)
+    _close(stage)
+    return reading
+
+
+def _sentences(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> list[Sentence]:
+    """All sentences and speeches; fills ``scenes`` on the way."""
+    sentences: list[Sentence] = []
+    cue: Paragraph | None = None
+    for index, paragraph in enumerate(script.paragraphs):
+        if paragraph.kind == "heading":
+            scenes.append(read_heading(paragraph, scenes))
+            continue
+        if paragraph.kind == "cue":
+            cue = paragraph
+        elif script.prose:
+            change = read_scene_change(paragraph, scenes)
+            scenes += [change] if change else []
+        if not scenes:
+            scenes.append(first_scene(paragraph))
+        scenes[-1].end = max(scenes[-1].end, paragraph.end)
+        scene = len(scenes) - 1
+        if paragraph.kind == "action" and script.prose:
+            sentences += prose_sentences(paragraph, scene, roster)
+        elif paragraph.kind == "action":
+            sentences += action_sentences(paragraph, scene, roster)
+        elif paragraph.kind == "dialogue":
+            sentences += speech_sentences(script, index, scene, cue)
+    return sentences
+
+
+def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:
+    """Where a sentence names one person only, its pronouns vote on their gender."""
+    votes: dict[str, Counter[str]] = {person.id: Counter() for person in roster.people}
+    for sentence in sentences:
+        if sentence.speech and not prose:
+            continue
+        named = {
+            word.mention.candidates[0].id
+            for word in sentence.words
+            if word.mention and word.named and len(word.mention.candidates) == 1
+        }
+        if len(named) == 1:
+            kinds = (lexicon.PRONOUNS.get(word.low) for word in sentence.words)
+            votes[named.pop()].update(kind for kind in kinds if kind in ("male", "female"))
+    for person in roster.people:
+        count = votes[person.id]
+        if person.gender == "unknown" and count:
+            gender, most = count.most_common(1)[0]
+            if most > 0.6 * count.total():
+                person.gender = _as_gender(gender)
+
+
+def _as_gender(word: str) -> Gender:
+    return "female" if word == "female" else "male"
+
+
+def _read(stage: Stage, sentence: Sentence) -> None:
+    """Read one sentence: open its unit, tell it to the stage, note who and what is there after it."""
+    stage.discourse.next_sentence()
+    units = stage.reading.units
+    if not units or units[-1].scene != sentence.scene:
+        _open_scene(stage, sentence)
+    elif units:
+        clear_exits(stage)
+    unit = Unit("action", sentence.scene, sentence.paragraph.element, sentence.start, sentence.end,
+                stage.reading.screenplay.text[sentence.start : sentence.end])  # fmt: skip
+    units.append(unit)
+    if sentence.words:
+        read_action(stage, sentence)
+    if sentence.speech:
+        speak(stage, sentence, sentence.speech)
+    if sentence.camera:
+        unit.camera = sentence.camera
+    unit.leaving = list(stage.scene.leaving)
+    unit.on_stage = list(stage.scene.on)
+    unit.posture = dict(stage.scene.posture)
+    unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}
+
+
+def _open_scene(stage: Stage, sentence: Sentence) -> None:
+    prose = stage.reading.screenplay.format == "prose"
+    before = stage.scene
+    stage.scene = SceneState()
+    first = [word.low for word in sentence.words[:_CARRIED]]
+    if prose and sentence.scene and any(word in ("they", "he", "she", "it") for word in first):
+        stage.scene.on = [person for person in before.on if person not in before.leaving]
+    stage.discourse.next_scene(keep_groups=prose)
+
+
+def _close(stage: Stage) -> None:
+    """Put the things on the sheet, drop targets that name nothing on it, flag unknown nouns."""
+    reading = stage.reading
+    for thing, unknown in stage.inventory.story_things():
+        reading.things.append(thing)
+        if unknown:
+            end = thing.first + len(thing.name)
+            stage.flag("prop", thing.id, f"“{thing.name}” is not a word the reader knows", thing.first, end)
+    known = {thing.id for thing in reading.things} | {person.id for person in reading.people}
+    reading.relations[:] = [
+        (scene, relation)
+        for scene, relation in reading.relations
+        if {relation.asset_id, relation.anchor_asset_id, relation.second_anchor_asset_id or relation.asset_id} <= known
+    ]
+    for unit in reading.units:
+        unit.things = [thing for thing in unit.things if thing in known]
+        unit.changes = [change for change in unit.changes if change.subject in known | {"light"}]
+        unit.held = {person: kept for person, held in unit.held.items() if (kept := [t for t in held if t in known])}
+        unit.posture = {
+            person: (posture, support if support in known else None)
+            for person, (posture, support) in unit.posture.items()
+        }
+        for deed in unit.deeds:
+            deed.target = deed.target if deed.target in known else None
+            deed.prop = deed.prop if deed.prop in known else None
+    for index, scene in enumerate(reading.scenes):
+        shown = {thing for unit in reading.units if unit.scene == index for thing in unit.things}
+        scene.furniture = [thing.id for thing in reading.things if thing.id in shown and thing.kind == "set_piece"]

@@ -1,0 +1,257 @@
+"""Where people and things are in relation to each other (notes of the director, 4.3)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.clauses import Clause, NounPhrase, Phrase
+from storyblender.agents.director.reader.coreference import (
+    Referents,
+    remember,
+    resolve,
+    resolve_mention,
+    resolve_owner,
+    resolve_pronoun,
+)
+from storyblender.agents.director.reader.roles import Place, Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.words import Word, joined
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import RelationKind
+
+_STATIVE = frozenset(
+    {"be", "sit", "stand", "lie", "lay", "kneel", "rest", "hang", "wait", "sleep", "lean", "crouch", "hide", "stay",
+     "perch", "glitter", "lounge", "remain", "slouch", "spread", "linger", "squat", "recline", "sprawl", "seat", "pin",
+     "mount", "huddle", "slump", "park", "loom", "tower", "hover"}
+)  # fmt: skip
+_ARRIVING = frozenset({"drop", "emerge", "step", "watch", "follow"})
+"""Verbs that place only relative to people: behind, before, beside."""
+_STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide", "crouch"})
+_PLACING = frozenset(
+    {"put", "place", "set", "throw", "stuff", "toss", "lay", "rest", "stack", "hang", "drop", "leave", "pack", "tuck",
+     "slip", "drape", "load", "shove", "pin", "lean", "park", "mount"}
+)  # fmt: skip
+_ANCHORS = frozenset({"prop", "set_piece", "worn", "unknown", "scenery"})
+_THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
+_OPENINGS = frozenset({"door", "window", "gate"})
+_FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
+_ON_THE_SIDE = re.compile(r"\bto (?:her|his|their|the) (left|right)\b")
+_BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
+_OF_THE_NOUN: frozenset[RelationKind] = frozenset(
+    {"on", "under", "in_front_of", "behind", "next_to", "in", "over", "against"}
+)
+_APART = re.compile(r"behind|beside|ahead|near|in|next")
+
+
+def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None, first: bool) -> None:
+    """State the relations a clause tells.
+
+    Args:
+        stage: The state before.
+        clause: Not negated.
+        roles: Its people and things.
+        motion: The motion of its subject.
+        first: Whether it is the first clause of its sentence.
+    """
+    located = [person.id for person in roles.subjects] or [
+        thing for thing in roles.subject_things if stage.inventory.class_of(thing) in _THINGS
+    ]
+    found: list[tuple[str, RelationKind, str]] = []
+    if located and (clause.verb in _STATIVE | _ARRIVING or motion in _STILL):
+        for place in roles.places:
+            found += _placed(stage, clause, place, located)
+        found += _between(stage, roles, located)
+    if first and roles.subjects:
+        _left_or_right(stage, roles.subjects)
+    if clause.verb in _PLACING and roles.things:
+        found += _put(stage, roles)
+    for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
+        stage.relate(subject, kind, anchor)
+
+
+def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> list[tuple[str, RelationKind, str]]:
+    kind = lexicon.relation_of(place.preposition)
+    if kind is None or kind == "between" or place.preposition == "down":
+        return []
+    if clause.verb in _ARRIVING and kind not in ("behind", "in_front_of", "next_to"):
+        return []
+    anchors = [person.id for person in place.people]
+    anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]
+    if kind in ("in", "at") and place.things and stage.inventory.class_of(place.things[0]) == "scenery":
+        anchors = [person.id for person in place.people]
+    body = next((noun for noun in place.nouns if noun.kind == "thing" and noun.head in lexicon.BODY), None)
+    if body and body.owner:
+        anchors, kind = [body.owner], ("on" if place.preposition in ("across", "in", "over") else kind)
+    return [
+        (subject, _exact_kind(stage, kind, anchor, clause.verb), anchor)
+        for anchor in anchors
+        if not (_is_the_place(stage, anchor) and kind in ("in", "at"))
+        for subject in located
+        if subject != anchor
+    ]
+
+
+def _exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
+    """In an armchair is on it, at the window is next to it, leaning on is against."""
+    head = stage.inventory.head(anchor)
+    if kind == "on" and verb in ("lean", "slouch"):
+        return "against"
+    if kind == "in" and head in lexicon.SEATS:
+        return "on"
+    return "next_to" if kind == "at" and head in _OPENINGS else kind
+
+
+def _is_the_place(stage: Stage, anchor: str) -> bool:
+    """Whether a noun only names the scene's own place: ``He sits in the cafe``."""
+    head = stage.inventory.head(anchor)
+    return bool(head) and head in stage.place.place.lower().split()
+
+
+def _between(stage: Stage, roles: Roles, located: list[str]) -> list[tuple[str, RelationKind, str]]:
+    """Between two anchors; a group counts as its members."""
+    found: list[tuple[str, RelationKind, str]] = []
+    for place in roles.places:
+        anchors = [person.id for person in place.people] + place.things
+        if place.preposition == "between" and len(anchors) > 1:
+            for subject in located:
+                stage.relate(subject, "between", anchors[0], anchors[1])
+    return found
+
+
+def _left_or_right(stage: Stage, subjects: list[Person]) -> None:
+    """``To her left, Dutch chews a toothpick.``"""
+    side = _ON_THE_SIDE.search(joined(stage.sentence.words))
+    if side is None:
+        return
+    kind: RelationKind = "left_of" if side.group(1) == "left" else "right_of"
+    pronouns = stage.sentence.pronouns
+    owner = next((pronouns[i][0] for i in sorted(pronouns) if stage.sentence.words[i].low in ("her", "his")), [])
+    others = [person for person in owner if person not in subjects]
+    others = others or [person for person in stage.on_stage() if person not in subjects][:1]
+    for subject in subjects:
+        for other in others:
+            stage.relate(subject.id, kind, other.id)
+
+
+def _put(stage: Stage, roles: Roles) -> list[tuple[str, RelationKind, str]]:
+    """Puts the tray on the table, the ring into the pocket."""
+    found: list[tuple[str, RelationKind, str]] = []
+    for place in roles.places:
+        kind = lexicon.relation_of(place.preposition)
+        if kind not in ("on", "in", "under", "next_to", "behind", "against"):
+            continue
+        for anchor in place.things:
+            if stage.inventory.class_of(anchor) in _THINGS:
+                moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
+                found += [
+                    (thing, _exact_kind(stage, kind, anchor, "put"), anchor) for thing in moved if thing != anchor
+                ]
+    return found
+
+
+def _seat_beside(
+    stage: Stage, roles: Roles, motion: str | None, found: list[tuple[str, RelationKind, str]]
+) -> list[tuple[str, RelationKind, str]]:
+    """``Sits in the armchair by the window``: it is the armchair that is by the window."""
+    if motion not in ("sit", "lie_down", "sleep"):
+        return found
+    seats = [
+        place.things[0]
+        for place in roles.places
+        if place.things
+        and lexicon.relation_of(place.preposition) in ("on", "in")
+        and stage.inventory.head(place.things[0]) in lexicon.SEATS
+    ]
+    beside = [
+        place
+        for place in roles.places
+        if place.preposition in _BESIDE_FURNITURE
+        and place.things
+        and stage.inventory.class_of(place.things[0]) == "set_piece"
+    ]
+    at_table = any(kind == "at" for _, kind, _ in found)
+    if not seats or not beside or at_table or stage.inventory.head(seats[0]) in _FLOOR:
+        return found
+    window = beside[0].things[0]
+    kind = lexicon.relation_of(beside[0].preposition)
+    moved = [relation for relation in found if relation[2] != window]
+    return [*moved, (seats[0], kind, window)] if kind else moved
+
+
+# -- relations outside clauses -----------------------------------------------------------------------------------
+
+
+def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Person], previous: list[Person]) -> None:
+    """A noun with its own place: ``a cold coffee cup in front of her``, ``the phone on the wall``."""
+    for index, phrase in enumerate(phrases[:-2]):
+        noun, preposition, anchor = phrase.noun, phrases[index + 1], phrases[index + 2].noun
+        if not (noun and noun.kind == "thing" and preposition.kind == "preposition" and anchor):
+            continue
+        kind = lexicon.relation_of(preposition.text)
+        if kind not in _OF_THE_NOUN or lexicon.noun_class(noun.key) not in ("prop", "set_piece"):
+            continue
+        left = phrases[index - 1] if index else None
+        if left and left.kind == "preposition" and kind not in ("on", "in_front_of"):
+            continue
+        thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+        for target in _anchors(stage, anchor, subjects, previous):
+            stage.relate(thing, _exact_kind(stage, kind, target, ""), target)
+
+
+def _anchors(stage: Stage, anchor: NounPhrase, subjects: list[Person], previous: list[Person]) -> Iterable[str]:
+    if anchor.kind == "thing" and anchor.head in lexicon.BODY:
+        resolve_owner(stage, anchor, "possessor", subjects, previous)
+        return [anchor.owner] if anchor.owner else []
+    if anchor.kind == "pronoun" and lexicon.PRONOUNS.get(anchor.head) == "thing":
+        return []
+    found = resolve(
+        stage, anchor, "possessor" if anchor.kind == "pronoun" else "object", subjects, subjects or previous
+    )
+    if found.thing and (
+        stage.inventory.class_of(found.thing) not in ("prop", "set_piece") or _is_the_place(stage, found.thing)
+    ):
+        return []
+    return [person.id for person in found.people] + ([found.thing] if found.thing else [])
+
+
+def relate_apart(stage: Stage, words: list[Word], subjects: list[Person], previous: list[Person]) -> None:
+    """``A YOUNG OFFICER ten metres behind him``: a person, a distance, a preposition and another person."""
+    for index, word in enumerate(words):
+        if not word.named or word.mention is None:
+            continue
+        at = index + 1
+        if at >= len(words) or not (words[at].low in lexicon.NUMBERS or words[at].low.isdigit()):
+            continue
+        preposition, after = _preposition_at(words, at + 2)
+        kind = lexicon.relation_of(preposition) if preposition != "ahead of" else "in_front_of"
+        if kind is None or after >= len(words):
+            continue
+        people = resolve_mention(stage, word.mention)
+        for other in _person_at(stage, words, after, [p for p in subjects if p not in people], previous):
+            for person in people:
+                stage.relate(person.id, kind, other.id)
+
+
+def _preposition_at(words: list[Word], at: int) -> tuple[str, int]:
+    """The preposition that starts at a position, and the position after it."""
+    for length in (3, 2, 1):
+        text = " ".join(word.low for word in words[at : at + length])
+        if text in lexicon.RELATION_OF_PREPOSITION or text == "ahead of":
+            return text, at + length
+    return "", at
+
+
+def _person_at(
+    stage: Stage, words: list[Word], at: int, subjects: list[Person], previous: list[Person]
+) -> list[Person]:
+    word = words[at]
+    if word.mention:
+        return resolve_mention(stage, word.mention)
+    if lexicon.PRONOUNS.get(word.low, "thing") == "thing":
+        return []
+    known = stage.sentence.pronouns.get(at)
+    if known:
+        return known[0]
+    return remember(stage, at, Referents(resolve_pronoun(stage, word.low, "possessor", subjects, previous))).people

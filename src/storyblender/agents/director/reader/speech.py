@@ -1,0 +1,168 @@
+"""Speeches: who speaks, how, and to whom (notes of the director, 1e and 0.5)."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.coreference import resolve_mention
+from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.sentences import Sentence, Speech
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Deed, Person
+from storyblender.memory.vocabulary import Gender
+
+_OFF = re.compile(
+    r"V\.?\s?O|O\.?\s?S|O\.?\s?C|OFF|FILTER|INTO PHONE|PRE-?LAP|ON (?:PHONE|RADIO|TV|SCREEN)", re.IGNORECASE
+)
+_QUIET = re.compile(r"whisper|quiet|soft|under (?:his|her) breath|low|sotto|hush|murmur|mutter")
+_LOUD = re.compile(r"shout|scream|yell|loud|calling|bellow|roar")
+_INTO = re.compile(
+    r"(?:in)?to (?:the |his |her |a )?(phone|telephone|radio|walkie-talkie|microphone|camera|intercom|receiver|headset|cell)"
+)
+_TO = re.compile(r"\bto ([a-z .#0-9'’-]+)")
+_MANNER = {
+    "whisper": "whisper", "murmur": "whisper", "mutter": "whisper", "hiss": "whisper",
+    "shout": "shout", "cry": "shout", "scream": "shout", "yell": "shout", "roar": "shout", "exclaim": "shout",
+}  # fmt: skip
+_VOCATIVE = re.compile(
+    r"(?:^|[,.!]\s*)(child|kid|boy|girl|son|sir|ma'am|madam|miss|officer|doctor|doc|sergeant|captain|king|mister|sheriff|"
+    r"chief|commander|lieutenant|professor|mother|father|mom|dad|mama|papa|boss|skipper)\s*[,.!?]"
+)
+_GENDER_OF_ADDRESS: dict[str, Gender] = {
+    "son": "male", "sir": "male", "mister": "male", "boy": "male", "father": "male", "dad": "male", "papa": "male",
+    "ma'am": "female", "madam": "female", "miss": "female", "girl": "female", "mother": "female", "mom": "female",
+    "mama": "female",
+}  # fmt: skip
+_TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
+
+
+def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
+    """Read a speech into the unit: speaker, manner, addressee."""
+    unit, prose = stage.unit, stage.reading.screenplay.format == "prose"
+    speaker = _narrated_speaker(stage, speech) if prose else stage.find(speech.name)
+    unit.kind, unit.text, unit.parenthetical, unit.dual = "dialogue", speech.text, speech.parenthetical, speech.dual
+    unit.speaker_name = speech.name.title() if speech.name else speaker.name if speaker else ""
+    unit.off_screen = bool(_OFF.search(speech.extension))
+    if speaker is None:
+        return
+    unit.speaker = speaker.id
+    speaker.speaks = True
+    if not unit.off_screen and speaker.id in stage.scene.off_screen:
+        unit.off_screen = True
+    stage.mention(speaker, 0.3 if unit.off_screen else 1.0)
+    stage.discourse.last_sentence[speaker.id] = stage.discourse.sentence
+    if unit.off_screen:
+        stage.scene.off_screen |= {speaker.id} - set(stage.scene.on)
+        return
+    stage.enter(speaker)
+    stage.involve(speaker)
+    _say(stage, speaker, speech, prose, sentence.start)
+
+
+def _narrated_speaker(stage: Stage, speech: Speech) -> Person | None:
+    """Prose: the subject of ``said``; without one, whoever acted last."""
+    if not speech.subject:
+        return stage.discourse.subjects[0] if stage.discourse.subjects else None
+    mention = next((word.mention for word in speech.subject if word.mention), None)
+    if mention:
+        people = resolve_mention(stage, mention) or mention.candidates
+        return people[0] if people else None
+    for index, word in enumerate(stage.sentence.words):
+        if any(word is said for said in speech.subject) and stage.sentence.pronouns.get(index, ([], None))[0]:
+            return stage.sentence.pronouns[index][0][0]
+    return None
+
+
+def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) -> None:
+    unit, discourse = stage.unit, stage.discourse
+    device = _INTO.search(speech.parenthetical.lower())
+    manner = _manner(speech, prose, device.group(1) if device else "")
+    listener = None if device else _listener(stage, speaker, speech, prose)
+    if device:
+        noun = {"cell": "phone", "receiver": "phone", "telephone": "phone"}.get(device.group(1), device.group(1))
+        thing = stage.inventory.id_of(noun, at)
+        stage.inventory.seen(thing, "handled")
+        unit.things.append(thing)
+    said_already = lexicon.MOTION_OF_VERB.get(speech.verb) if prose else None
+    unit.deeds = [
+        deed
+        for deed in unit.deeds
+        if deed.motion not in ("talk", "whisper", "shout")
+        and not (deed.actor == speaker.id and deed.motion == said_already)
+    ]
+    unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb))
+    unit.to = listener.id if listener else None
+    discourse.subjects = [speaker]
+    discourse.last_speaker, discourse.last_listener = (None, None) if device else (speaker, listener)
+
+
+def _manner(speech: Speech, prose: bool, device: str) -> str:
+    """Talk, whisper, shout or phone."""
+    parenthetical = speech.parenthetical.lower()
+    if "phone" in parenthetical or device in ("phone", "cell", "receiver"):
+        return "phone"
+    if _QUIET.search(parenthetical):
+        return "whisper"
+    if _LOUD.search(parenthetical):
+        return "shout"
+    if prose:
+        return _MANNER.get(speech.verb, "talk")
+    return "shout" if speech.text.rstrip().endswith("!") and not device else "talk"
+
+
+def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Person | None:
+    """Whom a line is for: said in brackets, called by name, the last speaker, the only other; else a guess."""
+    here = [
+        person
+        for person in stage.on_stage()
+        if person is not speaker
+        and (prose or (person.kind != "animal" and stage.scene.posture.get(person.id, ("", None))[0] != "asleep"))
+    ]
+    directed = _TO.match(speech.parenthetical.lower())
+    named = stage.find(directed.group(1)) if directed else None
+    if named and named is not speaker:
+        return named
+    called = _called(stage, here, speech.text)
+    if called:
+        return called
+    last, listener = stage.discourse.last_speaker, stage.discourse.last_listener
+    if speech.dual and listener and listener is not speaker:
+        return listener
+    if last and last is not speaker and last.id in stage.scene.on:
+        return last
+    if len(here) < 2:
+        return here[0] if here else None
+    guess = max(here, key=lambda person: stage.discourse.last_named.get(person.id, 0))
+    if last is speaker and listener in here:
+        guess = listener or guess
+    unit = stage.unit
+    stage.flag("addressee", guess.id, f"{speaker.name} may speak to any of {len(here)} people", unit.start, unit.end)
+    return guess
+
+
+def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
+    """Somebody called by name (``Wake up, Tom``) or by what they are (``Careful, child!``)."""
+    for person in here:
+        names = {alias.split()[-1] for alias in person.aliases} | {alias.split()[0] for alias in person.aliases}
+        for name in sorted(names - lexicon.TITLES):
+            if re.search(rf",\s*{re.escape(name)}\s*[.!?,]|^{re.escape(name)}\s*[,!.?]", text, re.IGNORECASE):
+                return person
+    address = _VOCATIVE.search(text.lower().replace("’", "'"))
+    if address is None:
+        return None
+    word = address.group(1)
+    by_role = [person for person in here if person.role == word or bare_title(person) == word]
+    gender = _GENDER_OF_ADDRESS.get(word, "unknown")
+    fitting = [person for person in here if gender != "unknown" and person.gender in (gender, "unknown")]
+    if word in _TO_THE_YOUNG and not by_role:
+        fitting = fitting or list(here)
+        fitting.sort(key=years)
+    else:
+        fitting.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    return next(iter(by_role + fitting), None)
+
+
+def bare_title(person: Person) -> str:
+    """The title somebody is called by, without its full stop, or their first word."""
+    return person.name.lower().split()[0].strip(".")

@@ -1,0 +1,179 @@
+"""What the reader knows at one point of the script: who is there, what was talked about last, what lies where.
+
+One pass in reading order fills it; the passes (coreference, entrances, deeds, relations, speech) share it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from storyblender.agents.director.reader.clauses import NounPhrase
+from storyblender.agents.director.reader.props import Inventory
+from storyblender.agents.director.reader.roster import Roster, bare
+from storyblender.agents.director.reader.words import Word, key_of
+from storyblender.agents.director.reading import Person, Reading, SceneReading, Unit
+from storyblender.memory.scene_context import Relation
+from storyblender.memory.shot_context import Flag
+from storyblender.memory.vocabulary import Posture, RelationKind
+
+_FADING = 0.6
+"""What salience keeps from one sentence to the next."""
+_SCENE_FADING = 0.3
+
+
+@dataclass
+class Discourse:
+    """What the text spoke of last; decides who a pronoun means."""
+
+    sentence: int = 0
+    salience: dict[str, float] = field(default_factory=dict)
+    """Person -> how present they are in the reader's mind."""
+    clock: int = 0
+    last_named: dict[str, int] = field(default_factory=dict)
+    """Person -> value of the clock when last spoken of."""
+    last_sentence: dict[str, int] = field(default_factory=dict)
+    groups: list[tuple[int, list[Person], int]] = field(default_factory=list)
+    """People who did something together: sentence, who, clock."""
+    subjects: list[Person] = field(default_factory=list)
+    """Subject of the last sentence."""
+    last_thing: str | None = None
+    last_plural: tuple[str, int] | None = None
+    """Things named in the plural, and in which sentence."""
+    victim: tuple[Person, int] | None = None
+    """Who was hit last, and in which sentence."""
+    last_speaker: Person | None = None
+    last_listener: Person | None = None
+
+    def raise_(self, person: Person, weight: float) -> None:
+        """Somebody is spoken of."""
+        self.salience[person.id] = max(self.salience.get(person.id, 0.0), 0.0) + weight
+        self.clock += 1
+        self.last_named[person.id] = self.clock
+
+    def next_sentence(self) -> None:
+        """Everybody fades a little."""
+        self.sentence += 1
+        for person in self.salience:
+            self.salience[person] *= _FADING
+
+    def next_scene(self, keep_groups: bool) -> None:
+        """Everybody fades a lot, things are forgotten."""
+        for person in self.salience:
+            self.salience[person] *= _SCENE_FADING
+        self.groups = self.groups[-1:] if keep_groups else []
+        self.subjects, self.last_thing, self.last_plural = [], None, None
+        self.last_speaker = self.last_listener = None
+
+
+@dataclass
+class SceneState:
+    """Who and what is where in the running scene."""
+
+    on: list[str] = field(default_factory=list)
+    """People on stage, in order of entrance."""
+    named: set[str] = field(default_factory=set)
+    leaving: list[str] = field(default_factory=list)
+    """They go when the sentence is over."""
+    off_screen: set[str] = field(default_factory=set)
+    """Heard but not seen yet."""
+    posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
+    held: dict[str, list[str]] = field(default_factory=dict)
+
+
+@dataclass
+class SentenceState:
+    """Scratch for the sentence being read."""
+
+    words: list[Word] = field(default_factory=list)
+    subjects: list[Person] = field(default_factory=list)
+    named: set[str] = field(default_factory=set)
+    pronouns: dict[int, tuple[list[Person], str | None]] = field(default_factory=dict)
+    """Position of a pronoun -> who or what it means."""
+    plural_thing: str | None = None
+    pictured: bool = False
+
+
+@dataclass
+class Stage:
+    """The state all passes share."""
+
+    roster: Roster
+    inventory: Inventory
+    reading: Reading
+    discourse: Discourse = field(default_factory=Discourse)
+    scene: SceneState = field(default_factory=SceneState)
+    sentence: SentenceState = field(default_factory=SentenceState)
+
+    @property
+    def place(self) -> SceneReading:
+        """The running scene."""
+        return self.reading.scenes[self.unit.scene]
+
+    @property
+    def unit(self) -> Unit:
+        """The unit being read."""
+        return self.reading.units[-1]
+
+    def on_stage(self) -> list[Person]:
+        """Everybody on stage, in the order of the cast."""
+        return [person for person in self.roster.people if person.id in self.scene.on]
+
+    def person(self, id: str) -> Person | None:
+        """The person of an id."""
+        return next((person for person in self.roster.people if person.id == id), None)
+
+    def enter(self, person: Person) -> None:
+        """Bring somebody on stage."""
+        if person.id not in self.scene.on:
+            self.scene.on.append(person.id)
+            self.unit.entering.append(person.id)
+            self.scene.off_screen.discard(person.id)
+
+    def mention(self, person: Person, weight: float) -> None:
+        """Somebody is spoken of in this scene."""
+        self.discourse.raise_(person, weight)
+        self.scene.named.add(person.id)
+
+    def involve(self, person: Person) -> None:
+        """Somebody takes part in this unit."""
+        self.discourse.last_sentence[person.id] = self.discourse.sentence
+        if person.id not in self.unit.people:
+            self.unit.people.append(person.id)
+
+    def find(self, name: str) -> Person | None:
+        """The person a name means here: on stage first, then the most present, then the first introduced."""
+        people = self.roster.by_name.get(key_of(bare(name))) or self.roster.by_name.get(key_of(name))
+        people = people or self.roster.find(name)
+        return max(people, key=self.presence) if people else None
+
+    def presence(self, person: Person) -> tuple[bool, float]:
+        """Sort key: on stage, salience. The first introduced wins a tie, because max takes the first."""
+        return person.id in self.scene.on, self.discourse.salience.get(person.id, 0.0)
+
+    def relate(self, subject: str, kind: RelationKind, anchor: str, second: str | None = None) -> None:
+        """State a spatial relation, once a scene."""
+        if subject == anchor:
+            return
+        stated = (
+            self.unit.scene,
+            Relation(asset_id=subject, kind=kind, anchor_asset_id=anchor, second_anchor_asset_id=second),
+        )
+        if stated not in self.reading.relations:
+            self.reading.relations.append(stated)
+        for end in (subject, anchor):
+            self.inventory.seen(end, "related")
+
+    def record(self, at: int, word: str, who: Iterable[str]) -> None:
+        """Keep what a pronoun means."""
+        self.reading.pronouns.append((at, word, tuple(who)))
+
+    def flag(self, topic: str, choice: str, reason: str, start: int, end: int) -> None:
+        """Note a decision for a person to check."""
+        self.reading.flags.append(Flag(topic=topic, choice=choice, reason=reason, start=start, end=end))
+
+    def noun_text(self, noun: NounPhrase) -> str:
+        """The words of a noun as written, for the record."""
+        word = self.sentence.words[noun.index]
+        start = noun.mention.start if noun.mention else word.start
+        return self.reading.screenplay.text[start : word.end]
