@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from storyblender.look.gbuffer import GBuffer
 from storyblender.look.raster import LUMA, Image, blur, luminance
 from storyblender.memory.scene_context import Fog, Light
 
@@ -21,48 +21,58 @@ _RAIN_LAYERS = ((2.5, 40, 120, 0.5), (6.0, 160, 60, 0.4), (14.0, 420, 28, 0.3))
 _RAIN_SLANT = 0.1
 
 
-def transmittance(fog: Fog | None, gbuffer: GBuffer) -> Image:
-    """Return the share, 0 to 1, of light that comes through the air from every pixel."""
+def transmittance(fog: Fog | None, depth: Image, rays: Image, eye: NDArray[np.float64]) -> Image:
+    """Return the share, 0 to 1, of light that comes through the air from every pixel.
+
+    Args:
+        fog: The air; None is clear.
+        depth: (h, w) metres along the camera axis.
+        rays: (h, w, 3) world, scaled to depth 1.
+        eye: (3,) camera position.
+    """
     if fog is None:
-        return np.ones(gbuffer.depth.shape, np.float32)
-    rays = gbuffer.view.rays()
+        return np.ones(depth.shape, np.float32)
     length = np.linalg.norm(rays, axis=2)
-    distance = np.minimum(gbuffer.depth * length, _REACH)
+    distance = np.minimum(depth * length, _REACH)
     climb = rays[..., 2] / length * distance / fog.height
     flat = np.abs(climb) < 1e-3
     thinning = np.where(flat, 1.0, (1 - np.exp(-np.clip(climb, -30, 30))) / np.where(flat, 1.0, climb))
-    at_eye = math.exp(-float(np.clip(gbuffer.view.eye[2] / fog.height, -5, 30)))
-    depth = fog.density * at_eye * np.maximum(0, distance - fog.start) * np.clip(thinning, 0, 8)
-    return np.exp(-np.clip(depth, 0, 30)).astype(np.float32)
+    at_eye = math.exp(-float(np.clip(eye[2] / fog.height, -5, 30)))
+    thickness = fog.density * at_eye * np.maximum(0, distance - fog.start) * np.clip(thinning, 0, 8)
+    return np.exp(-np.clip(thickness, 0, 30)).astype(np.float32)
 
 
-def add_fog(picture: Image, fog: Fog | None, gbuffer: GBuffer) -> Image:
-    """Veil the picture; towards the sun the air is brighter (cosine to the sixth)."""
+def veil(fog: Fog | None, rays: Image) -> Image:
+    """Return the colour of endless fog along the rays; towards the sun it is brighter (cosine to the sixth)."""
+    if fog is None:
+        return np.zeros(rays.shape, np.float32)
+    color = np.broadcast_to(np.asarray(fog.color, np.float32), rays.shape)
+    if fog.sun_direction is None:
+        return color
+    toward = np.asarray(fog.sun_direction, np.float32)
+    cosine = rays @ (toward / np.linalg.norm(toward)) / np.linalg.norm(rays, axis=2)
+    return color + (np.clip(cosine, 0, 1) ** 6)[..., None] * np.asarray(fog.sun_color, np.float32)
+
+
+def add_fog(picture: Image, fog: Fog | None, through: Image, rays: Image) -> Image:
+    """Veil the picture by what ``transmittance`` says comes through."""
     if fog is None:
         return picture
-    through = transmittance(fog, gbuffer)[..., None]
-    color = np.broadcast_to(np.asarray(fog.color, np.float32), picture.shape)
-    if fog.sun_direction is not None:
-        rays = gbuffer.view.rays()
-        toward = np.asarray(fog.sun_direction, np.float32)
-        cosine = rays @ (toward / np.linalg.norm(toward)) / np.linalg.norm(rays, axis=2)
-        color = color + (np.clip(cosine, 0, 1) ** 6)[..., None] * np.asarray(fog.sun_color, np.float32)
-    return picture * through + color * (1 - through)
+    return picture * through[..., None] + veil(fog, rays) * (1 - through[..., None])
 
 
-def add_halos(picture: Image, lights: Sequence[Light], gbuffer: GBuffer) -> Image:
+def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image, eye: NDArray[np.float64]) -> Image:
     """Add the glow of every lamp in the air between it and the eye (closed-form single scatter of a point light)."""
     glowing = [light for light in lights if light.glow > 0 and light.kind != "SUN"]
     if not glowing:
         return picture
-    rays = gbuffer.view.rays()
     length = np.linalg.norm(rays, axis=2)
-    rays /= length[..., None]
-    distance = np.minimum(gbuffer.depth * length, _REACH)
+    along_ray = rays / length[..., None]
+    distance = np.minimum(depth * length, _REACH)
     result = picture.copy()
     for light in glowing:
-        from_light = (gbuffer.view.eye - np.asarray(light.location)).astype(np.float32)
-        along = rays @ from_light
+        from_light = (eye - np.asarray(light.location)).astype(np.float32)
+        along = along_ray @ from_light
         aside = np.sqrt(np.maximum(float(from_light @ from_light) - along * along, 0.0036) + 0.05)
         scatter = (np.arctan((distance + along) / aside) - np.arctan(along / aside)) / aside
         share = 0.6 if light.kind == "SPOT" else 1.0
@@ -73,18 +83,18 @@ def add_halos(picture: Image, lights: Sequence[Light], gbuffer: GBuffer) -> Imag
     return result
 
 
-def add_rain(picture: Image, gbuffer: GBuffer, rain: float, seed: int) -> Image:
+def add_rain(picture: Image, depth: Image, rain: float, seed: int) -> Image:
     """Draw streaks in three depths of air, hidden by what is nearer, lit by the light around them.
 
     Args:
         picture: Linear, exposed.
-        gbuffer: At the picture's size.
+        depth: Metres, at the picture's size.
         rain: 0 none, 1 downpour.
         seed: Where the streaks fall.
     """
     if rain <= 0:
         return picture
-    height, width = gbuffer.depth.shape
+    height, width = depth.shape
     random = np.random.default_rng(seed)
     streaks = np.zeros((height, width), np.float32)
     for distance, count, reach, strength in _RAIN_LAYERS:
@@ -97,7 +107,7 @@ def add_rain(picture: Image, gbuffer: GBuffer, rain: float, seed: int) -> Image:
         columns = (left[:, None] + steps * _RAIN_SLANT).astype(int)
         drawn = (steps < span[:, None]) & (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
         rows, columns, power = rows[drawn], columns[drawn], np.broadcast_to(power[:, None], drawn.shape)[drawn]
-        free = gbuffer.depth[rows, columns] > distance
+        free = depth[rows, columns] > distance
         np.maximum.at(streaks, (rows[free], columns[free]), power[free].astype(np.float32))
     around = blur(luminance(picture), max(1, round(14 * height / 540)))
     return picture + (streaks * (0.55 * around + 0.012))[..., None] * np.array([0.8, 0.9, 1.0], np.float32)

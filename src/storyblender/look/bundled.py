@@ -18,7 +18,7 @@ def blender_folder() -> Path | None:
     origin = Path(spec.origin).parent
     # Once bpy is imported its spec points into <version>/scripts/modules/bpy, before that to the wheel's root.
     for root in (origin, *origin.parents[:3]):
-        for folder in sorted(root.glob("*/datafiles")) + [root / "datafiles"]:
+        for folder in (*sorted(root.glob("*/datafiles")), root / "datafiles"):
             if (folder / "colormanagement" / "config.ocio").is_file():
                 return folder.parent
     return None

@@ -30,7 +30,9 @@ def face_lights(head: Vec3, face_yaw: float, camera: Vec3, lighting: Lighting, n
     turn = (toward_camera - face_yaw + 180) % 360 - 180
     level = lighting.face_luminance
 
-    def lamp(role: str, yaw: float, elevation: float, distance: float, share: float, color: Color, cone: float) -> Light:
+    def lamp(
+        role: str, yaw: float, elevation: float, distance: float, share: float, color: Color, cone: float
+    ) -> Light:
         return Light.model_validate({
             "name": f"{name[:56]}_{role}",
             "kind": "SPOT",

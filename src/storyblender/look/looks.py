@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Literal
 
-from storyblender.catalog.registry import Catalog
 from storyblender.look.grade import AGX_CONTRAST
 
 LightSource = Literal["cycles", "numpy", "final"]
-"""cycles: path-traced at low resolution under full-size texture; numpy: deferred lamps; final: path-traced, full size."""
+"""cycles: path-traced at low resolution, full-size texture; numpy: deferred lamps; final: path-traced, full size."""
 Style = Literal["color", "pencil"]
 
 
@@ -44,16 +45,15 @@ class Look:
     bounces: int = 3
 
 
-LOOKS: Catalog[Look] = Catalog(
-    "look",
-    (
-        Look("board", "Board", ("storyboard", "default", "inked", "colour"), light="cycles"),
-        Look("fast", "Fast board", ("draft", "quick", "preview"), light="numpy"),
-        Look("pencil", "Pencil", ("graphite", "sketch", "drawing", "black and white"), light="numpy", style="pencil"),
-        Look(
-            "render", "Render", ("final", "photographic", "no lines"),
-            light="final", ink=0.0, light_step=1, samples=48, bounces=6,
-        ),
+_ALL = (
+    Look("board", "Board", ("storyboard", "default", "inked", "colour"), light="cycles"),
+    Look("fast", "Fast board", ("draft", "quick", "preview"), light="numpy"),
+    Look("pencil", "Pencil", ("graphite", "sketch", "drawing", "black and white"), light="numpy", style="pencil"),
+    Look(
+        "render", "Render", ("final", "photographic", "no lines"),
+        light="final", ink=0.0, light_step=1, samples=48, bounces=6,
     ),
 )  # fmt: skip
+
+LOOKS: Mapping[str, Look] = MappingProxyType({look.key: look for look in _ALL})
 """Every look by key, in the order they are offered."""

@@ -9,7 +9,17 @@ from numpy.typing import NDArray
 
 from storyblender.look.raster import Image
 
-_TAPS = ((0.0, 0.0), (0.9, 0.3), (-0.3, 0.9), (-0.9, -0.3), (0.3, -0.9), (1.6, -1.1), (1.1, 1.6), (-1.6, 1.1), (-1.1, -1.6))
+_TAPS = (
+    (0.0, 0.0),
+    (0.9, 0.3),
+    (-0.3, 0.9),
+    (-0.9, -0.3),
+    (0.3, -0.9),
+    (1.6, -1.1),
+    (1.1, 1.6),
+    (-1.6, 1.1),
+    (-1.1, -1.6),
+)
 """Offsets in texels over which the shadow's edge is softened."""
 
 
@@ -45,7 +55,7 @@ class ShadowMap:
         column = (local[..., 0] / scale + 1) * (size / 2)
         row = (1 - local[..., 1] / scale) * (size / 2)
         inside = (column >= 0) & (column < size) & (row >= 0) & (row < size) & (distance > 0)
-        # A receiver is compared a little nearer than it is: two texels, so that slanted surfaces do not shade themselves.
+        # A receiver is compared a little nearer than it is, so that slanted surfaces do not shade themselves.
         nearer = distance - (0.015 + 4 * scale / size)
         lit = np.zeros(distance.shape, np.float32)
         for dx, dy in _TAPS:

@@ -154,15 +154,17 @@ def render_frame(
         lights = plan.lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
     gbuffer = passes.gbuffer.reduced(step)
-    picture = add_halos(add_fog(picture, plan.fog, gbuffer), lights, gbuffer)
+    depth, rays, eye = gbuffer.depth, gbuffer.view.rays(), gbuffer.view.eye
+    through = transmittance(plan.fog, depth, rays, eye)
+    picture = add_halos(add_fog(picture, plan.fog, through, rays), lights, depth, rays, eye)
     faces = find_faces(gbuffer, [(head.asset_id, head.location, head.scale) for head in people if head.in_frame])
     stops = trim(picture, faces, plan.face_luminance, plan.set_luminance)
     picture *= 2.0**stops
-    picture = add_rain(picture, gbuffer, plan.rain, request.seed)
+    picture = add_rain(picture, depth, plan.rain, request.seed)
     display = to_display(picture, look.contrast)
     statistics = _statistics(passes, picture, display, faces, stops)
     if look.ink > 0:
-        ink = draw_ink(passes.gbuffer, step, transmittance(plan.fog, gbuffer))
+        ink = draw_ink(passes.gbuffer, step, through)
         if look.style == "pencil":
             display = draw_pencil(display, ink, passes.gbuffer.coverage(FLESH, step), look.ink)
         else:
@@ -257,9 +259,7 @@ def _lamps_of_faces(session: RenderSession, people: Sequence[PersonHead], plan: 
         key=lambda head: (float(np.linalg.norm(np.asarray(head.location) - eye)), head.asset_id),
     )[:_MOST_LIT_FACES]
     camera = (float(eye[0]), float(eye[1]), float(eye[2]))
-    return tuple(
-        lamp for head in shown for lamp in face_lights(head.location, head.yaw, camera, plan, head.asset_id)
-    )
+    return tuple(lamp for head in shown for lamp in face_lights(head.location, head.yaw, camera, plan, head.asset_id))
 
 
 def _relit(
@@ -299,9 +299,7 @@ def _relit(
     return remodulate(upsample(light, gbuffer, look.light_step), mean_albedo(gbuffer, step, sky))
 
 
-def _statistics(
-    passes: Passes, picture: Image, display: Image, faces: Sequence[Face], stops: float
-) -> FrameStatistics:
+def _statistics(passes: Passes, picture: Image, display: Image, faces: Sequence[Face], stops: float) -> FrameStatistics:
     face_luminance = contrast = None
     if faces:
         mask = np.logical_or.reduce([face.mask for face in faces])
@@ -309,6 +307,4 @@ def _statistics(
         face_luminance = bright_half(luminance(picture)[mask])
         tone = luminance(display)
         contrast = float((tone[mask].mean() + 0.05) / (tone[ring].mean() + 0.05))
-    return FrameStatistics(
-        face_luminance, contrast, stops, float(passes.gbuffer.sky.mean()), passes.visible_shares()
-    )
+    return FrameStatistics(face_luminance, contrast, stops, float(passes.gbuffer.sky.mean()), passes.visible_shares())

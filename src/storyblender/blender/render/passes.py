@@ -58,7 +58,7 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         with _shading(session.scene, light="FLAT", color_type="OBJECT"):
             channels = session.exr(width, height, depth=True)
         red, green, blue = (_levels(channels[f"Combined.{name}"]) for name in "RGB")
-        ids = red.astype(np.uint16) + green.astype(np.uint16) * 256
+        ids = _number(red, green)
         surface = np.where(ids > 0, blue % _HAS_SKIN_COLORS, 0).astype(np.uint8)
         skin_colored = (blue >= _HAS_SKIN_COLORS) & (ids > 0)
         depth = np.where(ids > 0, channels["Depth.Z"], FAR).astype(np.float32)
@@ -70,15 +70,25 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         if skin_colored.any():
             with _shading(session.scene, light="FLAT", color_type="VERTEX"):
                 albedo[skin_colored] = color(session.exr(width, height))[skin_colored]
-        with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
-            channels = session.exr(width, height)
-            material = _levels(channels["Combined.R"]).astype(np.uint16)
-            material += _levels(channels["Combined.G"]).astype(np.uint16) * 256
-    material[(ids == 0) | (material > len(materials))] = 0
+        material = _material_pass(session, materials, width, height)
+    material[ids == 0] = 0
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
     glow_color, glow_gain = _glow_of(materials)
     return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain), nodes)
+
+
+def render_glow(session: RenderSession, width: int, height: int) -> NDArray[np.float32]:
+    """Return only the (h, w, 3) light that the things in the picture give off, for frames without a G-buffer."""
+    materials = list(bpy.data.materials)
+    glow_color, glow_gain = _glow_of(materials)
+    with flat_workbench(session.scene):
+        material = _material_pass(session, materials, width, height)
+        glow = glow_color[material]
+        if glow_gain[material].any():
+            with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
+                glow += color(session.exr(width, height)) * glow_gain[material][..., None]
+    return glow
 
 
 @contextmanager
@@ -128,6 +138,16 @@ def _identity_colors(objects: Sequence[bpy.types.Object]) -> Iterator[tuple[Node
         yield tuple(nodes)
 
 
+def _material_pass(
+    session: RenderSession, materials: Sequence[bpy.types.Material], width: int, height: int
+) -> NDArray[np.uint16]:
+    with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
+        channels = session.exr(width, height)
+    index = _number(_levels(channels["Combined.R"]), _levels(channels["Combined.G"]))
+    index[index > len(materials)] = 0
+    return index
+
+
 @contextmanager
 def _material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]:
     """Write every material's index (from 1) into its viewport colour."""
@@ -140,6 +160,10 @@ def _material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]
 
 def _levels(channel: NDArray[np.float32]) -> NDArray[np.uint8]:
     return (channel * 255 + 0.5).astype(np.uint8)
+
+
+def _number(low: NDArray[np.uint8], high: NDArray[np.uint8]) -> NDArray[np.uint16]:
+    return low.astype(np.uint16) | (high.astype(np.uint16) << np.uint16(8))
 
 
 def _decode_normals(channels: Channels, view: View) -> NDArray[np.float16]:

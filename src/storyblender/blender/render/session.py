@@ -85,9 +85,10 @@ class RenderSession:
             stack.enter_context(changed(bpy.context.window, {"scene": self.scene}))
             stack.enter_context(changed(self.scene, {"camera": self.camera}))
             self._folder = Path(stack.enter_context(TemporaryDirectory(prefix="storyblender_")))
-            if self._frame is not None and self._frame != self.scene.frame_current:
-                stack.callback(self.scene.frame_set, self.scene.frame_current)
-                self.scene.frame_set(self._frame)
+            start = self.scene.frame_current
+            stack.callback(lambda: self.go_to(start))
+            if self._frame is not None:
+                self.go_to(self._frame)
             for obj in self.scene.objects:
                 if obj.get("node_id") in self._hidden and obj.type in _DRAWN and not obj.hide_render:
                     self.hidden_objects.append(obj)
@@ -100,6 +101,11 @@ class RenderSession:
 
     def __exit__(self, *error: object) -> None:
         self._stack.close()
+
+    def go_to(self, frame: int) -> None:
+        """Move the timeline; it goes back to where it was when the session ends."""
+        if frame != self.scene.frame_current:
+            self.scene.frame_set(frame)
 
     def visible_objects(self) -> list[bpy.types.Object]:
         """Return what renders, in the scene's order."""

@@ -1,4 +1,4 @@
-"""What a lamp sees: Workbench depth from its place, fitted to what the camera sees, so that close shots get fine shadows."""
+"""What a lamp sees: Workbench depth from its place, fitted to what the camera sees: close shots get fine shadows."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ def render_shadow_map(session: RenderSession, light: Light, receivers: NDArray[n
     aim = receivers.mean(axis=0) - np.asarray(light.location) if light.kind == "POINT" else direction_of(light)
     axes = np.array(Vector(aim).to_track_quat("-Z", "Y").to_matrix())
     local = (receivers - np.asarray(light.location)) @ axes
-    ahead = local[:, 2] < -0.2
-    needed = np.abs(local[ahead, :2]) / -local[ahead, 2:3] if ahead.any() else np.ones((1, 2))
+    ahead = local[local[:, 2] < -0.2]
+    needed = np.abs(ahead[:, :2] / ahead[:, 2:]) if len(ahead) else np.ones((1, 2))
     half = min(float(np.percentile(needed.max(axis=1), 99.5)) * 1.1 + 0.02, _WIDEST)
     if light.kind == "SPOT":
         half = min(half, math.tan(math.radians(min(light.cone / 2, 70))) * 1.02)

@@ -1,0 +1,180 @@
+"""Light for moving frames: the lamps of the board over one flat picture and its depth.
+
+What stands still under a camera that stands still keeps its light, so a frame costs little more than the people in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from storyblender.look.atmosphere import add_halos, transmittance, veil
+from storyblender.look.gbuffer import View
+from storyblender.look.illumination import ambient_light, light_field, sky_light, total
+from storyblender.look.raster import LUMA, Image, Mask
+from storyblender.memory.scene_context import Light, Lighting
+
+_MOST_LAMPS = 8
+_BOUNCE = 0.3
+_SAME = 0.004
+"""Change of depth, as a share of it, below which a pixel still shows the same place."""
+_FOLLOW = 0.15
+"""Metres a lamp may move before the light that it gave to still things is worked out anew."""
+
+
+@dataclass(frozen=True)
+class FlatFrame:
+    """One flat picture of a moving shot.
+
+    Attributes:
+        albedo: (h, w, 3) with whatever lines and shadows were drawn on it; premultiplied by coverage.
+        coverage: (h, w) 0 where the sky shows.
+        depth: (h, w) metres along the camera axis; ``FAR`` where sky.
+        glow: (h, w, 3) light given off.
+        view: The camera, at this size.
+    """
+
+    albedo: Image
+    coverage: Image
+    depth: Image
+    glow: Image
+    view: View
+
+
+@dataclass(frozen=True)
+class _Held:
+    """The light of a frame, kept for the next one.
+
+    Attributes:
+        view: Its camera.
+        lamps: That lit it.
+        depth: (h, w).
+        light: (h, w, 3) illumination.
+        through: (h, w, 1) share that comes through the air.
+        added: (h, w, 3) light of air and sky.
+    """
+
+    view: View
+    lamps: tuple[Light, ...]
+    depth: Image
+    light: Image
+    through: Image
+    added: Image
+
+
+class MovingLight:
+    """Lights the frames of one shot, one after the other.
+
+    Args:
+        plan: Balanced light plan: ambient light, sky, fog.
+    """
+
+    def __init__(self, plan: Lighting) -> None:
+        self._plan = plan
+        self._held: _Held | None = None
+        self._bounce = np.zeros(3, np.float32)
+
+    def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> Image:
+        """Return the linear picture of the next frame, with its air."""
+        chosen = tuple(strongest(lamps, frame.view))
+        held = self._held
+        if held is None or not same_view(held.view, frame.view) or _moved(held.lamps, chosen):
+            changed = np.ones(frame.depth.shape, bool)
+            held = None
+        else:
+            changed = np.abs(frame.depth - held.depth) > _SAME * held.depth
+        self._held = held = self._worked_out(frame, chosen, changed, held)
+        return (frame.albedo * held.light + frame.glow) * held.through + held.added
+
+    def _worked_out(self, frame: FlatFrame, lamps: tuple[Light, ...], changed: Mask, held: _Held | None) -> _Held:
+        """Light the changed pixels; take the rest from before."""
+        rays = frame.view.rays()
+        positions = rays * frame.depth[..., None] + frame.view.eye.astype(np.float32)
+        normal = normals_of(positions, frame.depth, rays)[changed][:, None]
+        places, rays, depth = positions[changed][:, None], rays[changed][:, None], frame.depth[changed][:, None]
+        fields = [light_field(lamp, places, normal) for lamp in lamps]
+        light = total(fields, ambient_light(self._plan.ambient, normal, np.ones(depth.shape, np.float32)))
+        if held is None:
+            leaving = np.minimum(frame.albedo * light.reshape(frame.albedo.shape), 4.0)
+            solid = frame.coverage > 0.5
+            self._bounce = leaving[solid].mean(axis=0) * np.float32(_BOUNCE) if solid.any() else self._bounce
+        light += self._bounce
+        through, added = self._air(frame, lamps, rays, depth, changed)
+        if held is None:
+            size = frame.albedo.shape
+            return _Held(
+                frame.view, lamps, frame.depth, light.reshape(size), through.reshape(*size[:2], 1), added.reshape(size)
+            )
+        kept = _Held(frame.view, held.lamps, frame.depth, held.light, held.through, held.added)
+        kept.light[changed], kept.through[changed], kept.added[changed] = light[:, 0], through[:, 0], added[:, 0]
+        return kept
+
+    def _air(
+        self, frame: FlatFrame, lamps: Sequence[Light], rays: Image, depth: Image, changed: Mask
+    ) -> tuple[Image, Image]:
+        plan, eye = self._plan, frame.view.eye
+        through = transmittance(plan.fog, depth, rays, eye)[..., None]
+        open_sky = 1 - frame.coverage[changed][:, None, None]
+        added = sky_light(plan.sky, rays) * open_sky * through + veil(plan.fog, rays) * (1 - through)
+        return through, add_halos(added, lamps, depth, rays, eye)
+
+
+def same_view(a: View, b: View) -> bool:
+    """Return whether two frames see through the same camera."""
+    return (
+        np.allclose(a.eye, b.eye, atol=1e-5)
+        and np.allclose(a.axes, b.axes, atol=1e-6)
+        and abs(a.half_width - b.half_width) < 1e-6
+        and (a.width, a.height, a.shift) == (b.width, b.height, b.shift)
+    )
+
+
+def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:
+    if len(before) != len(now):
+        return True
+    return any(
+        a.name != b.name or float(np.linalg.norm(np.subtract(a.location, b.location))) > _FOLLOW
+        for a, b in zip(before, now, strict=True)
+    )
+
+
+def strongest(lamps: Sequence[Light], view: View) -> list[Light]:
+    """Return the lamps that matter to this camera: sun and face lamps, then the brightest near the picture's middle."""
+    always = [lamp for lamp in lamps if lamp.kind == "SUN" or lamp.for_asset is not None]
+    middle = view.eye - view.axes[:, 2] * 4.0
+    rest = sorted(
+        (lamp for lamp in lamps if lamp.kind != "SUN" and lamp.for_asset is None),
+        key=lambda lamp: (-_reach(lamp, middle), lamp.name),
+    )
+    return always + rest[: max(2, _MOST_LAMPS - len(always))]
+
+
+def _reach(lamp: Light, point: np.ndarray) -> float:
+    squared = float(np.sum((np.asarray(lamp.location) - point) ** 2))
+    return lamp.power * float(np.dot(LUMA, np.asarray(lamp.color, np.float32))) / max(squared, 1.0)
+
+
+def normals_of(positions: Image, depth: Image, rays: Image) -> Image:
+    """Return unit normals from positions, each difference taken on the side where the depth jumps less."""
+    across, down = _gradient(positions, depth, 1), _gradient(positions, depth, 0)
+    normal = np.cross(down, across)
+    normal /= np.maximum(np.linalg.norm(normal, axis=2, keepdims=True), 1e-9)
+    away = np.einsum("hwc,hwc->hw", normal, rays) > 0
+    normal[away] *= -1
+    return normal
+
+
+def _gradient(positions: Image, depth: Image, axis: int) -> Image:
+    before, after = _steps(positions, axis)
+    jump_before, jump_after = _steps(depth, axis)
+    return np.where((np.abs(jump_before) < np.abs(jump_after))[..., None], before, after)
+
+
+def _steps(values: Image, axis: int) -> tuple[Image, Image]:
+    """Return the differences to the neighbour before and to the one after; edges repeat their inner one."""
+    step = np.diff(values, axis=axis)
+    first = step[:1] if axis == 0 else step[:, :1]
+    last = step[-1:] if axis == 0 else step[:, -1:]
+    return np.concatenate([first, step], axis=axis), np.concatenate([step, last], axis=axis)
