@@ -1,0 +1,1 @@
+"""The paper's three stages, resumable: ground -> materialize -> stage, then shoot and deliver."""

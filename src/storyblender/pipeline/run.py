@@ -1,0 +1,86 @@
+"""What every stage of a run shares: the project, the engine, the settings, and how to commit and tell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import Item, replace
+from storyblender.memory.jobs import PackRef
+from storyblender.ports import Embedder
+from storyblender.project import Project
+from storyblender.reflection import Critic, Outcome, Policy, reflect
+from storyblender.settings import Settings
+from storyblender.trace import Event, Listener
+
+View = TypeVar("View")
+Draft = TypeVar("Draft")
+
+
+@dataclass
+class Run:
+    """One run over one project.
+
+    Attributes:
+        project: The open project; the only place where the graph lives.
+        engine: Blender.
+        embedder: Likeness of meaning, for retrieval.
+        settings: As the user gave them.
+        listener: Hears every event.
+        packs: Scene id to the pack in use, as the staging made them.
+    """
+
+    project: Project
+    engine: BlenderEngine
+    embedder: Embedder
+    settings: Settings
+    listener: Listener
+    packs: dict[int, PackRef] = field(default_factory=dict)
+
+    @property
+    def graph(self) -> ContinuityMemoryGraph:
+        """The graph as it is committed."""
+        return self.project.graph
+
+    def tell(self, event: Event) -> None:
+        """Show an event and keep it in the trace."""
+        self.project.record(event)
+        self.listener(event)
+
+    def progress(self, stage: str, step: int, total: int, subject: str = "") -> None:
+        """Say how far a stage has come."""
+        self.listener(Event(kind="stage", role=stage, subject=subject, step=step, total=total))
+
+    def commit(self, author: str, reason: str, *items: Item) -> None:
+        """Put items into the graph through the Gatekeeper.
+
+        Raises:
+            Rejected: V(o_new, S_exist) = 0.
+        """
+        commit = self.project.commit(replace(self.graph, *items), author, reason)
+        if commit is not None:
+            self.tell(Event(kind="commit", role=author, message=reason, turn=commit.revision))
+
+    def reflect(
+        self,
+        role: str,
+        subject: str,
+        view: View,
+        policy: Policy[View, Draft],
+        critic: Critic[View, Draft],
+        fallback: Policy[View, Draft] | None = None,
+    ) -> Outcome[Draft]:
+        """Run Eq. 1 with the role's threshold and horizon from the settings."""
+        return reflect(
+            role,
+            subject,
+            view,
+            policy,
+            critic,
+            threshold=self.settings.thresholds.get(role, 8.0),
+            horizon=self.settings.horizons.get(role, 5),
+            fallback=fallback,
+            listener=self.tell,
+        )
