@@ -10,6 +10,7 @@ from types import TracebackType
 from pydantic import TypeAdapter
 
 from storyblender.engine.pool import WorkerPool
+from storyblender.engine.worker import Worker, blender_command
 from storyblender.geometry.framing import Figure
 from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
 from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
@@ -28,7 +29,8 @@ class BlenderEngine:
     """
 
     def __init__(self, root: Path, models: Path | None = None, jobs: int = 0) -> None:
-        self._pool = WorkerPool(root, models, jobs)
+        command, log = blender_command(root, models), root / "build" / "engine.log"
+        self._pool = WorkerPool(lambda: Worker(command, log), jobs)
 
     def __enter__(self) -> BlenderEngine:
         return self

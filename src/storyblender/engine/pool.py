@@ -6,7 +6,6 @@ import os
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future
-from pathlib import Path
 from typing import Any, TypeVar
 
 from storyblender.engine.worker import Worker
@@ -18,18 +17,17 @@ class WorkerPool:
     """Runs tool calls on ``size`` Blender processes, started on first use.
 
     Args:
-        root: The project folder.
-        models: The user's folder of models.
+        make_worker: Starts nothing yet; the process comes with the first call.
         size: Processes; 0 takes one per processor, two at most.
     """
 
-    def __init__(self, root: Path, models: Path | None = None, size: int = 0) -> None:
+    def __init__(self, make_worker: Callable[[], Worker], size: int = 0) -> None:
         self.size = size or min(2, os.cpu_count() or 1)
         self._pending: list[tuple[str, Callable[[Worker], None]]] = []
         self._condition = threading.Condition()
         self._closing = False
         self._threads = [
-            threading.Thread(target=self._serve, args=(root, models), name=f"blender-{index}", daemon=True)
+            threading.Thread(target=self._serve, args=(make_worker,), name=f"blender-{index}", daemon=True)
             for index in range(self.size)
         ]
         for thread in self._threads:
@@ -70,8 +68,8 @@ class WorkerPool:
         for thread in self._threads:
             thread.join(timeout=30)
 
-    def _serve(self, root: Path, models: Path | None) -> None:
-        worker = Worker(root, models)
+    def _serve(self, make_worker: Callable[[], Worker]) -> None:
+        worker = make_worker()
         last = ""
         while True:
             with self._condition:

@@ -10,7 +10,7 @@ import asyncio
 import os
 import sys
 import threading
-from collections.abc import Coroutine
+from collections.abc import Coroutine, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,14 +25,14 @@ class Worker:
     """A supervised worker process.
 
     Args:
-        root: The project folder it may write to.
-        models: The user's folder of models it may read.
+        command: Starts the server; its first word is the program.
+        log: Where the process's standard error goes.
         attempts: Starts per call before giving up.
         timeout: Seconds one call may take.
     """
 
-    def __init__(self, root: Path, models: Path | None = None, *, attempts: int = 3, timeout: float = 900) -> None:
-        self._root, self._models = root, models
+    def __init__(self, command: Sequence[str], log: Path, *, attempts: int = 3, timeout: float = 900) -> None:
+        self._command, self._log = command, log
         self._attempts, self._timeout = attempts, timeout
         self._client: Client[StdioTransport] | None = None
         self._loop = asyncio.new_event_loop()
@@ -83,9 +83,17 @@ class Worker:
             return
 
     def _transport(self) -> StdioTransport:
-        arguments = ["-m", "storyblender.blender", "--root", str(self._root)]
-        if self._models is not None:
-            arguments += ["--models", str(self._models)]
-        log = self._root / "build" / "engine.log"
-        log.parent.mkdir(parents=True, exist_ok=True)
-        return StdioTransport(sys.executable, arguments, env=dict(os.environ), keep_alive=False, log_file=log)
+        self._log.parent.mkdir(parents=True, exist_ok=True)
+        program, *arguments = self._command
+        return StdioTransport(program, arguments, env=dict(os.environ), keep_alive=False, log_file=self._log)
+
+
+def blender_command(root: Path, models: Path | None = None) -> list[str]:
+    """Return the command of a Blender worker.
+
+    Args:
+        root: The project folder it may write to.
+        models: The user's folder of models it may read.
+    """
+    command = [sys.executable, "-m", "storyblender.blender", "--root", str(root)]
+    return command if models is None else [*command, "--models", str(models)]
