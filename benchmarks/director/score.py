@@ -198,7 +198,8 @@ class Scorer:
         for segment in self.gold.segments:
             scene = next((u.scene for u in self.reading.units if segment.start <= u.start <= segment.end), -1)
             for item in segment.items("rel"):
-                found = _RELATION.search(item)
+                person = next((id for id in self.gold.ids if item.startswith(id + " ")), "")
+                found = _RELATION.search(item, len(person))
                 if found:
                     gold.add((scene, singular(item[: found.start()]), found.group(1), singular(item[found.end() :])))
         words = {word for _, subject, _, anchor in gold for word in (subject, anchor)}

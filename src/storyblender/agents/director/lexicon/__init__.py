@@ -106,6 +106,8 @@ PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMA
 YOUNG_NOUNS = frozenset(_people["young"])
 CROWDS = frozenset(_people["crowd"])
 KIN = frozenset(_people["kin"])
+CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people["converse"]).items()}
+"""Kin -> what they are to each other: the uncle of a niece or nephew."""
 TITLES = frozenset(_people["title"])
 TITLE_GENDER = cast(dict[str, Gender], _pairs(_people["title_gender"]))
 AGE_WORDS, AGE_NOUNS = _pairs(_people["age_word"]), _pairs(_people["age_noun"])

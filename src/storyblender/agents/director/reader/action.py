@@ -29,8 +29,10 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     previous = stage.discourse.subjects
     stage.sentence = SentenceState(words, pictured=sentence.pictured or entrances.is_about_absence(joined(words)))
     _notice_nouns(stage, phrases)
+    relations.settle_apart(stage, words)
     if not clauses:
         _name_people(stage)
+        _name_thing(stage, phrases)
     for index, clause in enumerate(clauses):
         _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
     entrances.named_enter(stage, words, clauses)
@@ -71,6 +73,15 @@ def _name_people(stage: Stage) -> None:
             stage.involve(person)
     if named:
         stage.sentence.subjects = named[:1]
+
+
+def _name_thing(stage: Stage, phrases: list[Phrase]) -> None:
+    """A sentence without a clause: ``it`` may mean the last thing it names."""
+    for phrase in phrases:
+        if phrase.noun and phrase.noun.kind == "thing" and not phrase.noun.plural:
+            thing = stage.inventory.id_of(phrase.noun.key, stage.sentence.words[phrase.first].start)
+            if stage.inventory.class_of(thing) in ("prop", "set_piece"):
+                stage.discourse.last_thing = thing
 
 
 def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bool) -> None:
@@ -122,33 +133,42 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
 
 
 def _notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
-    """Note how things come up, and which ``it`` and ``them`` may mean."""
-    inventory, discourse = stage.inventory, stage.discourse
+    """Note how the things of a clause come up."""
+    inventory = stage.inventory
     if motion in lexicon.HANDLING and roles.subjects:
         how = "held" if motion in lexicon.GRIPPING else "handled"
-        for thing, noun in zip(
-            roles.things, [n for n in clause.object if n.kind == "thing"] or clause.object, strict=False
-        ):
-            inventory.seen(thing, how, bool(noun.determiner or noun.possessor is not None))
-        for place in roles.places:
-            if not roles.things and place.preposition in _USING:
-                for thing in place.things:
-                    if inventory.class_of(thing) == "prop":
-                        inventory.seen(thing, "handled")
+        nouns = [noun for noun in clause.object if noun.kind == "thing"]
+        for thing in roles.things:
+            noun = next((noun for noun in nouns if noun.head == inventory.head(thing)), None)
+            inventory.seen(thing, how, noun is None or bool(noun.determiner) or noun.possessor is not None)
     for place in roles.places:
-        if place.preposition in _WITH and roles.subjects:
-            for thing in place.things:
+        used = motion in lexicon.HANDLING and not roles.things and place.preposition in _USING
+        for thing in place.things:
+            if roles.subjects and used and inventory.class_of(thing) == "prop":
+                inventory.seen(thing, "handled")
+            elif roles.subjects and place.preposition in _WITH:
                 inventory.seen(thing, "with")
     for thing in roles.subject_things:
         if inventory.class_of(thing) == "prop":
             inventory.seen(thing, "related")
+    _remember_things(stage, roles)
+
+
+def _remember_things(stage: Stage, roles: Roles) -> None:
+    """What ``it`` and ``them`` may mean next: the thing handled, the thing that does something, the thing gone to."""
+    inventory, discourse = stage.inventory, stage.discourse
     if stage.sentence.plural_thing:
         discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
-    handled = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
-    if handled:
-        discourse.last_thing = handled[0]
-    elif roles.subject_things and not roles.subjects and inventory.class_of(roles.subject_things[0]) in _OBJECTLIKE:
-        discourse.last_thing = roles.subject_things[0]
+    if roles.things:
+        things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
+    elif not roles.subjects:
+        things = [thing for thing in roles.subject_things if inventory.class_of(thing) in _OBJECTLIKE]
+    else:
+        solid = ("set_piece", "prop")
+        things = [t for place in roles.places for t in place.things if inventory.class_of(t) in solid]
+    things = [thing for thing in things if inventory.head(thing) not in lexicon.PLURAL_ONLY]
+    if things:
+        discourse.last_thing = things[0]
 
 
 def _leftover_pronouns(stage: Stage, subjects: list[Person], previous: list[Person]) -> None:

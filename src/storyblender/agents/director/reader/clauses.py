@@ -135,7 +135,7 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
     for compound in lexicon.COMPOUND_PREPOSITIONS:
         if tuple(w.low for w in words[at : at + len(compound)]) == compound:
             return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
-    if word.low in lexicon.PREPOSITIONS or word.low in ("open", "shut"):
+    if word.low in lexicon.PREPOSITIONS | lexicon.PARTICLES:
         return Phrase("preposition", at, at, word.low)
     if word.low in _LINKS:
         return Phrase("link", at, at, word.low)
@@ -163,7 +163,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     elif words[at].low in lexicon.POSSESSIVES:
         possessor, first = at, at + 1
     end = first
-    while end < len(words) and _in_noun_phrase(words[end]):
+    while end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES):
         end += 1
     if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at):
         noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]
@@ -221,6 +221,8 @@ class _Builder:
     pending: list[NounPhrase] = field(default_factory=list)
     """A noun read before its verb."""
     preposition: str = ""
+    leading: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
+    """Places told before the first clause: ``On top of the stone sat a fox``."""
     negated: bool = False
     unreal: bool = False
     passive: bool = False
@@ -248,10 +250,12 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
             _take_preposition(builder, index, phrase)
         elif phrase.kind == "noun" and phrase.noun:
             _take_noun(builder, index, phrase.noun)
-        elif phrase.text in ("and", "but", "then") or phrase.text in ".;:":
+        elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
             builder.preposition = ""
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
+    if builder.clauses:
+        builder.clauses[0].places += builder.leading
     for clause in builder.clauses:
         if clause.verb == "be":
             clause.complement, clause.object = clause.object, []
@@ -332,6 +336,8 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     if builder.preposition:
         if clause:
             clause.places.append((builder.preposition, [noun]))
+        else:
+            builder.leading.append((builder.preposition, [noun]))
         builder.preposition = ""
         return
     if clause is None:

@@ -79,17 +79,10 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     return pool[:1]
 
 
-_CONVERSE = {
-    "uncle": ("niece", "nephew"), "aunt": ("niece", "nephew"), "niece": ("uncle", "aunt"), "nephew": ("uncle", "aunt"),
-    "father": ("son", "daughter"), "mother": ("son", "daughter"), "son": ("father", "mother"),
-    "daughter": ("father", "mother"), "husband": ("wife",), "wife": ("husband",),
-}  # fmt: skip
-
-
 def _kin(stage: Stage, mention: Mention) -> list[Person]:
     """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
-    converse = _CONVERSE.get(mention.head)
-    if not converse or not any(person.role in converse for person in stage.roster.people):
+    converse = lexicon.CONVERSE_KIN.get(mention.head, ())
+    if not any(person.role in converse for person in stage.roster.people):
         return []
     gender = lexicon.gender_of_word(mention.head)
     pool = [
@@ -188,7 +181,7 @@ def resolve_pronoun(
         value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else -0.05)
         value -= 0.6 * (person.kind == "animal" and person.gender != gender)
         value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
-        value += 0.8 * (role == "subject" and person in previous) + 1.2 * (role == "possessor" and person in subjects)
+        value += 0.8 / max(len(previous), 1) * (role == "subject" and person in previous) + 1.2 * (role == "possessor" and person in subjects)
         return value, stage.discourse.last_named.get(person.id, 0)
 
     ranked = sorted(pool, key=score, reverse=True)

@@ -75,11 +75,17 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
         for person in roles.subjects
     ]
     deeds = _mutual(stage, roles, deeds, motion)
-    if clause.verb == "lead":
-        deeds += [Deed(person.id, "walk", at=clause.at, verb="lead") for person in roles.people]
+    deeds += _companions(roles, clause, motion)
     stage.unit.deeds += [deed for deed in deeds if not _repeats(stage, deed)]
     _pair_up(stage, roles, motion)
     return deeds
+
+
+def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
+    """Who is led, and who goes along: ``ran down with her brother``."""
+    along = roles.people_after("with") if motion in _TRAVEL else []
+    along += roles.people if clause.verb == "lead" else []
+    return [Deed(person.id, motion, at=clause.at, verb=clause.verb) for person in along if person not in roles.subjects]
 
 
 def _repeats(stage: Stage, deed: Deed) -> bool:
@@ -107,9 +113,11 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
         prop = target = _in_hand(stage, roles.subjects[0])
     if not target or motion in _GOING:
         target = _destination(stage, roles, motion, target)
-    if motion == "sit" and stage.inventory.head(target) not in _SEATS and not stage.person(target or ""):
+    if motion == "sit" and stage.inventory.head(target) not in _SEATS:
         target = _seat_walked_to(stage, roles.subjects[0]) or target
     if motion == "touch":
+        owned = next((noun.owner for place in roles.places for noun in place.nouns if noun.owner), None)
+        target = owned if stage.inventory.class_of(target) == "body" else target
         prop = None
     return target, prop
 
@@ -134,7 +142,7 @@ def _destination(stage: Stage, roles: Roles, motion: str, target: str | None) ->
     for place in roles.places:
         if motion == "look" and place.preposition in ("in", "from"):
             continue
-        directed = place.preposition in _TOWARDS or motion in ("climb", "kneel")
+        directed = place.preposition in _TOWARDS or " " in place.preposition or motion in ("climb", "kneel")
         through = place.preposition == "through" and motion in ("read", "search", "look")
         if place.preposition == "from" and motion not in ("take", "drink", "eat"):
             continue

@@ -28,7 +28,8 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
             run = words[at : at + length]
             role = people[0].role if people[0].role == run[-1].low else ""
             if run[0].text[0].isupper() or _after_determiner(marked):
-                mention = Mention("role" if role else "name", people, run[-1].low, start=run[0].start)
+                start = _phrase_start(marked, run[0].start) if role else run[0].start
+                mention = Mention("role" if role else "name", people, run[-1].low, start=start)
                 name = " ".join(word.text for word in run)
                 marked.append(Word(name, run[0].start, run[-1].end, mention))
                 at += length
@@ -51,6 +52,16 @@ def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list
         if named or (role and (key[-1] == role or key[-1].strip("#").isdigit())):
             return length, people
     return 0, []
+
+
+def _phrase_start(before: list[Word], start: int) -> int:
+    """Offset of the determiner at most three words back, else ``start``."""
+    for word in reversed(before[-4:]):
+        if word.low in _OPENERS:
+            return word.start
+        if not word.text.islower() or word.low in lexicon.PREPOSITIONS or word.low in FORMS:
+            break
+    return start
 
 
 def _after_determiner(words: list[Word]) -> bool:

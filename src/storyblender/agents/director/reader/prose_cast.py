@@ -118,6 +118,9 @@ def _admit(roster: Roster, role: _Role, text: str) -> None:
         for person in known:
             describe(person, look)
         return
+    converse = lexicon.CONVERSE_KIN.get(role.noun, ())
+    if role.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
+        return
     gender = lexicon.gender_of_word(role.noun)
     if role.noun in _LATER and role.determiner == "the":
         if any("unknown" in (person.gender, gender) or person.gender == gender for person in roster.people):

@@ -14,6 +14,7 @@ _PLACE_PHRASE = re.compile(
     r"(?=\b(?:in|at|into|to|inside|reached|entered|through|on|near|outside|of|across|aboard)\s+"
     r"(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))"
 )
+_SENTENCE_END = re.compile(r"(?<=[.!?])(?<!Mr\.)(?<!Dr\.)(?<!Ms\.)(?<!Mrs\.)\s")
 _HOME = re.compile(r"\b(?:came|went|returned|was|got) home\b")
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES
@@ -26,7 +27,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> Scene
         paragraph: A paragraph of prose; only its first sentence is searched.
         scenes: The scenes before.
     """
-    opening = re.split(r"(?<=[.!?])\s", without_quotations(paragraph.raw))[0].lower()
+    opening = _SENTENCE_END.split(without_quotations(paragraph.raw))[0].lower()
     place = _place(opening, scenes)
     if scenes and (not place or place == scenes[-1].place):
         return None

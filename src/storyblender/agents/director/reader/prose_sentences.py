@@ -97,6 +97,8 @@ def _said(words: list[Word], text: str) -> tuple[list[Word], Speech]:
 def _subject_end(words: list[Word], start: int) -> int:
     """Index after the noun phrase that starts at ``start``: ends with the first mention or pronoun."""
     at = start
+    if start + 1 < len(words) and words[start].low in ("one", "all", "both", "some") and words[start + 1].low == "of":
+        at = start + 2
     while at < len(words) and at < start + 4:
         word = words[at]
         noun_like = word.text.isalpha() and word.low not in _SMALL and not word.low.endswith("ly")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 
 from storyblender.agents.director import lexicon
@@ -18,10 +19,12 @@ from storyblender.agents.director.reader.scenes import first_scene, read_heading
 from storyblender.agents.director.reader.sentences import Sentence, action_sentences, speech_sentences
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
-from storyblender.agents.director.reading import Reading, SceneReading, Unit
+from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
+_THROUGH = re.compile(r"window|binocular|scope|keyhole|screen|glass|monitor", re.IGNORECASE)
+"""What a POV looks through at somewhere else."""
 _CARRIED = 8
 """Words at the start of a prose scene in which a pronoun brings the people of the last scene along."""
 
@@ -111,16 +114,31 @@ def _read(stage: Stage, sentence: Sentence) -> None:
     unit = Unit("action", sentence.scene, sentence.paragraph.element, sentence.start, sentence.end,
                 stage.reading.screenplay.text[sentence.start : sentence.end])  # fmt: skip
     units.append(unit)
+    if sentence.camera:
+        _look_at(stage, sentence.camera)
     if sentence.words:
         read_action(stage, sentence)
     if sentence.speech:
         speak(stage, sentence, sentence.speech)
-    if sentence.camera:
-        unit.camera = sentence.camera
+    if sentence.camera and sentence.camera.kind == "pov" and _THROUGH.search(sentence.camera.phrase + sentence.camera.subject):
+        stage.scene.leaving += [person for person in unit.entering if person not in stage.scene.leaving]
     unit.leaving = list(stage.scene.leaving)
     unit.on_stage = list(stage.scene.on)
     unit.posture = dict(stage.scene.posture)
     unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}
+
+
+def _look_at(stage: Stage, camera: CameraNote) -> None:
+    """Note a camera direction: whom it shows or looks through is there; ``She`` after CLOSE ON KIRA is Kira."""
+    stage.unit.camera = camera
+    for name, shown in ((camera.who, False), (camera.subject, True)):
+        person = stage.find(name) if name else None
+        if person:
+            stage.enter(person)
+            stage.involve(person)
+            stage.mention(person, 1.0)
+            if shown:
+                stage.discourse.subjects = [person]
 
 
 def _open_scene(stage: Stage, sentence: Sentence) -> None:

@@ -42,7 +42,6 @@ _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
 _OF_THE_NOUN: frozenset[RelationKind] = frozenset(
     {"on", "under", "in_front_of", "behind", "next_to", "in", "over", "against"}
 )
-_APART = re.compile(r"behind|beside|ahead|near|in|next")
 
 
 def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None, first: bool) -> None:
@@ -63,6 +62,8 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         for place in roles.places:
             found += _placed(stage, clause, place, located)
         found += _between(stage, roles, located)
+    elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
+        found += [(s, "on", t) for s in located for place in roles.places if place.preposition == "onto" for t in place.things]
     if first and roles.subjects:
         _left_or_right(stage, roles.subjects)
     if clause.verb in _PLACING and roles.things:
@@ -187,14 +188,20 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
     """A noun with its own place: ``a cold coffee cup in front of her``, ``the phone on the wall``."""
     for index, phrase in enumerate(phrases[:-2]):
         noun, preposition, anchor = phrase.noun, phrases[index + 1], phrases[index + 2].noun
-        if not (noun and noun.kind == "thing" and preposition.kind == "preposition" and anchor):
+        left = phrases[index - 1] if index else None
+        if not (noun and preposition.kind == "preposition" and anchor):
             continue
         kind = lexicon.relation_of(preposition.text)
-        if kind not in _OF_THE_NOUN or lexicon.noun_class(noun.key) not in ("prop", "set_piece"):
+        if kind in _OF_THE_NOUN and noun.mention and left and left.text == "with":
+            for person in resolve_mention(stage, noun.mention):
+                for target in _anchors(stage, anchor, subjects, previous):
+                    stage.relate(person.id, kind, target)
+        if kind not in _OF_THE_NOUN or noun.kind != "thing" or lexicon.noun_class(noun.key) not in ("prop", "set_piece"):
             continue
-        left = phrases[index - 1] if index else None
-        if left and left.kind == "preposition" and kind not in ("on", "in_front_of"):
+        if left and left.kind == "preposition" and kind != "on":
             continue
+        if anchor.head in lexicon.BODY and kind in ("in", "over"):
+            kind = "on"
         thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
         for target in _anchors(stage, anchor, subjects, previous):
             stage.relate(thing, _exact_kind(stage, kind, target, ""), target)
@@ -214,6 +221,17 @@ def _anchors(stage: Stage, anchor: NounPhrase, subjects: list[Person], previous:
     ):
         return []
     return [person.id for person in found.people] + ([found.thing] if found.thing else [])
+
+
+def settle_apart(stage: Stage, words: list[Word]) -> None:
+    """``ROOK pushes through with a YOUNG OFFICER ten metres behind him``: him is Rook, named first."""
+    named = [index for index, word in enumerate(words) if word.named]
+    for index in named[1:]:
+        _, after = _preposition_at(words, index + 3)
+        counted = index + 1 < len(words) and (words[index + 1].low in lexicon.NUMBERS or words[index + 1].low.isdigit())
+        mention = words[named[0]].mention
+        if counted and mention and after < len(words) and lexicon.PRONOUNS.get(words[after].low) in ("male", "female"):
+            remember(stage, after, Referents(resolve_mention(stage, mention)))
 
 
 def relate_apart(stage: Stage, words: list[Word], subjects: list[Person], previous: list[Person]) -> None:

@@ -14,7 +14,7 @@ from storyblender.agents.director.reader.morphology import FORMS, VerbForm, form
 from storyblender.agents.director.reader.words import Word
 
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
-_OBJECT_OPENERS = _OPENERS | {"him", "her", "it", "them", "up", "to"}
+_OBJECT_OPENERS = _OPENERS | {"him", "her", "it", "them", "up", "to", "twice", "once", "again", "at"}
 _AFTER_VERB = _OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
 _SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
 _PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i"})
@@ -78,6 +78,9 @@ def regularise(words: list[Word]) -> list[Word]:
         if word.text == "," and row.words and row.words[-1].named and not any(w.inserted and w.verb for w in row.words):
             at = _apposition_end(words, at) or at
             word = words[at]
+        if _renames(row.words, words, at):
+            at += 1 if word.mention else 2
+            continue
         if word.text.isalpha() and word.mention is None:
             _read_verb(words, at, row)
         row.words.append(word)
@@ -87,6 +90,19 @@ def regularise(words: list[Word]) -> list[Word]:
         if word.verb is None and word.mention is None and not word.inserted:
             word.verb = _written_verb(regular, index)
     return regular
+
+
+def _renames(before: list[Word], words: list[Word], at: int) -> bool:
+    """``a girl named Elin``, ``his niece Clara``: the name is told by the noun before it."""
+    left = before[-1].mention if before else None
+    named = words[at].low in ("named", "called") and at + 1 < len(words)
+    mention = words[at + 1].mention if named else words[at].mention
+    if not (left and mention and mention.kind == "name" and left.kind in ("role", "generic")):
+        return False
+    if named or mention.candidates[0] in left.candidates:
+        left.candidates = mention.candidates
+        return True
+    return False
 
 
 def _apposition_end(words: list[Word], comma: int) -> int | None:
@@ -110,6 +126,8 @@ def _read_verb(words: list[Word], at: int, row: _Row) -> None:
     if form is None:
         return
     left = row.neighbour()
+    if word.low in _FRAGMENT_NOUNS and following and following.low in ("up", "raised", "drawn"):
+        return
     if form.kind in ("past", "aux"):
         if left is None or left.low not in _OPENERS:
             row.verb_seen = True
@@ -179,7 +197,11 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return third
     if left.low in lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}:
         return _continues(form, left, right, row) and not (
-            third and left.low in (",", "and") and singular(word.low) in _NOUNS and right not in _OBJECT_OPENERS
+            third
+            and left.low in (",", "and")
+            and {word.low, singular(word.low)} & _NOUNS
+            and right not in _OBJECT_OPENERS
+            and not right.endswith("ly")
         )
     return left.text.isalpha() and not row.verb_seen and _after_noun(form, left, right)
 

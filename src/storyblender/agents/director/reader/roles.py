@@ -20,7 +20,7 @@ _STRIKING = frozenset(
 _INVERTED = frozenset({"sit", "stand", "live", "lie", "come", "appear", "be", "emerge", "hang"})
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""
 _CONTACT = frozenset(
-    {"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "shake", "wipe", "hit", "slap"}
+    {"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"}
 )
 _SIDES = frozenset({"left", "right", "side"})
 
@@ -132,7 +132,8 @@ def _owner_role(stage: Stage, clause: Clause, noun: NounPhrase, subjects: list[P
         and person.gender == gender
         and stage.discourse.last_sentence.get(person.id, -9) >= stage.discourse.sentence - 1
     ]
-    if clause.verb in _CONTACT and noun.head in lexicon.BODY and others:
+    contact = clause.verb in _CONTACT or (clause.verb == "shake" and noun.head == "hand")
+    if contact and noun.head in lexicon.BODY and others:
         return "other"
     beside = noun.head in _SIDES and clause.subject and clause.subject[0].index < noun.index
     before = (

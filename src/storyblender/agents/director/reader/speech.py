@@ -93,6 +93,8 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
     ]
     unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb))
     unit.to = listener.id if listener else None
+    if listener:
+        stage.discourse.raise_(listener, 0.4)
     discourse.subjects = [speaker]
     discourse.last_speaker, discourse.last_listener = (None, None) if device else (speaker, listener)
 
@@ -123,22 +125,36 @@ def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Per
     named = stage.find(directed.group(1)) if directed else None
     if named and named is not speaker:
         return named
-    called = _called(stage, here, speech.text)
+    called = _called(stage, [person for person in stage.on_stage() if person is not speaker], speech.text)
     if called:
         return called
     last, listener = stage.discourse.last_speaker, stage.discourse.last_listener
     if speech.dual and listener and listener is not speaker:
         return listener
-    if last and last is not speaker and last.id in stage.scene.on:
-        return last
     if len(here) < 2:
         return here[0] if here else None
+    acting = _acted_since(stage, speaker)
+    if acting in here:
+        return acting
+    if last and last is not speaker and last.id in stage.scene.on:
+        return last
     guess = max(here, key=lambda person: stage.discourse.last_named.get(person.id, 0))
     if last is speaker and listener in here:
         guess = listener or guess
     unit = stage.unit
     stage.flag("addressee", guess.id, f"{speaker.name} may speak to any of {len(here)} people", unit.start, unit.end)
     return guess
+
+
+def _acted_since(stage: Stage, speaker: Person) -> Person | None:
+    """Who did something last since the last speech, except the speaker."""
+    for unit in reversed(stage.reading.units[:-1]):
+        if unit.kind == "dialogue" or unit.scene != stage.unit.scene:
+            break
+        for deed in reversed(unit.deeds):
+            if deed.actor != speaker.id:
+                return stage.person(deed.actor)
+    return None
 
 
 def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
@@ -160,6 +176,8 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
         fitting.sort(key=years)
     else:
         fitting.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+        if word in ("ma'am", "madam", "sir"):
+            fitting.sort(key=lambda person: -years(person))
     return next(iter(by_role + fitting), None)
 
 
