@@ -20,7 +20,7 @@ def _shade(b: MeshBuilder, material: MaterialRef, radius: float, top: float, low
     )
 
 
-def _flame(b: MeshBuilder, material: MaterialRef, x: float, y: float, z: float, height: float) -> None:
+def flame(b: MeshBuilder, material: MaterialRef, x: float, y: float, z: float, height: float) -> None:
     """Add a flame whose foot is at z."""
     h = height
     b.lathe(
@@ -152,7 +152,7 @@ def chandelier(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.tube(metal, [(0.05, 0, 0.24), (r * 0.4, 0, 0.14), (r * 0.8, 0, 0.16), (r, 0, 0.27)], 0.011)
             b.lathe(metal, [(0.015, 0.26), (0.05, 0.29), (0.052, 0.3)], origin=(r, 0, 0), segments=12)
             b.cylinder("wax", (r, 0, 0.29), (r, 0, 0.39), 0.015, segments=10)
-            _flame(b, bulb, r, 0, 0.38, 0.08)
+            flame(b, bulb, r, 0, 0.38, 0.08)
             for at, z in ((r, 0.2), (r * 0.7, 0.09), (r * 0.35, 0.09)):
                 b.lathe(crystal, [(0.002, -0.07), (0.016, -0.045), (0.002, 0)], origin=(at, 0, z), segments=6)
             b.tube(crystal, [(0.03, 0, 0.55), (r * 0.4, 0, 0.36), (r * 0.75, 0, 0.28), (r, 0, 0.3)], 0.006, segments=5)
@@ -204,7 +204,7 @@ def lantern(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
     bail = [(r * 0.95 * math.cos(a), 0, 0.24 + (h - 0.25) * math.sin(a)) for a in np.linspace(0, math.pi, 13)]
     b.tube(metal, bail, 0.004, segments=6)
-    _flame(b, spec.material("flame"), 0, 0, 0.085, 0.08)
+    flame(b, spec.material("flame"), 0, 0, 0.085, 0.08)
     return two_hands((0, 0, h + 0.005), (0, -0.3, -0.95), (0.0, -0.95, 0.3), (0.9, 0.9, 0.5), "_carry")
 
 
@@ -223,7 +223,7 @@ def candelabra(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.tube(metal, [(0, 0, h * 0.42), (x * 0.5, 0, h * 0.36), (x, 0, h * 0.42), (x, 0, cup)], 0.008)
         b.lathe(metal, [(0.01, -0.01), (0.028, 0.008), (0.03, 0.014)], origin=(x, 0, cup), segments=14)
         b.cylinder(wax, (x, 0, cup), (x, 0, cup + h * 0.26), 0.011, segments=10)
-        _flame(b, spec.material("flame"), x, 0, cup + h * 0.26, 0.055)
+        flame(b, spec.material("flame"), x, 0, cup + h * 0.26, 0.055)
     return two_hands((-0.02, 0.005, h * 0.22), (0.2, -1, 0), (1, 0.15, 0), (0.75, 0.8, 0.5))
 
 
@@ -235,8 +235,8 @@ def torch(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(
         spec.material("wrap"), [(0.026, h * 0.6), (0.045, h * 0.66), (0.05, h * 0.74), (0.03, h * 0.79)], segments=12
     )
-    _flame(b, spec.material("flame"), 0, 0, h * 0.7, h * 0.3)
+    flame(b, spec.material("flame"), 0, 0, h * 0.7, h * 0.3)
     for k in range(3):
         turn = 2.1 * k
-        _flame(b, spec.material("flame"), 0.028 * math.cos(turn), 0.028 * math.sin(turn), h * 0.7, h * 0.2)
+        flame(b, spec.material("flame"), 0.028 * math.cos(turn), 0.028 * math.sin(turn), h * 0.7, h * 0.2)
     return two_hands((-0.028, 0.006, h * 0.25), (0.2, -1, 0), (1, 0.15, 0), (0.85, 0.85, 0.5))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from storyblender.catalog.props.entry import PropEntry
 from storyblender.catalog.props.fittings import FITTINGS
 from storyblender.catalog.props.furniture import FURNITURE
+from storyblender.catalog.props.hand import HAND_PROPS
 from storyblender.catalog.registry import Catalog
 
 __all__ = ["PROPS", "PropEntry"]
 
-PROPS: Catalog[PropEntry] = Catalog("prop", FURNITURE + FITTINGS)
+PROPS: Catalog[PropEntry] = Catalog("prop", FURNITURE + FITTINGS + HAND_PROPS)
 """In the order they are listed to people."""

@@ -1,0 +1,256 @@
+"""Weapons and long-handled tools. What is pointed points to -Y; what stands has its head up."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
+from storyblender.memory.base import Vec3
+
+FIST: Vec3 = (0.9, 0.9, 0.5)
+"""Curl of a hand around a handle."""
+
+
+def _shaft(height: float) -> Anchors:
+    """Return the grips of a hand around an upright shaft."""
+    return two_hands((-0.02, 0.006, height), (0.2, -1, 0), (1, 0.15, 0), FIST)
+
+
+@prop("gun")
+def gun(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build an automatic pistol, or a revolver."""
+    (w, d, h), body, handle = spec.size, spec.material("body"), spec.material("grip")
+    back, top = d / 2, h
+    stock = [
+        (back - 0.005, 0.0),
+        (back - 0.045, 0.004),
+        (back - 0.058, h * 0.6),
+        (back - 0.008, h * 0.66),
+        (back - 0.018, h * 0.4),
+    ]
+    with b.at((-w * 0.4, 0, 0), (90, 0, 90)):
+        b.extrude(handle, stock, w * 0.8)
+    if spec.flag("revolver"):
+        b.box(body, (0, back - 0.06, top - 0.035), (w * 0.6, 0.1, 0.045), bevel=0.006)
+        b.cylinder(body, (0, back - 0.04, top - 0.032), (0, back - 0.085, top - 0.032), 0.02, segments=12)
+        b.cylinder(body, (0, back - 0.08, top - 0.022), (0, -d / 2, top - 0.02), 0.0095, segments=12)
+        b.box(body, (0, -d / 2 + 0.012, top - 0.006), (0.004, 0.014, 0.01))
+        b.box(body, (0, back - 0.012, top - 0.012), (0.008, 0.016, 0.02), rotation=(30, 0, 0))
+    else:
+        b.box(body, (0, 0, top - 0.018), (w, d, 0.034), bevel=0.005)
+        b.box(body, (0, -0.005, top - 0.044), (w * 0.8, d * 0.86, 0.022), bevel=0.004)
+        b.cylinder(
+            "plastic_black", (0, -d / 2 - 0.001, top - 0.016), (0, -d / 2 + 0.01, top - 0.016), 0.007, segments=12
+        )
+        for k in range(5):
+            b.box("plastic_black", (0, back - 0.014 - 0.006 * k, top - 0.016), (w + 0.001, 0.002, 0.024))
+        b.box(body, (0, -d / 2 + 0.012, top), (0.004, 0.008, 0.006))
+    guard = [
+        (0, back - 0.058, h * 0.64),
+        (0, back - 0.07, h * 0.45),
+        (0, back - 0.1, h * 0.47),
+        (0, back - 0.105, h * 0.66),
+    ]
+    b.tube(body, guard, 0.003, segments=6)
+    b.tube(body, [(0, back - 0.075, h * 0.66), (0, back - 0.078, h * 0.53)], 0.0025, segments=6)
+    hold = two_hands((-0.004, back - 0.008, h * 0.34), (0.06, -1, 0), (1, 0.1, 0), (0.22, 0.98, 0.22))
+    return hold + two_hands(
+        (0.03, back - 0.04, h * 0.12), (-0.35, -1, 0.05), (-1, 0.1, 0.25), (0.87, 0.89, 0.22), "_support"
+    )
+
+
+@prop("rifle")
+def rifle(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a bolt-action rifle."""
+    (w, d, h), body, wood = spec.size, spec.material("body"), spec.material("stock")
+    back, bore = d / 2, h * 0.78
+    butt = [
+        (back, 0.0),
+        (back - 0.02, h * 0.62),
+        (back - 0.26, h * 0.7),
+        (back - 0.34, h * 0.74),
+        (back - 0.34, h * 0.48),
+        (back - 0.24, h * 0.4),
+    ]
+    with b.at((-0.02, 0, 0), (90, 0, 90)):
+        b.extrude(wood, butt, 0.04)
+    b.box(wood, (0, -0.02, bore - 0.03), (0.042, 0.62, 0.045), bevel=0.012)
+    b.cylinder(body, (0, 0.2, bore), (0, -d / 2, bore), 0.015, 0.009, segments=12)
+    b.cylinder(body, (0, 0.24, bore), (0, 0.05, bore), 0.019, segments=12)
+    b.tube(body, [(0, 0.17, bore), (-w / 2, 0.17, bore - 0.01), (-w / 2, 0.19, bore - 0.03)], 0.006)
+    b.box(body, (0, -d / 2 + 0.03, bore + 0.02), (0.004, 0.02, 0.025))
+    b.box(body, (0, 0.02, bore + 0.024), (0.016, 0.03, 0.016), bevel=0.003)
+    b.tube(
+        body,
+        [(0, 0.22, bore - 0.05), (0, 0.2, h * 0.36), (0, 0.12, h * 0.38), (0, 0.1, bore - 0.05)],
+        0.004,
+        segments=6,
+    )
+    for y in (-0.3, -0.14):
+        b.box(body, (0, y, bore - 0.02), (0.046, 0.016, 0.062), bevel=0.006)
+    hold = two_hands((-0.016, 0.25, h * 0.52), (0.1, -0.9, -0.3), (1, 0.1, 0), (0.3, 0.95, 0.4))
+    return hold + two_hands((0.0, -0.1, bore - 0.06), (-0.5, -0.8, 0.1), (0, 0, 1), (0.6, 0.65, 0.4), "_support")
+
+
+@prop("knife")
+def knife(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a knife."""
+    (w, d, _), handle, blade = spec.size, spec.material("handle"), spec.material("blade")
+    b.cushion(handle, (0, d * 0.32, w / 2), (w * 0.7, d * 0.37, w), softness=0.4)
+    b.box(blade, (0, d * 0.13, w / 2), (w * 0.8, 0.01, w), bevel=0.002)
+    edge = [
+        (d * 0.13, w * 0.08),
+        (-d * 0.34, w * 0.06),
+        (-d / 2, w * 0.62),
+        (-d * 0.36, w * 0.92),
+        (d * 0.13, w * 0.92),
+    ]
+    with b.at((-0.0012, 0, 0), (90, 0, 90)):
+        b.extrude(blade, edge, 0.0024)
+    return two_hands((-0.012, d * 0.32, w * 0.5), (0.15, -0.5, -0.85), (1, 0.1, 0), FIST)
+
+
+@prop("sword")
+def sword(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a straight sword."""
+    (w, d, h), handle, blade, guard = spec.size, spec.material("handle"), spec.material("blade"), spec.material("guard")
+    mid, hilt = h / 2, d / 2 - 0.2
+    b.sphere(guard, (0, d / 2 - 0.022, mid), 0.022, segments=12, rings=8)
+    b.cylinder(handle, (0, d / 2 - 0.03, mid), (0, hilt, mid), 0.014, segments=12)
+    b.tube(
+        guard,
+        [(-w / 2, hilt - 0.025, mid), (-w * 0.3, hilt, mid), (w * 0.3, hilt, mid), (w / 2, hilt - 0.025, mid)],
+        (0.012, 0.01, 0.01, 0.012),
+    )
+    section = np.array([(-0.024, 0), (0, 0.006), (0.024, 0), (0, -0.006)])
+    rings = [
+        np.c_[section[:, 0] * s, np.full(4, y), mid + section[:, 1] * s]
+        for y, s in ((hilt, 1.0), (-d * 0.4, 0.8), (-d / 2, 0.06))
+    ]
+    b.loft(blade, rings)
+    return two_hands((-0.016, d / 2 - 0.11, mid), (0.15, -0.4, -0.9), (1, 0.1, 0), FIST)
+
+
+@prop("axe")
+def axe(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a felling axe, head up, its edge to -Y."""
+    (w, d, h), wood, steel = spec.size, spec.material("handle"), spec.material("head")
+    b.tube(wood, [(0, 0.08, 0), (0, 0.06, h * 0.2), (0, 0.07, h * 0.6), (0, 0.06, h)], (0.02, 0.015, 0.015, 0.018))
+    edge = [
+        (0.1, h - 0.12),
+        (0.1, h - 0.03),
+        (0.02, h - 0.02),
+        (-d / 2, h + 0.02),
+        (-d / 2 - 0.01, h - 0.1),
+        (-d / 2 + 0.02, h - 0.18),
+        (0.02, h - 0.12),
+    ]
+    with b.at((-w / 2, 0, 0), (90, 0, 90)):
+        b.extrude(steel, edge, w)
+    return _shaft(h * 0.3)
+
+
+@prop("hammer")
+def hammer(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a hammer, head up."""
+    (w, d, h), wood, steel = spec.size, spec.material("handle"), spec.material("head")
+    b.tube(wood, [(0, 0, 0), (0, 0, h * 0.3), (0, 0, h)], (0.016, 0.013, 0.011))
+    b.cylinder(steel, (0, -d / 2, h - 0.02), (0, d * 0.1, h - 0.02), w * 0.42, segments=12)
+    b.box(steel, (0, d * 0.3, h - 0.02), (w * 0.7, d * 0.42, w * 0.6), bevel=0.005)
+    return _shaft(h * 0.2)
+
+
+@prop("shovel")
+def shovel(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a shovel, blade down."""
+    (w, d, h), wood, steel = spec.size, spec.material("handle"), spec.material("head")
+    b.cylinder(wood, (0, 0, 0.26), (0, 0, h - 0.1), 0.016)
+    b.tube(
+        wood,
+        [
+            (0, 0, h - 0.12),
+            (-0.06, 0, h - 0.07),
+            (-0.06, 0, h - 0.015),
+            (0.06, 0, h - 0.015),
+            (0.06, 0, h - 0.07),
+            (0, 0, h - 0.12),
+        ],
+        0.012,
+    )
+    rows = [
+        np.array([(x * s, -d / 2 * (1 - (x / (w / 2)) ** 2) + 0.02, z) for x in np.linspace(-w / 2, w / 2, 7)])
+        for z, s in ((0.0, 0.1), (0.07, 0.75), (0.16, 1.0), (0.32, 0.95))
+    ]
+    for lift, order in ((0.0, 1), (0.004, -1)):
+        b.loft(steel, [(row + np.array([0, lift, 0]))[::order] for row in rows], closed=False)
+    return _shaft(h * 0.72)
+
+
+@prop("broom")
+def broom(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a broom, bristles down."""
+    (w, d, h), wood, head = spec.size, spec.material("handle"), spec.material("head")
+    b.cylinder(wood, (0, 0, 0.22), (0, 0, h), 0.013)
+    rings = [
+        np.array(
+            [
+                (x * s, y * t, z)
+                for x, y in ((-1, -1), (-0.3, -1), (0.3, -1), (1, -1), (1, 1), (0.3, 1), (-0.3, 1), (-1, 1))
+            ]
+        )
+        for z, s, t in ((0, w / 2, d / 2), (0.12, w * 0.42, d * 0.45), (0.24, w * 0.16, d * 0.35), (0.32, 0.03, 0.03))
+    ]
+    b.loft(head, rings)
+    b.box("fabric_red", (0, 0, 0.22), (w * 0.42, d * 0.76, 0.012))
+    return _shaft(h * 0.7)
+
+
+@prop("bow")
+def bow(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a longbow, standing, its belly to the archer at +Y."""
+    (_, d, h), wood = spec.size, spec.material("body")
+    curve = [(0, -d / 2 + 0.02 + d * 0.9 * abs(2 * t - 1) ** 1.7, h * t) for t in np.linspace(0, 1, 15)]
+    b.tube(wood, curve, [0.006 + 0.008 * (1 - abs(2 * t - 1)) for t in np.linspace(0, 1, 15)])
+    b.cylinder("leather", (0, -d / 2 + 0.02, h / 2 - 0.06), (0, -d / 2 + 0.02, h / 2 + 0.06), 0.0165)
+    b.cylinder(spec.material("string"), curve[0], curve[-1], 0.0016, segments=5)
+    return two_hands((-0.016, -d / 2 + 0.026, h / 2), (0.2, -1, 0), (1, 0.15, 0), FIST)
+
+
+@prop("spear")
+def spear(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a spear, point up."""
+    (w, _, h), steel = spec.size, spec.material("head")
+    b.cylinder(spec.material("shaft"), (0, 0, 0), (0, 0, h - 0.22), 0.016)
+    section = np.array([(-w / 2, 0), (0, 0.008), (w / 2, 0), (0, -0.008)])
+    rings = [np.c_[section * s, np.full(4, z)] for z, s in ((h - 0.26, 0.4), (h - 0.2, 1.0), (h, 0.03))]
+    b.loft(steel, rings)
+    b.cylinder(steel, (0, 0, h - 0.32), (0, 0, h - 0.22), 0.02, segments=10)
+    return _shaft(h * 0.58)
+
+
+@prop("shield")
+def shield(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a round shield that faces -Y."""
+    w, d, h = spec.size
+    r = w / 2
+    place = {"origin": (0, d / 2, h / 2), "axis": (0, -1, 0), "segments": 36}
+    b.lathe(
+        spec.material("body"), [(r * 0.98, 0), (r * 0.98, d * 0.2), (r * 0.6, d * 0.45), (0.004, d * 0.55)], **place
+    )
+    b.lathe(spec.material("metal"), [(r, 0), (r, d * 0.25), (r * 0.9, d * 0.32)], **place)
+    b.lathe(
+        spec.material("metal"), [(r * 0.3, d * 0.5), (r * 0.28, d * 0.65), (r * 0.16, d * 0.92), (0.003, d)], **place
+    )
+    for k in range(12):
+        turn = math.tau * k / 12
+        b.sphere(
+            spec.material("metal"),
+            (r * 0.9 * math.cos(turn), d * 0.2, h / 2 + r * 0.9 * math.sin(turn)),
+            0.012,
+            segments=8,
+            rings=5,
+        )
+    return two_hands((0.0, d / 2 + 0.02, h / 2), (1, 0, 0), (0, -1, 0), FIST)
