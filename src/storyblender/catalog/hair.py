@@ -34,7 +34,7 @@ class HairSpec:
         tip: Width at the end of a lock as a share.
         growth: ``full``, ``receding`` or ``wreath`` (bald on top).
         knot: ``bun`` or ``tail`` at the back.
-        curls: Round curls instead of locks.
+        curls: ``tight`` round curls or falling ``ringlets`` instead of locks.
     """
 
     key: str
@@ -55,7 +55,7 @@ class HairSpec:
     tip: float = 0.12
     growth: Literal["full", "receding", "wreath"] = "full"
     knot: Literal["", "bun", "tail"] = ""
-    curls: bool = False
+    curls: Literal["", "tight", "ringlets"] = ""
 
 
 HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
@@ -85,7 +85,7 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
              top=0.022, side=0.022, parting=0.38, sweep=0.25, locks=90, reach=1.6, hang=0.16, mess=0.15, lift=0.006,
              width=0.034, wave=0.028, tip=0.35),
     HairSpec(key="curly", name="Curly", tags=("curls", "ringlets", "frizzy"),
-             top=0.034, side=0.028, comb="crown", locks=120, curls=True, width=0.03, mess=0.5),
+             top=0.026, side=0.020, comb="crown", locks=130, curls="ringlets", width=0.020, mess=0.5, tip=0.3),
     HairSpec(key="afro", name="Afro", tags=("natural", "round"),
-             top=0.055, side=0.048, comb="crown", locks=150, curls=True, width=0.034, mess=0.25),
+             top=0.060, side=0.052, comb="crown", locks=150, curls="tight", width=0.050, mess=0.25),
 ))  # fmt: skip

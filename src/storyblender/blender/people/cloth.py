@@ -63,7 +63,8 @@ def build_top(cut: Top, figure: Figure, under: Under) -> list[Bolt]:
         lambda s: figure.below_neck(s, cut.neck),
     ):
         sheet = clip(sheet, field(sheet))
-    sheet = loosened(sheet, cut.ease * k, cut.drape)
+    close = 1 - 0.55 * figure.arm_share(sheet)
+    sheet = loosened(sheet, cut.ease * close * k, cut.drape)
     if cut.elbow:
         sheet = _fill_sleeves(sheet, figure, cut)
     sheet = under.push_out(sheet, 0.006 * k)
@@ -104,18 +105,24 @@ def _lapel_width(sheet: Sheet, figure: Figure, cut: Lapel, bottom: float, top: f
 
 
 def build_collar(cut: Collar, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a band of the neck that flares out below, open in front."""
+    """Cut a band of the neck that is folded over: it flares out below and ends in points in front."""
+    del under
     k = figure.k
-    sheet = figure.part("tights")
-    sheet = clip(sheet, figure.below_neck(sheet, cut.high))
-    sheet = clip(sheet, -figure.below_neck(sheet, cut.low))
+    neck = float(figure.joint("neck")[1])
 
     def share(s: Sheet) -> Floats:
-        return (figure.up_neck(s) / k - cut.low) / (cut.high - cut.low)
+        """0 at the lower edge, 1 at the fold."""
+        frontal = np.clip((neck - s.skin[:, 1]) / (0.055 * k), 0, 1) ** 2
+        low = cut.low - cut.point * frontal
+        return (figure.up_neck(s) / k - low) / (cut.high - low)
 
-    gap = cut.gap * k * np.clip(1 - share(sheet), 0, 1)
+    sheet = figure.part("tights")
+    sheet = clip(sheet, figure.below_neck(sheet, cut.high))
+    sheet = clip(sheet, share(sheet))
+    sheet = clip(sheet, 0.13 * k - np.abs(sheet.skin[:, 0]))
+    gap = (0.004 + cut.gap * np.clip(1 - share(sheet), 0, 1)) * k
     sheet = clip(sheet, np.where(figure.is_front(sheet), np.abs(sheet.skin[:, 0]) - gap, FAR))
-    stand = (0.009 + cut.flare * (1 - share(sheet))) * k
+    stand = (0.008 + cut.flare * (1 - share(sheet))) * k
     return one(cut, sheet.moved(sheet.points + normals(sheet) * stand[:, None]))
 
 
@@ -196,14 +203,26 @@ def build_band(cut: Band, figure: Figure, under: Under) -> list[Bolt]:
 
 def cover_footwear(cut: Footwear, figure: Figure, sheet: Sheet) -> Floats:
     """Return the field of a shoe or boot."""
-    return figure.below(sheet, figure.height(cut.top)) - 0.004
+    field = figure.below(sheet, figure.height(cut.top)) - 0.004
+    if not cut.throat:
+        return field
+    # The instep: an ellipse seen from above, between the ankle and the toes.
+    ankle, toe = figure.joint("l-ankle"), figure.joint("l-toe-3-1")
+    along = (toe - ankle) * (1, 1, 0)
+    side = np.sign(sheet.skin[:, :1])
+    local = np.concatenate([np.abs(sheet.skin[:, :1]), sheet.skin[:, 1:]], 1) - ankle
+    del side
+    forward = (local @ along) / (along @ along)
+    return np.where(
+        forward > -0.1, np.minimum(field, ankle[2] * (0.95 - 0.5 * np.clip(forward, 0, 0.9)) - sheet.skin[:, 2]), field
+    )
 
 
 def build_footwear(cut: Footwear, figure: Figure, under: Under) -> list[Bolt]:
     """Cut a shoe from the foot of the body suit; the sole is its own bolt."""
     k = figure.k
     sheet = figure.part("tights")
-    sheet = clip(sheet, figure.below(sheet, figure.height(cut.top)))
+    sheet = clip(sheet, cover_footwear(cut, figure, sheet) + 0.004)
     sheet = loosened(sheet, cut.ease * k, 6 if cut.sole else 2)
     if cut.shaft:
         place, axis = figure.along_leg(sheet)

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.face import bone_weights
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.scalp import Scalp
+from storyblender.blender.people.scalp import Scalp, above_hairline
 from storyblender.blender.people.sheet import Sheet, join, rigid
 from storyblender.blender.people.under import polygons
+from storyblender.catalog.bodies import Complexion
 from storyblender.catalog.hair import HAIRSTYLES, HairSpec
-from storyblender.memory.base import Color
 
 Floats = NDArray[np.float64]
 
@@ -56,14 +56,21 @@ class Strand:
 
 
 def build_hair(
-    figure: Figure, style: str, color: Color, masculine: float, seed: int, *, clothes: Sequence[Sheet], hatted: bool
+    figure: Figure,
+    style: str,
+    colors: Complexion,
+    masculine: float,
+    seed: int,
+    *,
+    clothes: Sequence[Sheet],
+    hatted: bool,
 ) -> Hair | None:
     """Return the hair of ``figure``, or None for a shaved head.
 
     Args:
         figure: Whose head.
         style: Key of ``catalog.hair``.
-        color: Scene-linear.
+        colors: Of hair and skin.
         masculine: 0 to 1, shapes the hairline.
         seed: Where the locks fall.
         clothes: What long hair lies on.
@@ -82,8 +89,11 @@ def build_hair(
         # Each lock has its own shade and is darker at the root, which reads as strands.
         shade = rng.uniform(0.86, 1.18)
         shades.append(np.full(len(lock.points), shade))
-    colors = np.concatenate(shades)[:, None] * np.array(color)
-    return Hair(join(sheets), np.clip(colors, 0, 1))
+    paint = np.concatenate(shades)[:, None] * np.array(colors.hair)
+    # The shell thins out to the skin at the hairline.
+    thin = 0.65 * np.exp(-np.maximum(above_hairline(shell.base, spec, masculine), 0) / 0.10)[:, None]
+    paint[: len(shell.points)] = paint[: len(shell.points)] * (1 - thin) + np.array(colors.skin) * thin
+    return Hair(join(sheets), np.clip(paint, 0, 1))
 
 
 def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> list[Sheet]:
@@ -93,14 +103,14 @@ def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> 
     for root in _roots(scalp, rng):
         if scalp.hatted and root[2] > 0.55 and not spec.hang:
             continue
-        if spec.curls:
+        if spec.curls == "tight":
             locks.append(_curl(scalp, root, rng))
             continue
-        strand = _comb(scalp, root, rng, body)
+        strand = _ringlet(scalp, root, rng) if spec.curls else _comb(scalp, root, rng, body)
         if strand is not None:
             locks.append(_leaf(figure, strand, spec, spec.width * rng.uniform(0.8, 1.2)))
     if spec.knot == "bun":
-        locks.append(_bun(scalp))
+        locks += _bun(scalp, rng)
     if spec.knot == "tail" and body:
         locks += _tail(scalp, body, rng)
     return locks
@@ -169,6 +179,9 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: _Drape | N
         if spec.knot and direction @ KNOT > 0.985:
             break
         way = _flow(direction, spec, side)
+        if spec.hang and grown < 0.25 and direction[1] < -0.2:
+            # Off the face: long hair turns aside at the forehead.
+            way = np.cross(direction, (0.0, -side, 0.35 * side)) + 0.4 * way
         way = way + stray * np.cross(direction, way)
         direction = direction + way / np.linalg.norm(way) * STEP
         direction = direction / np.linalg.norm(direction)
@@ -205,9 +218,19 @@ class _Drape:
             aim = aim / np.linalg.norm(aim)
             swing = spec.wave * scale * 0.5 * np.sin(phase + row * 1.15)
             across = np.cross(out, (0.0, 0.0, 1.0))
-            point = self.push_out(points[-1] + aim * drop + across * swing + out * 0.0015, 0.007 * scale)
+            point = points[-1] + aim * drop + across * swing + out * 0.0015
+            point = self.push_out(self._aside(point), 0.007 * scale)
             points.append(point)
             outward.append(out)
+
+    def _aside(self, point: Floats) -> Floats:
+        """Return ``point`` kept off the face."""
+        scale = self._figure.head_scale
+        depth = self._figure.joint("head")[1] - point[1]
+        least = float(np.interp(depth, (0.0, 0.05 * scale), (0.0, 0.066 * scale)))
+        if point[2] < self._figure.heights["neck"] + 0.02 * scale or abs(point[0]) >= least:
+            return point
+        return np.array((least if point[0] > 0 else -least, point[1], point[2]))
 
     def push_out(self, point: Floats, gap: float) -> Floats:
         """Return ``point`` moved at least ``gap`` outside the body and clothes."""
@@ -229,7 +252,7 @@ def _hair_weights(figure: Figure, points: Floats) -> Floats:
 
 def _leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
     """Return a lock: a strip with a raised middle that tapers to its tip."""
-    count = ROWS if not spec.hang else max(ROWS, round(len(strand.points) * 0.8))
+    count = ROWS if not spec.hang else max(ROWS, round(len(strand.points) * 0.6))
     at = np.linspace(0, len(strand.points) - 1, count)
     index = np.arange(len(strand.points))
     points = np.stack([np.interp(at, index, strand.points[:, axis]) for axis in range(3)], 1)
@@ -275,19 +298,49 @@ def _ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments:
 def _curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
     """Return one round curl standing on the hair."""
     spec, scale = scalp.spec, scalp.figure.head_scale
-    found = scalp.over(root, rng.uniform(-0.010, 0.004) * scale)
+    size = 0.5 * spec.width * scale * rng.uniform(0.75, 1.25)
+    found = scalp.over(root, -rng.uniform(0.1, 0.8) * size)
     center = found[0] if found else scalp.center
-    size = 0.5 * spec.width * scale * rng.uniform(0.7, 1.25)
     spin, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     spin = spin * np.sign(np.linalg.det(spin))
-    return _ball(scalp.figure, center, size * np.array((1.0, 0.9, 0.8)), spin, 6, 4)
+    return _ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 6, 4)
 
 
-def _bun(scalp: Scalp) -> Sheet:
-    scale = scalp.figure.head_scale
-    found = scalp.over(KNOT, 0.022 * scale)
+def _ringlet(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Strand | None:
+    """Return the middle line of a ringlet: a short helix that falls off the head."""
+    spec, scale = scalp.spec, scalp.figure.head_scale
+    found = scalp.over(root, -0.012 * scale)
+    if found is None:
+        return None
+    axis = root * 0.8 + np.array((0.0, 0.0, -0.55)) + rng.normal(0, 0.25, 3)
+    axis /= np.linalg.norm(axis)
+    across = np.cross(axis, rng.normal(size=3))
+    across /= np.linalg.norm(across)
+    second = np.cross(axis, across)
+    u = np.linspace(0, 1, ROWS)[:, None]
+    turn = 2 * np.pi * (1.25 * u + rng.uniform())
+    round_ = across * np.cos(turn) + second * np.sin(turn)
+    radius = 0.45 * spec.width * scale * rng.uniform(0.8, 1.2)
+    points = found[0] + axis * u * spec.reach * 0.045 * scale + round_ * radius
+    return Strand(points, round_)
+
+
+def _bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
+    """Return a knot of wound locks."""
+    figure, scale = scalp.figure, scalp.figure.head_scale
+    found = scalp.over(KNOT, 0.020 * scale)
     center = found[0] if found else scalp.center
-    return _ball(scalp.figure, center, np.array((0.046, 0.036, 0.042)) * scale, np.eye(3), 12, 8)
+    radii = np.array((0.046, 0.038, 0.042)) * scale
+    locks = [_ball(figure, center, radii * 0.94, np.eye(3), 10, 7)]
+    right = np.array((1.0, 0.0, 0.0))
+    up = np.cross(KNOT, right)
+    for step in range(9):
+        turn = 2 * np.pi * step / 9 + rng.normal(0, 0.1)
+        angle = np.linspace(0.25, 1.75, ROWS)[:, None]
+        wind = turn + 1.5 * angle
+        directions = KNOT * np.cos(angle) + (right * np.cos(wind) + up * np.sin(wind)) * np.sin(angle)
+        locks.append(_leaf(figure, Strand(center + directions * radii, directions), scalp.spec, 0.030))
+    return locks
 
 
 def _tail(scalp: Scalp, body: _Drape, rng: np.random.Generator) -> list[Sheet]:

@@ -86,7 +86,7 @@ def _build_skin(
     every = skin.expressions(pack)
     bare = figure.part("skin")
     bare = bare.keep_faces(~tailor.covered_skin(figure, bare, wardrobe))
-    paint = skin.paint_skin(figure, bare, colors, look.age, 0.6 if look.facial_hair == "stubble" else 0.0)
+    paint = skin.paint_skin(figure, bare, colors, look)
     sheets = [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
     keys = [skin.keys_for(sheet, every) for sheet in sheets]
     brows, brow_keys = face.brows(figure, 0.034, every)
@@ -137,7 +137,7 @@ def _build_hair(
 ) -> list[bpy.types.Object]:
     clothes = [bolt.sheet for worn in wardrobe for bolt in worn.bolts]
     hatted = any("head" in worn.spec.covers for worn in wardrobe)
-    grown = hair.build_hair(figure, look.hair, colors.hair, masculine, seed, clothes=clothes, hatted=hatted)
+    grown = hair.build_hair(figure, look.hair, colors, masculine, seed, clothes=clothes, hatted=hatted)
     if grown is None:
         return []
     group = f"{armature.name}_hair"

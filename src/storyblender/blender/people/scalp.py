@@ -32,10 +32,10 @@ def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
     line = line + temples * (0.06 + 0.10 * masculine)
     if spec.growth == "receding":
         line = line + np.interp(depth, (0.7, 1.1), (0, 0.16)) + 0.22 * temples
+    grown = base[:, 1] - line
     if spec.growth == "wreath":
-        crown = np.interp(np.hypot(x, (depth - 0.35) * 0.8), (0.50, 0.72), (1, 0))
-        line = line + 2 * crown + np.interp(depth, (0.75, 1.0), (0, 1.5))
-    return base[:, 1] - line
+        grown = np.minimum(grown, 7.72 - base[:, 1] - 0.45 * np.clip(depth - 0.2, 0, 1))
+    return grown
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,4 +120,3 @@ class Scalp:
             full *= 1 - 0.85 * high
         thick = 0.0015 + full * float(np.clip((grown + 0.12) / 0.4, 0.25, 1)) ** 0.6
         return point + direction * (thick * self.figure.head_scale + lift), grown
-

@@ -8,9 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.pack import PARTS, BodyPack, to_scene
+from storyblender.blender.people.pack import BodyPack, to_scene
 from storyblender.blender.people.sheet import Sheet
+from storyblender.blender.people.scalp import above_hairline
 from storyblender.catalog.bodies import Complexion
+from storyblender.catalog.hair import HAIRSTYLES
+from storyblender.memory.asset_sheet import CharacterLook
 
 Floats = NDArray[np.float64]
 
@@ -37,15 +40,14 @@ def keys_for(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
     return {key: offsets[sheet.source] for key, offsets in every.items()}
 
 
-def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, age: float, stubble: float) -> Floats:
+def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: CharacterLook) -> Floats:
     """Return the vertex colours (V, 3): tone, blood in cheeks, nose and ears, lips, eye sockets, stubble, age.
 
     Args:
         figure: Whose body it is.
         sheet: The skin, uncut.
         colors: The person's colours.
-        age: Years.
-        stubble: Strength of a painted beard shadow, 0 to 1.
+        look: Whose age, hairline and stubble are painted.
     """
     base = sheet.base
     paint = np.tile(np.array(colors.skin), (len(base), 1))
@@ -59,7 +61,7 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, age: float, stu
     ears = figure.pack.ears[sheet.source][:, None]
     for strength, where in ((0.55, spot(0.55, 6.95, 1.2, 0.28)), (0.4, spot(0, 7.0, 1.7, 0.18)), (0.3, ears)):
         paint *= 1 + strength * where * (flush - 1)
-    old = float(np.interp(age, (40, 80), (0, 1)))
+    old = float(np.interp(look.age, (40, 80), (0, 1)))
     folds = spot(0.42, 6.75, 1.35, 0.13) + spot(0.36, 7.13, 1.38, 0.10) + spot(0.62, 7.28, 1.15, 0.10)
     for strength, where in ((0.28, spot(0.31, 7.30, 1.35, 0.16)), (0.4 * old, folds)):
         paint *= 1 + strength * where * (shade - 1)
@@ -69,9 +71,14 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, age: float, stu
         * np.clip((base[:, 2] - 0.35) / 0.3, 0, 1)
         * np.clip((base[:, 1] - 6.1) / 0.15, 0, 1)
         * (1 - lips)
-        * stubble
+        * (0.6 if look.facial_hair == "stubble" else 0.0)
     )[:, None]
+    style = HAIRSTYLES[look.hair]
+    if style.top or style.side:
+        over = above_hairline(base, style, float(look.gender != "female"))
+        shadow = (0.55 * np.exp(np.minimum(over, 0) / 0.05) * ~figure.pack.ears[sheet.source] * (base[:, 1] > 6.5))[
+            :, None
+        ]
+        paint = paint * (1 - shadow) + np.array(colors.hair) * shadow
     paint = paint * (1 - beard) + np.array(colors.brow) * beard
     return paint * (1 - lips[:, None]) + np.array(colors.lips) * lips[:, None]
-
-

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.people import cloth, trimmings
+from storyblender.blender.people import cloth, headwear, trimmings
 from storyblender.blender.people.cloth import Bolt, Builder, Cover
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.sheet import Sheet
@@ -34,6 +34,12 @@ BUILDERS: dict[type, Builder] = {
     cuts.Band: cloth.build_band,
     cuts.Footwear: cloth.build_footwear,
     cuts.Buttons: trimmings.build_buttons,
+    cuts.Patches: trimmings.build_patches,
+    cuts.Necktie: trimmings.build_necktie,
+    cuts.BowTie: trimmings.build_bow_tie,
+    cuts.Scarf: trimmings.build_scarf,
+    cuts.Bib: trimmings.build_bib,
+    cuts.Hat: headwear.build_hat,
 }
 """Who sews which kind of piece."""
 
