@@ -18,49 +18,41 @@ _TRUCK, _PEDESTAL = 0.45, 0.35
 """Travel in heights of the picture at the pivot."""
 
 
-def end_of_move(
-    camera: Orbit, movement: str, direction: str | None = None, travel: tuple[float, float, float] = (0.0, 0.0, 0.0)
-) -> Orbit:
-    """Return the camera at the end of a shot.
+def moved(camera: Orbit, movement: str, direction: str | None = None, share: float = 1.0) -> Orbit:
+    """Return the camera after a share of a plain move; minus one half is where to start to be centred on it.
 
     Args:
-        camera: At the start.
+        camera: Before the move.
         movement: One of the camera movements of the vocabulary.
         direction: left, right, up or down; the picture's, so panning left turns to what lies left of it.
-        travel: How far the subject moves during the shot, metres; pan and track follow it.
+        share: Of the whole move; negative goes the other way.
     """
-    sign = _SIGN.get(direction or "", 0.0)
-    follows = float(np.linalg.norm(travel)) > 0.3
-    axes = camera.axes
-    if movement == "track":
-        return _shifted(camera, np.asarray(travel)) if follows else _trucked(camera, -(sign or 1.0))
-    if movement in ("pan", "tilt") and follows and (direction is None or movement == "pan"):
-        return _follow(camera, travel)
-    if movement == "tilt" or (movement == "pan" and direction in ("up", "down")):
-        return swivel(camera, 0.0, _TILT * (sign or 1.0))
+    sign = share * _SIGN.get(direction or "", 1.0)
+    vertical = direction in ("up", "down")
+    if movement == "tilt" or (movement == "pan" and vertical):
+        return swivel(camera, 0.0, _TILT * sign)
     if movement == "pan":
-        return swivel(camera, _PAN * (sign or 1.0))
+        return swivel(camera, _PAN * sign)
     if movement == "orbit":
-        if direction in ("up", "down"):
-            return orbit(camera, 0.0, sign * _ORBIT / 2)
-        return orbit(camera, -_ORBIT * (sign or 1.0))
-    if movement == "push in":
-        return replace(camera, distance=camera.distance / _PUSH)
-    if movement == "pull out":
-        return replace(camera, distance=camera.distance * _PUSH)
-    if movement == "zoom in":
-        return replace(camera, lens=camera.lens * _ZOOM)
-    if movement == "zoom out":
-        return replace(camera, lens=camera.lens / _ZOOM)
-    if movement == "truck":
-        return _trucked(camera, -(sign or 1.0))
-    if movement == "pedestal":
-        return _shifted(camera, axes[:, 1] * camera.frame_height * _PEDESTAL * (sign or 1.0))
-    return camera
+        return orbit(camera, 0.0, _ORBIT / 2 * sign) if vertical else orbit(camera, -_ORBIT * sign)
+    if movement == "pedestal" or (movement == "truck" and vertical):
+        return _shifted(camera, camera.axes[:, 1] * camera.frame_height * _PEDESTAL * sign)
+    if movement in ("truck", "track"):
+        return _shifted(camera, camera.axes[:, 0] * camera.frame_height * _TRUCK * -sign)
+    factor = {"push in": 1 / _PUSH, "pull out": _PUSH}.get(movement, 1.0) ** share
+    zoom = {"zoom in": _ZOOM, "zoom out": 1 / _ZOOM}.get(movement, 1.0) ** share
+    return replace(camera, distance=camera.distance * factor, lens=camera.lens * zoom)
 
 
-def _trucked(camera: Orbit, right: float) -> Orbit:
-    return _shifted(camera, camera.axes[:, 0] * camera.frame_height * _TRUCK * right)
+def followed(camera: Orbit, movement: str, travel: tuple[float, float, float]) -> Orbit:
+    """Return the camera that keeps a walker in the picture: ``track`` goes along, anything else turns on the tripod.
+
+    Args:
+        camera: At the start of the walk.
+        movement: How to follow.
+        travel: How far the subject goes, metres.
+    """
+    return _shifted(camera, np.asarray(travel)) if movement == "track" else _turned_after(camera, travel)
 
 
 def _shifted(camera: Orbit, by: np.ndarray) -> Orbit:
@@ -68,14 +60,14 @@ def _shifted(camera: Orbit, by: np.ndarray) -> Orbit:
     return replace(camera, pivot=(float(x), float(y), float(z)))
 
 
-def _follow(camera: Orbit, travel: tuple[float, float, float]) -> Orbit:
+def _turned_after(camera: Orbit, travel: tuple[float, float, float]) -> Orbit:
     """Turn on the tripod until the travelled pivot is where it was in the picture."""
     old = np.asarray(camera.pivot) - camera.position
     new = old + np.asarray(travel)
-    azimuth = math.atan2(new[1], new[0]) - math.atan2(old[1], old[0])
-    azimuth = (azimuth + math.pi) % (2 * math.pi) - math.pi
+    azimuth = math.degrees(math.atan2(new[1], new[0]) - math.atan2(old[1], old[0]))
+    azimuth = (azimuth + 180) % 360 - 180
     tilt = math.atan2(new[2], math.hypot(new[0], new[1])) - math.atan2(old[2], math.hypot(old[0], old[1]))
-    turned = swivel(camera, math.degrees(azimuth), math.degrees(tilt))
+    turned = swivel(camera, azimuth, math.degrees(tilt))
     return replace(turned, distance=float(np.linalg.norm(new)), pivot=tuple((camera.position + new).tolist()))
 
 

@@ -1,0 +1,183 @@
+"""What the Camera Operator knows about a shot, and what it hands over: its view and its draft."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.geometry.boxes import Box, corners
+from storyblender.geometry.framing import Figure, Film
+from storyblender.geometry.moves import eased, in_between
+from storyblender.geometry.orbit import Floats, Orbit
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState
+from storyblender.memory.vocabulary import LENS_OF_SIZE, SHOT_SIZES, ShotSize
+
+TRAVEL = 0.6
+"""Metres from which a move of the subject is a walk that the camera has to follow or hold."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Everybody who is drawn, at one frame counted from the shot's start."""
+
+    frame: int
+    figures: tuple[Figure, ...]
+
+    def figure(self, node_id: str | None) -> Figure | None:
+        """Return somebody's face, or None for a thing or someone off stage."""
+        return next((figure for figure in self.figures if figure.node_id == node_id), None)
+
+
+@dataclass(frozen=True)
+class Cut:
+    """An earlier shot that this one has to match."""
+
+    instruction: CameraInstruction
+    state: CameraState
+
+
+@dataclass(frozen=True)
+class CameraBrief:
+    """The Camera Operator's projection of the graph for one shot.
+
+    Attributes:
+        scene_id: Of the shot.
+        shot_id: Of the shot.
+        instruction: What the Director wants.
+        duration: Frames.
+        moments: Start, middle and end of the shot, in order; at least one.
+        plan: The set; None on an empty stage.
+        props: Boxes of the things by node_id, as they are during the shot.
+        in_frame: node_ids of the people the shot is meant to show, besides its focus.
+        film: Sensor and aspect of the project.
+        lens_kit: mm by shot size.
+        previous: The shot before.
+        reverse: The latest single of the partner in this conversation.
+        side: Side of the instruction's axis used so far in the scene: 1 left of the line from its first to its
+            second person, -1 right, 0 not settled.
+        nodes: node_id by asset_id, where they differ.
+    """
+
+    scene_id: int
+    shot_id: int
+    instruction: CameraInstruction
+    duration: int
+    moments: tuple[Moment, ...]
+    plan: SetPlan | None = None
+    props: Mapping[str, Box] = field(default_factory=dict)
+    in_frame: tuple[str, ...] = ()
+    film: Film = field(default_factory=Film)
+    lens_kit: Mapping[ShotSize, float] = field(default_factory=lambda: LENS_OF_SIZE)
+    previous: Cut | None = None
+    reverse: Cut | None = None
+    side: int = 0
+    nodes: Mapping[str, str] = field(default_factory=dict)
+
+    def node(self, asset_id: str) -> str:
+        """Return the node that shows an asset."""
+        return self.nodes.get(asset_id, asset_id)
+
+    @property
+    def focus(self) -> tuple[str, ...]:
+        """node_ids the shot is about."""
+        return tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
+
+    @property
+    def people(self) -> tuple[Figure, ...]:
+        """The focus people in the middle of the shot, at its start where they walk."""
+        moment = self.moments[0] if self.walks else self.moments[len(self.moments) // 2]
+        return tuple(figure for node in self.focus if (figure := moment.figure(node)) is not None)
+
+    @property
+    def things(self) -> tuple[Box, ...]:
+        """Boxes of the focus things."""
+        return tuple(self.props[node] for node in self.focus if node in self.props)
+
+    @property
+    def travel(self) -> tuple[float, float, float]:
+        """How far the first focus person's face goes from start to end, metres."""
+        for node in self.focus:
+            first, last = self.moments[0].figure(node), self.moments[-1].figure(node)
+            if first is not None and last is not None:
+                x, y, z = np.subtract(last.face, first.face)
+                return float(x), float(y), float(z)
+        return 0.0, 0.0, 0.0
+
+    @property
+    def walks(self) -> bool:
+        """Whether the subject crosses the floor during the shot."""
+        return float(np.hypot(*self.travel[:2])) > TRAVEL
+
+    @property
+    def axis(self) -> tuple[Figure, Figure] | None:
+        """The two people of the 180-degree line, where both are on stage."""
+        if self.instruction.axis is None:
+            return None
+        moment = self.moments[len(self.moments) // 2]
+        first, second = (moment.figure(self.node(asset_id)) for asset_id in self.instruction.axis)
+        return (first, second) if first is not None and second is not None else None
+
+    @property
+    def lens(self) -> float:
+        """Focal length in mm: the Director's, or the kit's for the size."""
+        return self.instruction.lens or self.lens_kit[self.instruction.size]
+
+    def bounds(self) -> Floats:
+        """Return (n, 3) points around everybody and every thing, for masters and empty stages."""
+        moment = self.moments[0]
+        points = [point for figure in moment.figures for point in (figure.base, figure.face)]
+        points += [corner for box in self.props.values() for corner in corners(box)]
+        if not points:
+            points = [(-2.0, -2.0, 0.0), (2.0, 2.0, 2.0)]
+        return np.array(points, float)
+
+    def size_steps(self, other: ShotSize) -> int:
+        """Return how many sizes lie between this shot and another."""
+        return abs(SHOT_SIZES.index(self.instruction.size) - SHOT_SIZES.index(other))
+
+
+@dataclass(frozen=True)
+class Take:
+    """The Camera Operator's draft: the composition in the middle of the move, and the poses that come of it."""
+
+    camera: Orbit
+    start: Orbit
+    end: Orbit
+    hidden: tuple[str, ...] = ()
+
+    @property
+    def moves(self) -> bool:
+        """Whether start and end differ."""
+        return self.start != self.end
+
+    def at(self, share: float) -> Orbit:
+        """Return the camera at a share of the shot's time."""
+        return in_between(self.start, self.end, eased(share)) if self.moves else self.start
+
+    def state(self, duration: int, f_number: float, score: float, residual: tuple[str, ...]) -> CameraState:
+        """Return what goes into the graph."""
+        cameras = (self.start, self.end) if self.moves else (self.start,)
+        frames = (0, max(duration - 1, 1))
+        return CameraState(
+            poses=tuple(pose_of(camera, frame) for camera, frame in zip(cameras, frames, strict=False)),
+            sensor_width=self.camera.sensor_width,
+            f_number=f_number,
+            hidden_node_ids=self.hidden,
+            score=round(score, 2),
+            residual=residual,
+        )
+
+
+def pose_of(camera: Orbit, frame: int = 0) -> CameraPose:
+    """Return an orbital state as the graph stores it."""
+    return CameraPose(
+        frame=frame, pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=camera.lens
+    )
+
+
+def orbit_of(pose: CameraPose, film: Film) -> Orbit:
+    """Return a stored pose as a camera."""
+    return Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, film.sensor_width, film.aspect)

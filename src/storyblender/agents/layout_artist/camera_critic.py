@@ -1,0 +1,341 @@
+"""Judges a take by what the viewfinder measures: visibility, size, composition, cuts; each fault with its fix.
+
+Fixes are numbers where the geometry gives them (``pan_x``/``pan_y`` in heights of the picture, ``dolly`` in steps,
+``azimuth``/``elevation`` in degrees) and names of the paper's operations (``ops``) where only trying tells.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, orbit_of, pose_of
+from storyblender.geometry import framing
+from storyblender.geometry.continuity import THIRTY, crosses_line, looks_meet, view_change
+from storyblender.geometry.framing import Figure
+from storyblender.geometry.orbit import DOLLY, Orbit
+from storyblender.memory.base import shot_name
+from storyblender.memory.measure import CameraView, SubjectView
+from storyblender.ports import Viewfinder, ViewRequest
+from storyblender.reflection import Critique, Fault
+
+_HIDDEN = 0.30
+_FACE_SHOWN = 0.60
+_VOID = 0.015
+_FOREGROUND = 0.22
+_FOREGROUND_OTS = 0.50
+_STRAY = 0.09
+"""How far in widths or heights of the picture a face may be from its place."""
+_CLOSE = ("MS", "MCU", "CU", "ECU")
+_WHOLE = ("FS", "WS", "EWS")
+_FACE_ANGLE = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "two_shot": 112.0, "group": 125.0}
+"""Degrees a focus face may be turned from the camera, by kind of shot."""
+_AROUND = "orbit_left orbit_right"
+
+
+class CameraCritic:
+    """R of the Camera Operator. Remembers what it saw, so that judging the same take again costs nothing.
+
+    Args:
+        viewfinder: The engine's eye.
+    """
+
+    def __init__(self, viewfinder: Viewfinder) -> None:
+        self._viewfinder = viewfinder
+        self._seen: dict[tuple[int, int, int, Take], CameraView] = {}
+
+    def judge(self, draft: Take, view: CameraBrief) -> Critique:
+        """Score one take."""
+        return self.judge_all([draft], view)[0]
+
+    def judge_all(self, takes: Sequence[Take], brief: CameraBrief) -> list[Critique]:
+        """Score several takes with one batch of looks."""
+        moments = telling_moments(brief, takes)
+        wanted = [(take, moment) for take in takes for moment in moments]
+        fresh = [pair for pair in dict.fromkeys((take, moment.frame) for take, moment in wanted)
+                 if self._key(brief, *pair) not in self._seen]  # fmt: skip
+        fresh.sort(key=lambda pair: (pair[1], pair[0].hidden))
+        views = self._viewfinder.look([_request(brief, take, frame) for take, frame in fresh])
+        for (take, frame), seen in zip(fresh, views, strict=True):
+            self._seen[self._key(brief, take, frame)] = seen
+        return [
+            Critique.of(_faults(brief, take, [(m, self._seen[self._key(brief, take, m.frame)]) for m in moments]))
+            for take in takes
+        ]
+
+    @staticmethod
+    def _key(brief: CameraBrief, take: Take, frame: int) -> tuple[int, int, int, Take]:
+        return brief.scene_id, brief.shot_id, frame, take
+
+
+def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
+    """Return the moments worth a look: the middle alone if neither people nor cameras move, else all of them."""
+    middle = brief.moments[len(brief.moments) // 2]
+    if any(take.moves for take in takes) or len(brief.moments) == 1:
+        return list(brief.moments)
+    told = [middle]
+    for moment in (brief.moments[0], brief.moments[-1]):
+        changes = {figure.node_id for figure in moment.figures} != {figure.node_id for figure in middle.figures}
+        for figure in moment.figures:
+            there = middle.figure(figure.node_id)
+            changes |= there is not None and math.dist(there.face, figure.face) > 0.15
+        if changes and moment is not middle:
+            told.append(moment)
+    return sorted(told, key=lambda moment: moment.frame)
+
+
+def share_of(brief: CameraBrief, frame: int) -> float:
+    """Return the share of the shot's time at a frame."""
+    return min(frame / max(brief.duration - 1, 1), 1.0)
+
+
+def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
+    return ViewRequest(
+        scene_id=brief.scene_id,
+        shot_id=brief.shot_id,
+        frame=frame,
+        pose=pose_of(take.at(share_of(brief, frame)), frame),
+        sensor_width=brief.film.sensor_width,
+        hidden_node_ids=take.hidden,
+        focus_ids=brief.focus,
+    )
+
+
+def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraView]]) -> tuple[Fault, ...]:
+    """Judge composition where the take is centred, and visibility everywhere."""
+    told: list[Fault] = []
+    main = 0 if brief.walks else len(seen) // 2
+    for index, (moment, view) in enumerate(seen):
+        camera = take.at(share_of(brief, moment.frame))
+        found = [*_visibility(brief, moment, view), *_place(view)]
+        if index == main:
+            found += [*_composition(brief, camera, moment, view), *_surroundings(brief, view)]
+        known = {(fault.kind, fault.subject) for fault in told}
+        told += [fault for fault in found if (fault.kind, fault.subject) not in known]
+    told += _cuts(brief, take)
+    return tuple(told)
+
+
+def _fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
+    return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
+
+
+def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fault]:
+    """Focus seen and not hidden, faces free; whoever else belongs in the picture is in it."""
+    found: list[Fault] = []
+    kind, size = brief.instruction.kind, brief.instruction.size
+    subjects = {subject.node_id: subject for subject in view.subjects}
+    for node in brief.focus:
+        subject = subjects.get(node)
+        if subject is None:
+            continue
+        if subject.in_frame_fraction < 0.02:
+            found.append(_fault("out_of_frame", node, 5.0, f"{node} is not in the picture", ops="zoom_out"))
+            continue
+        hidden = 1 - subject.visible_fraction / subject.in_frame_fraction
+        if hidden > _HIDDEN:
+            text = f"{node} is {hidden:.0%} hidden"
+            found.append(_fault("hidden", node, 1 + 4 * (hidden - _HIDDEN), text, ops=f"{_AROUND} orbit_up"))
+        is_person = moment.figure(node) is not None
+        whole = size in _WHOLE if is_person else kind == "insert"
+        if whole and kind != "establishing" and subject.in_frame_fraction < 0.96:
+            cut = 1 - subject.in_frame_fraction
+            found.append(_fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
+        if is_person and kind != "establishing":
+            found += _face(brief, subject)
+    over_node = brief.node(brief.instruction.over_id or "")
+    for node in () if size in ("MCU", "CU", "ECU") else brief.in_frame:
+        other = subjects.get(node)
+        if other is not None and other.visible_fraction < 0.05 and node not in (*brief.focus, over_node):
+            found.append(_fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
+    over = subjects.get(over_node)
+    if kind == "ots" and over is not None and over.pixels < 0.02:
+        found.append(_fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
+    return found
+
+
+def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
+    node = subject.node_id
+    limit = _FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.instruction.size in _WHOLE else 105.0)
+    if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
+        return [_fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
+    found: list[Fault] = []
+    if subject.face_angle > limit:
+        over = (subject.face_angle - limit) / 45
+        text = f"the face of {node} is turned {subject.face_angle:.0f} degrees away"
+        found.append(_fault("face_away", node, min(0.6 + 1.5 * over, 2.5), text, ops=_AROUND))
+    elif subject.face_visible < _FACE_SHOWN and subject.face_angle < 100 and brief.instruction.size != "ECU":
+        short = _FACE_SHOWN - subject.face_visible
+        ops = f"{_AROUND} orbit_up"
+        found.append(_fault("face_hidden", node, 1 + 3 * short, f"the face of {node} is hidden", ops=ops))
+    return found
+
+
+def _place(view: CameraView) -> list[Fault]:
+    found = [
+        _fault("inside", node, 5.0, f"the camera is in {node}", ops="zoom_in zoom_out orbit_left orbit_right")
+        for node in view.inside
+    ]
+    if view.below_floor:
+        found.append(_fault("below_floor", "", 5.0, "the camera is below the floor", ops="orbit_up"))
+    return found
+
+
+def _composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
+    """Size, headroom, place in the picture, angle."""
+    kind = brief.instruction.kind
+    found: list[Fault] = []
+    if kind not in ("pov", "establishing"):
+        found += _angle(brief, camera)
+    subjects = {subject.node_id: subject for subject in view.subjects}
+    faces = [(moment.figure(node), subjects[node]) for node in brief.focus if node in subjects]
+    heads = [(figure, subject) for figure, subject in faces if figure is not None and subject.face is not None]
+    if not heads or kind in ("establishing", "insert", "pov"):
+        return found
+    found += _size(brief, [subject for _, subject in heads])
+    if len(heads) == 1 or kind == "ots":
+        figure, subject = heads[0]
+        assert figure is not None and subject.face is not None
+        found += _lone_place(brief, camera, figure, subject)
+    else:
+        xs = [subject.face[0] for _, subject in heads if subject.face is not None]
+        off = (min(xs) + max(xs)) / 2 - 0.5
+        if abs(off) > _STRAY:
+            text = f"the group is {off:+.2f} of the width off the middle"
+            found.append(_fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
+    found += _headroom(brief, [subject for _, subject in heads])
+    return found
+
+
+def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
+    low, high = framing.ELEVATION_BAND[brief.instruction.angle]
+    if brief.things and not brief.people:
+        high = max(high, 45.0)
+    elevation = camera.elevation
+    if low <= elevation <= high:
+        return []
+    by = (low - elevation) if elevation < low else (high - elevation)
+    text = f"{elevation:.0f} degrees is not {brief.instruction.angle}"
+    return [_fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
+
+
+def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
+    scale = framing.SCALES[brief.instruction.size]
+    low, high = scale.band
+    if len(heads) > 1:
+        low *= 0.5
+    largest = max(subject.head_height for subject in heads)
+    if low <= largest <= high or largest <= 0:
+        return []
+    steps = math.log(scale.head / largest, DOLLY)
+    text = f"the head fills {largest:.2f} of the height, {brief.instruction.size} wants {scale.head:.2f}"
+    return [_fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
+
+
+def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
+    """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
+    assert subject.face is not None
+    wanted = framing.lead_room(camera, figure)
+    if brief.instruction.kind == "ots":
+        wanted = 0.5 + math.copysign(0.13, subject.face[0] - 0.5)
+    off = subject.face[0] - wanted
+    if abs(off) <= _STRAY:
+        return []
+    text = f"the face of {subject.node_id} is {off:+.2f} of the width off its place"
+    return [_fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
+
+
+def _headroom(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
+    tops = [subject.head_top for subject in heads if subject.head_top is not None]
+    if not tops or brief.instruction.size in ("ECU", "EWS"):
+        return []
+    crown, top = framing.SCALES[brief.instruction.size].crown, min(tops)
+    low = -0.04 if brief.instruction.size == "CU" else 0.01
+    high = crown + (0.24 if len(heads) > 1 or brief.instruction.size == "WS" else 0.14)
+    if low <= top <= high:
+        return []
+    off = crown - top
+    text = f"headroom is {top:.2f} of the height"
+    return [_fault("headroom", heads[0].node_id, 0.5 + 2 * abs(off), text, pan_y=off)]
+
+
+def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
+    """Nothing void, nothing looming, nobody cut by the frame, somebody to look at."""
+    found: list[Fault] = []
+    kind = brief.instruction.kind
+    if view.void > _VOID:
+        text = f"{view.void:.0%} of the picture shows nothing"
+        ops = "orbit_left orbit_right orbit_down zoom_in"
+        found.append(_fault("void", "", min(0.5 + 6 * view.void, 3.0), text, ops=ops))
+    allowed = _FOREGROUND_OTS if kind == "ots" else _FOREGROUND
+    if view.foreground > allowed and kind != "pov":
+        text = f"{view.foreground:.0%} of the picture is in front of the subject"
+        ops = "zoom_in orbit_left orbit_right orbit_up"
+        found.append(_fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
+    own = {*brief.focus, brief.node(brief.instruction.over_id or "")}
+    covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
+    if covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
+        found.append(_fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
+    if kind not in ("establishing", "pov"):
+        found += _bystanders(view, own, set(brief.in_frame))
+    return found
+
+
+def _bystanders(view: CameraView, own: set[str], meant: set[str]) -> list[Fault]:
+    """People outside the focus are whole from side to side, and do not steal the picture."""
+    found: list[Fault] = []
+    largest = max((subject.pixels for subject in view.subjects if subject.node_id in own), default=0.0)
+    for subject in view.subjects:
+        if subject.node_id in own or subject.box is None or subject.face is None or subject.pixels < 0.004:
+            continue
+        left, _, right, _ = subject.box
+        if (left < 0.004) != (right > 0.996) or (left < 0.004 and right > 0.996):
+            x = right if left < 0.004 else 1 - left
+            away = x + 0.02 if left < 0.004 else -(x + 0.02)
+            text = f"the frame cuts {subject.node_id}"
+            found.append(_fault("bystander", subject.node_id, 0.4 + min(3 * subject.pixels, 0.8), text,
+                                azimuth=math.copysign(8, -away), ops=_AROUND))  # fmt: skip
+        if subject.node_id not in meant and subject.pixels > max(1.2 * largest, 0.1):
+            text = f"{subject.node_id} steals the picture"
+            found.append(_fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
+    return found
+
+
+def _cuts(brief: CameraBrief, take: Take) -> list[Fault]:
+    """The 180-degree line, the 30-degree rule, and eyelines that meet."""
+    found: list[Fault] = []
+    name = shot_name(brief.scene_id, brief.shot_id)
+    kind, axis = brief.instruction.kind, brief.axis
+    if axis is not None and kind not in ("pov", "establishing", "insert"):
+        crossed = [crosses_line(end, axis[0].face, axis[1].face, brief.side) for end in (take.start, take.end)]
+        if any(crossed):
+            found.append(_fault("line", name, 3.5, f"{name} crosses the line", ops=_AROUND))
+    before = brief.previous
+    if before is not None and set(before.instruction.focus_on_ids) & set(brief.instruction.focus_on_ids):
+        found += _jump(brief, take, name)
+    reverse = brief.reverse
+    if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and brief.people:
+        partner = next((figure for figure in axis if figure.node_id != brief.people[0].node_id), None)
+        other = orbit_of(reverse.state.poses[0], brief.film)
+        if partner is not None and not looks_meet(take.camera, brief.people[0].forward, other, partner.forward):
+            found.append(_fault("eyeline", name, 1.5, "both singles look to one side of the picture", ops=_AROUND))
+    return found
+
+
+def _jump(brief: CameraBrief, take: Take, name: str) -> list[Fault]:
+    before = brief.previous
+    if before is None or "pov" in (brief.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
+        return []
+    if set(before.instruction.focus_on_ids) != set(brief.instruction.focus_on_ids):
+        return []
+    last = orbit_of(before.state.poses[-1], brief.film)
+    subject = brief.people[0].face if brief.people else take.camera.pivot
+    change, steps = view_change(last, take.start, subject), brief.size_steps(before.instruction.size)
+    if steps >= 2 or change >= THIRTY:
+        return []
+    short = THIRTY - change + 3
+    way = np.sign(take.start.azimuth - last.azimuth) or 1.0
+    text = f"the cut moves only {change:.0f} degrees on the same subject"
+    return [_fault("jump", name, 0.6 + short / 40, text, azimuth=float(way * short))]

@@ -1,0 +1,142 @@
+"""The Camera Operator: an analytic start, then the paper's discrete visual servo, judged by the viewfinder.
+
+The paper lets a vision model name one operation a turn. Here the critic's own numbers propose the operations, all of
+them are looked at in one batch, and the best one is kept; the update laws and step sizes are the paper's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_critic import CameraCritic
+from storyblender.agents.layout_artist.camera_start import F_NUMBER, start, take
+from storyblender.geometry.continuity import side_of_line
+from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
+from storyblender.memory.base import shot_name
+from storyblender.memory.shot_context import CameraState
+from storyblender.ports import Viewfinder
+from storyblender.reflection import Critique, Policy, reflect
+from storyblender.trace import Listener, silent
+
+_ORBIT, _RISE, _PAN, _ROLL = 15.0, 10.0, 0.08, 4.0
+OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
+    "orbit_left": lambda camera: orbit(camera, -_ORBIT),
+    "orbit_right": lambda camera: orbit(camera, _ORBIT),
+    "orbit_up": lambda camera: orbit(camera, 0.0, _RISE),
+    "orbit_down": lambda camera: orbit(camera, 0.0, -_RISE),
+    "pan_left": lambda camera: pan(camera, -_PAN, 0.0),
+    "pan_right": lambda camera: pan(camera, _PAN, 0.0),
+    "pan_up": lambda camera: pan(camera, 0.0, _PAN),
+    "pan_down": lambda camera: pan(camera, 0.0, -_PAN),
+    "zoom_in": lambda camera: dolly(camera, 1.0),
+    "zoom_out": lambda camera: dolly(camera, -1.0),
+    "roll_left": lambda camera: roll(camera, _ROLL),
+    "roll_right": lambda camera: roll(camera, -_ROLL),
+}
+"""The paper's operations and step sizes (appendix, prompt of the Camera Operator)."""
+
+_ANOTHER_PLACE = ((22, 0), (-22, 0), (45, 0), (-45, 0), (75, 0), (-75, 0), (0, 9), (30, 9), (-30, 9), (110, 0),
+                  (-110, 0), (180, 0))  # fmt: skip
+"""Degrees to go round and up for a fresh composition, where small operations do not help."""
+_ENOUGH = 9.6
+_TURNS = 8
+
+
+@dataclass(frozen=True)
+class CameraRules:
+    """The Camera Operator without a model: greedy steps over the critic's fixes."""
+
+    critic: CameraCritic
+
+    def propose(self, view: CameraBrief) -> Take:
+        """Return the analytic start."""
+        return start(view)
+
+    def refine(self, draft: Take, critique: Critique, view: CameraBrief) -> Take:
+        """Return the best of the fixed takes, of recomposed ones if no fix helps, or the draft itself."""
+        for cameras in (_fixed(draft, critique), None):
+            takes = _recomposed(view) if cameras is None else [take(view, camera) for camera in cameras]
+            best, score = self._best(takes, view)
+            if best is not None and score > critique.score + 0.02:
+                return best
+        return draft
+
+    def _best(self, takes: list[Take], view: CameraBrief) -> tuple[Take | None, float]:
+        if not takes:
+            return None, 0.0
+        scores = [critique.score for critique in self.critic.judge_all(takes, view)]
+        index = max(range(len(takes)), key=lambda each: (scores[each], -each))
+        return takes[index], scores[index]
+
+
+def _fixed(draft: Take, critique: Critique) -> list[Orbit]:
+    """Return the cameras that the critique asks for: each numeric fix, all of them together, each named operation."""
+    cameras: dict[Orbit, None] = {}
+    together = draft.camera
+    for fault in sorted(critique.faults, key=lambda fault: -fault.severity):
+        numbers = {name: value for name, value in fault.fix.items() if isinstance(value, float | int)}
+        if numbers:
+            cameras[_applied(draft.camera, numbers)] = None
+            together = _applied(together, numbers)
+        for name in str(fault.fix.get("ops", "")).split():
+            cameras[OPERATIONS[name](draft.camera)] = None
+            cameras[OPERATIONS[name](together)] = None
+    cameras[together] = None
+    cameras.pop(draft.camera, None)
+    return list(cameras)
+
+
+def _applied(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
+    camera = orbit(camera, numbers.get("azimuth", 0.0), numbers.get("elevation", 0.0))
+    camera = dolly(camera, numbers.get("dolly", 0.0))
+    return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
+
+
+def _recomposed(brief: CameraBrief) -> list[Take]:
+    """Return fresh compositions from other sides; a point of view has only one."""
+    if brief.instruction.kind == "pov":
+        return []
+    return [start(brief, float(turn), float(rise)) for turn, rise in _ANOTHER_PLACE]
+
+
+def operate(
+    brief: CameraBrief,
+    viewfinder: Viewfinder,
+    *,
+    policy: Policy[CameraBrief, Take] | None = None,
+    listener: Listener = silent,
+) -> CameraState:
+    """Return the camera of a shot with its score and what the critic still minds.
+
+    Args:
+        brief: The shot.
+        viewfinder: The engine's eye.
+        policy: Another policy than the rules; the rules take over where it does not converge.
+        listener: Receives the trace.
+    """
+    critic = CameraCritic(viewfinder)
+    rules = CameraRules(critic)
+    outcome = reflect(
+        "camera_operator",
+        shot_name(brief.scene_id, brief.shot_id),
+        brief,
+        policy or rules,
+        critic,
+        threshold=_ENOUGH,
+        horizon=_TURNS,
+        fallback=rules if policy is not None else None,
+        listener=listener,
+    )
+    residual = tuple(fault.message for fault in outcome.critique.faults)
+    chosen = outcome.draft
+    return chosen.state(brief.duration, F_NUMBER[brief.instruction.size], outcome.critique.score, residual)
+
+
+def side_used(brief: CameraBrief, state: CameraState) -> int:
+    """Return the side of the instruction's axis that a shot's camera is on, for the shots after it; 0 if neither."""
+    if brief.axis is None or brief.instruction.kind in ("pov", "insert", "establishing"):
+        return 0
+    first, second = brief.axis
+    return side_of_line(orbit_of(state.poses[0], brief.film).position, first.face, second.face)

@@ -1,0 +1,228 @@
+"""Where a shot's camera starts: chosen from faces, the line and the instruction, before anything is rendered."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.geometry import framing
+from storyblender.geometry.boxes import corners, wrapped
+from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
+from storyblender.geometry.framing import Figure
+from storyblender.geometry.moves import followed, moved
+from storyblender.geometry.orbit import Orbit, orbit, roll
+
+_OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
+"""Degrees from full face at which a single is taken; wider sizes take ``_WIDE_OFF``."""
+_WIDE_OFF = 40.0
+_MASTER_ELEVATION, _INSERT_ELEVATION = 9.0, 30.0
+_MASTER_AZIMUTH = 14.0
+F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
+"""Aperture by shot size: tight shots part the face from its background."""
+
+
+def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
+    """Return the analytic take of a shot.
+
+    Args:
+        brief: The shot.
+        turn: Degrees to go round from the preferred azimuth; the composition is made anew there.
+        rise: Degrees to go up from the preferred elevation.
+    """
+    camera = _compose(brief, turn, rise)
+    if brief.instruction.angle == "dutch":
+        camera = roll(camera, framing.DUTCH_ROLL)
+    return take(brief, camera)
+
+
+def take(brief: CameraBrief, camera: Orbit) -> Take:
+    """Return the take around a composition: its move, centred on it, and the walls it needs away."""
+    instruction = brief.instruction
+    first = last = camera
+    if _follows(brief, camera):
+        last = followed(camera, instruction.movement, brief.travel)
+    elif instruction.movement != "static":
+        direction = instruction.direction
+        first, last = (moved(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
+    hidden: list[str] = []
+    if brief.plan is not None:
+        loose = {node: box for node, box in brief.props.items() if node not in brief.focus}
+        hidden = taken_away(brief.plan, loose, dict.fromkeys((first, camera, last)), _targets(brief))
+    if instruction.kind == "pov" and instruction.pov_id is not None:
+        hidden.append(brief.node(instruction.pov_id))
+    return Take(camera, first, last, tuple(hidden))
+
+
+def _targets(brief: CameraBrief) -> list[np.ndarray]:
+    """Return the points that have to be seen at any time."""
+    faces = [
+        np.asarray(figure.face)
+        for moment in brief.moments
+        for node in (*brief.focus, *brief.in_frame)
+        if (figure := moment.figure(node)) is not None
+    ]
+    return faces + [np.array([box.x, box.y, box.z + box.height / 2]) for box in brief.things]
+
+
+def _follows(brief: CameraBrief, camera: Orbit) -> bool:
+    """Return whether the camera goes with a walker: told to, or the walk would leave the picture."""
+    if not brief.walks or brief.instruction.kind in ("establishing", "pov", "insert"):
+        return False
+    if brief.instruction.movement in ("pan", "track"):
+        return True
+    if brief.instruction.movement != "static":
+        return False
+    faces = [figure.face for moment in brief.moments if (figure := moment.figure(brief.focus[0])) is not None]
+    screen, depth = framing.project(camera, faces)
+    return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
+
+
+def _compose(brief: CameraBrief, turn: float, rise: float) -> Orbit:
+    instruction, film, people = brief.instruction, brief.film, brief.people
+    elevation = framing.ELEVATION[instruction.angle] + rise
+    if instruction.kind == "pov" and (pov := _pov(brief)) is not None:
+        return pov
+    if instruction.kind == "establishing" or not (people or brief.things):
+        up = max(elevation, _MASTER_ELEVATION)
+        fill = 0.6 if instruction.size == "EWS" else 0.86
+        return framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, brief.lens, fill)
+    lead = people[0] if people else None
+    if lead is None or (brief.things and instruction.kind == "insert"):
+        return _of_things(brief, turn, rise)
+    over = brief.moments[len(brief.moments) // 2].figure(brief.node(instruction.over_id or ""))
+    if instruction.kind == "ots" and over is not None and over.node_id != lead.node_id:
+        side = line_side(brief, lead, over)
+        camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, brief.lens)
+        return _swung(camera, turn, rise)
+    if len(people) > 1:
+        azimuth = _group_azimuth(brief, people) + turn
+        return framing.group(film, people, instruction.size, azimuth, elevation, brief.lens)
+    if brief.walks and not _tight(brief):
+        return _of_walk(brief, lead, turn, elevation)
+    azimuth = _single_azimuth(brief, lead) + turn
+    return framing.single(film, lead, instruction.size, azimuth, elevation, brief.lens)
+
+
+def _tight(brief: CameraBrief) -> bool:
+    return brief.instruction.size in ("MCU", "CU", "ECU")
+
+
+def _swung(camera: Orbit, turn: float, rise: float) -> Orbit:
+    return orbit(camera, turn, rise) if turn or rise else camera
+
+
+def _pov(brief: CameraBrief) -> Orbit | None:
+    """Return the view through somebody's eyes to the first focus, or straight ahead."""
+    eyes = brief.moments[len(brief.moments) // 2].figure(brief.node(brief.instruction.pov_id or ""))
+    if eyes is None:
+        return None
+    target = np.asarray(eyes.face) + 3 * np.asarray(eyes.forward)
+    if brief.people:
+        target = np.mean([figure.face for figure in brief.people], axis=0)
+    elif brief.things:
+        target = np.mean([corners(box).mean(0) for box in brief.things], axis=0)
+    return framing.through_eyes(brief.film, eyes, target, min(brief.lens, 50.0))
+
+
+def _of_things(brief: CameraBrief, turn: float, rise: float) -> Orbit:
+    """Frame things: from above if they lie on a table, level if they hang; from the front, on the audience's side."""
+    points = np.concatenate([corners(box) for box in brief.things])
+    box = brief.things[0]
+    high = points[:, 2].mean() > 1.25 or box.height > 1.2
+    angle = framing.ELEVATION[brief.instruction.angle]
+    elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
+    azimuth = _towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
+    fill = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}.get(brief.instruction.size, 0.2)
+    return framing.insert(brief.film, points, azimuth, elevation, brief.lens, fill)
+
+
+def _of_walk(brief: CameraBrief, figure: Figure, turn: float, elevation: float) -> Orbit:
+    """Frame a walk from the side and a little ahead, on the audience's side."""
+    heading = math.degrees(math.atan2(brief.travel[0], -brief.travel[1]))
+    sides = [heading + 62.0, heading - 62.0]
+    azimuth = min(sides, key=lambda angle: abs(_turned(angle))) + turn
+    return framing.single(brief.film, figure, brief.instruction.size, azimuth, elevation, brief.lens)
+
+
+def _turned(angle: float) -> float:
+    """Return degrees within -180..180."""
+    return math.degrees(wrapped(math.radians(angle)))
+
+
+def _towards_audience(yaw: float, most: float) -> float:
+    """Return the azimuth nearest to the audience (0) from which something of that yaw is seen within ``most``."""
+    yaw = _turned(yaw)
+    return yaw - max(-most, min(most, yaw))
+
+
+def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
+    """Return from where one person is taken: matching the reverse, on the line's side, not where the cut would jump."""
+    if (matched := _reverse_azimuth(brief, figure)) is not None:
+        return matched
+    size = brief.instruction.size
+    off = _OFF_FACE.get(size, _WIDE_OFF)
+    choices = [figure.yaw + off, figure.yaw - off]
+    if brief.instruction.kind == "action" and size not in _OFF_FACE:
+        choices.insert(0, _towards_audience(figure.yaw, 55.0))
+    choices += [figure.yaw, figure.yaw + 65.0, figure.yaw - 65.0]
+    return min(choices, key=lambda angle: (_cost(brief, figure, angle), choices.index(angle)))
+
+
+def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
+    """Weigh an azimuth: across the line 4, a jump 2, away from the audience up to 1, a flat full face 0.4."""
+    cost = abs(_turned(azimuth)) / 180
+    way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
+    if (axis := brief.axis) is not None and brief.side:
+        position = np.asarray(figure.face)[:2] + 2 * way
+        cost += 4.0 * (side_of_line(position, axis[0].face, axis[1].face) == -brief.side)
+    if (before := brief.previous) is not None and brief.size_steps(before.instruction.size) < 2:
+        same = set(before.instruction.focus_on_ids) == set(brief.instruction.focus_on_ids)
+        last = orbit_of(before.state.poses[-1], brief.film)
+        cost += 2.0 * (same and abs(_turned(last.azimuth - azimuth)) < THIRTY)
+    return cost + 0.4 * (abs(_turned(azimuth - figure.yaw)) < 15)
+
+
+def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
+    """Return the mirror of the partner's single, if this is its answer."""
+    if brief.reverse is None or brief.axis is None or brief.instruction.kind not in ("single", "reaction"):
+        return None
+    first, second = brief.axis
+    if figure.node_id not in (first.node_id, second.node_id):
+        return None
+    partner = orbit_of(brief.reverse.state.poses[0], brief.film)
+    azimuth = mirrored(partner.azimuth, first.face, second.face)
+    return azimuth if abs(_turned(azimuth - figure.yaw)) < 75 else None
+
+
+def _group_azimuth(brief: CameraBrief, people: tuple[Figure, ...]) -> float:
+    """Return from where several are taken: where they look if they look one way, else square to their line."""
+    look = np.mean([figure.forward[:2] for figure in people], axis=0)
+    faces = np.array([figure.face[:2] for figure in people])
+    spread = faces - faces.mean(0)
+    _, _, axes = np.linalg.svd(spread)
+    square = math.degrees(math.atan2(axes[1][0], -axes[1][1]))
+    if np.hypot(*look) > 0.55:
+        toward = math.degrees(math.atan2(look[0], -look[1]))
+        return _towards_audience(toward, 40.0)
+    choices = [square, square + 180.0]
+    azimuth = min(choices, key=lambda angle: (_group_cost(brief, people, angle), abs(_turned(angle))))
+    return _turned(azimuth)
+
+
+def _group_cost(brief: CameraBrief, people: tuple[Figure, ...], azimuth: float) -> float:
+    if (axis := brief.axis) is None or not brief.side:
+        return 0.0
+    way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
+    position = np.mean([figure.face[:2] for figure in people], axis=0) + 4 * way
+    return float(side_of_line(position, axis[0].face, axis[1].face) == -brief.side)
+
+
+def line_side(brief: CameraBrief, focus: Figure, over: Figure) -> float:
+    """Return the side of the line from ``over`` to ``focus``: the scene's if it has one, or the audience's."""
+    if (axis := brief.axis) is not None and brief.side:
+        return brief.side if over.node_id == axis[0].node_id else -brief.side
+    ahead = np.subtract(focus.face, over.face)
+    return 1.0 if ahead[0] < 0 else -1.0

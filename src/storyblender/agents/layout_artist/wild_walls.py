@@ -1,0 +1,110 @@
+"""Wild walls: what is taken away for a shot because it stands between the camera and what it looks at."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan, Wall
+from storyblender.geometry.boxes import Box, distance_to_point
+from storyblender.geometry.orbit import Floats, Orbit
+
+_ON_WALL = 0.45
+"""Metres from a taken wall within which a thing goes with it: its pictures, and the shelf before it."""
+_CLOSE = 0.25
+"""Metres from a wall at which the camera would scrape it."""
+
+
+def taken_away(
+    plan: SetPlan, props: Mapping[str, Box], cameras: Iterable[Orbit], targets: Sequence[Floats]
+) -> list[str]:
+    """Return the node_ids to hide for cameras that look at targets (and at the corners of their own frames).
+
+    Args:
+        plan: Walls, ceilings and wild pieces.
+        props: Boxes of the things that may go with a wall; leave out what the shot is about.
+        cameras: All poses of the shot.
+        targets: World points that have to be seen.
+    """
+    hidden: dict[str, None] = {}
+    for camera in cameras:
+        eye = camera.position
+        sights = [*targets, *_frame_points(camera)]
+        for wall in plan.walls:
+            if wall.wild and _stands_between(wall, eye, sights):
+                hidden[wall.node_id] = None
+                hidden |= dict.fromkeys(node for node, box in props.items() if _goes_with(box, wall, eye, sights))
+        for slab in plan.slabs:
+            if slab.role == "ceiling" and eye[2] > slab.z - 0.15:
+                hidden[slab.node_id] = None
+        for piece in plan.pieces:
+            if piece.wild and piece.footprint is not None:
+                width, depth = (size * piece.scale for size in piece.footprint)
+                box = Box(*piece.location, width, depth, 4.0, math.radians(piece.yaw))
+                if any(_crosses(box, eye, sight) for sight in sights[: len(targets)]):
+                    hidden[piece.node_id] = None
+    return list(hidden)
+
+
+def _frame_points(camera: Orbit) -> list[Floats]:
+    """Return points of the picture at nine tenths of the way to the pivot: middle, and half-way to its corners."""
+    axes, height = camera.axes, camera.frame_height
+    middle = np.asarray(camera.pivot) + axes[:, 2] * camera.distance * 0.1
+    spread = [(0.0, 0.0), (0.4, 0.3), (-0.4, 0.3), (0.4, -0.3), (-0.4, -0.3)]
+    return [middle + axes[:, 0] * x * height * camera.aspect + axes[:, 1] * y * height for x, y in spread]
+
+
+def _stands_between(wall: Wall, eye: Floats, sights: Sequence[Floats]) -> bool:
+    start, end = np.asarray(wall.start), np.asarray(wall.end)
+    along = end - start
+    length = float(np.hypot(*along))
+    along /= length
+    inward = np.array([-along[1], along[0]])
+    out = float((eye[:2] - start) @ inward)
+    beside = float((eye[:2] - start) @ along)
+    if abs(out) < _CLOSE and -_CLOSE < beside < length + _CLOSE:
+        return True
+    return any(_is_cut(wall, start, along, inward, length, eye, sight) for sight in sights)
+
+
+def _is_cut(
+    wall: Wall, start: Floats, along: Floats, inward: Floats, length: float, eye: Floats, sight: Floats
+) -> bool:
+    """Return whether the line of sight meets the wall, and not one of its openings."""
+    before, after = float((eye[:2] - start) @ inward), float((sight[:2] - start) @ inward)
+    if before * after >= 0:
+        return False
+    share = before / (before - after)
+    point = eye + (sight - eye) * share
+    x, z = float((point[:2] - start) @ along), float(point[2])
+    if not (0 <= x <= length and wall.base <= z <= wall.base + wall.height):
+        return False
+    return not any(
+        hole.x + 0.1 < x < hole.x + hole.width - 0.1
+        and hole.sill < z < hole.sill + hole.height
+        and (hole.kind in ("arch", "gap") or (hole.kind == "door" and hole.state == "open"))
+        for hole in wall.openings
+    )
+
+
+def _goes_with(box: Box, wall: Wall, eye: Floats, sights: Sequence[Floats]) -> bool:
+    """Return whether a thing hangs on a taken wall, or stands at it in the camera's way."""
+    start, end = np.asarray(wall.start), np.asarray(wall.end)
+    along = (end - start) / np.hypot(*(end - start))
+    inward = np.array([-along[1], along[0]])
+    centre = np.array([box.x, box.y])
+    depth = abs(float((centre - start) @ inward)) - box.reach((float(inward[0]), float(inward[1])))
+    x = float((centre - start) @ along)
+    if depth > _ON_WALL or not -0.2 < x < float(np.hypot(*(end - start))) + 0.2:
+        return False
+    return box.z > 0.3 or any(_crosses(box, eye, sight) for sight in sights)
+
+
+def _crosses(box: Box, eye: Floats, sight: Floats) -> bool:
+    for share in np.linspace(0.05, 0.9, 18):
+        x, y, z = eye + (sight - eye) * share
+        if box.z < z < box.top and distance_to_point(box, float(x), float(y)) < 0:
+            return True
+    return False
