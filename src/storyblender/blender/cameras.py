@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import bpy
 from mathutils import Matrix
 
@@ -47,7 +49,7 @@ def pose_at(state: CameraState, frame: float) -> Orbit:
     poses = state.poses
     if len(poses) == 1 or frame <= poses[0].frame:
         return _orbit(poses[0], state.sensor_width)
-    for before, after in zip(poses, poses[1:], strict=False):
+    for before, after in itertools.pairwise(poses):
         if frame <= after.frame:
             share = (frame - before.frame) / max(1, after.frame - before.frame)
             return in_between(_orbit(before, state.sensor_width), _orbit(after, state.sensor_width), eased(share))
