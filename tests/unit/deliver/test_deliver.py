@@ -20,9 +20,7 @@ from storyblender.memory.shot_context import CameraInstruction, ShotContext
 
 @pytest.fixture
 def graph() -> ContinuityMemoryGraph:
-    speech = ScriptLine(
-        kind="dialogue", text="=Où est 李?", span=SourceSpan(start=9, end=20), speaker_name="Élodie"
-    )
+    speech = ScriptLine(kind="dialogue", text="=Où est 李?", span=SourceSpan(start=9, end=20), speaker_name="Élodie")
     action = ScriptLine(kind="action", text="She waits & listens.", span=SourceSpan(start=0, end=8))
     shots = (
         ShotOutline(shot_id=1, shot_description="She waits.", lines=(action,)),
