@@ -1,0 +1,103 @@
+"""Channels: values over time made of timed target functions. The whole transition system of the solver.
+
+A key is a function of time, so blending from "hand at my side" to "hand on a moving cup" is right at every frame.
+Nothing ends by itself: a channel keeps its newest key, so sitting and holding last until something else is set.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import insort
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+TargetOf = Callable[[float], Any]
+"""A target that moves: seconds to values (an array, a tuple or a mathutils vector)."""
+Target = ArrayLike | TargetOf
+Easing = Callable[[float], float]
+
+LONG_AGO = -1e9
+
+
+def smooth(w: float) -> float:
+    """Minimum jerk: how limbs move."""
+    return w * w * w * (w * (6 * w - 15) + 10)
+
+
+def smoothstep(w: float) -> float:
+    """Softer at the ends than linear, firmer than minimum jerk."""
+    return w * w * (3 - 2 * w)
+
+
+def ease_out(w: float) -> float:
+    """Fast at first: strokes and blows."""
+    return 1 - (1 - w) ** 3
+
+
+def clamp(x: float, low: float = 0.0, high: float = 1.0) -> float:
+    """Return ``x`` held between ``low`` and ``high``."""
+    return low if x < low else high if x > high else x
+
+
+def turn_between(a: float, b: float) -> float:
+    """Return the shortest turn from angle ``a`` to ``b``, radians."""
+    return (b - a + math.pi) % (2 * math.pi) - math.pi
+
+
+@dataclass(frozen=True)
+class Key:
+    """Blend to ``target`` from ``start`` on, in ``duration`` seconds.
+
+    ``bump`` is added to the first three values along a half sine: a hand goes around, not through.
+    """
+
+    start: float
+    duration: float
+    target: Target
+    ease: Easing = smooth
+    bump: Floats | None = None
+
+    def at(self, t: float) -> Floats:
+        """Return the target's values at ``t``."""
+        return np.asarray(self.target(t) if callable(self.target) else self.target, float)
+
+
+class Channel:
+    """One animated value, scalar or vector.
+
+    Args:
+        value: What it is until the first key.
+    """
+
+    def __init__(self, value: Target) -> None:
+        self.keys = [Key(LONG_AGO, 0.0, value)]
+
+    def set(
+        self, start: float, duration: float, target: Target, ease: Easing = smooth, bump: ArrayLike | None = None
+    ) -> float:
+        """Add a key and return when it is reached, in seconds."""
+        key = Key(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
+        insort(self.keys, key, key=lambda each: each.start)
+        return start + duration
+
+    def cut(self, start: float) -> None:
+        """Forget what was planned from ``start`` on: something else takes over."""
+        self.keys = [key for key in self.keys if key.start < start - 1e-6] or self.keys[:1]
+
+    def __call__(self, t: float) -> Floats:
+        """Return the values at ``t``: the newest finished key with every started key blended over it."""
+        done = max((i for i, key in enumerate(self.keys) if key.start + key.duration <= t), default=0)
+        value = self.keys[done].at(t)
+        for key in self.keys[done + 1 :]:
+            if key.start >= t:
+                break
+            w = key.ease(clamp((t - key.start) / key.duration))
+            value = value * (1 - w) + key.at(t) * w
+            if key.bump is not None:
+                value[:3] += key.bump * math.sin(math.pi * w)
+        return value

@@ -1,0 +1,23 @@
+"""The clips: every motion a person can perform, one function each, registered by its key in ``catalog.motions``."""
+
+from __future__ import annotations
+
+from storyblender.blender.motion.clips import (
+    arms,
+    floor,
+    gaze,
+    gesture,
+    handling,
+    locomotion,
+    pairs,
+    seat,
+    speech,
+    using,
+    work,
+)
+from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
+
+FAMILIES = (arms, floor, gaze, gesture, handling, locomotion, pairs, seat, speech, using, work)
+"""Importing a family registers its clips."""
+
+__all__ = ["CLIPS", "FAMILIES", "Clip", "play"]

@@ -1,0 +1,89 @@
+"""Weapons: aiming and firing."""
+
+from __future__ import annotations
+
+import math
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats
+from storyblender.blender.motion.clips.gaze import look_at_subject, mood
+from storyblender.blender.motion.clips.handling import prop_of, take_in_hand
+from storyblender.blender.motion.clips.locomotion import face, step_to
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.skeleton import UP, other, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+
+@clip("aim", "body", "hands", "head")
+def aim(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Level a gun at the target with both hands, in a wide stance."""
+    t, k, side = beat.start, who.m.k, beat.side
+    far = other(side)
+    prop = prop_of(beat) or stage.props.get(who.held.get(side, ""))
+    if prop is not None and prop.holder is not who:
+        take_in_hand(stage, who, side, prop, t)
+    if beat.target is not None and who.posture == "stand":
+        toward = stage.ground_of(beat.target) - who.position
+        t = face(who, t, math.atan2(toward.x, -toward.y) - sign(side) * 0.12)
+    look_at_subject(stage, who, t, beat)
+    goal = stage.point_of(beat.target) if beat.target is not None else who.ahead
+
+    def muzzle(now: float) -> Matrix:
+        root = (who.point("upper_arm.L") + who.point("upper_arm.R")) / 2 + UP * (0.035 * k)
+        along = (Vector(goal(now)) - UP * (0.15 * k) - root).normalized()
+        across = UP.cross(along).normalized() * -1
+        matrix = Matrix((-across, -along, (-across).cross(-along))).transposed().to_4x4()
+        matrix.translation = root + along * (0.94 * who.m.arm)
+        return matrix
+
+    grip = prop.grip(side) if prop is not None else None
+
+    def firing(now: float) -> Floats:
+        matrix = muzzle(now)
+        pole = who.facing @ Vector((sign(side) * 0.7, 0.1, -0.8))
+        if grip is not None:
+            matrix = matrix @ Matrix.Translation(-grip.palm)
+            return grip.hand(matrix, pole)
+        turn = matrix.to_3x3()
+        along = turn @ Vector((0, -1, 0))
+        return hand(matrix.translation, along, turn @ Vector((-sign(side), 0, 0)), pole, (4, 88, 20))
+
+    def steadying(now: float) -> Floats:
+        matrix = muzzle(now)
+        turn, s = matrix.to_3x3(), sign(far)
+        palm = matrix @ Vector((s * 0.03, 0.02, -0.035))
+        fingers, normal = turn @ Vector((-s * 0.5, -1, 0.05)), turn @ Vector((-s, 0.1, 0.35))
+        return hand(palm, fingers, normal, who.facing @ Vector((s * 0.7, 0.1, -0.8)), (78, 80, 20))
+
+    ahead = Vector((*who.forward, 0)) * 0.10 + UP * 0.04
+    who.hands[side].set(t, 0.55, firing, bump=ahead)
+    if far not in who.held:
+        who.hands[far].set(t + 0.1, 0.6, steadying)
+    who.accent.set(t, 0.5, (5, 0, 0))
+    mood(who, t, "angry" if beat.mood == "neutral" else beat.mood)
+    if who.posture == "stand":
+        wide_stance(who, t, far)
+    who.life.set(t, 0.4, 0.3)
+    return t + 0.75
+
+
+def wide_stance(who: Performer, t: float, lead: str) -> None:
+    """One foot forward, one back, knees soft."""
+    k = who.m.k
+    for side, ahead, splay, delay in ((lead, 0.16, 10, 0.0), (other(lead), -0.14, 24, 0.3)):
+        spot = who.position + who.forward * (ahead * k)
+        step_to(who, side, t + delay, 0.35, who.plant(side, spot.x, spot.y, who.yaw, width=1.25, splay=splay))
+    who.hips.set(t, 0.6, (0, 0, who.standing_height - 0.05 * k, 0, 0, 0))
+
+
+@clip("shoot", "body", "hands", "head")
+def shoot(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Aim and fire once: the arms kick back."""
+    t = aim(stage, who, beat)
+    who.accent.set(t + 0.15, 0.06, (-6, 0, 0))
+    who.accent.set(t + 0.22, 0.35, (5, 0, 0))
+    who.blinks.append(t + 0.14)
+    return t + 0.7

@@ -1,0 +1,408 @@
+"""Down to the floor and onto beds: kneeling, crouching, lying, falling, leaning, crawling."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats, TargetOf, turn_between
+from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.handling import approach
+from storyblender.blender.motion.clips.locomotion import SNEAK, face, goal_of, step_to, travel
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.clips.seat import refill_hands, seat_mark, seat_meant, settle, stand_up
+from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee, upright
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.puppets import standing
+from storyblender.blender.motion.skeleton import SIDES, other, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+
+def _to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Go to the beat's mark if it has one; before the shot starts, stand there already."""
+    if beat.mark is None:
+        return beat.start
+    x, y, _ = beat.mark.location
+    yaw = math.radians(beat.mark.yaw)
+    if beat.start < 0:
+        who.put(x, y, yaw)
+        return beat.start
+    return travel(stage, who, beat, (x, y), yaw)
+
+
+@clip("kneel", "body", "hands")
+def kneel(stage: Stage, who: Performer, beat: Beat) -> float:
+    """One knee on the floor, the other foot flat in front."""
+    t = _to_mark(stage, who, beat)
+    m, k = who.m, who.m.k
+    knee, front = beat.side, other(beat.side)
+    whole, radius, ankle = 1.0 * math.sqrt(k), 0.075 * k, 0.125 * k
+    forward, right = who.forward, Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    spot = who.position + forward * (0.62 * m.shin + 0.06 * k)
+    step_to(who, front, t, 0.5 * whole, who.plant(front, spot.x, spot.y, who.yaw, width=1.15, splay=6), 0.05 * k)
+    down = who.position + right * (sign(knee) * 0.10 * k) + forward * (0.10 * k)
+    foot = down - forward * math.sqrt(m.shin**2 - (ankle - radius) ** 2)
+    pose = who.plant(knee, foot.x, foot.y, who.yaw)
+    pose[:3], pose[4], pose[5] = (foot.x, foot.y, ankle), -62, 58
+    who.feet[knee].set(t + 0.40 * whole, 0.6 * whole, pose, bump=(0, 0, 0.03))
+    who.hips.set(t + 0.10 * whole, 0.9 * whole, (0, -0.02 * k, radius + 0.97 * m.thigh, 4, 0, 0))
+    who.pinned.set(t + 0.6 * whole, 0.3 * whole, 1.0)
+    who.spine.set(t, 0.6 * whole, (16, 0, 0))
+    who.spine.set(t + 0.6 * whole, 0.4, (8, 0, 0))
+    who.home[front] = on_knee(who, front)
+    refill_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
+    who.posture = "kneel"
+    return t + whole + 0.1
+
+
+@clip("crouch", "body", "hands")
+def crouch(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Squat with knees apart, arms on them."""
+    t = _to_mark(stage, who, beat)
+    m, k = who.m, who.m.k
+    whole = 0.8 * math.sqrt(k)
+    for index, side in enumerate(SIDES):
+        behind = 0.16 * k if side == beat.side else -0.04 * k
+        pose = who.plant(side, *who.position, who.yaw, width=1.35, splay=18, back=behind)
+        if side == beat.side:
+            pose[:3], pose[4], pose[5] = who.rolled(side, pose, pose[3], -38), -38, 38
+        step_to(who, side, t + 0.15 * index * whole, 0.5 * whole, pose, 0.03 * k)
+        who.home[side] = upright(who, side, (-0.05, 0.75, -0.62), (-0.5, 0.8, -0.3), (-0.3, 0, -1), curl=(22, 30, 0))
+    who.hips.set(t, whole, (0, 0.10 * k, 0.52 * m.leg + m.ankle, 14, 0, 0))
+    who.pinned.set(t + 0.6 * whole, 0.3 * whole, 1.0)
+    who.spine.set(t, whole, (22, 0, 0))
+    who.lean_after.set(t, 0, 0.0)
+    refill_hands(stage, who, t + 0.2 * whole, 0.8 * whole)
+    who.posture = "crouch"
+    return t + whole + 0.1
+
+
+@clip("hide", "body", "hands")
+def hide(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Go to cover and crouch there, afraid."""
+    mood(who, beat.start, "afraid")
+    return crouch(stage, who, beat)
+
+
+@clip("lie_down", "body", "hands")
+def lie_down(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Lie down on the bed of the mark by way of sitting on its edge, or on the floor."""
+    support = (beat.mark.support_id if beat.mark else None) or getattr(beat.target, "asset_id", None)
+    furniture = stage.furniture(support)
+    bed = stage.anchor(furniture, ("bed",), beat.mark) if furniture is not None else None
+    if furniture is None or bed is None:
+        return _lie_on_floor(stage, who, beat)
+    world = Matrix(furniture.world.tolist())
+    feet = (world.to_3x3() @ Vector(bed.direction)).xy.normalized()
+    middle = world @ Vector(bed.location)
+    seat = seat_meant(stage, who, beat)
+    t = beat.start
+    if seat is not None and who.posture != "sit":
+        before = seat_mark(who, seat)
+        if t < 0:
+            who.put(before.x, before.y, seat.yaw)
+        else:
+            t = face(who, travel(stage, who, beat, (before.x, before.y), seat.yaw), seat.yaw)
+        t = settle(stage, who, seat, t)
+    head = middle.xy - feet * (bed.size[1] / 2 - 0.10)
+    who.support = support or ""
+    return recline(stage, who, t, head, feet, middle.z)
+
+
+def _lie_on_floor(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Sit down on the ground and lie back, head where the mark's back is."""
+    t = _to_mark(stage, who, beat)
+    if t < 0:
+        t = min(t, -8.0)
+    toward = who.forward
+    if who.posture == "stand":
+        crouch(stage, who, Beat(t, side=beat.side, frame=beat.frame, seed=beat.seed))
+        t += 0.8
+    tall = who.m.eye_height - who.m.hip_height + 0.20 * who.m.k
+    who.support = ""
+    return recline(stage, who, t, who.position - toward * tall, toward, 0.0)
+
+
+def recline(stage: Stage, who: Performer, t: float, head: Vector, feet: Vector, height: float, rise: float = 8) -> float:
+    """Swing the legs up and lower the back; return the end.
+
+    Args:
+        stage: The stage.
+        who: Sitting or crouching.
+        t: Start.
+        head: Where the crown of the head goes, on the floor plan.
+        feet: Unit vector from head to feet.
+        height: Of the surface.
+        rise: Degrees the back stays raised (pillow).
+    """
+    m, k = who.m, who.m.k
+    whole = 2.2
+    yaw = math.atan2(feet.x, -feet.y)
+    turn = turn_between(who.yaw, yaw)
+    hips = head + feet * (m.eye_height - m.hip_height + 0.22 * k)
+    lying = height + max(0.86 * m.buttocks_back, 0.085 * k)
+    who.root.set(t, 0.62 * whole, (hips.x, hips.y, who.yaw + turn))
+    who.hips.set(t, 0.45 * whole, (0, -m.hip_y, height + m.seat_drop, -20, 0, 0))
+    who.spine.set(t, 0.45 * whole, (10, 0, 0))
+    who.hips.set(t + 0.36 * whole, 0.6 * whole, (0, -m.hip_y, lying, -84 + 0.5 * rise, 0, 0))
+    who.spine.set(t + 0.4 * whole, 0.6 * whole, (0.5 * rise + 3, 0, 0))
+    who.pinned.set(t, 0.3, 1.0)
+    who.life.set(t, 0.5, 0.25)
+    who.lean_after.set(t, 0, 0.0)
+
+    def over_the_feet(now: float) -> tuple[float, float, float]:
+        return tuple(who.point("upper_chest", (0, -1.2 * k, 0.75 * k)))
+
+    look_at(who, t + 0.3 * whole, over_the_feet, 0.6)
+    who.nod.set(t + 0.5 * whole, 0.6, (12, 0, 0))
+    aside = Vector((-feet.y, feet.x))
+    for side in SIDES:
+        bent = side == "R"
+        lead = 0.0 if (turn > 0) == (side == "L") else 0.18
+        ankle = hips + feet * (m.leg * (0.80 if bent else 0.985)) + aside * (sign(side) * 0.085 * k)
+        pose = who.plant(side, 0, 0, yaw)
+        pose[:3] = ankle.x, ankle.y, height + (m.ankle if bent else 0.060 * k)
+        pose[4] = 0 if bent else 62
+        pose[6:9] = 0.05 * sign(side) * aside.x, 0.05 * sign(side) * aside.y, 1
+        start = np.array(who.feet[side](t), float)
+        pose[3] = start[3] + turn
+        middle = start.copy()
+        middle[:2] = start[:2] * 0.55 + np.array(ankle) * 0.45
+        middle[2], middle[3], middle[4] = height + 0.26 * k, start[3] + 0.5 * turn, 20
+        middle[6:9] = 0.3 * start[6] + 0.5 * feet.x, 0.3 * start[7] + 0.5 * feet.y, 0.9
+        who.feet[side].set(t + lead, 0.40 * whole, middle)
+        who.feet[side].set(t + lead + 0.30 * whole, 0.42 * whole, pose)
+        who.home[side] = beside_body(who, side, height)
+        if side not in who.held:
+            who.hands[side].set(t + 0.05, 0.5, _propping(who, side, height))
+    refill_hands(stage, who, t + 0.62 * whole, 0.4 * whole)
+    who.position, who.yaw, who.posture = hips, who.yaw + turn, "lie"
+    return t + whole + 0.1
+
+
+def _propping(who: Performer, side: str, height: float) -> TargetOf:
+    s, k = sign(side), who.m.k
+
+    def target(t: float) -> Floats:
+        spot = who.to_world(Vector((s * 0.26 * k, 0.22 * k + who.m.hip_y, 0)))
+        spot.z = height + 0.03
+        turn = who.facing
+        return hand(spot, turn @ Vector((s * 0.4, 0.8, 0)), Vector((0, 0, -1)), turn @ Vector((s * 0.6, 1, 0.2)), (4, 4, 0))
+
+    return target
+
+
+@clip("sleep", "body", "hands", "head")
+def sleep(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Close the eyes; the head sinks. Lies down first if there is a bed."""
+    t = beat.start
+    if who.posture in ("stand", "lean") and (beat.mark is not None or beat.target is not None):
+        t = lie_down(stage, who, beat)
+    who.look_freely(t)
+    who.face.set(t + 0.1, 0.7, (0, 0, 1, 0, 0))
+    who.nod.set(t + 0.1, 0.9, (26 if who.posture == "sit" else 8, 8, 14))
+    who.life.set(t, 0.5, 0.3)
+    return t + 1.0
+
+
+@clip("wake", "head")
+def wake(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Open the eyes, raise the head."""
+    t = beat.start
+    who.face.set(t, 0.35, (0.1, 0, 0, 0.6, 0))
+    who.nod.set(t + 0.1, 0.5, (-6, 0, 0))
+    who.face.set(t + 0.7, 0.5, (0, 0, 0, 0, 0))
+    who.nod.set(t + 0.7, 0.5, (0, 0, 0))
+    return t + 1.2
+
+
+@clip("get_up", "body", "hands")
+def get_up(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Get up from bed or floor."""
+    return stand_up(stage, who, beat.start)
+
+
+@clip("fall", "body", "hands", "head")
+def fall(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Collapse: the knees give way, the body goes back, the head last."""
+    t, m, k = beat.start, who.m, who.m.k
+    if t < 0:
+        return _lie_on_floor(stage, who, beat)
+    x, y = who.position
+    who.face.set(t, 0.2, (0.6, 0, 0.3, 0.8, 0))
+    who.look_freely(t)
+    who.accent.set(t, 0.3, (-8, 6, 10))
+    who.hips.set(t, 0.4, (0.05 * k, 0.10 * k, 0.62 * m.hip_height, -4, 4, 0))
+    who.hips.set(t + 0.3, 0.42, (0.06 * k, 0.34 * k, 0.20 * k, -34, 0, 0), ease=lambda w: w * w)
+    who.hips.set(t + 0.72, 0.4, (0.06 * k, 0.40 * k, 0.115 * k, -80, 6, 0), ease=lambda w: w * (2 - w))
+    who.spine.set(t + 0.2, 0.5, (26, 0, 0))
+    who.spine.set(t + 0.66, 0.4, (2, 5, 8))
+    who.accent.set(t + 0.5, 0.4, (0, 0, 0))
+    who.pinned.set(t + 0.2, 0.3, 1.0)
+    who.life.set(t, 0.3, 0.0)
+    who.lean_after.set(t, 0, 0.0)
+    who.nod.set(t, 0.4, (18, 0, 0))
+    who.nod.set(t + 1.0, 0.3, (-4, 6, 24))
+    for side in SIDES:
+        pose = who.plant(side, x, y, who.yaw, width=1.5, splay=20, back=-0.16 * k if side == "L" else 0.02 * k)
+        step_to(who, side, t + 0.15, 0.35, pose, 0.02 * k)
+        last = pose.copy()
+        ahead = who.forward * ((0.52 if side == "L" else 0.24) * k)
+        last[:2] += ahead
+        last[2], last[4] = (0.07 * k, 58) if side == "L" else (m.ankle, 0)
+        last[6:9] = (*(who.forward * 0.4), 1.0)
+        who.feet[side].set(t + 0.6, 0.5, last)
+        flung = by_chest(
+            who, side, (0.55, 0.25, 0.05), (0.9, 0.2, 0.2), (0, 0.6, -0.6), pole=(0.6, -0.8, -0.3), curl=(20, 26, 0)
+        )
+        who.home[side] = beside_body(who, side, 0.0)
+        if side not in who.held:
+            who.hands[side].set(t + 0.05, 0.45, flung)
+            who.hands[side].set(t + 0.7, 0.5, _flung_out(who, side))
+    for prop in [stage.props[held] for held in who.held.values() if held in stage.props]:
+        landing = who.position + who.forward * 0.5
+        prop.stand(t + 0.7, standing(Vector((*landing, 0)), who.yaw))
+    who.held = {}
+    who.face.set(t + 1.0, 0.4, (0.25, 0, 1, 0, 0))
+    who.posture, who.support = "lie", ""
+    return t + 1.4
+
+
+def _flung_out(who: Performer, side: str) -> TargetOf:
+    s, k = sign(side), who.m.k
+
+    def target(t: float) -> Floats:
+        shoulder = who.point(f"upper_arm.{side}")
+        out = who.facing @ Vector((s * 0.9, 0.25 if side == "R" else -0.35, 0))
+        palm = shoulder + out * (0.92 * who.m.arm)
+        palm.z = 0.04 * k
+        return hand(palm, out, Vector((0, 0, 1 if side == "R" else -1)), who.facing @ Vector((0, 1, 0.3)), (28, 34, 5))
+
+    return target
+
+
+@clip("lean", "body", "hands")
+def lean(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Lean on a bar or a rail with both forearms, or with the back against a wall."""
+    support = (beat.mark.support_id if beat.mark else None) or getattr(beat.target, "asset_id", None)
+    furniture = stage.furniture(support)
+    anchor = stage.anchor(furniture, ("lean",), beat.mark) if furniture is not None else None
+    if anchor is None and furniture is not None and 0.8 < furniture.dimensions[2] < 1.35:
+        anchor = stage.anchor(furniture, ("top",), beat.mark)
+    t = _to_mark(stage, who, beat) if beat.mark is not None or beat.start < 0 else beat.start
+    if furniture is None or anchor is None:
+        return _lean_back(stage, who, t)
+    world = Matrix(furniture.world.tolist())
+    height = (world @ Vector(anchor.location)).z
+    if beat.mark is None and beat.start >= 0:
+        t = approach(stage, who, beat, world @ Vector(anchor.location), 0.5 * who.m.k)
+    edge = _edge_distance(who, world, furniture.dimensions)
+    who.support = support or ""
+    return _lean_on(stage, who, t, height, edge, beat.side)
+
+
+def _edge_distance(who: Performer, world: Matrix, size: tuple[float, float, float]) -> float:
+    """Return how far before a person the edge of a box is."""
+    origin = world.inverted() @ Vector((*who.position, 0.5))
+    ahead = world.inverted().to_3x3() @ Vector((*who.forward, 0))
+    best = 0.35 * who.m.k
+    for axis in (0, 1):
+        if abs(ahead[axis]) > 0.3:
+            near = (-math.copysign(size[axis] / 2, ahead[axis]) - origin[axis]) / ahead[axis]
+            if 0 < near < 1.2:
+                best = near
+    return min(best, 0.45 * who.m.k)
+
+
+def _lean_on(stage: Stage, who: Performer, t: float, height: float, edge: float, side: str) -> float:
+    """Forearms on a top: the least lean that brings the elbows to it."""
+    m, k = who.m, who.m.k
+    top, torso, whole = height + 0.035 * k, m.shoulder_height - m.hip_height, 0.9
+    degrees = 28
+    for degrees in range(4, 30, 2):
+        above = m.hip_height - 0.05 * k + torso * math.cos(math.radians(0.8 * degrees)) - top
+        if 0 < above < 0.97 * m.upper_arm:
+            break
+    who.hips.set(t, whole, (0, 0.05 * k, m.hip_height - 0.05 * k, 0.4 * degrees, 0, 0))
+    who.spine.set(t, whole, (0.65 * degrees, 0, 0))
+    who.lean_after.set(t, 0, 0.0)
+    who.life.set(t, 0.4, 0.4)
+    behind = other(side)
+    spot = who.position - who.forward * (0.20 * k)
+    step_to(who, behind, t + 0.1, 0.35, who.plant(behind, spot.x, spot.y, who.yaw, width=0.5, splay=10))
+    for each in SIDES:
+        inward = -0.03 * k if each == side else 0.02 * k
+        ahead = edge + (0.15 if each == side else 0.18) * k
+
+        def target(now: float, s: int = sign(each), inward: float = inward, ahead: float = ahead) -> Floats:
+            palm = who.to_world(Vector((s * inward, -ahead, top - 0.012 * k)))
+            turn = who.facing
+            return hand(
+                palm, turn @ Vector((-s * 0.85, -0.35, 0)), Vector((0, 0, -1)), turn @ Vector((s, 0.25, -0.35)), (14, 20, 0)
+            )
+
+        who.home[each] = target
+    refill_hands(stage, who, t + 0.15, whole)
+    who.posture = "lean"
+    return t + 1.1
+
+
+def _lean_back(stage: Stage, who: Performer, t: float) -> float:
+    """Back against a wall: hips forward, one knee bent, arms folded low."""
+    k = who.m.k
+    who.hips.set(t, 0.9, (0, -0.10 * k, who.standing_height - 0.03 * k, -9, 0, 0))
+    who.spine.set(t, 0.9, (3, 0, 0))
+    spot = who.position + who.forward * (0.12 * k)
+    for index, side in enumerate(SIDES):
+        pose = who.plant(side, spot.x, spot.y, who.yaw, width=0.9 if side == "L" else 0.4, splay=12)
+        step_to(who, side, t + 0.1 + 0.25 * index, 0.35, pose)
+        low = (-0.30, 0.42, -0.52) if side == "R" else (-0.26, 0.46, -0.46)
+        who.home[side] = by_chest(who, side, low, (-1, 0.15, 0.1), (0, -1, 0.2), pole=(0.9, -0.3, -0.6))
+    who.lean_after.set(t, 0, 0.0)
+    refill_hands(stage, who, t + 0.1, 0.9)
+    who.posture = "lean"
+    return t + 1.1
+
+
+@clip("climb", "body", "hands")
+def climb(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Climb on the spot: hands reach up in turn, knees follow."""
+    t, k = beat.start, who.m.k
+    if beat.target is not None:
+        place = Vector((*stage.ground_of(beat.target), who.m.shoulder_height))
+        t = approach(stage, who, beat, place, 0.9 * who.m.arm)
+    end = t + max(2.0, beat.duration or 3.0)
+    pulse, index = 0.55, 0
+    while t < end - pulse:
+        side = SIDES[index % 2]
+        for each, high in ((side, 0.75), (other(side), 0.15)):
+            rung = upright(who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25))
+            who.hands[each].set(t, 0.9 * pulse, rung)
+        foot = other(side)
+        lifted = who.plant(foot, *(who.position + who.forward * 0.12 * k), who.yaw)
+        lifted[2] += 0.28 * k
+        who.feet[foot].set(t, 0.9 * pulse, lifted)
+        who.feet[side].set(t, 0.9 * pulse, who.plant(side, *who.position, who.yaw))
+        t, index = t + pulse, index + 1
+    for side in SIDES:
+        who.feet[side].set(t, 0.5, who.plant(side, *who.position, who.yaw))
+        who.hands[side].set(t, 0.7, who.home[side])
+    return t + 0.8
+
+
+@clip("crawl", "body")
+def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Move on hands and knees; shown as a deep, slow creep."""
+    goal, yaw = goal_of(stage, who, beat)
+    k = who.m.k
+    t = beat.start
+    low = who.standing_height - 0.34 * k
+    who.hips.set(t, 0.6, (0, 0.16 * k, low, 34, 0, 0))
+    who.spine.set(t, 0.6, (34, 0, 0))
+    end = travel(stage, who, beat, goal, yaw, style=SNEAK)
+    who.hips.set(end, 0.8, (0, 0, who.standing_height, 0, 0, 0))
+    who.spine.set(end, 0.8, (0, 0, 0))
+    return end + 0.8
+

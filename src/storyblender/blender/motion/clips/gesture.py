@@ -1,0 +1,215 @@
+"""Signs made with arms and trunk: pointing, waving, shrugging, saluting, clapping, praying, bowing, dancing."""
+
+from __future__ import annotations
+
+import math
+
+from mathutils import Vector
+
+from storyblender.blender.motion.channel import Channel, Floats
+from storyblender.blender.motion.clips.gaze import look_at_subject, mood
+from storyblender.blender.motion.clips.locomotion import step_to
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import by_chest, by_head, hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.skeleton import SIDES, UP, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+
+@clip("point", "hand", "head")
+def point(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Stretch the arm and the forefinger towards the target."""
+    t, side = beat.start, beat.side
+    stay = max(0.8, (beat.duration or 2.0) - 1.2)
+    goal = stage.point_of(beat.target) if beat.target is not None else who.ahead
+    look_at_subject(stage, who, t, beat)
+
+    def target(now: float) -> Floats:
+        shoulder = who.point(f"upper_arm.{side}")
+        along = (Vector(goal(now)) - shoulder).normalized()
+        palm = shoulder + along * (1.12 * who.m.arm)
+        inward = who.facing @ Vector((-sign(side), 0, -0.5))
+        return hand(palm, along, inward, who.facing @ Vector((sign(side) * 0.5, 0.2, -0.9)), (2, 84, 28))
+
+    who.lean_after.set(t, 0, 0.0)
+    who.hands[side].set(t, 0.5, target, bump=UP * 0.05)
+    who.accent.set(t, 0.5, (2, 0, 8 * sign(side)))
+    who.hands[side].set(t + 0.5 + stay, 0.7, who.home[side])
+    who.accent.set(t + 0.5 + stay, 0.6, (0, 0, 0))
+    who.lean_after.set(t + 1.3 + stay, 0, 1.0)
+    return t + 1.2 + stay
+
+
+@clip("wave", "hand", "head")
+def wave(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Wave beside the head."""
+    t, side = beat.start, beat.side
+    look_at_subject(stage, who, t, beat)
+    mood(who, t, "happy" if beat.mood == "neutral" else beat.mood)
+    raised = [
+        by_chest(who, side, (0.45 + out, 0.30, 0.50), (lean, 0.15, 1), (-0.1, 1, 0), pole=(0.8, -0.1, -0.8), curl=(3, 4, 0))
+        for out, lean in ((-0.10, -0.35), (0.14, 0.45))
+    ]
+    who.hands[side].set(t, 0.45, raised[1])
+    t += 0.45
+    for _ in range(3):
+        who.hands[side].set(t, 0.2, raised[0])
+        who.hands[side].set(t + 0.2, 0.2, raised[1])
+        t += 0.4
+    who.hands[side].set(t, 0.6, who.home[side])
+    return t + 0.6
+
+
+@clip("shrug", "hands", "head")
+def shrug(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Raise shoulders and palms."""
+    t = beat.start
+    if beat.target is not None:
+        look_at_subject(stage, who, t, beat)
+    for side in SIDES:
+        if side not in who.held:
+            shown = by_chest(
+                who, side, (0.42, 0.42, -0.40), (0.65, 0.75, 0.1), (-0.1, 0.1, 1), pole=(0.7, -0.4, -0.7), curl=(8, 12, 0)
+            )
+            who.hands[side].set(t, 0.4, shown)
+            who.hands[side].set(t + 0.95, 0.6, who.home[side])
+    who.nod.set(t, 0.35, (-4, 10, 0))
+    who.face.set(t, 0.3, (0, 0, 0, 0.9, 0))
+    who.nod.set(t + 0.95, 0.5, (0, 0, 0))
+    mood(who, t + 1.0, "neutral")
+    return t + 1.55
+
+
+@clip("salute", "hand", "head")
+def salute(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Stand straight, hand to the temple."""
+    t, side = beat.start, beat.side
+    look_at_subject(stage, who, t, beat)
+    temple = by_head(
+        who, side, (0.085, 0.055, 0.035), (-0.75, 0.25, 0.55), (-0.35, 0.45, -0.8), pole=(1, 0.15, -0.25), curl=(2, 3, 0)
+    )
+    who.hands[side].set(t, 0.4, temple)
+    who.accent.set(t, 0.4, (-3, 0, 0))
+    stay = max(0.9, (beat.duration or 1.9) - 1.0)
+    who.hands[side].set(t + 0.4 + stay, 0.5, who.home[side])
+    who.accent.set(t + 0.4 + stay, 0.5, (0, 0, 0))
+    return t + 0.9 + stay
+
+
+@clip("clap", "hands", "head")
+def clap(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Applaud."""
+    t, end = beat.start, beat.start + (beat.duration or 2.2)
+    look_at_subject(stage, who, t, beat)
+    mood(who, t, "happy")
+    for side in SIDES:
+        far = by_chest(who, side, (-0.16, 0.62, -0.30), (-0.3, 0.85, 0.5), (-1, 0.1, 0), curl=(4, 6, 0))
+        near = by_chest(who, side, (-0.315, 0.64, -0.28), (-0.3, 0.85, 0.5), (-1, 0.1, 0), curl=(4, 6, 0))
+        who.hands[side].set(t, 0.4, far)
+        now = t + 0.4
+        while now < end - 0.5:
+            who.hands[side].set(now, 0.11, near)
+            who.hands[side].set(now + 0.12, 0.13, far)
+            now += 0.26
+        who.hands[side].set(end - 0.2, 0.6, who.home[side])
+    return end + 0.3
+
+
+@clip("pray", "hands", "head")
+def pray(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Palms together before the chest, head bowed."""
+    t, end = beat.start, beat.start + (beat.duration or 3.0)
+    for side in SIDES:
+        folded = by_chest(who, side, (-0.335, 0.50, -0.15), (-0.05, 0.55, 0.85), (-1, 0, 0), curl=(2, 3, 0))
+        who.hands[side].set(t, 0.7, folded)
+        who.hands[side].set(end - 0.5, 0.7, who.home[side])
+    who.look_freely(t)
+    who.nod.set(t + 0.1, 0.7, (24, 0, 0))
+    who.face.set(t, 0.4, (0, 0, 1, 0.2, 0))
+    who.nod.set(end - 0.5, 0.6, (0, 0, 0))
+    mood(who, end - 0.4, "neutral")
+    return end
+
+
+@clip("bow", "body", "head")
+def bow(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Bow from the hips."""
+    t, k = beat.start, who.m.k
+    who.look_freely(t)
+    who.hips.set(t, 0.7, (0, 0.07 * k, who.standing_height - 0.01 * k, 22, 0, 0))
+    who.spine.set(t, 0.7, (26, 0, 0))
+    who.nod.set(t, 0.6, (10, 0, 0))
+    who.hips.set(t + 1.1, 0.8, (0, 0, who.standing_height, 0, 0, 0))
+    who.spine.set(t + 1.1, 0.8, (0, 0, 0))
+    who.nod.set(t + 1.1, 0.7, (0, 0, 0))
+    return t + 1.9
+
+
+@clip("dance", "body", "hands")
+def dance(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Step from side to side in rhythm, arms swinging."""
+    t, k = beat.start, who.m.k
+    end = t + max(2.0, beat.duration or 4.0)
+    x, y = who.position
+    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    way, pulse = 1, 0.52
+    mood(who, t, "happy")
+    for side in SIDES:
+        who.hands[side].set(t, 0.5, _swing(who, side, t, pulse))
+    while t < end - 2 * pulse:
+        shift = right * (0.10 * k * way)
+        side = "L" if way > 0 else "R"
+        step_to(who, side, t, 0.8 * pulse, who.plant(side, x + shift.x, y + shift.y, who.yaw, width=1.2, splay=14))
+        who.hips.set(t, pulse, (0.07 * k * way, 0, who.standing_height - 0.03 * k, 0, 4 * way, 8 * way))
+        who.accent.set(t, pulse, (2, -6 * way, -9 * way))
+        who.nod.set(t, pulse, (3 * way, 4 * way, 0))
+        t, way = t + pulse, -way
+    for side in SIDES:
+        step_to(who, side, t + (0 if side == "L" else 0.3), 0.3, who.plant(side, x, y, who.yaw))
+        who.hands[side].set(t, 0.7, who.home[side])
+    who.hips.set(t, 0.6, (0, 0, who.standing_height, 0, 0, 0))
+    who.accent.set(t, 0.6, (0, 0, 0))
+    who.nod.set(t, 0.5, (0, 0, 0))
+    return t + 0.7
+
+
+def _swing(who: Performer, side: str, start: float, pulse: float) -> Channel:
+    low = by_chest(who, side, (0.10, 0.45, -0.42), (-0.4, 0.8, 0.3), (-0.9, 0, -0.4), curl=(40, 48, 10))
+    high = by_chest(who, side, (0.30, 0.50, -0.05), (-0.3, 0.6, 0.7), (-0.9, 0.2, -0.2), curl=(30, 36, 10))
+    channel = Channel(low)
+    for beat in range(int(60 / pulse)):
+        up = (beat % 2 == 0) == (side == "L")
+        channel.set(start + beat * pulse, pulse, high if up else low)
+    return channel
+
+
+@clip("dress", "hands")
+def dress(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Pull a garment up over the shoulders or off them, and smooth it down."""
+    t = beat.start
+    for side in SIDES:
+        low = by_chest(who, side, (0.05, 0.28, -0.55), (-0.6, 0.6, 0.2), (-0.5, -1, 0), curl=(60, 66, 20))
+        high = by_chest(who, side, (0.02, 0.22, 0.05), (-0.3, -0.2, 0.9), (-0.2, -1, -0.3), curl=(60, 66, 20))
+        who.hands[side].set(t, 0.6, low)
+        who.hands[side].set(t + 0.6, 0.6, high)
+        who.hands[side].set(t + 1.25, 0.5, low)
+        who.hands[side].set(t + 1.8, 0.6, who.home[side])
+    who.nod.set(t, 0.5, (14, 0, 0))
+    who.nod.set(t + 1.6, 0.5, (0, 0, 0))
+    return t + 2.4
+
+
+@clip("kick", "body")
+def kick(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Swing one foot against what is in front."""
+    t, k, foot = beat.start, who.m.k, beat.side
+    behind = who.plant(foot, *(who.position - who.forward * 0.28 * k), who.yaw)
+    behind[2], behind[4] = behind[2] + 0.14 * k, -50
+    struck = who.plant(foot, *(who.position + who.forward * 0.52 * k), who.yaw)
+    struck[2], struck[4] = struck[2] + 0.30 * k, -12
+    who.feet[foot].set(t, 0.35, behind)
+    who.feet[foot].set(t + 0.35, 0.16, struck)
+    who.feet[foot].set(t + 0.6, 0.4, who.plant(foot, *who.position, who.yaw))
+    who.hips.set(t, 0.3, (-0.06 * k * sign(foot), 0.02, who.standing_height - 0.04 * k, -6, 0, 0))
+    who.hips.set(t + 0.6, 0.5, (0, 0, who.standing_height, 0, 0, 0))
+    return t + 1.1

@@ -1,0 +1,269 @@
+"""Hands and props: holding, picking up, putting down, dropping, throwing."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Channel, Floats, TargetOf
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, mood
+from storyblender.blender.motion.clips.locomotion import face, step_to, travel
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.plan import StageFurniture
+from storyblender.blender.motion.puppets import PropPuppet, carried, gripping, standing
+from storyblender.blender.motion.skeleton import SIDES, UP, about, other, sign
+from storyblender.blender.motion.stage import PADDING, Beat, Stage
+from storyblender.geometry.paths import clearance
+
+ARM_AND_LEAN = 1.25
+"""Arm lengths on the floor that a standing person can reach, leaning."""
+
+
+def prop_of(beat: Beat) -> PropPuppet | None:
+    """Return the prop a beat handles."""
+    return beat.prop or (beat.target if isinstance(beat.target, PropPuppet) else None)
+
+
+def approach(stage: Stage, who: Performer, beat: Beat, place: Vector, reach: float) -> float:
+    """Walk to where a point can be reached and face it; return the end. Seated people stay."""
+    toward = place.xy - who.position
+    if who.posture in ("sit", "lie", "asleep", "kneel"):
+        return beat.start
+    if toward.length > reach:
+        spot = _standing_spot(stage, who, place, 0.75 * reach)
+        if spot is None:
+            stage.report("unreachable", who, beat, f"{who.asset_id} finds no place to stand", toward.length - reach)
+            return beat.start
+        yaw = math.atan2(place.x - spot.x, -(place.y - spot.y))
+        return travel(stage, who, beat, (spot.x, spot.y), yaw)
+    aside = abs((math.atan2(toward.x, -toward.y) - who.yaw + math.pi) % (2 * math.pi) - math.pi)
+    if toward.length > 0.2 and aside > math.radians(60):
+        return face(who, beat.start, math.atan2(toward.x, -toward.y))
+    return beat.start
+
+
+def _standing_spot(stage: Stage, who: Performer, place: Vector, reach: float) -> Vector | None:
+    """Return the free spot around a point that is nearest to the person."""
+    around = [
+        place.xy + Vector((math.sin(a), math.cos(a))) * r
+        for r in (0.8 * reach, reach, 1.25 * reach)
+        for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)
+    ]
+    free = clearance(np.array(around), stage.footprints(who)) > who.m.radius + 0.5 * PADDING
+    spots = [spot for spot, is_free in zip(around, free, strict=True) if is_free]
+    spots.sort(key=lambda spot: (spot - who.position).length)
+    return next((s for s in spots if stage.path(who, (s.x, s.y)) is not None), None)
+
+
+def take_in_hand(stage: Stage, who: Performer, side: str, prop: PropPuppet, t: float, settle: float = 0.3) -> None:
+    """Let a prop follow a hand from ``t`` on; note who holds it and where the hand carries it."""
+    let_go(stage, prop)
+    prop.hold(t, who, side, prop.grip(side), settle)
+    for hand in SIDES if prop.two_handed else (side,):
+        who.held[hand] = prop.asset_id
+
+
+def let_go(stage: Stage, prop: PropPuppet) -> None:
+    """Nobody holds the prop any more."""
+    for person in stage.people.values():
+        person.held = {side: held for side, held in person.held.items() if held != prop.asset_id}
+
+
+def reach_down(who: Performer, t: float, duration: float, height: float) -> float:
+    """Bend hips and spine so that a standing person reaches a low height; return how far (0: not needed)."""
+    low = who.m.shoulder_height - height - 0.80 * who.m.arm
+    if who.posture != "stand" or low <= 0:
+        return 0.0
+    k, depth = who.m.k, min(1.0, low / (0.55 * who.m.k))
+    sink = 0.42 * who.m.hip_height * depth
+    who.hips.set(t, duration, (0, 0.10 * k * depth, who.standing_height - sink, 22 * depth, 0, 0))
+    who.spine.set(t, duration, (42 * depth, 0, 0))
+    return depth
+
+
+def come_up(who: Performer, t: float, duration: float) -> None:
+    """Straighten after ``reach_down``."""
+    who.hips.set(t, duration, (0, 0, who.standing_height, 0, 0, 0))
+    who.spine.set(t, duration, (0, 0, 0))
+
+
+@clip("hold", "hand")
+def hold(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Hold a prop; if it is within reach it is picked up first."""
+    prop = prop_of(beat)
+    if prop is None:
+        return beat.start
+    if prop.holder is who:
+        return beat.start + (beat.duration or 0.5)
+    if beat.start >= 0 and (prop.matrix.translation.xy - who.position).length < 1.2 * who.m.k:
+        return pick_up(stage, who, beat)
+    take_in_hand(stage, who, beat.side, prop, beat.start)
+    for side in SIDES if prop.two_handed else (beat.side,):
+        who.hands[side].set(beat.start, 0.4, carried(who, side, prop))
+    return beat.start + 0.4
+
+
+@clip("pick_up", "body", "hand", "head")
+def pick_up(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Reach for a prop with an open hand, close it, lift it to where it is carried."""
+    prop = prop_of(beat)
+    if prop is None or prop.holder is who:
+        return beat.start
+    place = prop.matrix.translation
+    t = approach(stage, who, beat, place, ARM_AND_LEAN * who.m.arm)
+    look_at(who, t, stage.point_of(prop))
+    whole = 0.8
+    sides = SIDES if prop.two_handed else (beat.side,)
+    height = (prop.matrix @ prop.grip(beat.side).palm).z
+    bent = reach_down(who, t, whole, height)
+    contact = t + 0.1 + whole + 0.3 * bent
+    for side in sides:
+        grip = prop.grip(side)
+        hover = gripping(who, side, prop, grip, opening=0.3, lift=0.06 * who.m.k)
+        who.hands[side].set(t + 0.1, 0.75 * (contact - t), hover)
+        who.hands[side].set(contact - 0.35, 0.33, gripping(who, side, prop, grip, opening=0.5))
+        who.hands[side].set(contact, 0.15, gripping(who, side, prop, grip))
+        stage.late.append((who, side, t, contact + 0.16))
+        stage.expect(who, side, contact + 0.1, beat)
+    take_in_hand(stage, who, beat.side, prop, contact + 0.15)
+    for side in sides:
+        who.hands[side].set(contact + 0.16, whole, carried(who, side, prop))
+    if bent:
+        come_up(who, contact + 0.16, whole)
+    look_at(who, contact + 0.5, who.ahead)
+    return contact + 0.16 + whole
+
+
+@clip("put_down", "body", "hand", "head")
+def put_down(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Set a held prop down where the mark says, or on the target's top, or on the floor."""
+    prop = prop_of(beat)
+    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
+    if prop is None or side is None:
+        return beat.start
+    matrix = _resting_place(stage, who, beat, prop)
+    t = approach(stage, who, beat, matrix.translation, ARM_AND_LEAN * who.m.arm)
+    look_at(who, t, tuple(matrix.translation))
+    sides = SIDES if prop.two_handed else (side,)
+    whole = 0.8
+    bent = reach_down(who, t, whole, (matrix @ prop.grip(side).palm).z)
+    down = t + whole + 0.3 * bent
+    let_go(stage, prop)
+    for hand in sides:
+        put = _placing(who, hand, prop, matrix)
+        who.hands[hand].set(t, down - t, put, bump=(0, 0, 0.05 * who.m.k))
+        who.hands[hand].set(down + 0.05, 0.2, _placing(who, hand, prop, matrix, opening=0.3, lift=0.03 * who.m.k))
+        who.hands[hand].set(down + 0.2, 0.7, who.home[hand])
+        stage.expect(who, hand, down, beat)
+    prop.stand(down + 0.04, matrix)
+    if bent:
+        come_up(who, down + 0.2, 0.7)
+    look_at(who, down + 0.2, who.ahead)
+    return down + 0.9
+
+
+def _placing(
+    who: Performer, side: str, prop: PropPuppet, matrix: Matrix, opening: float = 1.0, lift: float = 0.0
+) -> TargetOf:
+    grip = prop.grip(side)
+
+    def target(t: float) -> Floats:
+        values = grip.hand(matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
+        values[2] += lift
+        values[12:15] *= opening
+        return values
+
+    return target
+
+
+def _resting_place(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> Matrix:
+    if beat.mark is not None:
+        return standing(Vector(beat.mark.location), math.radians(beat.mark.yaw))
+    ahead = who.position + who.forward * (0.42 * who.m.k)
+    if isinstance(beat.target, StageFurniture):
+        top = stage.anchor(beat.target, ("top",), None)
+        world = Matrix(beat.target.world.tolist())
+        local = Vector(top.location) if top else Vector((0, 0, beat.target.dimensions[2]))
+        half = [max(0.0, (top.size[i] if top else beat.target.dimensions[i]) / 2 - 0.12) for i in (0, 1)]
+        wish = world.inverted() @ Vector((*ahead, 0))
+        for axis in (0, 1):
+            local[axis] += max(-half[axis], min(half[axis], wish[axis] - local[axis]))
+        return standing(world @ local, who.yaw)
+    return standing(Vector((*ahead, 0)), who.yaw)
+
+
+@clip("drop", "hand")
+def drop(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Let a held prop fall to the floor."""
+    prop = prop_of(beat)
+    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
+    if prop is None or side is None:
+        return beat.start
+    fall = _Flight(prop, beat.start + 0.15, Vector((*(who.position + who.forward * 0.35), 0.0)), 0.0)
+    let_go(stage, prop)
+    prop.holder = None
+    prop.follow(beat.start + 0.15, fall, 0.0)
+    who.hands[side].set(beat.start, 0.2, _opened(who.hands[side]))
+    who.hands[side].set(beat.start + 0.4, 0.6, who.home[side])
+    return beat.start + 1.0
+
+
+@clip("throw", "body", "hand")
+def throw(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Throw a held prop towards the target in an arc."""
+    prop = prop_of(beat)
+    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
+    if prop is None or side is None:
+        return beat.start
+    aim = stage.ground_of(beat.target) if beat.target else who.position + who.forward * 3
+    t = face(who, beat.start, math.atan2(*_turned(aim - who.position)))
+    look_at_subject(stage, who, t, beat)
+    back = by_chest(who, side, (0.35, -0.25, 0.35), (0.2, -0.3, 0.9), (0, 1, 0.2), pole=(0.9, -0.3, -0.2))
+    forth = by_chest(who, side, (-0.05, 0.95, 0.15), (-0.1, 0.9, 0.1), (0, 0.2, -1), curl=(5, 8, 0))
+    who.hands[side].set(t, 0.5, back)
+    who.accent.set(t, 0.5, (-6, 0, -22 * sign(side)))
+    who.hands[side].set(t + 0.5, 0.18, forth)
+    who.accent.set(t + 0.5, 0.2, (14, 0, 18 * sign(side)))
+    let_go(stage, prop)
+    prop.holder = None
+    prop.follow(t + 0.62, _Flight(prop, t + 0.62, Vector((*aim, 0.0)), 0.35), 0.0)
+    who.hands[side].set(t + 0.9, 0.7, who.home[side])
+    who.accent.set(t + 0.9, 0.6, (0, 0, 0))
+    return t + 1.6
+
+
+def _turned(direction: Vector) -> tuple[float, float]:
+    return direction.x, -direction.y
+
+
+class _Flight:
+    """A prop in the air: from where it is when let go, on a parabola, to a place on the floor."""
+
+    def __init__(self, prop: PropPuppet, start: float, landing: Vector, height: float) -> None:
+        self.prop, self.start, self.landing, self.height = prop, start, landing, height
+        self.origin: Matrix | None = None
+
+    def __call__(self, t: float) -> Matrix:
+        if self.origin is None or t <= self.start:
+            self.origin = self.prop.matrix.copy()
+        start = self.origin.translation
+        fall = math.sqrt(2 * max(0.05, start.z - self.landing.z) / 9.81)
+        seconds = max(fall, (self.landing - start).length / 7)
+        w = min(1.0, (t - self.start) / seconds)
+        place = start.lerp(self.landing, w)
+        place.z = start.z + (self.landing.z - start.z) * w * w + 4 * self.height * w * (1 - w)
+        return standing(place, self.origin.to_euler().z + 2.5 * w * (self.height > 0))
+
+
+def _opened(channel: Channel) -> TargetOf:
+    before = Channel(channel.keys[-1].target)
+
+    def target(t: float) -> Floats:
+        values = np.array(before(t), float)
+        values[12:15] = (4, 6, -10)
+        return values
+
+    return target

@@ -1,0 +1,361 @@
+"""Motions of two: giving, taking, shaking hands, hugging, kissing, touching, hitting."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats, TargetOf, clamp, ease_out
+from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.handling import let_go, pick_up, prop_of, take_in_hand
+from storyblender.blender.motion.clips.locomotion import face, step_to, travel
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.clips.work import press
+from storyblender.blender.motion.hands import by_chest, hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.puppets import Grip, PropPuppet, carried, gripping, standing
+from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+SEATED = ("sit", "lie", "asleep")
+
+
+def partner_of(beat: Beat) -> Performer | None:
+    """Return the other person of a beat."""
+    return beat.target if isinstance(beat.target, Performer) else None
+
+
+def meet(stage: Stage, who: Performer, partner: Performer, beat: Beat, distance: float, slack: float = 0.25) -> float:
+    """Bring two people face to face at a distance; the first walks, whoever sits stays. Return the second."""
+    t = max(beat.start, *(partner.free[part] for part in ("L", "R")))
+    gap = (partner.position - who.position).length
+    if who.posture not in SEATED and (gap > distance + slack or gap < distance - slack):
+        away = (who.position - partner.position).normalized()
+        if partner.posture in SEATED:  # to the front of a seat, not to its side
+            ahead = partner.forward
+            away = (ahead + away * 0.8).normalized() if away.dot(ahead) > -0.2 else ahead
+            distance = max(distance, 0.62)
+        spot = partner.position + away * distance
+        t = max(t, travel(stage, who, beat, (spot.x, spot.y), skip=(partner.asset_id,), partner=partner))
+    ends = [t]
+    for one, two in ((who, partner), (partner, who)):
+        toward = two.position - one.position
+        if one.posture not in SEATED and toward.length > 0.05:
+            ends.append(face(one, max(one.free["body"], t - 0.6), math.atan2(toward.x, -toward.y)))
+    return max(ends)
+
+
+def free_hand(who: Performer, preferred: str = "R") -> str | None:
+    """Return a hand that holds nothing."""
+    return next((side for side in (preferred, "L" if preferred == "R" else "R") if side not in who.held), None)
+
+
+def keep(who: Performer, sides: tuple[str, ...], start: float, end: float) -> None:
+    """Reserve a partner's hands, and drop what was planned for them."""
+    for side in sides:
+        who.hands[side].cut(start)
+        who.free[side] = max(who.free[side], end)
+
+
+@clip("give", "body", "hand", "head")
+def give(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Hand a prop over: meet at chest height, let go when the other has it."""
+    partner, prop = partner_of(beat), prop_of(beat)
+    prop = prop or stage.props.get(who.held.get(beat.side, ""))
+    if partner is None or prop is None:
+        return beat.start
+    start = beat.start
+    if prop.holder is not who:
+        start = pick_up(stage, who, beat)
+    return _hand_over(stage, who, partner, prop, beat, start)
+
+
+@clip("take", "body", "hand", "head")
+def take(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Take a prop: out of the target's hand, or from where it lies."""
+    prop = prop_of(beat)
+    partner = partner_of(beat) or (prop.holder if prop else None)
+    if prop is None:
+        return beat.start
+    if prop.holder is who:
+        return beat.start
+    if partner is None or prop.holder is not partner:
+        return pick_up(stage, who, beat)
+    return _hand_over(stage, partner, who, prop, beat, beat.start, mover=who)
+
+
+def _hand_over(
+    stage: Stage,
+    giver: Performer,
+    taker: Performer,
+    prop: PropPuppet,
+    beat: Beat,
+    start: float,
+    mover: Performer | None = None,
+) -> float:
+    mover = mover or giver
+    reach = 0.72 * (giver.m.arm + taker.m.arm)
+    t = meet(stage, mover, taker if mover is giver else giver, replace(beat, start=start), reach)
+    side = next((s for s, held in giver.held.items() if held == prop.asset_id), "R")
+    other_side = free_hand(taker)
+    if other_side is None:
+        stage.report("unreachable", taker, beat, f"{taker.asset_id} has no free hand for {prop.asset_id}")
+        return t
+    grip, far = prop.grip(side), prop.grip(other_side).opposite()
+    look_at(giver, t, stage.point_of(prop))
+    look_at(taker, t + 0.1, stage.point_of(prop))
+    offered = _offered(giver, taker, side, grip)
+    reaching, touch = 0.9, t + 0.35 + 0.9 * 0.85 + 0.05
+    keep(taker, (other_side,), t, touch + 1.1)
+    keep(giver, (side,), t, touch + 1.1)
+    giver.hands[side].set(t, reaching, offered)
+    giver.accent.set(t, reaching, (7, 0, -8 * sign(side)))
+    taker.hands[other_side].set(t + 0.35, 0.85 * reaching, gripping(taker, other_side, prop, far, opening=0.5))
+    taker.accent.set(t + 0.35, 0.8 * reaching, (6, 0, 0))
+    taker.hands[other_side].set(touch - 0.05, 0.15, gripping(taker, other_side, prop, far))
+    stage.late.append((taker, other_side, t + 0.3, touch + 0.199))
+    stage.expect(taker, other_side, touch, beat)
+    prop.hold(touch + 0.2, taker, other_side, far, 0.1)
+    giver.hands[side].set(touch + 0.2, 0.15, lambda now: _open_hand(offered, now))
+    let_go(stage, prop)
+    giver.hands[side].set(touch + 0.3, 0.8, giver.home[side])
+    giver.accent.set(touch + 0.3, 0.6, (0, 0, 0))
+    take_in_hand(stage, taker, other_side, prop, touch + 0.45, 0.6)
+    taker.hands[other_side].set(touch + 0.25, 0.8, carried(taker, other_side, prop))
+    taker.accent.set(touch + 0.4, 0.6, (0, 0, 0))
+    look_at(giver, touch + 0.5, stage.point_of(taker))
+    return touch + 1.1
+
+
+def _open_hand(target: TargetOf, t: float) -> Floats:
+    values = target(t)
+    values[12:15] *= 0.2
+    return values
+
+
+def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> TargetOf:
+    """Where the giver holds the prop out: between both, at the lower of the two chests."""
+
+    def target(t: float) -> Floats:
+        share = giver.m.arm / (giver.m.arm + taker.m.arm)
+        a, b = giver.place, taker.place
+        middle = a.lerp(b, share)
+        low = min(_shoulder(giver), _shoulder(taker))
+        middle.z = 0.86 * low + 0.04 * max(0.0, giver.m.shoulder_height - taker.m.shoulder_height)
+        toward = b - a
+        matrix = standing(middle, math.atan2(toward.x, -toward.y)) @ Matrix.Translation(-grip.palm)
+        return grip.hand(matrix, giver.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
+
+    return target
+
+
+def _shoulder(who: Performer) -> float:
+    return 0.5 * (who.point("upper_arm.L").z + who.point("upper_arm.R").z)
+
+
+@clip("shake_hands", "body", "hand", "head")
+def shake_hands(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Shake the target's right hand: three cycles."""
+    partner = partner_of(beat)
+    if partner is None:
+        return beat.start
+    bellies = sum(max(0.0, each.m.belly_front - 0.15 * each.m.k) for each in (who, partner))
+    t = meet(stage, who, partner, beat, 0.66 * (who.m.arm + partner.m.arm) + bellies, 0.12)
+    clasped, shaken = t + 0.7, t + 0.7 + 3 / 2.2
+
+    def middle(now: float) -> Vector:
+        between = (who.point("upper_arm.R") + partner.point("upper_arm.R")) / 2
+        up = 0.030 * math.sin(2 * math.pi * 2.2 * (now - clasped)) if clasped < now < shaken else 0.0
+        between.z = 0.72 * min(_shoulder(who), _shoulder(partner)) + up
+        return between
+
+    keep(partner, ("R",), t, shaken + 0.8)
+    for one, two in ((who, partner), (partner, who)):
+        if "R" in one.held:
+            stage.report("unreachable", one, beat, f"{one.asset_id} has the right hand full")
+            continue
+
+        def target(now: float, one: Performer = one, two: Performer = two) -> Floats:
+            along = Vector((*(two.place - one.place).xy, 0)).normalized()
+            right = Vector((along.y, -along.x, 0))
+            palm = middle(now) - along * (0.012 * one.m.k) + right * (0.016 * one.m.k)
+            return hand(
+                palm, along + Vector((0, 0, -0.12)), -right, one.facing @ Vector((-0.5, 0.6, -0.8)), (38, 48, -12)
+            )
+
+        one.hands["R"].set(t, 0.7, target, bump=(0, 0, -0.04))
+        one.hands["R"].set(shaken + 0.1, 0.7, one.home["R"])
+        one.accent.set(t, 0.7, (5, 0, 6))
+        one.accent.set(shaken, 0.6, (0, 0, 0))
+        stage.late.append((one, "R", t, shaken + 0.1))
+        look_at(one, t, stage.point_of(two))
+        mood(one, t, "tender")
+    return shaken + 0.8
+
+
+@clip("hug", "body", "hands", "head")
+def hug(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Embrace: the taller goes over the shoulders and bends, the shorter around the ribs."""
+    partner = partner_of(beat)
+    if partner is None:
+        return beat.start
+    distance = who.m.front + partner.m.front + 0.035 * (who.m.k + partner.m.k) / 2
+    t = meet(stage, who, partner, beat, distance, 0.03)
+    holding = clamp((beat.duration or 3.4) - 2.2, 0.8, 4.0)
+    whole = 0.9
+    apart = t + 1.2 * whole + holding
+    keep(partner, ("L", "R"), t, apart + 1.0)
+    partner.free["body"] = max(partner.free["body"], apart + 1.0)
+    taller = who if who.m.shoulder_height >= partner.m.shoulder_height else partner
+    difference = abs(who.m.shoulder_height - partner.m.shoulder_height)
+    for one, two in ((who, partner), (partner, who)):
+        _embrace(stage, one, two, one is taller, difference, t, apart)
+        look_at(one, apart + 0.2, stage.point_of(two))
+    return apart + 1.0
+
+
+def _embrace(
+    stage: Stage, who: Performer, other: Performer, over: bool, difference: float, t: float, apart: float
+) -> None:
+    k, whole = who.m.k, 0.9
+    bend = 24 * clamp(difference / 0.5) if over else 0.0
+    who.accent.set(t, whole, (3 + bend, -5, 0))
+    who.accent.set(apart, 0.7, (0, 0, 0))
+    who.nod.set(t + 0.2, whole, (6 if over else -10 * clamp(difference / 0.3), -10, -12))
+    who.nod.set(apart, 0.7, (0, 0, 0))
+    if who.posture == "stand":
+        height = who.standing_height
+        low = height - (0.01 + 0.05 * bend / 24) * k
+        who.hips.set(t, whole, (-0.025 * k, 0.03 * k * (1 + bend / 12), low, 0.5 * bend, 0, 0))
+        who.hips.set(apart, 0.7, (0, 0, height, 0, 0, 0))
+    mood(who, t, "tender")
+    who.face.set(t + whole, 0.3, (0, 0.5, 0.9, 0.1, 0))
+    mood(who, apart, "tender")
+    who.gaze.set(t, 0.4, who.ahead)
+    for side in SIDES:
+        opened, closed = _open_arms(who, side, over), _around(who, other, side, over)
+        who.hands[side].set(t, 0.6 * whole, opened)
+        who.hands[side].set(t + 0.5 * whole, 0.7 * whole, closed)
+        who.hands[side].set(apart, 0.35, opened)
+        who.hands[side].set(apart + 0.3, 0.7, who.home[side])
+        stage.late.append((who, side, t, apart + 0.2))
+
+
+def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
+    return by_chest(
+        who, side, (0.22, 0.80, -0.10 if over else -0.38), (-0.15, 1, 0.1), (-1, 0, 0), pole=(1, -0.2, -0.4),
+        curl=(6, 8, 0),
+    )  # fmt: skip
+
+
+def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf:
+    """Palm on the other's back, a little across the spine."""
+    s, k = sign(side), other.m.k
+    height = ((0.10 if side == "R" else -0.02) if over else (-0.10 if side == "R" else -0.02)) * k
+    back = other.m.chest_back + 0.014 * k - other.bones.head["upper_chest"].y
+    offset = Vector((0.06 * k * s, back, height + 0.05 * k))
+
+    def target(t: float) -> Floats:
+        inward = who.facing @ Vector((-s, 0, 0)) + Vector((0, 0, -0.1 if over else 0.35))
+        elbow = who.facing @ Vector((s, -0.15, 0.25 if over else -0.25))
+        palm, normal = other.point("upper_chest", offset), other.direction("upper_chest", Vector((0, -1, 0)))
+        return hand(palm, inward, normal, elbow, (6, 8, 0))
+
+    return target
+
+
+@clip("kiss", "body", "hands", "head")
+def kiss(stage: Stage, who: Performer, beat: Beat) -> float:
+    """A hug in which both heads meet, eyes closed."""
+    partner = partner_of(beat)
+    end = hug(stage, who, beat)
+    if partner is None:
+        return end
+    for one, roll in ((who, 12), (partner, 12)):
+        one.nod.cut(beat.start)
+        one.nod.set(end - 3.2, 0.8, (0, roll, 0))
+        one.nod.set(end - 1.2, 0.6, (0, 0, 0))
+    return end
+
+
+@clip("touch", "body", "hand", "head")
+def touch(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Lay a hand on the target's shoulder, or on a thing."""
+    partner = partner_of(beat)
+    if partner is None:
+        return press(stage, who, beat)
+    t = meet(stage, who, partner, beat, 0.80 * who.m.arm + 0.15, 0.15)
+    side = beat.side
+    near = _nearer_shoulder(who, partner)
+    mark = Vector((-0.02 * sign(near), 0, 0.055)) * partner.m.k
+    stay = clamp((beat.duration or 2.4) - 1.4, 0.6, 6)
+
+    def target(now: float) -> Floats:
+        palm = partner.point(f"upper_arm.{near}", mark)
+        along = palm - who.point(f"upper_arm.{side}")
+        along.z *= 0.2
+        return hand(palm, along, Vector((0, 0, -1)), who.facing @ Vector((sign(side) * 0.6, 0.3, -0.8)), (8, 12, 0))
+
+    def above(now: float) -> Floats:
+        values = target(now)
+        values[2] += 0.07 * who.m.k
+        return values
+
+    who.hands[side].set(t, 0.56, above)
+    who.hands[side].set(t + 0.5, 0.3, target)
+    who.hands[side].set(t + 0.8 + stay, 0.7, who.home[side])
+    stage.late.append((who, side, t, t + 0.8 + stay))
+    stage.expect(who, side, t + 0.8, beat)
+    look_at(who, t, stage.point_of(partner))
+    mood(who, t, "tender" if beat.mood == "neutral" else beat.mood)
+    return t + 1.5 + stay
+
+
+def _nearer_shoulder(who: Performer, partner: Performer) -> str:
+    right = Vector((math.cos(partner.yaw), math.sin(partner.yaw)))
+    return "L" if (who.position - partner.position).dot(right) > 0 else "R"
+
+
+@clip("hit", "body", "hand", "head")
+def hit(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Strike the target's face; the head gives way."""
+    partner = partner_of(beat)
+    if partner is None:
+        return beat.start
+    side = beat.side
+    t = meet(stage, who, partner, beat, 0.95 * who.m.arm, 0.15)
+    mood(who, t, "angry")
+    look_at(who, t, stage.point_of(partner))
+    spot = _cheek(who, partner, side)
+    back = by_chest(who, side, (0.45, -0.2, 0.05), (0.3, 0.6, 0.3), (0, 0.4, -1), pole=(1, -0.4, -0.1), curl=(80, 88, 35))
+    who.hands[side].set(t, 0.35, back)
+    who.accent.set(t, 0.35, (-3, 0, -28 * sign(side)))
+    who.hands[side].set(t + 0.35, 0.14, spot, ease=ease_out)
+    who.accent.set(t + 0.35, 0.16, (10, 0, 24 * sign(side)))
+    stage.late.append((who, side, t + 0.3, t + 0.5))
+    partner.nod.set(t + 0.47, 0.1, (-6, 0, -30 * sign(side)))
+    partner.accent.set(t + 0.47, 0.15, (-10, 0, -14 * sign(side)))
+    mood(partner, t + 0.47, "afraid", 0.1)
+    partner.nod.set(t + 0.75, 0.6, (8, 0, 0))
+    partner.accent.set(t + 0.75, 0.7, (4, 0, 0))
+    if partner.posture == "stand":
+        behind = partner.position - partner.forward * (0.2 * partner.m.k)
+        step_to(partner, "L", t + 0.5, 0.3, partner.plant("L", behind.x, behind.y, partner.yaw))
+        step_to(partner, "L", t + 1.2, 0.35, partner.plant("L", *partner.position, partner.yaw))
+    who.hands[side].set(t + 0.6, 0.6, who.home[side])
+    who.accent.set(t + 0.6, 0.5, (0, 0, 0))
+    partner.accent.set(t + 1.5, 0.6, (0, 0, 0))
+    partner.nod.set(t + 1.5, 0.5, (0, 0, 0))
+    return t + 1.5
+
+
+def _cheek(who: Performer, partner: Performer, side: str) -> TargetOf:
+    def target(t: float) -> Floats:
+        face_point = partner.point("head", Vector((-sign(side) * 0.02, -0.09, 0.02)) * partner.m.k)
+        along = (face_point - who.point(f"upper_arm.{side}")).normalized()
+        palm = face_point - along * (0.05 * who.m.k)
+        return hand(palm, along, Vector((0, 0, -1)), who.facing @ Vector((sign(side), 0.2, -0.2)), (80, 88, 35))
+
+    return target

@@ -1,0 +1,63 @@
+"""The registry of clips and the parts of the body they use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.skeleton import SIDES
+from storyblender.blender.motion.stage import Beat, Stage
+
+Play = Callable[[Stage, Performer, Beat], float]
+"""Sets keys on the performer's channels and returns the second at which the clip is over."""
+
+
+@dataclass(frozen=True)
+class Clip:
+    """A motion.
+
+    Attributes:
+        key: Its name in ``catalog.motions``.
+        uses: ``body`` (root, legs, trunk), ``hand`` (the beat's), ``hands`` (both), ``head``. A clip waits until the
+            parts it uses are free, and takes hands away from whatever was planned for them later.
+        play: The function.
+    """
+
+    key: str
+    uses: tuple[str, ...]
+    play: Play
+
+    def parts(self, side: str) -> tuple[str, ...]:
+        """Return the keys of ``Performer.free`` it needs."""
+        names: list[str] = []
+        for use in self.uses:
+            names += list(SIDES) if use == "hands" else [side] if use == "hand" else [use]
+        return tuple(names)
+
+
+CLIPS: dict[str, Clip] = {}
+
+
+def clip(key: str, *uses: str) -> Callable[[Play], Play]:
+    """Register the decorated function as the clip ``key``."""
+
+    def register(play: Play) -> Play:
+        CLIPS[key] = Clip(key, uses, play)
+        return play
+
+    return register
+
+
+def play(stage: Stage, who: Performer, key: str, beat: Beat) -> float:
+    """Play a clip as soon as the parts it uses are free, and keep them until it is over."""
+    chosen = CLIPS[key]
+    parts = chosen.parts(beat.side)
+    start = max([beat.start, *(who.free[part] for part in parts)])
+    for side in SIDES:
+        if side in parts:
+            who.hands[side].cut(start)
+    end = chosen.play(stage, who, replace(beat, start=start))
+    for part in parts:
+        who.free[part] = max(who.free[part], end)
+    return end

@@ -1,0 +1,224 @@
+"""Sitting down, and standing up from whatever posture one is in."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from mathutils import Vector
+
+from storyblender.blender.motion.channel import smoothstep, turn_between
+from storyblender.blender.motion.clips.locomotion import face, step_to, travel
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import hanging, on_thigh
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.puppets import carried
+from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.stage import Beat, Seat, Stage
+from storyblender.memory.shot_context import Mark
+
+BEFORE_SEAT = 0.18
+"""Metres times k from the seat's edge to where one stands; nearer, clothes cut the chair while turning."""
+FLOOR_SEAT = 0.30
+"""Seats lower than this are sat on with the feet stretched out."""
+
+
+def seat_mark(who: Performer, seat: Seat) -> Vector:
+    """Return where to stand before sitting down."""
+    forward = Vector((math.sin(seat.yaw), -math.cos(seat.yaw)))
+    return seat.edge + forward * (BEFORE_SEAT * who.m.k)
+
+
+def seat_meant(stage: Stage, who: Performer, beat: Beat) -> Seat | None:
+    """Return the seat of a beat's mark or target; the floor where a mark names no support."""
+    support = beat.mark.support_id if beat.mark else None
+    seat = stage.seat(support, beat.mark)
+    if seat is None and beat.target is not None:
+        named = getattr(beat.target, "asset_id", None)
+        seat = stage.seat(named, beat.mark)
+    if seat is None and beat.mark is not None and not support:
+        x, y, z = beat.mark.location
+        return Seat(Vector((x, y)), z + 0.02, 0.5, math.radians(beat.mark.yaw))
+    return seat
+
+
+def refill_hands(stage: Stage, who: Performer, t: float, duration: float) -> None:
+    """Bring both hands to where the posture wants them: home, or carrying."""
+    for side in SIDES:
+        held = who.held.get(side)
+        target = carried(who, side, stage.props[held]) if held in stage.props else who.home[side]
+        who.hands[side].set(t, duration, target)
+
+
+@clip("sit", "body", "hands")
+def sit(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Sit down on the seat of the mark; walks to it first where needed."""
+    seat = seat_meant(stage, who, beat)
+    if seat is None:
+        stage.report("no_support", who, beat, f"{who.asset_id} has nothing to sit on")
+        return beat.start
+    t = beat.start
+    before = seat_mark(who, seat)
+    if t < 0:
+        who.put(before.x, before.y, seat.yaw)
+    else:
+        t = travel(stage, who, beat, (before.x, before.y), seat.yaw)
+        t = face(who, t, seat.yaw)
+        if (who.position - before).length > 0.15:
+            return t
+    who.support = beat.mark.support_id or "" if beat.mark else ""
+    return settle(stage, who, seat, t)
+
+
+def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
+    """Lower oneself onto a seat from the spot before it, and return the end."""
+    m, k = who.m, who.m.k
+    forward = who.forward
+    depth = min(0.80 * m.thigh, max(0.08, seat.depth - m.seat_back - 0.02))
+    back = depth - (seat.edge - who.position).dot(forward)
+    dy, height = back - m.hip_y, seat.height + m.seat_drop
+    whole = 1.15 * math.sqrt(k)
+    half_way = (0, 0.42 * dy, 0.60 * m.hip_height + 0.40 * height, 30, 0, 0)
+    who.hips.set(t, 0.5 * whole, half_way, ease=smoothstep)
+    who.spine.set(t, 0.5 * whole, (16, 0, 0))
+    who.hips.set(t + 0.38 * whole, 0.62 * whole, (0, dy, height, -4, 0, 0))
+    who.spine.set(t + 0.5 * whole, 0.6 * whole, (6, 0, 0))
+    who.pinned.set(t, 0.9 * whole, 1.0)
+    who.life.set(t, whole, 0.5)
+    who.seated.set(t + 0.25 * whole, 0.70 * whole, 1.0)
+    hips = who.position - forward * (back)
+    for side in SIDES:
+        _seat_foot(who, side, t, whole, height, hips, forward)
+        who.home[side] = on_thigh(who, side)
+    refill_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
+    who.posture = "sit"
+    return t + 1.1 * whole
+
+
+def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float, hips: Vector, forward: Vector) -> None:
+    """Feet of somebody sitting: dangling from high seats, stretched out on low ones, else tucked in one step."""
+    m, k = who.m, who.m.k
+    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    if height - m.ankle > m.shin + 0.02 * k + 0.05:
+        knee = hips + forward * (0.97 * m.thigh - 0.02) + right * (sign(side) * 0.09 * k)
+        pose = who.plant(side, 0, 0, who.yaw)
+        pose[:3], pose[4] = (knee.x, knee.y, height - 0.995 * m.shin), -18
+        who.feet[side].set(t + 0.55 * whole, 0.4 * whole, pose)
+        return
+    if height < FLOOR_SEAT:
+        reach = math.sqrt(max(0.01, (0.72 * m.leg) ** 2 - (height - m.ankle) ** 2))
+        spot = hips + forward * (reach + m.foot_y)
+        step_to(who, side, t + whole * (0.3 if side == "R" else 0.5), 0.4, who.plant(side, *spot, who.yaw), 0.05 * k)
+        return
+    spot = who.position + forward * (0.05 * k)
+    pose = who.plant(side, spot.x, spot.y, who.yaw, width=1.05, splay=9)
+    step_to(who, side, t + whole * (0.62 if side == "R" else 0.80), 0.3, pose, 0.02 * k)
+
+
+@clip("rise", "body", "hands")
+def rise(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Stand up from any posture."""
+    return stand_up(stage, who, beat.start)
+
+
+def stand_up(stage: Stage, who: Performer, t: float) -> float:
+    """Stand up from the planned posture, and return the end; nothing happens to who stands."""
+    if who.posture == "stand":
+        return t
+    if who.posture in ("lie", "asleep"):
+        t = _sit_up(stage, who, t)
+    if who.posture == "sit":
+        return _leave_seat(stage, who, t)
+    return _straighten(stage, who, t)
+
+
+def _leave_seat(stage: Stage, who: Performer, t: float) -> float:
+    k, x, y = who.m.k, *who.position
+    whole = 1.1 * math.sqrt(k)
+    now = who.hips(t)
+    for side in SIDES:
+        pose = who.plant(side, x, y, who.yaw, back=0.04 * k)
+        step_to(who, side, t + (0 if side == "L" else 0.12), 0.25, pose, 0.015 * k)
+    who.spine.set(t, 0.4 * whole, (22, 0, 0))
+    who.hips.set(t, 0.4 * whole, (0, 0.85 * now[1], now[2] + 0.01, 26, 0, 0))
+    who.hips.set(t + 0.36 * whole, 0.64 * whole, (0, 0, who.standing_height, 0, 0, 0))
+    who.spine.set(t + 0.45 * whole, 0.6 * whole, (0, 0, 0))
+    who.seated.set(t + 0.1 * whole, 0.6 * whole, 0.0)
+    _release(stage, who, t, whole)
+    end = t + whole + 0.1
+    for index, side in enumerate(SIDES):
+        step_to(who, side, end - 0.1 + 0.3 * index, 0.28, who.plant(side, x, y, who.yaw), 0.02 * k)
+    return end + 0.5
+
+
+def _straighten(stage: Stage, who: Performer, t: float) -> float:
+    """From kneeling, crouching or leaning."""
+    k, x, y = who.m.k, *who.position
+    whole = 0.9 * math.sqrt(k)
+    low = who.hips(t)[2] < 0.75 * who.standing_height
+    if low:
+        who.spine.set(t, 0.4 * whole, (18, 0, 0))
+    for index, side in enumerate(SIDES):
+        step_to(who, side, t + 0.35 * whole * index + 0.1, 0.45 * whole, who.plant(side, x, y, who.yaw), 0.03 * k)
+    who.hips.set(t + 0.15 * whole, 0.85 * whole, (0, 0, who.standing_height, 0, 0, 0))
+    who.spine.set(t + 0.4 * whole, 0.7 * whole, (0, 0, 0))
+    _release(stage, who, t, whole)
+    return t + 1.15 * whole
+
+
+def _release(stage: Stage, who: Performer, t: float, whole: float) -> None:
+    who.pinned.set(t + 0.5 * whole, 0.4 * whole, 0.0)
+    who.life.set(t + whole, 0.5, 1.0)
+    who.lean_after.set(t + whole, 0, 1.0)
+    for side in SIDES:
+        who.home[side] = hanging(who, side)
+    refill_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
+    who.posture, who.support = "stand", ""
+
+
+def _sit_up(stage: Stage, who: Performer, t: float) -> float:
+    """From lying: on a bed to its edge, on the floor to a kneel."""
+    k = who.m.k
+    whole = 1.6 * math.sqrt(k)
+    seat = stage.seat(who.support, _here(who)) if who.support else None
+    who.look_freely(t + 0.3)
+    if seat is None:
+        x, y = who.position
+        who.hips.set(t, 0.5 * whole, (0, 0.10 * k, 0.20 * k, -20, 0, 0))
+        who.spine.set(t, 0.5 * whole, (24, 0, 0))
+        who.hips.set(t + 0.45 * whole, 0.5 * whole, (0, 0, 0.45 * who.m.leg, 12, 0, 0))
+        for index, side in enumerate(SIDES):
+            pose = who.plant(side, x, y, who.yaw, width=1.3, back=-0.12 * k)
+            step_to(who, side, t + 0.3 * whole + 0.15 * index, 0.45 * whole, pose, 0.08 * k)
+        who.posture = "crouch"
+        return t + whole
+    before = seat_mark(who, seat)
+    back = min(0.80 * who.m.thigh, 0.5 * seat.depth) - (seat.edge - before).dot(_forward(seat.yaw))
+    turn = turn_between(who.yaw, seat.yaw)
+    who.root.set(t + 0.3 * whole, 0.6 * whole, (before.x, before.y, who.yaw + turn))
+    who.hips.set(t, 0.5 * whole, (0, -who.m.hip_y, seat.height + who.m.seat_drop, -25, 0, 0))
+    who.spine.set(t, 0.5 * whole, (22, 0, 0))
+    who.hips.set(t + 0.4 * whole, 0.5 * whole, (0, back - who.m.hip_y, seat.height + who.m.seat_drop, -4, 0, 0))
+    who.spine.set(t + 0.6 * whole, 0.4 * whole, (6, 0, 0))
+    for index, side in enumerate(SIDES):
+        raised = np.array(who.feet[side](t), float)
+        middle = who.plant(side, before.x, before.y, seat.yaw)
+        middle[:2] = 0.5 * (raised[:2] + middle[:2])
+        middle[2], middle[8] = seat.height + 0.18 * k, 0.8
+        who.feet[side].set(t + 0.2 * whole + 0.08 * index, 0.4 * whole, middle)
+        landed = who.plant(side, before.x, before.y, seat.yaw)
+        who.feet[side].set(t + 0.5 * whole + 0.08 * index, 0.4 * whole, landed)
+        who.home[side] = on_thigh(who, side)
+    refill_hands(stage, who, t + 0.5 * whole, 0.5 * whole)
+    who.position, who.yaw, who.posture = before, who.yaw + turn, "sit"
+    return t + whole
+
+
+def _here(who: Performer) -> Mark:
+    return Mark(asset_id=who.asset_id, location=(who.position.x, who.position.y, 0.0), yaw=math.degrees(who.yaw))
+
+
+def _forward(yaw: float) -> Vector:
+    return Vector((math.sin(yaw), -math.cos(yaw)))
+
+

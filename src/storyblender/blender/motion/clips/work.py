@@ -1,0 +1,337 @@
+"""Hands on the set: doors, pushing, pressing, typing, playing, wiping, digging."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats, TargetOf
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
+from storyblender.blender.motion.clips.handling import approach, come_up, reach_down
+from storyblender.blender.motion.clips.locomotion import step_to
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.clips.using import table_height
+from storyblender.blender.motion.hands import by_chest, hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.plan import StageFurniture
+from storyblender.blender.motion.puppets import PropPuppet, carried
+from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+Offset = Callable[[float], Vector]
+"""Movement of a hand over time, in the person's frame: aside, forwards, up."""
+
+
+def handle_of(stage: Stage, who: Performer, beat: Beat) -> tuple[Vector, float | None]:
+    """Return the world point a hand works on, and the height of the surface there if it is a top."""
+    subject = beat.target or beat.prop
+    if isinstance(subject, PropPuppet):
+        return subject.matrix @ Vector((0, 0, subject.size.z)), None
+    if isinstance(subject, StageFurniture):
+        world = Matrix(subject.world.tolist())
+        anchor = stage.anchor(subject, ("handle",), None)
+        if anchor is not None:
+            return world @ Vector(anchor.location), None
+        top = stage.anchor(subject, ("top",), None)
+        if top is not None:
+            return _on_top(who, world, Vector(top.location), top.size), (world @ Vector(top.location)).z
+        return _on_box(who, world, subject), None
+    if beat.mark is not None:
+        return Vector(beat.mark.location) + UP * (0.62 * who.m.shoulder_height), None
+    return Vector((*(who.position + who.forward * 0.55 * who.m.k), 0.72 * who.m.shoulder_height)), None
+
+
+def _on_top(who: Performer, world: Matrix, centre: Vector, size: tuple[float, float]) -> Vector:
+    """The spot of a top that is nearest to the person, a hand's breadth in."""
+    local = world.inverted() @ Vector((*who.position, 0))
+    spot = centre.copy()
+    for axis in (0, 1):
+        half = max(0.0, size[axis] / 2 - 0.14)
+        spot[axis] += max(-half, min(half, local[axis] - centre[axis]))
+    return world @ spot
+
+
+def _on_box(who: Performer, world: Matrix, subject: StageFurniture) -> Vector:
+    """The spot of a box's nearest face at chest height."""
+    local = world.inverted() @ Vector((*who.position, 0))
+    width, depth, height = subject.dimensions
+    spot = Vector((max(-width / 2, min(width / 2, local.x)), max(-depth / 2, min(depth / 2, local.y)), 0))
+    spot.z = min(0.75 * who.m.shoulder_height, 0.9 * height)
+    return world @ spot
+
+
+def busy(
+    who: Performer, side: str, t: float, end: float, place: Vector, move: Offset, *, palm: Vector, curl: tuple[float, float, float]
+) -> None:
+    """Keep a hand at a place with a movement on top, then bring it home."""
+
+    def target(now: float) -> Floats:
+        aside, ahead, up = move(now - t)
+        turn = who.facing
+        spot = place + turn @ Vector((aside, -ahead, up))
+        toward = turn @ Vector((-sign(side) * 0.2, -1, -0.15))
+        return hand(spot, toward, turn @ palm, turn @ Vector((sign(side) * 0.7, 0.4, -0.7)), curl)
+
+    who.hands[side].set(t, 0.6, target)
+    who.hands[side].set(end - 0.1, 0.7, who.home[side])
+
+
+def _ease_in(u: float, start: float, length: float) -> float:
+    w = min(1.0, max(0.0, (u - start) / length))
+    return w * w * (3 - 2 * w)
+
+
+@clip("open", "body", "hand", "head")
+def open_(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Grasp the handle of a door or a lid, turn it, pull."""
+    return _handle(stage, who, beat, 0.30)
+
+
+@clip("close", "body", "hand", "head")
+def close(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Push a door or a lid shut."""
+    return _handle(stage, who, beat, -0.18)
+
+
+def _handle(stage: Stage, who: Performer, beat: Beat, pull: float) -> float:
+    place, surface = handle_of(stage, who, beat)
+    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    place, surface = handle_of(stage, who, beat)
+    look_at(who, t, tuple(place))
+    lift = surface is not None
+
+    def move(u: float) -> Vector:
+        way = pull * _ease_in(u, 0.9, 0.8)
+        return Vector((0, 0, abs(way))) if lift else Vector((0.15 * way * sign(beat.side), -way, 0.0))
+
+    bent = reach_down(who, t, 0.6, place.z)
+    end = t + 2.1
+    curl = (68, 75, 25) if pull > 0 else (12, 14, 0)
+    busy(who, beat.side, t, end, place, move, palm=Vector((0, -0.6, -0.8)), curl=curl)
+    stage.expect(who, beat.side, t + 0.75, beat)
+    who.accent.set(t + 0.9, 0.8, (-4 if pull > 0 else 6, 0, 0))
+    who.accent.set(end - 0.2, 0.5, (0, 0, 0))
+    if bent:
+        come_up(who, end - 0.3, 0.7)
+    look_at(who, end - 0.2, who.ahead)
+    return end + 0.3
+
+
+@clip("knock", "body", "hand", "head")
+def knock(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Rap three times with the knuckles at head height."""
+    place, _ = handle_of(stage, who, beat)
+    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    place = place + who.facing_at(t) @ Vector((-0.12 * sign(beat.side), 0.06, 0))
+    place.z = 0.97 * who.m.shoulder_height
+    look_at(who, t, tuple(place))
+
+    def move(u: float) -> Vector:
+        rap = abs(math.sin(math.pi * 2.6 * (u - 0.7))) if 0.7 < u < 1.85 else 0.0
+        return Vector((0, -0.09 * rap, 0.0))
+
+    busy(who, beat.side, t, t + 2.0, place, move, palm=Vector((0, -0.9, -0.3)), curl=(80, 88, 30))
+    stage.expect(who, beat.side, t + 0.69, beat)
+    return t + 2.5
+
+
+@clip("press", "body", "hand", "head")
+def press(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Press a button or touch a thing with the forefinger."""
+    place, _ = handle_of(stage, who, beat)
+    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    look_at(who, t, tuple(place))
+    back = 0.085 * who.m.k
+
+    def move(u: float) -> Vector:
+        return Vector((0, -back + 0.02 * math.sin(math.pi * min(1, max(0, (u - 0.75) / 0.3))), 0.0))
+
+    busy(who, beat.side, t, t + 1.5, place, move, palm=Vector((0, 0.1, -1)), curl=(4, 80, 25))
+    stage.expect(who, beat.side, t + 0.8, beat)
+    return t + 2.0
+
+
+@clip("push", "body", "hands", "head")
+def push(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Set both palms against a thing or a person and lean in with one foot back."""
+    return _shove(stage, who, beat, 1)
+
+
+@clip("pull", "body", "hands", "head")
+def pull(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Grasp with both hands and lean back."""
+    return _shove(stage, who, beat, -1)
+
+
+def _shove(stage: Stage, who: Performer, beat: Beat, way: int) -> float:
+    k = who.m.k
+    partner = beat.target if isinstance(beat.target, Performer) else None
+    place = partner.to_ground(0.95) if partner else handle_of(stage, who, beat)[0]
+    t = approach(stage, who, beat, place, 0.9 * who.m.arm)
+    place = partner.to_ground(0.95) if partner else handle_of(stage, who, beat)[0]
+    place = place.copy()
+    place.z = min(place.z, 0.85 * who.m.shoulder_height) if not partner else 0.92 * partner.m.shoulder_height
+    look_at_subject(stage, who, t, beat)
+    end = t + (beat.duration or 2.4)
+    for side in SIDES:
+        reach = 0.10 * k * way
+
+        def move(u: float, side: str = side, reach: float = reach) -> Vector:
+            return Vector((sign(side) * 0.13 * k, reach * _ease_in(u, 0.6, 0.9), 0))
+
+        palm = Vector((0, -1, 0.1)) if way > 0 else Vector((0, 0.2, -1))
+        busy(who, side, t, end, place, move, palm=palm, curl=(6, 8, 0) if way > 0 else (70, 78, 25))
+    lead = other(beat.side)
+    back = who.position - who.forward * (0.34 * k)
+    step_to(who, lead, t + 0.1, 0.4, who.plant(lead, back.x, back.y, who.yaw, splay=18))
+    who.hips.set(t + 0.3, 0.7, (0, -0.05 * k * way, who.standing_height - 0.10 * k, 8 * way, 0, 0))
+    who.spine.set(t + 0.3, 0.7, (16 * way, 0, 0))
+    who.hips.set(end - 0.2, 0.7, (0, 0, who.standing_height, 0, 0, 0))
+    who.spine.set(end - 0.2, 0.7, (0, 0, 0))
+    step_to(who, lead, end, 0.4, who.plant(lead, *who.position, who.yaw))
+    if partner is not None and way > 0:
+        partner.accent.set(t + 0.9, 0.25, (-14, 0, 6))
+        behind = partner.position - partner.forward * (0.3 * partner.m.k)
+        step_to(partner, "R", t + 0.95, 0.3, partner.plant("R", behind.x, behind.y, partner.yaw))
+        partner.accent.set(t + 1.5, 0.6, (0, 0, 0))
+        step_to(partner, "R", t + 1.6, 0.4, partner.plant("R", *partner.position, partner.yaw))
+    return end + 0.5
+
+
+def _over_keys(stage: Stage, who: Performer, beat: Beat, rate: float, spread: float, lift: float) -> float:
+    """Both hands over a keyboard: fingers strike in turn, hands wander."""
+    k, t = who.m.k, beat.start
+    end = t + (beat.duration or 3.0)
+    height = table_height(stage, who) + 0.05 * k
+    if isinstance(beat.target, StageFurniture):
+        height = _key_height(stage, beat.target, height)
+    ahead = 0.36 * k
+
+    def target(now: float, side: str) -> Floats:
+        s, u = sign(side), now - t
+        wander = spread * k * math.sin(0.9 * u + (0.0 if side == "L" else 1.7))
+        strike = lift * max(0.0, math.sin(2 * math.pi * rate * u + (0 if side == "L" else 2.1)))
+        spot = who.point("hips") + who.facing @ Vector((s * 0.15 * k + wander, -ahead, 0))
+        spot.z = height + strike
+        tap = 22 + 14 * math.sin(2 * math.pi * rate * u + (0 if side == "L" else 2.1))
+        toward = who.facing @ Vector((-s * 0.12, -1, -0.1))
+        elbow = who.facing @ Vector((s * 0.7, 0.5, -0.7))
+        return hand(spot, toward, Vector((0, 0, -1)), elbow, (tap, 46 - tap, 5))
+
+    who.lean_after.set(t, 0, 0.0)
+    for side in SIDES:
+        if side not in who.held:
+            who.hands[side].set(t, 0.6, lambda now, side=side: target(now, side))
+            if end < stage.plan.frames / stage.fps - 0.3:
+                who.hands[side].set(end, 0.6, who.home[side])
+    look_at(who, t, lambda now: tuple(target(now, "L")[:3] * 0.5 + target(now, "R")[:3] * 0.5))
+    if end < stage.plan.frames / stage.fps - 0.3:
+        who.lean_after.set(end + 0.6, 0, 1.0)
+        look_at(who, end, who.ahead)
+    return end
+
+
+def _key_height(stage: Stage, instrument: StageFurniture, default: float) -> float:
+    handle = stage.anchor(instrument, ("handle",), None)
+    if handle is None:
+        return default
+    return (Matrix(instrument.world.tolist()) @ Vector(handle.location)).z + 0.03
+
+
+@clip("type", "hands", "head")
+def type_(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Type on the table before one."""
+    return _over_keys(stage, who, beat, 4.0, 0.012, 0.006)
+
+
+@clip("play_piano", "hands", "head")
+def play_piano(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Play: hands wander over the keys, the trunk sways."""
+    t, end = beat.start, beat.start + (beat.duration or 3.0)
+    sway = 1
+    while t < end - 1.0:
+        who.accent.set(t, 1.0, (5 if sway > 0 else 1, 4 * sway, 5 * sway))
+        t, sway = t + 1.05, -sway
+    who.accent.set(end - 0.4, 0.6, (0, 0, 0))
+    return _over_keys(stage, who, beat, 2.2, 0.10, 0.03)
+
+
+def _labour(stage: Stage, who: Performer, beat: Beat, move: Callable[[float, str], Vector], sides: str, bend: float) -> float:
+    """Hands at work on a surface or a thing, for the duration."""
+    place, surface = handle_of(stage, who, beat)
+    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    place, surface = handle_of(stage, who, beat)
+    end = t + max(1.2, beat.duration or 2.6)
+    bent = reach_down(who, t, 0.7, place.z)
+    look_at(who, t, tuple(place))
+    who.accent.set(t, 0.6, (bend, 0, 0))
+    for side in sides:
+        held = stage.props.get(who.held.get(side, ""))
+        above = place + UP * (0.035 * who.m.k + (0.5 * held.size.z if held else 0.0))
+        spread = Vector((sign(side) * (0.10 if len(sides) > 1 else 0.0) * who.m.k, 0, 0))
+        busy(
+            who, side, t, end, above + who.facing_at(t) @ spread, lambda u, side=side: move(u, side),
+            palm=Vector((0, -0.15, -1)), curl=(50, 56, 20) if held else (14, 18, 0),
+        )  # fmt: skip
+    who.accent.set(end - 0.2, 0.5, (0, 0, 0))
+    if bent:
+        come_up(who, end - 0.2, 0.7)
+    return end + 0.5
+
+
+@clip("wipe", "body", "hand", "head")
+def wipe(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Wipe, polish, stir: small circles on a surface."""
+
+    def circle(u: float, side: str) -> Vector:
+        return Vector((0.09 * math.cos(5 * u), 0.06 * math.sin(5 * u), 0))
+
+    return _labour(stage, who, beat, circle, beat.side, 6)
+
+
+@clip("work", "body", "hands", "head")
+def work(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Hammer, dig, chop: one hand strikes, the other steadies."""
+
+    def strike(u: float, side: str) -> Vector:
+        if side != beat.side:
+            return Vector((0, 0, 0))
+        return Vector((0, -0.05, 1.0)) * (0.22 * max(0.0, math.sin(2 * math.pi * 1.1 * u)) ** 1.5)
+
+    return _labour(stage, who, beat, strike, beat.side + other(beat.side), 10)
+
+
+@clip("search", "body", "hands", "head")
+def search(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Rummage: both hands move things about, the eyes follow."""
+
+    def rummage(u: float, side: str) -> Vector:
+        phase = 0.0 if side == "L" else 1.9
+        return Vector((0.08 * math.sin(3.1 * u + phase), 0.07 * math.sin(2.3 * u + 2 * phase), 0.04 * math.sin(4 * u) ** 2))
+
+    return _labour(stage, who, beat, rummage, "LR", 10)
+
+
+@clip("pour", "hand", "head")
+def pour(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Tilt what is held over a place before one, and right it again."""
+    t, side, k = beat.start, beat.side, who.m.k
+    held = stage.props.get(who.held.get(side, ""))
+    raised: TargetOf = by_chest(who, side, (-0.25, 0.62, -0.30), (-0.9, 0.5, -0.1), (-0.2, 0.4, -0.9), curl=(50, 55, 25))
+    if held is not None:
+        grip = held.grip(side)
+
+        def tilted(now: float) -> Floats:
+            turn = who.facing @ Matrix.Rotation(-sign(side) * math.radians(75), 3, "Y")
+            matrix = turn.to_4x4()
+            place = who.point("upper_chest") + who.facing @ Vector((sign(side) * 0.10, -0.42, -0.10)) * k
+            matrix.translation = place
+            return grip.hand(matrix, who.facing @ Vector((sign(side) * 0.9, 0.1, 0.1)))
+
+        raised = tilted
+    who.hands[side].set(t, 0.8, raised)
+    look_at(who, t, lambda now: tuple(who.point("upper_chest", (0, -0.5 * k, -0.3 * k))))
+    who.hands[side].set(t + 2.0, 0.8, carried(who, side, held) if held else who.home[side])
+    return t + 2.8

@@ -1,0 +1,182 @@
+"""What the solver measures once of every body: limbs, extents, and the contact heights of sitting (notes: motion, 3)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Vector
+from numpy.typing import NDArray
+
+from storyblender.blender.motion.skeleton import SIDES, Skeleton, about, sign
+from storyblender.blender.people.body import Body
+
+Floats = NDArray[np.float64]
+
+CLOTH = 0.008
+"""Thickness of what one sits on in: trousers."""
+JACKET = 0.034
+"""Thickness at the back, times k; less lets a jacket sink into the chair."""
+
+
+@dataclass(frozen=True)
+class Measures:
+    """Lengths in metres of one person, standing at the origin facing -Y.
+
+    Attributes:
+        k: Stature over 1.7 m: scales everything authored for an average adult.
+        thigh: Hip joint to knee.
+        shin: Knee to ankle.
+        ankle: Height of the ankle joint.
+        hip_height: Height of the hip joints.
+        hip_y: Their y.
+        upper_arm: Shoulder to elbow.
+        forearm: Elbow to wrist.
+        hand: Wrist to middle knuckle.
+        shoulder_height: Of the upper arm's joint.
+        eye_height: Of the eyes.
+        foot_y: y of the ankles.
+        foot_length: Ankle to toe joint.
+        toe_out: Yaw of each resting foot, radians.
+        chest_front: Extent of the chest towards -Y.
+        chest_back: Extent of the chest towards +Y.
+        belly_front: Extent of the belly towards -Y.
+        buttocks_back: Extent towards +Y.
+        radius: Half the width at the hips: the disc that walks through a set.
+        seat_drop: Hip joint above the seat.
+        seat_back: Hip joint in front of the backrest.
+        lap: Top of a seated thigh above its axis.
+    """
+
+    k: float
+    thigh: float
+    shin: float
+    ankle: float
+    hip_height: float
+    hip_y: float
+    upper_arm: float
+    forearm: float
+    hand: float
+    shoulder_height: float
+    eye_height: float
+    foot_y: float
+    foot_length: float
+    toe_out: dict[str, float]
+    chest_front: float
+    chest_back: float
+    belly_front: float
+    buttocks_back: float
+    radius: float
+    seat_drop: float
+    seat_back: float
+    lap: float
+
+    @property
+    def leg(self) -> float:
+        """Hip joint to ankle, stretched."""
+        return self.thigh + self.shin
+
+    @property
+    def arm(self) -> float:
+        """Shoulder to wrist, stretched."""
+        return self.upper_arm + self.forearm
+
+    @property
+    def stance(self) -> float:
+        """Half the distance of the feet while standing."""
+        return 0.088 * self.k
+
+    @property
+    def front(self) -> float:
+        """How far the body reaches forward."""
+        return max(self.chest_front, self.belly_front)
+
+
+def measure(body: Body) -> Measures:
+    """Measure a body."""
+    bones = Skeleton(body)
+    head, k = bones.head, body.stature / 1.7
+    skin = body.vertices
+    torso = skin[np.abs(skin[:, 0]) < 0.10 * k]
+    hip = head["thigh.L"]
+
+    def span(low: float, high: float) -> tuple[float, float]:
+        y = torso[(torso[:, 2] > low) & (torso[:, 2] < high)][:, 1]
+        return (-float(y.min()), float(y.max())) if len(y) else (0.12 * k, 0.12 * k)
+
+    chest_front, chest_back = span(head["chest"].z, head["neck"].z - 0.08 * k)
+    belly_front, _ = span(head["hips"].z, head["chest"].z)
+    _, buttocks_back = span(hip.z - 0.08 * k, hip.z + 0.12 * k)
+    waist = skin[(np.abs(skin[:, 2] - hip.z - 0.05) < 0.10) & (np.abs(skin[:, 0]) < 0.3 * k)]
+    drop, back, lap = _sit_down(body, bones)
+    return Measures(
+        k=k,
+        thigh=(head["shin.L"] - hip).length,
+        shin=(head["foot.L"] - head["shin.L"]).length,
+        ankle=head["foot.L"].z,
+        hip_height=hip.z,
+        hip_y=hip.y,
+        upper_arm=(head["forearm.L"] - head["upper_arm.L"]).length,
+        forearm=(head["hand.L"] - head["forearm.L"]).length,
+        hand=(bones.tail["hand.L"] - head["hand.L"]).length,
+        shoulder_height=head["upper_arm.L"].z,
+        eye_height=head["eye.L"].z,
+        foot_y=head["foot.L"].y,
+        foot_length=(head["toe.L"] - head["foot.L"]).length,
+        toe_out={side: _toe_out(bones, side) for side in SIDES},
+        chest_front=chest_front,
+        chest_back=chest_back,
+        belly_front=belly_front,
+        buttocks_back=buttocks_back,
+        radius=max(0.19 * k, float(np.percentile(np.abs(waist[:, 0]), 99)) if len(waist) else 0.0),
+        seat_drop=drop,
+        seat_back=back,
+        lap=lap,
+    )
+
+
+def skin_of(body: Body, bones: Skeleton, rows: NDArray[np.intp] | slice = slice(None)) -> Floats:
+    """Return the body's skin (V, 3) in the skeleton's pose, armature space, by linear blend skinning."""
+    move = np.zeros((len(bones.names), 3, 4))
+    for index, name in enumerate(bones.names):
+        orient = bones.orient[name]
+        move[index, :, :3] = np.array(orient)
+        move[index, :, 3] = bones.joint[name] - orient @ bones.head[name]
+    blended = (body.weights[rows] @ move.reshape(len(move), 12)).reshape(-1, 3, 4)
+    return (blended[:, :, :3] @ body.vertices[rows][:, :, None])[:, :, 0] + blended[:, :, 3]
+
+
+def _toe_out(bones: Skeleton, side: str) -> float:
+    along = bones.head[f"toe.{side}"] - bones.head[f"foot.{side}"]
+    return math.atan2(along.x, -along.y)
+
+
+def _sit_down(body: Body, bones: Skeleton) -> tuple[float, float, float]:
+    """Pose the legs as on a chair and read seat_drop, seat_back and lap from the skin."""
+    hip, k = bones.head["thigh.L"], bones.k
+    thigh = (bones.head["shin.L"] - hip).length
+    shin = (bones.head["foot.L"] - bones.head["shin.L"]).length
+    middle = (bones.head["thigh.L"] + bones.head["thigh.R"]) / 2
+    bones.turn["hips"] = about("X", -8)
+    bones.offset = middle + bones.turn["hips"] @ (bones.head["hips"] - middle) - bones.head["hips"]
+    bones.update_all()
+    for side in SIDES:
+        ankle = Vector((sign(side) * 0.088 * k, hip.y - 0.98 * thigh, hip.z - shin))
+        bones.reach(f"thigh.{side}", f"shin.{side}", f"foot.{side}", ankle, Vector((0, -1, 0)))
+    bones.update_all()
+    column = {name: index for index, name in enumerate(bones.names)}
+    lower = np.flatnonzero(body.weights[:, [column[n] for n in ("hips", "thigh.L", "thigh.R", "shin.L")]].sum(1) > 0.5)
+    skin, weights = skin_of(body, bones, lower), body.weights[lower]
+    weight = weights[:, [column["hips"], column["thigh.L"], column["thigh.R"]]].sum(1)
+    on_seat = (weight > 0.7) & (skin[:, 1] < hip.y + 0.12 * k) & (skin[:, 1] > hip.y - 0.7 * thigh)
+    drop = hip.z - float(np.percentile(skin[on_seat][:, 2], 1)) + CLOTH
+    back = float(skin[on_seat | (weight > 0.9)][:, 1].max()) - hip.y + JACKET * k
+    start, along = np.array(bones.joint["thigh.L"]), np.array(bones.joint["shin.L"] - bones.joint["thigh.L"])
+    share = (skin - start) @ along / (along @ along)
+    leg = weights[:, [column["thigh.L"], column["shin.L"]]].sum(1) > 0.6
+    top = leg & (share > 0.5) & (share < 0.9)
+    axis = start[2] + share[top] * along[2]
+    lap = float((skin[top][:, 2] - axis).max()) if top.any() else 0.075 * k
+    bones.reset()
+    return drop, back, lap

@@ -1,0 +1,391 @@
+"""One person on the stage: channels of targets, and the solve of a pose from them at a moment.
+
+World frame metres; the person faces -Y at yaw 0, +X is the person's left. Angles in channels are degrees except yaws,
+which are radians. The root (x, y, yaw) carries the place on the floor; everything else is in the root's frame, but feet
+and hands, which are world targets (notes: motion, sections 1 and 2).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Matrix, Vector
+from numpy.typing import NDArray
+
+from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp, smooth
+from storyblender.blender.motion.measures import measure
+from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
+from storyblender.blender.people.body import Body
+
+FACE = ("mouth_open", "smile", "blink", "brow_up", "brow_down")
+"""Shape keys the solver drives, in the order of the face channel."""
+HORIZON = 180.0
+"""Seconds of blinks and glances made up in advance; no shot is longer."""
+SHORT_REACH = 0.004
+"""Metres, times k, that a hand may miss before the trunk leans after it."""
+
+
+@dataclass(frozen=True)
+class Gait:
+    """The rhythm of a walk or run, for pelvis, trunk and arms.
+
+    Attributes:
+        start: Seconds.
+        end: Seconds.
+        step: Seconds of one step.
+        amplitude: Strength of the swing, about 1.
+        running: True for a run.
+        offset: Stride phase at ``start``; 0 is the landing of the left foot.
+        stoop: Degrees of bent trunk (sneaking).
+    """
+
+    start: float
+    end: float
+    step: float
+    amplitude: float
+    running: bool
+    offset: float
+    stoop: float = 0.0
+
+    def phase(self, t: float) -> float:
+        """Return the stride phase 0..1."""
+        return ((t - self.start) / (2 * self.step) + self.offset) % 1
+
+    def strength(self, t: float) -> float:
+        """Return 0..amplitude: swings grow with the first step and die with the last."""
+        grow = clamp((t - self.start) / self.step) * clamp((self.end - t) / (1.2 * self.step))
+        return smooth(grow) * self.amplitude
+
+
+class Performer:
+    """A person who can be posed at any moment of the shot.
+
+    Attributes planned ahead by the clips (they describe the end of everything planned so far): ``position``, ``yaw``,
+    ``posture``, ``support``, ``held`` (side -> asset id), ``home`` (side -> where the free hand rests), ``free`` (part
+    -> second from which it may be used).
+
+    Args:
+        asset_id: Who it is.
+        body: Measured person.
+        seed: For sways, blinks and glances.
+    """
+
+    def __init__(self, asset_id: str, body: Body, seed: int) -> None:
+        self.asset_id, self.body = asset_id, body
+        self.m = measure(body)
+        self.bones = Skeleton(body)
+        self.rng = np.random.default_rng(seed)
+        self.drift = self.rng.uniform(0, 2 * math.pi, 3)
+        self.root = Channel((0, 0, 0))
+        self.hips = Channel((0, 0, self.standing_height, 0, 0, 0))
+        """dx, dy and height of the mid hip joint in the root's frame; rotation x, y, z."""
+        self.pinned = Channel(0.0)
+        """1 while a seat, the floor or a bed carries the pelvis."""
+        self.spine = Channel((0, 0, 0))
+        """Bend, side, twist of the posture, shared by three bones."""
+        self.accent = Channel((0, 0, 0))
+        """The same, from gestures."""
+        self.nod = Channel((0, 0, 0))
+        """Pitch, roll, yaw of the head on top of the gaze."""
+        self.gaze = Channel(self.ahead)
+        self.eyes = Channel(self.ahead)
+        self.face = Channel((0, 0, 0, 0, 0))
+        self.life = Channel(1.0)
+        """Amount of idle sway."""
+        self.lean_after = Channel(1.0)
+        """1: the trunk leans towards hands that cannot reach; 0 for hands that move with the chest."""
+        self.seated = Channel(0.0)
+        """Weight of the ``sit`` shape key of clothes."""
+        self.home: dict[str, TargetOf] = {}
+        self.feet = {side: Channel(self.plant(side, 0, 0, 0)) for side in SIDES}
+        self.hands = {side: Channel((0,) * 15) for side in SIDES}
+        self.gaits: list[Gait] = []
+        self.speeches: list[tuple[float, float, float, float]] = []
+        """Start, end, opening of the mouth, syllables per second."""
+        self.blinks = _moments(self.rng, 0.8, 2.0, 5.5)
+        glances = _moments(self.rng, 0.0, 0.5, 2.4)
+        self.glances = [(t, self.rng.normal(0, 2.2), self.rng.normal(0, 1.2)) for t in glances]
+        self.position, self.yaw = Vector((0, 0)), 0.0
+        self.posture, self.support = "stand", ""
+        self.held: dict[str, str] = {}
+        self.free = dict.fromkeys(("body", "head", "L", "R"), 0.0)
+        self.place = Vector((0, 0, 0))
+        self.facing, self.facing_back = IDENTITY, IDENTITY
+        self.heading = 0.0
+        self.missed = {side: 0.0 for side in SIDES}
+
+    # --- planning -------------------------------------------------------------------------------------------------
+
+    @property
+    def standing_height(self) -> float:
+        """Height of the hip joints while standing at ease."""
+        return self.m.hip_height - 0.006 * self.m.k
+
+    def put(self, x: float, y: float, yaw: float) -> None:
+        """Stand at a place from the beginning of time."""
+        self.position, self.yaw = Vector((x, y)), yaw
+        self.root = Channel((x, y, yaw))
+        self.feet = {side: Channel(self.plant(side, x, y, yaw)) for side in SIDES}
+
+    @property
+    def forward(self) -> Vector:
+        """Unit vector on the floor in the planned facing."""
+        return Vector((math.sin(self.yaw), -math.cos(self.yaw)))
+
+    def facing_at(self, t: float) -> Matrix:
+        """Return the 3x3 rotation of the root at a moment."""
+        return Matrix.Rotation(float(self.root(t)[2]), 3, "Z")
+
+    def to_ground(self, height: float) -> Vector:
+        """Return the point above the planned place at a share of the shoulders' height."""
+        return Vector((*self.position, height * self.m.shoulder_height))
+
+    def ahead(self, t: float) -> tuple[float, float, float]:
+        """A far point straight ahead, a little below the eyes."""
+        x, y, yaw = self.root(t)
+        return x + 8 * math.sin(yaw), y - 8 * math.cos(yaw), self.m.eye_height * 0.93
+
+    def plant(
+        self, side: str, x: float, y: float, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
+    ) -> Floats:
+        """Return the foot target of standing at a place: ankle, yaw, pitch, toe, knee direction.
+
+        Args:
+            side: L or R.
+            x: Metres.
+            y: Metres.
+            yaw: Radians, of the person.
+            width: Times the normal half distance of the feet.
+            splay: Degrees the toes point out.
+            back: Metres the foot is behind its normal place.
+        """
+        cos, sin = math.cos(yaw), math.sin(yaw)
+        aside, behind = sign(side) * self.m.stance * width, self.m.foot_y + back
+        turned = yaw + sign(side) * math.radians(splay)
+        ankle = (x + cos * aside - sin * behind, y + sin * aside + cos * behind, self.m.ankle)
+        return np.array([*ankle, turned, 0, 0, math.sin(turned), -math.cos(turned), 0])
+
+    def rolled(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
+        """Return where the ankle goes when a planted foot pitches about its heel (> 0) or its toe joint (< 0)."""
+        flat = about("Z", math.degrees(yaw - self.m.toe_out[side]))
+        tilted = flat @ self.bones.pitch(side, pitch)
+        along = self.bones.head[f"toe.{side}"] - self.bones.head[f"foot.{side}"]
+        if pitch < 0:
+            pivot = along
+        else:
+            back = Vector((along.x, along.y, 0)).normalized() * (-0.052 * self.m.k)
+            pivot = back + Vector((0, 0, -self.m.ankle))
+        return Vector(ankle[:3]) + flat @ pivot - tilted @ pivot
+
+    def look_freely(self, t: float) -> None:
+        """Look straight ahead from ``t`` on, head level."""
+        self.eyes.set(t, 0.1, self.ahead)
+        self.gaze.set(t, 0.5, self.ahead)
+        self.nod.set(t, 0.5, (0, 0, 0))
+
+    # --- posing ---------------------------------------------------------------------------------------------------
+
+    def to_body(self, point: Vector) -> Vector:
+        """World to armature space at the moment being posed."""
+        return self.facing_back @ (point - self.place)
+
+    def to_world(self, point: Vector) -> Vector:
+        """Armature space to world at the moment being posed."""
+        return self.facing @ point + self.place
+
+    def point(self, bone: str, offset: tuple[float, float, float] | Vector = (0, 0, 0)) -> Vector:
+        """Return the world point rigid to a bone at the moment being posed; offset in rest axes."""
+        return self.to_world(self.bones.point(bone, Vector(offset)))
+
+    def direction(self, bone: str, vector: Vector) -> Vector:
+        """Return a rest direction as carried along by a bone, world frame."""
+        return self.facing @ (self.bones.orient[bone] @ vector)
+
+    def palm_offset(self, fingers: Vector, palm: Vector) -> Vector:
+        """Return the vector from wrist to palm centre for a hand's directions."""
+        along = fingers.normalized()
+        out = (palm - along * palm.dot(along)).normalized()
+        return along * (0.72 * self.m.hand) + out * (0.022 * self.m.k)
+
+    def gait_at(self, t: float) -> tuple[float, float, Gait | None]:
+        """Return strength, stride phase and gait at a moment; zeros while not travelling."""
+        for gait in self.gaits:
+            if gait.start <= t <= gait.end:
+                return gait.strength(t), gait.phase(t), gait
+        return 0.0, 0.0, None
+
+    def pose_trunk(self, t: float, drop: float = 0.0) -> None:
+        """Place root, pelvis and spine; ``drop`` lowers the pelvis."""
+        x, y, yaw = (float(value) for value in self.root(t))
+        self.place, self.heading = Vector((x, y, 0)), yaw
+        self.facing = Matrix.Rotation(yaw, 3, "Z")
+        self.facing_back = self.facing.transposed()
+        bones, k = self.bones, self.m.k
+        bones.turn = dict.fromkeys(bones.names, IDENTITY)
+        dx, dy, height, rx, ry, rz = self.hips(t)
+        swing, phase, gait = self.gait_at(t)
+        sway = (math.sin(0.61 * t + self.drift[0]) + 0.6 * math.sin(1.13 * t + self.drift[1])) * self._idle(t, swing)
+        if swing > 0 and gait is not None:
+            dx, height = self._pelvis_swing(swing, phase, gait, dx, height)
+        pinned = float(self.pinned(t)) > 0.5
+        if not pinned:
+            dx, ry = dx + 0.012 * k * sway, ry - 1.0 * sway
+        bones.turn["hips"] = about("Z", rz) @ about("Y", ry) @ about("X", rx) @ bones.turn["hips"]
+        middle = (bones.head["thigh.L"] + bones.head["thigh.R"]) / 2
+        to_hips = bones.head["hips"] - middle
+        bones.offset = Vector((dx, middle.y + dy, height - drop)) + bones.turn["hips"] @ to_hips - bones.head["hips"]
+        self._pose_spine(t, swing, phase, gait, sway)
+        bones.update_all()
+
+    def _idle(self, t: float, swing: float) -> float:
+        return float(self.life(t)) * max(0.0, 1 - swing)
+
+    def _pelvis_swing(self, swing: float, phase: float, gait: Gait, dx: float, height: float) -> tuple[float, float]:
+        turn, k = 2 * math.pi * phase, self.m.k
+        if gait.running:
+            self.bones.rotate("hips", x=5 * swing, z=-9 * swing * math.cos(turn))
+            self.bones.rotate("hips", y=2 * swing * math.sin(turn))
+            return (
+                dx + 0.006 * k * math.sin(turn) * swing,
+                height + swing * self.m.leg * (-0.036 + 0.030 * math.cos(2 * turn)),
+            )
+        self.bones.rotate("hips", x=2 * swing, y=2.5 * swing * math.sin(turn), z=-5 * swing * math.cos(turn))
+        low = 0.0025 * gait.stoop
+        return (
+            dx + 0.018 * k * math.sin(turn) * swing,
+            height - (0.018 * math.cos(2 * turn) + 0.02 + low) * k * swing,
+        )
+
+    def _pose_spine(self, t: float, swing: float, phase: float, gait: Gait | None, sway: float) -> None:
+        bend, side, twist = self.spine(t) + self.accent(t)
+        breath = 0.5 * math.sin(2 * math.pi * 0.27 * t + self.drift[2]) * float(self.life(t))
+        if gait is not None:
+            twist += (9 if gait.running else 8) * swing * math.cos(2 * math.pi * phase)
+            bend += swing * (10 if gait.running else gait.stoop)
+        for bone, share in (("spine", 0.32), ("chest", 0.36), ("upper_chest", 0.32)):
+            self.bones.rotate(bone, x=(bend + breath) * share, y=(side + sway) * share, z=twist * share)
+
+    def needed_drop(self, t: float) -> float:
+        """Return by how much the pelvis must sink so that both legs reach their feet, trunk posed at ``t``."""
+        self.pose_trunk(t)
+        need = 0.0
+        for side in SIDES:
+            ankle, hip = self.to_body(Vector(self.feet[side](t)[:3])), self.bones.joint[f"thigh.{side}"]
+            across = (hip.x - ankle.x) ** 2 + (hip.y - ankle.y) ** 2
+            need = max(need, hip.z - ankle.z - math.sqrt(max(1e-6, (0.994 * self.m.leg) ** 2 - across)))
+        return need * (1 - float(self.pinned(t)))
+
+    def pose_legs(self, t: float) -> None:
+        """Solve both legs to their feet."""
+        bones = self.bones
+        for side in SIDES:
+            foot = self.feet[side](t)
+            pole = self.facing_back @ Vector(foot[6:9])
+            ankle = self.to_body(Vector(foot[:3]))
+            bones.reach(f"thigh.{side}", f"shin.{side}", f"foot.{side}", ankle, pole)
+            flat = about("Z", math.degrees(foot[3] - self.heading - self.m.toe_out[side]))
+            bones.set_orient(f"foot.{side}", flat @ bones.pitch(side, foot[4]))
+            bones.turn[f"toe.{side}"] = bones.pitch(side, foot[5])
+            bones.update(f"toe.{side}")
+
+    def pose_arms(self, t: float, sides: str = "LR") -> None:
+        """Solve arms to their palms, leaning the trunk once where a hand cannot reach."""
+        for attempt in (0, 1):
+            worst, missing = 0.0, Vector((0, 0, 0))
+            for side in sides:
+                short, gap = self._pose_arm(side, self.hands[side](t))
+                self.missed[side] = max(0.0, short)
+                if short > worst:
+                    worst, missing = short, gap
+            if attempt or worst < SHORT_REACH * self.m.k or float(self.lean_after(t)) < 0.5:
+                return
+            self._lean(worst, missing)
+
+    def _pose_arm(self, side: str, hand: Floats) -> tuple[float, Vector]:
+        bones, m = self.bones, self.m
+        fingers, palm, pole = (self.facing_back @ Vector(hand[i : i + 3]) for i in (3, 6, 9))
+        wrist = self.to_body(Vector(hand[:3])) - self.palm_offset(fingers, palm)
+        shoulder = f"shoulder.{side}"
+        bones.turn[shoulder] = IDENTITY
+        bones.update(shoulder, f"upper_arm.{side}")
+        away = bones.orient["upper_chest"].transposed() @ (wrist - bones.joint[f"upper_arm.{side}"])
+        raised = clamp(away.z / m.arm) * 22
+        forth = clamp(-away.y / max(away.length, 0.01) + 0.1)
+        protracted = clamp(away.length / m.arm - 0.72, 0, 0.35) * forth * 60
+        bones.rotate(shoulder, y=sign(side) * (5 * (1 - raised / 22) - raised), z=-sign(side) * protracted)
+        bones.update(shoulder)
+        short = bones.reach(f"upper_arm.{side}", f"forearm.{side}", f"hand.{side}", wrist, pole)
+        bones.set_hand(side, fingers, palm)
+        bones.curl(side, *hand[12:15])
+        return short, wrist - bones.joint[f"upper_arm.{side}"]
+
+    def _lean(self, short: float, missing: Vector) -> None:
+        """Lean the three spine bones about the horizontal axis towards what the hand misses, at most 26 degrees."""
+        flat = Vector((missing.x, missing.y, 0))
+        if flat.length < 0.02:
+            return
+        torso = (self.bones.joint["neck"] - self.bones.joint["spine"]).length
+        degrees = math.degrees(min(0.45, 1.15 * short / torso))
+        axis = Vector((0, 0, 1)).cross(flat.normalized())
+        for bone in ("spine", "chest", "upper_chest"):
+            self.bones.turn[bone] = about(axis, degrees / 3) @ self.bones.turn[bone]
+        self.bones.update_upper()
+
+    def pose_head(self, t: float) -> None:
+        """Turn head and eyes to what is looked at: the head takes most of the yaw, the eyes the rest."""
+        bones = self.bones
+        bones.update("neck", "head")
+        chest_back = bones.orient["upper_chest"].transposed()
+        between = (bones.head["eye.L"] - bones.head["head"]) * 0.5
+        yaw, pitch = _angles(chest_back @ (self.to_body(Vector(self.gaze(t))) - bones.point("head", between)))
+        yaw = clamp(0.82 * clamp(yaw, -88, 88), -75, 75)
+        pitch = clamp(0.70 * clamp(pitch, -60, 55), -34, 30)
+        nod, roll, shake = self.nod(t)
+        bones.turn["neck"] = about("Z", 0.4 * yaw) @ about("X", 0.3 * nod - 0.35 * pitch) @ about("Y", 0.3 * roll)
+        turned = about("Z", 0.6 * yaw + shake) @ about("X", 0.7 * nod - 0.65 * pitch)
+        bones.turn["head"] = turned @ about("Y", 0.7 * roll)
+        bones.update("neck", "head")
+        head_back = bones.orient["head"].transposed()
+        glance = next(((x, y) for start, x, y in reversed(self.glances) if start <= t), (0.0, 0.0))
+        for side in SIDES:
+            eye = f"eye.{side}"
+            bones.update(eye)
+            x, y = _angles(head_back @ (self.to_body(Vector(self.eyes(t))) - bones.joint[eye]))
+            x, y = clamp(x + glance[0], -30, 30), clamp(y + glance[1], -22, 20)
+            bones.turn[eye] = about("Z", x) @ about("X", -y)
+        bones.update("jaw", "eye.L", "eye.R")
+
+    def face_at(self, t: float) -> Floats:
+        """Return the values of ``FACE``."""
+        values = np.array(self.face(t), float)
+        for start in self.blinks:
+            if start <= t < start + 0.17:
+                values[2] = max(values[2], 1.0 if 0.03 < t - start < 0.13 else 0.6)
+        for start, end, opening, rate in self.speeches:
+            if start <= t < end:
+                syllable = abs(math.sin(math.pi * t * rate)) * (0.45 + 0.55 * abs(math.sin(1.7 * t + 1)))
+                values[0] = max(values[0], opening * syllable * clamp(8 * (t - start)) * clamp(8 * (end - t)))
+        return np.clip(values, 0, 1)
+
+    def hand_matrix(self, side: str) -> tuple[Matrix, Vector]:
+        """Return the frame (fingers, palm, across) and the palm centre of the posed hand, world."""
+        rest_fingers, rest_palm = self.bones.hand_axes(side)
+        fingers = self.direction(f"hand.{side}", rest_fingers)
+        axes = frame(fingers, self.direction(f"hand.{side}", rest_palm))
+        palm = Vector(axes.col[1])
+        return axes, self.point(f"hand.{side}") + self.palm_offset(Vector(axes.col[0]), palm)
+
+
+def _angles(vector: Vector) -> tuple[float, float]:
+    """Return yaw and pitch in degrees of a direction, seen by somebody who faces -Y."""
+    return (
+        math.degrees(math.atan2(vector.x, -vector.y)),
+        math.degrees(math.atan2(vector.z, math.hypot(vector.x, vector.y))),
+    )
+
+
+def _moments(rng: np.random.Generator, first: float, shortest: float, longest: float) -> list[float]:
+    gaps: NDArray[np.float64] = rng.uniform(shortest, longest, int(HORIZON / shortest))
+    return [first, *(first + np.cumsum(gaps)).tolist()]

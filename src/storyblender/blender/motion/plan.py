@@ -1,0 +1,179 @@
+"""What the solver gets and what it gives: one shot as values, without Blender objects."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.people.body import Body
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.shot_context import Blocking, Cue, PropState
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class StagePerson:
+    """A person of the shot.
+
+    Attributes:
+        body: Skeleton and skin.
+        blocking: Marks at the start and the end of the shot.
+    """
+
+    body: Body
+    blocking: Blocking
+
+
+@dataclass(frozen=True)
+class StageProp:
+    """A movable thing.
+
+    Attributes:
+        world: (4, 4) matrix while nobody has touched it; the asset's frame is bottom centre, front -Y.
+        dimensions: Width, depth, height in metres.
+        anchors: In the asset's frame; the grips matter.
+        state: From the shot context, if it is held or away from its place.
+        node_id: The layout object it is, if any.
+    """
+
+    world: Floats
+    dimensions: tuple[float, float, float]
+    anchors: tuple[Anchor, ...] = ()
+    state: PropState | None = None
+    node_id: str = ""
+
+
+@dataclass(frozen=True)
+class StageFurniture:
+    """A thing that stays where it is, with places to sit, lie, lean and put things on.
+
+    Attributes:
+        world: (4, 4) matrix of the asset's frame.
+        dimensions: Width, depth, height in metres.
+        anchors: In the asset's frame.
+        asset_id: Its asset.
+    """
+
+    world: Floats
+    dimensions: tuple[float, float, float]
+    anchors: tuple[Anchor, ...] = ()
+    asset_id: str = ""
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """An oriented box that people walk around.
+
+    Attributes:
+        node_id: What it belongs to.
+        centre: World, metres.
+        size: Along its own axes before turning.
+        yaw: Radians.
+        soft: Metres that a body may sink in: cushions.
+    """
+
+    node_id: str
+    centre: tuple[float, float, float]
+    size: tuple[float, float, float]
+    yaw: float = 0.0
+    soft: float = 0.0
+
+
+@dataclass(frozen=True)
+class StagePlan:
+    """One shot, ready to be performed.
+
+    Attributes:
+        people: By asset id; only those who are on stage.
+        cues: Frames count from the shot's start.
+        props: By asset id.
+        furniture: By node id.
+        obstacles: Furniture and walls as boxes.
+        frames: Length of the shot.
+        bounds: The playing area: x min, y min, x max, y max.
+        seed: For sways, blinks and gestures.
+    """
+
+    people: dict[str, StagePerson]
+    frames: int
+    cues: tuple[Cue, ...] = ()
+    props: dict[str, StageProp] = field(default_factory=dict)
+    furniture: dict[str, StageFurniture] = field(default_factory=dict)
+    obstacles: tuple[Obstacle, ...] = ()
+    bounds: tuple[float, float, float, float] = (-50.0, -50.0, 50.0, 50.0)
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class PersonTrack:
+    """One person's sampled performance; N samples, B bones.
+
+    Attributes:
+        bone_names: As in the body.
+        root: (N, 4) x, y, z and yaw in radians of the armature object, unwrapped.
+        hips: (N, 3) location of the hips pose bone, in its own rest axes.
+        rotations: (N, B, 4) pose bone quaternions w, x, y, z; neighbours in time on one hemisphere.
+        face_keys: Names of shape keys.
+        face: (N, K) their values.
+        seated: (N,) weight of the clothes' ``sit`` shape key.
+    """
+
+    bone_names: tuple[str, ...]
+    root: Floats
+    hips: Floats
+    rotations: Floats
+    face_keys: tuple[str, ...]
+    face: Floats
+    seated: Floats
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something that could not be staged as asked.
+
+    Attributes:
+        kind: ``no_path``, ``unreachable``, ``no_support``, ``missing``, ``late`` or ``crossing``.
+        asset_id: Whose problem it is.
+        frame: From the shot's start.
+        message: One sentence.
+        amount: Metres or seconds, where there is a number.
+    """
+
+    kind: str
+    asset_id: str
+    frame: int
+    message: str
+    amount: float = 0.0
+
+
+@dataclass(frozen=True)
+class Performance:
+    """The solved shot.
+
+    Attributes:
+        fps: Frames per second.
+        frames: (N,) sampled frames from the shot's start; the first is 0, the last the shot's last frame.
+        people: By asset id.
+        props: (N, 4, 4) world matrices by asset id.
+        problems: What could not be done.
+        ends: Second by which each person has finished all cues.
+    """
+
+    fps: int
+    frames: NDArray[np.int_]
+    people: dict[str, PersonTrack]
+    props: dict[str, Floats]
+    problems: tuple[Problem, ...]
+    ends: dict[str, float]
+
+
+def box_of(node_id: str, furniture: StageFurniture, soft: float = 0.0) -> Obstacle:
+    """Return the bounding box of a piece of furniture that stands upright."""
+    width, depth, height = furniture.dimensions
+    x, y, z = (float(value) for value in furniture.world[:3, 3])
+    yaw = math.atan2(furniture.world[1, 0], furniture.world[0, 0])
+    return Obstacle(node_id, (x, y, z + height / 2), (width, depth, height), yaw, soft)

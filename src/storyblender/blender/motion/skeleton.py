@@ -1,0 +1,194 @@
+"""Forward and inverse kinematics of one person in armature space, without Blender's depsgraph.
+
+``turn[bone]`` is a rotation about the armature's axes, seen in the parent's frame; ``orient[bone]`` is the sum of all
+turns up to the bone; with the rest matrix R the pose bone's rotation is R^T turn R (notes: humans, section 3).
+"""
+
+from __future__ import annotations
+
+import math
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import clamp
+from storyblender.blender.people.body import Body
+
+IDENTITY = Matrix.Identity(3)
+FORWARD = Vector((0, -1, 0))
+UP = Vector((0, 0, 1))
+SIDES = ("L", "R")
+STRAIGHTEST = 0.9995
+"""Limbs stop short of full stretch, where knees and elbows would flip."""
+TWIST = 0.45
+"""Share of the exact hinge in an upper arm's roll; all of it wrings the shoulder (notes: humans, pitfall 1)."""
+
+
+def about(axis: str | Vector, degrees: float) -> Matrix:
+    """Return the 3x3 rotation by ``degrees`` about an axis."""
+    return Matrix.Rotation(math.radians(degrees), 3, axis)
+
+
+def swing(a: Vector, b: Vector) -> Matrix:
+    """Return the shortest rotation that carries direction ``a`` onto ``b``."""
+    return a.rotation_difference(b).to_matrix()
+
+
+def frame(direction: Vector, normal: Vector) -> Matrix:
+    """Return the orthonormal frame with columns direction, normal made square to it, and their cross product."""
+    along = direction.normalized()
+    square = (normal - along * normal.dot(along)).normalized()
+    return Matrix((along, square, along.cross(square))).transposed()
+
+
+def sign(side: str) -> int:
+    """Return +1 for the left side, -1 for the right: X grows to the person's left."""
+    return 1 if side == "L" else -1
+
+
+def other(side: str) -> str:
+    """Return the opposite side."""
+    return "R" if side == "L" else "L"
+
+
+class Skeleton:
+    """The pose of one person.
+
+    Args:
+        body: Rest joints and hierarchy.
+    """
+
+    def __init__(self, body: Body) -> None:
+        names = body.bone_names
+        self.names = names
+        self.head = {name: Vector(point) for name, point in zip(names, body.heads.tolist(), strict=True)}
+        self.tail = {name: Vector(point) for name, point in zip(names, body.tails.tolist(), strict=True)}
+        self.rest = {n: Matrix(m).to_3x3() for n, m in zip(names, body.rest.tolist(), strict=True)}
+        self.parent = {n: names[p] if p >= 0 else None for n, p in zip(names, body.parents, strict=True)}
+        self.k = body.stature / 1.7
+        self.order = _parents_first(self.parent)
+        self.offset = Vector((0, 0, 0))
+        """Move of the hips from rest."""
+        self.reset()
+
+    def reset(self) -> None:
+        """Return to the rest pose."""
+        self.turn = dict.fromkeys(self.names, IDENTITY)
+        self.orient: dict[str, Matrix] = {}
+        self.joint: dict[str, Vector] = {}
+        self.offset = Vector((0, 0, 0))
+        self.update(*self.order)
+
+    def update(self, *bones: str) -> None:
+        """Recompute orientation and joint of ``bones``, in the order given (parents before children)."""
+        for bone in bones:
+            parent = self.parent[bone]
+            if parent is None:
+                self.orient[bone] = self.turn[bone]
+                self.joint[bone] = self.head[bone] + self.offset
+            else:
+                self.orient[bone] = self.orient[parent] @ self.turn[bone]
+                self.joint[bone] = self.joint[parent] + self.orient[parent] @ (self.head[bone] - self.head[parent])
+
+    def update_all(self) -> None:
+        """Recompute every bone."""
+        self.update(*self.order)
+
+    def update_upper(self) -> None:
+        """Recompute trunk, head and shoulders."""
+        self.update("spine", "chest", "upper_chest", "neck", "head", "jaw", "shoulder.L", "shoulder.R")
+        self.update("upper_arm.L", "upper_arm.R", "eye.L", "eye.R")
+
+    def rotate(self, bone: str, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
+        """Turn a bone further, degrees about the armature's axes, X first."""
+        self.turn[bone] = about("Z", z) @ about("Y", y) @ about("X", x) @ self.turn[bone]
+
+    def set_orient(self, bone: str, orient: Matrix) -> None:
+        """Give a bone an orientation in armature space."""
+        parent = self.parent[bone]
+        self.turn[bone] = self.orient[parent].transposed() @ orient if parent else orient
+        self.update(bone)
+
+    def point(self, bone: str, offset: Vector) -> Vector:
+        """Return the point at ``offset`` from the bone's joint (rest axes), carried along by the bone."""
+        return self.joint[bone] + self.orient[bone] @ offset
+
+    def reach(self, upper: str, lower: str, end: str, target: Vector, pole: Vector) -> float:
+        """Bend a two-bone limb so that ``end`` comes to ``target``; return by how many metres it falls short.
+
+        Args:
+            upper: Thigh or upper arm.
+            lower: Shin or forearm.
+            end: Foot or hand.
+            target: Armature space.
+            pole: Direction the knee or elbow points to.
+        """
+        self.update(upper)
+        start = self.joint[upper]
+        rest_upper, rest_lower = self.head[lower] - self.head[upper], self.head[end] - self.head[lower]
+        a, b = rest_upper.length, rest_lower.length
+        distance = (target - start).length
+        held = clamp(distance, abs(a - b) + 0.02 * self.k, (a + b) * STRAIGHTEST)
+        along = (target - start).normalized() if distance > 1e-6 else Vector((0, 0, -1))
+        aside = (pole - along * pole.dot(along)).normalized()
+        cosine = clamp((a * a + held * held - b * b) / (2 * a * held), -1, 1)
+        middle = start + along * (a * cosine) + aside * (a * math.sqrt(max(0.0, 1 - cosine * cosine)))
+        hinge = along.cross(aside)
+        leg = upper.startswith("thigh")
+        for bone, begin, stop, rest in (
+            (upper, start, middle, rest_upper),
+            (lower, middle, start + along * held, rest_lower),
+        ):
+            direction = (stop - begin).normalized()
+            rest_hinge = rest.normalized().cross(FORWARD) if leg else rest_upper.cross(rest_lower)
+            square = hinge - direction * hinge.dot(direction)
+            exact = frame(direction, square if square.length > 1e-5 else hinge)
+            orient = exact @ frame(rest, rest_hinge).transposed()
+            if not leg:
+                orient = self._untwisted(bone, rest, direction, orient)
+            self.set_orient(bone, orient)
+        self.update(end)
+        return distance - (a + b) * STRAIGHTEST
+
+    def _untwisted(self, bone: str, rest: Vector, direction: Vector, exact: Matrix) -> Matrix:
+        """Blend the exact hinge with the mere swing from the parent."""
+        parent = self.orient[self.parent[bone]]
+        plain, full = (swing(parent @ rest, direction) @ parent).to_quaternion(), exact.to_quaternion()
+        if plain.dot(full) < 0:
+            full = -full
+        orient = plain.slerp(full, TWIST).to_matrix()
+        return swing(orient @ rest, direction) @ orient
+
+    def hand_axes(self, side: str) -> tuple[Vector, Vector]:
+        """Return the resting hand's finger direction and palm normal."""
+        bone = f"hand.{side}"
+        fingers = (self.tail[bone] - self.head[bone]).normalized()
+        across = self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]
+        return fingers, fingers.cross(across) if side == "R" else across.cross(fingers)
+
+    def set_hand(self, side: str, fingers: Vector, palm: Vector) -> None:
+        """Turn the hand so that the fingers point along ``fingers`` and the palm looks along ``palm``."""
+        rest_fingers, rest_palm = self.hand_axes(side)
+        self.set_orient(f"hand.{side}", frame(fingers, palm) @ frame(rest_fingers, rest_palm).transposed())
+
+    def curl(self, side: str, index: float, fingers: float, thumb: float) -> None:
+        """Close the fingers by degrees."""
+        across = (self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]).normalized() * sign(side)
+        for bone, degrees in (("index", index), ("fingers", fingers)):
+            self.turn[f"{bone}1.{side}"] = about(across, degrees)
+            self.turn[f"{bone}2.{side}"] = about(across, degrees * 1.2)
+        along, _ = self.hand_axes(side)
+        self.turn[f"thumb.{side}"] = about(along * sign(side), thumb)
+        self.update(*(f"{bone}.{side}" for bone in ("thumb", "index1", "index2", "fingers1", "fingers2")))
+
+    def pitch(self, side: str, degrees: float) -> Matrix:
+        """Return the rotation of a foot about its own lateral axis, toes up."""
+        along = self.head[f"toe.{side}"] - self.head[f"foot.{side}"]
+        return about(Vector((-along.y, along.x, 0)).normalized(), -degrees)
+
+
+def _parents_first(parent: dict[str, str | None]) -> tuple[str, ...]:
+    def depth(bone: str) -> int:
+        above = parent[bone]
+        return 0 if above is None else 1 + depth(above)
+
+    return tuple(sorted(parent, key=depth))

@@ -1,0 +1,265 @@
+"""The stage of one shot: people, props and furniture together, and the order in which a frame is solved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Channel
+from storyblender.blender.motion.hands import hanging
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
+from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
+from storyblender.blender.motion.skeleton import SIDES
+from storyblender.geometry.paths import Footprint, Track, Vec2, clearance, find_path
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.shot_context import Mark
+from storyblender.memory.vocabulary import Mood
+
+PADDING = 0.11
+"""Metres between a walking body's disc and furniture; less, and rounded corners and elbows touch it."""
+OVERHEAD = 1.9
+"""Boxes that begin above this height stand in nobody's way."""
+LOW = 0.08
+"""Boxes that end below this height, rugs and kerbs, are walked over."""
+PointOf = Callable[[float], Vector]
+
+
+@dataclass(frozen=True)
+class Seat:
+    """A place to sit.
+
+    Attributes:
+        edge: Middle of the front edge, world.
+        height: Of the sitting surface.
+        depth: From front edge to backrest.
+        yaw: Where the sitter faces, radians.
+    """
+
+    edge: Vector
+    height: float
+    depth: float
+    yaw: float
+
+
+@dataclass(frozen=True)
+class Beat:
+    """A cue with its names resolved: what a clip gets.
+
+    Attributes:
+        start: Seconds.
+        duration: Seconds, or None for the clip's natural length.
+        target: Person, prop or piece of furniture it is about.
+        prop: The prop handled.
+        side: The hand, L or R.
+        mark: Where it ends.
+        mood: How.
+        frame: The cue's frame, for problems.
+        seed: For gestures.
+    """
+
+    start: float
+    duration: float | None = None
+    target: Performer | PropPuppet | StageFurniture | None = None
+    prop: PropPuppet | None = None
+    side: str = "R"
+    mark: Mark | None = None
+    mood: Mood = "neutral"
+    frame: int = 0
+    seed: int = 0
+
+
+class Stage:
+    """Everything that moves in the shot.
+
+    Args:
+        plan: The shot.
+        fps: Frames per second.
+        seed_of: Seeds by asset id.
+    """
+
+    def __init__(self, plan: StagePlan, fps: int, seed_of: Callable[[str], int]) -> None:
+        self.plan, self.fps = plan, fps
+        self.people = {name: Performer(name, who.body, seed_of(name)) for name, who in plan.people.items()}
+        self.props = {name: PropPuppet(name, prop) for name, prop in plan.props.items()}
+        self.late: list[tuple[Performer, str, float, float]] = []
+        """Hands that follow another person or a moving prop, with the span of time: solved last."""
+        self.contacts: list[tuple[float, Performer, str, Beat]] = []
+        """Moments at which a hand must be where it was sent."""
+        self.problems: list[Problem] = []
+        for who in self.people.values():
+            who.home = {side: hanging(who, side) for side in SIDES}
+            for side in SIDES:
+                who.hands[side] = Channel(who.home[side])
+
+    # --- who and where --------------------------------------------------------------------------------------------
+
+    def subject(self, name: str | None) -> Performer | PropPuppet | StageFurniture | None:
+        """Return the person, prop or piece of furniture of an asset id or node id."""
+        if not name:
+            return None
+        found = self.people.get(name) or self.props.get(name) or self.plan.furniture.get(name)
+        if found is not None:
+            return found
+        for prop in self.props.values():
+            if prop.node_id == name:
+                return prop
+        return next((each for each in self.plan.furniture.values() if each.asset_id == name), None)
+
+    def report(self, kind: str, who: Performer, beat: Beat, message: str, amount: float = 0.0) -> None:
+        """Note something that cannot be staged as asked."""
+        self.problems.append(Problem(kind, who.asset_id, beat.frame, message, amount))
+
+    def expect(self, who: Performer, side: str, t: float, beat: Beat) -> None:
+        """Check at second ``t`` that the hand reached its target."""
+        self.contacts.append((t, who, side, beat))
+
+    def point_of(self, subject: Performer | PropPuppet | StageFurniture) -> PointOf:
+        """Return what to look at: eyes of a person, middle of a prop, face of a piece of furniture."""
+        if isinstance(subject, Performer):
+            return lambda t: (subject.point("eye.L") + subject.point("eye.R")) / 2
+        if isinstance(subject, PropPuppet):
+            return lambda t: subject.centre
+        top = next((a for a in subject.anchors if a.kind in ("top", "handle")), None)
+        height = subject.dimensions[2]
+        local = Vector(top.location) if top else Vector((0, -subject.dimensions[1] / 2, min(1.5, 0.6 * height)))
+        place = Matrix(subject.world.tolist()) @ local
+        return lambda t: place
+
+    def ground_of(self, subject: Performer | PropPuppet | StageFurniture) -> Vector:
+        """Return the planned place on the floor of a subject."""
+        if isinstance(subject, Performer):
+            return subject.position.copy()
+        if isinstance(subject, PropPuppet):
+            if subject.holder is not None:
+                return subject.holder.position.copy()
+            return subject.matrix.translation.xy
+        return Vector(subject.world[:2, 3].tolist())
+
+    def furniture(self, node_id: str | None) -> StageFurniture | None:
+        """Return a piece of furniture by node id or asset id."""
+        found = self.subject(node_id)
+        return found if isinstance(found, StageFurniture) else None
+
+    def anchor(self, furniture: StageFurniture, kinds: tuple[str, ...], mark: Mark | None) -> Anchor | None:
+        """Return the anchor a mark names, or the nearest of a kind to the mark."""
+        fitting = [a for a in furniture.anchors if a.kind in kinds]
+        if mark is not None and mark.anchor_name:
+            fitting = [a for a in fitting if a.name == mark.anchor_name] or fitting
+        if not fitting:
+            return None
+        if mark is None:
+            return fitting[0]
+        world = Matrix(furniture.world.tolist())
+        spot = Vector(mark.location).xy
+        return min(fitting, key=lambda a: ((world @ Vector(a.location)).xy - spot).length)
+
+    def seat(self, node_id: str | None, mark: Mark | None) -> Seat | None:
+        """Return the seat a mark means: the anchor's height, depth and facing at the mark's place along the edge."""
+        furniture = self.furniture(node_id)
+        anchor = self.anchor(furniture, ("seat", "bed"), mark) if furniture else None
+        if furniture is None or anchor is None:
+            return None
+        world = Matrix(furniture.world.tolist())
+        place = world @ Vector(anchor.location)
+        if anchor.kind == "bed":
+            return self._bedside(world, anchor, mark)
+        yaw = facing_yaw(world.to_3x3() @ Vector(anchor.direction))
+        edge = place.xy
+        if mark is not None:
+            along = Vector((math.cos(yaw), math.sin(yaw)))
+            slide = (Vector(mark.location).xy - edge).dot(along)
+            room = max(0.0, anchor.size[0] / 2 - 0.22)
+            edge = edge + along * max(-room, min(room, slide))
+        return Seat(edge, place.z, anchor.size[1] or 0.4, yaw)
+
+    def _bedside(self, world: Matrix, bed: Anchor, mark: Mark | None) -> Seat:
+        """Return the seat on a bed's long edge that is nearest to the mark."""
+        middle = world @ Vector(bed.location)
+        feet = (world.to_3x3() @ Vector(bed.direction)).xy.normalized()
+        side = Vector((-feet.y, feet.x))
+        width = bed.size[0] or 0.9
+        if mark is not None and (Vector(mark.location).xy - middle.xy).dot(side) < 0:
+            side = -side
+        return Seat(middle.xy + side * (width / 2), middle.z, width, facing_yaw(Vector((*side, 0))))
+
+    # --- ways -----------------------------------------------------------------------------------------------------
+
+    def footprints(self, who: Performer, skip: tuple[str, ...] = ()) -> list[Footprint]:
+        """Return what stands in a person's way: boxes, and the others where they will be."""
+        boxes = [
+            Footprint(box.centre[:2], box.size[:2], box.yaw, name=box.node_id)
+            for box in self.plan.obstacles
+            if box.node_id not in skip
+            and box.centre[2] - box.size[2] / 2 < OVERHEAD
+            and box.centre[2] + box.size[2] / 2 > LOW
+        ]
+        others = [
+            Footprint(tuple(o.position), (0.0, 0.0), 0.0, 0.8 * o.m.radius, o.asset_id)
+            for o in self.people.values()
+            if o is not who and o.asset_id not in skip
+        ]
+        return boxes + others
+
+    def path(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
+        """Return the way from where a person is planned to be to ``goal``."""
+        start = tuple(who.position)
+        obstacles = self.footprints(who, skip)
+        ends = np.array([start, goal])
+        # Whoever already stands inside something (a bed, a bench with arms) may step out of it.
+        obstacles = [box for box in obstacles if float(clearance(ends[:1], [box])[0]) > -0.02]
+        return find_path(start, goal, obstacles, self.plan.bounds, who.m.radius + PADDING)
+
+    def others_tracks(self, who: Performer, partner: Performer | None) -> list[tuple[Track, float]]:
+        """Return where everybody else goes, and how far to stay from them."""
+        return [
+            (_track(each), who.m.radius + each.m.radius + 0.10)
+            for each in self.people.values()
+            if each is not who and each is not partner
+        ]
+
+    # --- solving --------------------------------------------------------------------------------------------------
+
+    def plan_drops(self, times: Floats) -> dict[str, Floats]:
+        """Return how far every pelvis must sink per sample: widened and low-passed, so that it never pops."""
+        drops = {}
+        for name, who in self.people.items():
+            need = np.pad([who.needed_drop(float(t)) for t in times], 1, mode="edge")
+            wide = np.pad(np.maximum.reduce([need[:-2], need[1:-1], need[2:]]), 1, mode="edge")
+            drops[name] = np.maximum(0.25 * wide[:-2] + 0.5 * wide[1:-1] + 0.25 * wide[2:], 0.0)
+        return drops
+
+    def pose(self, t: float, drops: dict[str, float]) -> None:
+        """Pose everybody and everything at a moment; hands that follow others come last."""
+        for name, who in self.people.items():
+            who.pose_trunk(t, drops.get(name, 0.0))
+            who.pose_legs(t)
+        for who in self.people.values():
+            who.pose_head(t)
+        late = {(id(who), side) for who, side, start, end in self.late if start <= t <= end}
+        for who in self.people.values():
+            early = "".join(side for side in SIDES if (id(who), side) not in late)
+            if early:
+                who.pose_arms(t, early)
+        for prop in self.props.values():
+            prop.evaluate(t)
+        for who in self.people.values():
+            hands = "".join(side for side in SIDES if (id(who), side) in late)
+            if hands:
+                who.pose_arms(t, hands)
+        for prop in self.props.values():
+            prop.evaluate(t)
+        for who in self.people.values():
+            who.pose_head(t)
+
+
+def _track(who: Performer) -> Track:
+    def at(t: float) -> Vec2:
+        x, y, _ = who.root(t)
+        return float(x), float(y)
+
+    return at

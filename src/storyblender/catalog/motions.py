@@ -1,0 +1,179 @@
+"""The motions people can perform: names, tags, how long they take, what postures they need. Pure data and arithmetic.
+
+The clips themselves are in ``blender/motion/clips``; the Director's motion vocabulary maps onto them here.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from storyblender.catalog.registry import Catalog
+from storyblender.memory.vocabulary import Posture
+
+Reach = Literal["self", "person", "thing", "place"]
+"""What a motion is about, besides the one who moves: nobody, another person, a thing, a place to go to."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One motion.
+
+    Attributes:
+        key: Name of the clip.
+        name: For people.
+        tags: Other words for it.
+        seconds: Natural length for a stature of 1.7 m, without any way to go; for stretching motions the usual length.
+        directs: The Director's motions that this clip plays.
+        speed: Metres per second of motions that travel.
+        stretches: Its length may be chosen by the cue's duration.
+        before: Postures it can start from; empty for any. Others are left first.
+        after: Posture it ends in; None keeps the one before.
+        reach: What it needs to be near to.
+        distance: Metres to keep from the other person for ``reach`` person; to stand from a thing.
+        hands: Number of hands it needs.
+    """
+
+    key: str
+    name: str
+    tags: tuple[str, ...]
+    seconds: float
+    directs: tuple[str, ...] = ()
+    speed: float | None = None
+    stretches: bool = False
+    before: tuple[Posture, ...] = ()
+    after: Posture | None = None
+    reach: Reach = "self"
+    distance: float = 0.0
+    hands: int = 0
+
+
+UPRIGHT: tuple[Posture, ...] = ("stand",)
+AWAKE: tuple[Posture, ...] = ("stand", "sit", "kneel", "crouch", "lean")
+
+MOTIONS: Catalog[Motion] = Catalog(
+    "motion",
+    (
+        Motion("idle", "stand at ease", ("wait", "stay", "stand"), 1.0, ("idle", "stand"), stretches=True),
+        # travel
+        Motion(
+            "walk", "walk", ("go", "enter", "leave", "cross"), 0.6, ("walk", "swim"), 1.25, True, UPRIGHT, "stand", "place"
+        ),
+        Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
+        Motion("sneak", "sneak", ("tiptoe", "creep"), 0.8, ("sneak",), 0.7, True, UPRIGHT, "stand", "place"),
+        Motion("stagger", "stagger", ("limp", "stumble"), 0.8, ("stagger",), 0.75, True, UPRIGHT, "stand", "place"),
+        Motion("crawl", "crawl", ("on all fours",), 1.6, ("crawl",), 0.6, True, UPRIGHT, "stand", "place"),
+        Motion("turn", "turn around", ("spin", "face"), 1.3, ("turn",), before=AWAKE),
+        Motion("jump", "jump", ("leap", "hop"), 1.6, ("jump",), before=UPRIGHT, after="stand"),
+        Motion(
+            "climb", "climb", ("clamber", "scale"), 3.5, ("climb",), None, True, UPRIGHT, "stand", "thing", 0.55, hands=2
+        ),
+        # seats, beds, floor
+        Motion("sit", "sit down", ("take a seat",), 1.4, ("sit", "ride", "drive"), None, False, UPRIGHT, "sit", "thing"),
+        Motion("rise", "stand up", ("get up", "rise"), 1.7, ("stand_up",), after="stand"),
+        Motion("get_up", "get up", ("from the floor", "out of bed"), 3.2, (), after="stand"),
+        Motion("kneel", "kneel down", ("on one knee",), 1.1, ("kneel",), None, False, UPRIGHT, "kneel"),
+        Motion("crouch", "crouch", ("duck", "squat"), 0.9, ("crouch",), None, False, UPRIGHT, "crouch"),
+        Motion("hide", "hide", ("take cover",), 1.0, ("hide",), None, False, UPRIGHT, "crouch"),
+        Motion("lie_down", "lie down", ("recline",), 3.8, ("lie_down",), None, False, ("stand", "sit"), "lie", "thing"),
+        Motion("sleep", "sleep", ("doze",), 1.2, ("sleep",), stretches=True),
+        Motion("wake", "wake up", ("stir",), 1.2, ("wake",)),
+        Motion("fall", "fall down", ("collapse", "faint", "die"), 1.5, ("fall",), None, False, AWAKE, "lie"),
+        Motion("lean", "lean", ("against a wall", "on the bar"), 1.2, ("lean",), None, False, UPRIGHT, "lean", "thing"),
+        # gaze and head
+        Motion("look", "look", ("watch", "stare", "glance"), 0.6, ("look",), stretches=True),
+        Motion("listen", "listen", ("hear", "attend"), 2.0, ("listen",), stretches=True),
+        Motion("look_around", "look around", ("scan the room",), 2.5, ("look_around",)),
+        Motion("peek", "peek", ("spy",), 2.1, ("peek",)),
+        Motion("nod", "nod", ("agree",), 1.05, ("nod",)),
+        Motion("shake_head", "shake the head", ("no",), 1.05, ("shake_head",)),
+        Motion("think", "think", ("ponder",), 2.4, ("think",), stretches=True, hands=1),
+        # voice
+        Motion("talk", "talk", ("say", "speak"), 2.5, ("talk", "sing"), stretches=True),
+        Motion("whisper", "whisper", ("murmur",), 2.0, ("whisper",), stretches=True),
+        Motion("shout", "shout", ("yell", "scream"), 1.6, ("shout",), stretches=True),
+        Motion("laugh", "laugh", ("giggle",), 2.0, ("laugh",), stretches=True),
+        Motion("cry", "cry", ("weep",), 3.0, ("cry",), stretches=True, hands=2),
+        # signs
+        Motion("point", "point", ("indicate",), 2.0, ("point",), stretches=True, before=AWAKE, hands=1),
+        Motion("wave", "wave", ("greet",), 2.25, ("wave",), before=AWAKE, hands=1),
+        Motion("shrug", "shrug", ("who knows",), 1.55, ("shrug",), hands=2),
+        Motion("salute", "salute", (), 1.9, ("salute",), stretches=True, before=AWAKE, hands=1),
+        Motion("clap", "clap", ("applaud",), 2.5, ("clap",), stretches=True, before=AWAKE, hands=2),
+        Motion("pray", "pray", (), 3.0, ("pray",), stretches=True, hands=2),
+        Motion("bow", "bow", ("curtsy",), 1.9, ("bow",), before=UPRIGHT),
+        Motion("dance", "dance", ("waltz",), 4.0, ("dance",), None, True, UPRIGHT, hands=2),
+        # props
+        Motion("hold", "hold", ("grip", "carry"), 0.5, ("hold", "carry"), stretches=True, hands=1),
+        Motion("pick_up", "pick up", ("lift", "grab"), 2.0, ("pick_up",), reach="thing", distance=0.5, hands=1),
+        Motion("put_down", "put down", ("set", "place"), 1.8, ("put_down",), reach="thing", distance=0.5, hands=1),
+        Motion("drop", "drop", ("let fall",), 1.0, ("drop",), hands=1),
+        Motion("throw", "throw", ("toss", "hurl"), 1.6, ("throw",), before=AWAKE, hands=1),
+        Motion("drink", "drink", ("sip",), 2.85, ("drink",), hands=1),
+        Motion("eat", "eat", ("bite", "chew"), 2.2, ("eat",), hands=1),
+        Motion("smoke", "smoke", ("puff",), 2.6, ("smoke",), hands=1),
+        Motion("pour", "pour", ("fill",), 2.8, ("pour",), hands=1),
+        Motion("phone", "telephone", ("call",), 2.5, ("phone",), stretches=True, hands=1),
+        Motion("read", "read", ("leaf",), 3.0, ("read",), stretches=True, hands=2),
+        Motion("write", "write", ("sign", "draw"), 3.0, ("write",), stretches=True, hands=2),
+        Motion("aim", "aim a gun", ("point a gun",), 1.2, ("aim",), before=AWAKE, hands=2),
+        Motion("shoot", "shoot", ("fire",), 1.7, ("shoot",), before=AWAKE, hands=2),
+        # two people
+        Motion("give", "hand over", ("pass", "offer"), 2.3, ("give",), reach="person", distance=0.78, hands=1),
+        Motion("take", "take", ("accept", "snatch"), 2.3, ("take", "catch"), reach="thing", distance=0.5, hands=1),
+        Motion("shake_hands", "shake hands", (), 2.9, ("shake_hands",), reach="person", distance=0.75, hands=1),
+        Motion("hug", "hug", ("embrace",), 3.9, ("hug",), reach="person", distance=0.34, hands=2),
+        Motion("kiss", "kiss", (), 3.9, ("kiss",), reach="person", distance=0.34, hands=2),
+        Motion("touch", "touch", ("stroke", "comfort"), 2.5, ("touch",), reach="person", distance=0.6, hands=1),
+        Motion("hit", "hit", ("slap", "punch"), 1.5, ("hit", "fight"), None, False, UPRIGHT, None, "person", 0.55, 1),
+        Motion("kick", "kick", ("stomp",), 1.2, ("kick",), None, False, UPRIGHT, None, "thing", 0.7),
+        # the set
+        Motion("open", "open", ("unlock", "uncover"), 2.4, ("open",), reach="thing", distance=0.5, hands=1),
+        Motion("close", "close", ("shut", "lock"), 2.4, ("close",), reach="thing", distance=0.5, hands=1),
+        Motion("knock", "knock", ("rap",), 2.5, ("knock",), reach="thing", distance=0.5, hands=1),
+        Motion("press", "press", ("switch", "ring"), 2.0, ("press", "light"), reach="thing", distance=0.5, hands=1),
+        Motion("push", "push", ("shove",), 2.9, ("push",), None, True, UPRIGHT, None, "thing", 0.5, 2),
+        Motion("pull", "pull", ("drag",), 2.9, ("pull",), None, True, UPRIGHT, None, "thing", 0.5, 2),
+        Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2),
+        Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2),
+        Motion(
+            "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean", "cook"), stretches=True, reach="thing",
+            distance=0.5, hands=1,
+        ),
+        Motion(
+            "work", "work", ("hammer", "dig", "cut"), 3.2, ("work", "cut"), stretches=True, reach="thing", distance=0.5,
+            hands=2,
+        ),
+        Motion(
+            "search", "search", ("rummage",), 3.2, ("search",), stretches=True, reach="thing", distance=0.5, hands=2
+        ),
+        Motion("dress", "put on or take off clothes", ("wear", "undress"), 2.4, ("wear", "take_off"), hands=2),
+    ),
+)  # fmt: skip
+"""Every motion, in the order it is shown to people."""
+
+CLIP_OF: dict[str, str] = {word: motion.key for motion in MOTIONS.values() for word in motion.directs}
+"""The Director's motion -> key of ``MOTIONS``."""
+
+
+def clip_of(motion: str) -> Motion:
+    """Return what plays a motion of the Director's vocabulary; unknown words stand idle."""
+    return MOTIONS[CLIP_OF.get(motion, motion if motion in MOTIONS else "idle")]
+
+
+def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1.7, turn: float = 0.0) -> float:
+    """Return how long a motion takes.
+
+    Args:
+        motion: Which.
+        distance: Metres of the way, for motions that travel.
+        stature: Metres; small people are quicker and slower on their feet at once: time and speed grow with its root.
+        turn: Degrees to turn before and after.
+    """
+    root = math.sqrt(stature / 1.7)
+    seconds = motion.seconds * (root if motion.speed or motion.after else 1.0)
+    if motion.speed and distance > 0:
+        seconds += distance / (motion.speed * root)
+    steps = math.ceil(abs(turn) / 55) if abs(turn) > 50 else 0
+    return seconds + (0.6 * steps * root + 0.1 if steps else 0.0)
