@@ -35,7 +35,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.against("left", "round_table", at, 1.0)
         bx, by = room.spot("left", at, 1.0)
         room.seats_around("chair", bx, by, 0.68, (0, 180), required=False)
-        room.furnish("candle" if past else "table_lamp", bx, by + 0.08, 0.75, required=False)
+        room.furnish("candle_holder" if past else "table_lamp", bx, by + 0.08, 0.75, required=False)
     room.mark("table", -x + 1.9, -y * 0.3, 270, "table")
     room.furnish("round_table", x - 1.2, -y + 1.15, required=False)
     room.seats_around("chair", x - 1.2, -y + 1.15, 0.68, (70, 250), required=False)
@@ -46,7 +46,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.on_wall("right", "sign", -y * 0.05 + 1.6, 1.7)
         room.lamp("neon", (x - 0.35, 1.6, 1.9), 9, (1.0, 0.28, 0.22), glow=0.3, size=0.3)
     room.on_wall("left", "picture", -y * 0.1, 1.5)
-    room.on_wall("left", "mirror", -y * 0.6, 1.5)
+    room.on_wall("left", "wall_mirror", -y * 0.6, 1.5)
     lamp = "lantern" if past else "pendant_lamp"
     for px in (-2.0, 0.0, 2.0):
         room.hang(lamp, px, y - 1.5)

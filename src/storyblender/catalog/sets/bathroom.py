@@ -21,7 +21,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("bathtub", -x * 0.35, y - 0.45, yaw=90)
     room.against("back", "toilet", x - 0.45, 0.38)
     room.against("right", "sink", -0.2, 0.33)
-    room.on_wall("right", "mirror", -0.2, 1.2)
+    room.on_wall("right", "wall_mirror", -0.2, 1.2)
     room.mark("mirror", x - 1.0, -0.2, 90, "mirror", "sink")
     room.against("left", "cabinet", y * 0.45, 0.28, required=False)
     room.furnish("stool", -x + 0.5, y - 1.3, required=False)

@@ -17,7 +17,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room = Room("bedroom", params, rng, Finishes(_WALLS[params.period], "boards"), view="treeline")
     x, y = room.half_x, room.half_y
     bed = -x + 1.75
-    light = "candle" if params.period == "past" else "table_lamp"
+    light = "candle_holder" if params.period == "past" else "table_lamp"
     room.door("left", -y * 0.55)
     room.window("right", y * 0.25, width=1.4, style="curtains", mark=True)
     room.window("back", x * 0.42, width=1.2, style="curtains")
@@ -27,7 +27,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.against("back", light, bed + 1.15, 0.3, z=0.56)
     room.against("right", "dressing_table", -y * 0.35, 0.35)
     room.against("right", "stool", -y * 0.35, 0.95, required=False)
-    room.on_wall("right", "mirror", -y * 0.35, 1.05)
+    room.on_wall("right", "wall_mirror", -y * 0.35, 1.05)
     room.against("left", "wardrobe", -y * 0.05, 0.36)
     room.furnish("armchair", x - 0.75, y - 0.75, yaw=-40, required=False)
     room.furnish("rug", bed + 0.4, y - 2.75, required=False)

@@ -46,7 +46,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.seats_around("chair", tx, ty, 0.66, (yaw, yaw + 180), required=index < 3)
         if index < 4:
             room.furnish(
-                "candle" if params.period == "past" else "table_lamp", tx + 0.1, ty + 0.14, 0.75, required=False
+                "candle_holder" if params.period == "past" else "table_lamp", tx + 0.1, ty + 0.14, 0.75, required=False
             )
     room.mark("table", tables[1][0] - 0.9, tables[1][1] - 0.5, 45, "table")
 

@@ -34,7 +34,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         )  # fmt: skip
     room.piece("altar", 0, y - 1.2, 0.28, footprint=(2.0, 0.8))
     for px in (-0.7, 0.7):
-        room.furnish("candle", px, y - 1.2, 0.28 + 1.02, required=False)
+        room.furnish("candle_holder", px, y - 1.2, 0.28 + 1.02, required=False)
     room.mark("altar", 0, y - 2.2, 0, "altar", "bar")
     rows = max(1, int((y - 1.9) // 1.15))
     for row in range(rows):
@@ -47,7 +47,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                 "column", side * (x - 0.45), py, footprint=(0.6, 0.6), height=h, width=0.45, material="stone_light",
                 style="gothic",
             )  # fmt: skip
-        room.furnish("floor_lamp" if params.period == "modern" else "candle", side * 2.4, y - 0.7, 0.28, required=False)
+        room.furnish(
+            "floor_lamp" if params.period == "modern" else "candle_holder", side * 2.4, y - 0.7, 0.28, required=False
+        )
     for py in (-y * 0.4, y * 0.2):
         room.hang("chandelier", 0, py)
     room.lamp("altar_light", (0, y - 1.9, h - 0.8), 45, CANDLE, kind="AREA", size=1.5, target=(0, y - 0.8, 1.0))

@@ -18,7 +18,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.door("right", y * 0.5, style="glass")
     for at in (-y * 0.55, 0.0, y * 0.55):
         room.window("left", at, width=1.5, height=1.7, style="grid", mark=at == 0.0)
-    room.piece("blackboard", 0, y - 0.03, 0.85, width=3.2, height=1.25)
+    room.against("back", "blackboard", 0, 0.06, z=0.85, width=3.2, height=1.25)
     room.mark("board", -0.8, y - 0.75, 180, "board")
     room.against("back", "desk", x * 0.45, 1.2)
     room.against("back", "chair", x * 0.45, 0.5)
@@ -33,7 +33,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             room.furnish("chair", px, at - 0.3, yaw=180, required=row == 0)
     room.against("right", "bookshelf", -y * 0.1, 0.24, required=False)
     room.furnish("globe", x * 0.45 + 1.2, y - 0.5, required=False)
-    room.on_wall("back", "clock", 2.1, 2.15)
+    room.on_wall("back", "wall_clock", 2.1, 2.15)
     for px in (-x * 0.5, x * 0.5):
         for py in (-y * 0.5, y * 0.35):
             room.piece("ceiling_light", px, py, params.height, modern=params.period == "modern")

@@ -28,7 +28,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("dining_table", -x + 1.15, y - 1.25, yaw=90)
     room.furnish("chair", -x + 1.9, y - 1.0, yaw=-90)
     room.furnish("stool", -x + 1.15, y - 2.5, yaw=180, required=False)
-    room.furnish("candle" if params.period != "modern" else "table_lamp", -x + 1.15, y - 1.2, 0.76, required=False)
+    room.furnish(
+        "candle_holder" if params.period != "modern" else "table_lamp", -x + 1.15, y - 1.2, 0.76, required=False
+    )
     room.against("right", "bed", y - 1.15, 0.8)
     room.mark("bed", x - 1.9, y - 1.5, 270, "bed")
     room.furnish("chest", x - 0.55, -y * 0.0 - 0.35, yaw=-90, required=False)

@@ -38,8 +38,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                 "column", side * (x - 1.5), py, footprint=(0.8, 0.8), height=h, width=0.62, material="stone_light",
                 style="gothic",
             )  # fmt: skip
-            room.piece("torch", side * (x - 1.5 - 0.42), py, 2.0, 90.0 * side)
-            room.lamp("torch", (side * (x - 1.5 - 0.62), py, 2.35), 42, CANDLE, size=0.12, glow=0.35)
+            room.furnish("torch", side * (x - 1.5 - 0.5), py, 1.75, 90.0 * -side)
         room.piece("banner", side * 1.7, y - 0.06, h - 0.5, width=0.9, length=2.6, color="#7a1d20")
         room.piece(
             "banner", side * (x - 0.06), -y * 0.35, h - 0.6, -90.0 * side, width=0.9, length=2.2, color="#23385c"

@@ -29,7 +29,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("chair", beds[0] - 0.95, y - 1.3, yaw=90)
     room.against("left", "cabinet", y * 0.2, 0.3, required=False)
     room.against("right", "sink", -y * 0.5, 0.33, required=False)
-    room.on_wall("left", "clock", y * 0.2, 2.1)
+    room.on_wall("left", "wall_clock", y * 0.2, 2.1)
     for px in (-x * 0.45, x * 0.45):
         for py in (-y * 0.4, y * 0.3):
             room.piece("ceiling_light", px, py, params.height, modern=True)

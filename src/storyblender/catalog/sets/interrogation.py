@@ -24,7 +24,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.mark("table", 0.9, table_y - 0.8, 200, "table")
     room.mark("wall", -x + 0.6, -y * 0.2, 90, "wall")
     room.against("left", "filing_cabinet", -y * 0.5, 0.34, required=False)
-    room.on_wall("left", "clock", y * 0.1, 1.95)
+    room.on_wall("left", "wall_clock", y * 0.1, 1.95)
     room.hang("pendant_lamp", 0, table_y, low=1.75)
     room.piece("pipes", -x + 0.12, 0, params.height - 0.35, 90, length=params.depth - 0.2)
     return room.finish()

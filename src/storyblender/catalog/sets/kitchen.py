@@ -36,7 +36,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("chair", table_x, table_y + 1.2, yaw=0, required=False)
     room.against("left", "cabinet", y * 0.3, 0.3, required=False)
     room.on_wall("right", "picture", -y * 0.2, 1.45)
-    room.on_wall("left", "clock", y * 0.3, 1.95)
+    room.on_wall("left", "wall_clock", y * 0.3, 1.95)
     room.hang("lantern" if past else "pendant_lamp", x - 1.0, -y * 0.2)
     room.hang("lantern" if past else "pendant_lamp", 0, y * 0.3)
     return room.finish()

@@ -33,7 +33,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("dining_table", -x + 2.0, y - 1.75)
     for px, py, yaw in ((-0.4, 0.75, 0), (0.4, -0.75, 180)):
         room.furnish("chair", -x + 2.0 + px, y - 1.75 + py, yaw=yaw)
-    lamp = "candle" if params.period == "past" else "table_lamp"
+    lamp = "candle_holder" if params.period == "past" else "table_lamp"
     room.furnish(lamp, -x + 2.0, y - 1.75, 0.76)
     room.mark("table", -x + 2.0, y - 2.7, 180, "table")
     room.furnish("armchair", x - 1.3, y - 1.3, yaw=-40)

@@ -30,7 +30,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.against("right", "television", -y * 0.25, 0.35, z=0.9, required=False)
     else:
         room.against("right", "fireplace", -y * 0.25, 0.28)
-        room.on_wall("right", "mirror", -y * 0.25, 1.45)
+        room.on_wall("right", "wall_mirror", -y * 0.25, 1.45)
     room.furnish("armchair", x - 1.0, y - 0.9, yaw=-25)
     room.furnish("floor_lamp", x * 0.35, y - 0.4)
     room.against("left", "bookshelf", y * 0.05, 0.24, required=False)

@@ -26,7 +26,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.mark("behind_desk", -x * 0.55 + 1.2, y - 0.95, 0, "bar", "staff")
     room.mark("desk", -x * 0.55 + 1.2, y - 2.55, 180, "bar", "desk")
     room.against("back", "cabinet", -x * 0.55 + 1.2, 0.3, required=False)
-    room.on_wall("back", "clock", -x * 0.55 + 1.2, 2.3)
+    room.on_wall("back", "wall_clock", -x * 0.55 + 1.2, 2.3)
     for px in (-x * 0.58, x * 0.58):
         for py in (-y * 0.55, y * 0.3):
             room.piece("column", px, py, footprint=(0.7, 0.7), height=h, width=0.5, material="marble", style="round")

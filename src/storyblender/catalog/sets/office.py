@@ -42,7 +42,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.furnish("rug", 0, -0.1, required=False)
     room.on_wall("left", "picture", y * 0.2, 1.4)
     room.on_wall("left", "picture", y * 0.5, 1.45)
-    room.on_wall("back", "clock", 0, 2.0)
+    room.on_wall("back", "wall_clock", 0, 2.0)
     room.hang("pendant_lamp" if params.period != "past" else "chandelier", 0, 0)
     return room.finish()
 

@@ -24,7 +24,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("rug", 0, 0.1, required=False)
     room.furnish("potted_plant", x - 0.45, y - 0.45, required=False)
     room.on_wall("right", "picture", -y * 0.1, 1.45)
-    room.on_wall("back", "clock", 0, 1.95)
+    room.on_wall("back", "wall_clock", 0, 1.95)
     room.hang("pendant_lamp" if params.period != "past" else "lantern", 0, 0)
     return room.finish()
 

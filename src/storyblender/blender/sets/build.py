@@ -1,0 +1,112 @@
+"""Builds a SetPlan: walls, slabs, pieces, backdrops as tagged objects. Furnishings are props, placed by the layout."""
+
+from __future__ import annotations
+
+import math
+
+import bpy
+
+from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.sets.backdrops import backdrop_mesh
+from storyblender.blender.sets.finish import finish
+from storyblender.blender.sets.pieces import piece_mesh
+from storyblender.blender.sets.walls import leaf_meshes, wall_mesh
+from storyblender.blender.tags import Surface, tag
+from storyblender.catalog.set_plan import SetPlan, Slab, Wall
+
+
+def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Collection) -> list[bpy.types.Object]:
+    """Build all of a plan but its furnishings and lamps.
+
+    Every object carries ``kind = "set"`` and the ``node_id`` of its part of the plan: a wall, its joinery and its door
+    leaves share one, so hiding that node takes the whole wall away. Pieces that look alike share a mesh.
+
+    Args:
+        plan: What to build.
+        scene: Whose daylight the lit windows follow.
+        collection: Receives the objects.
+
+    Returns:
+        The objects in the order of the plan.
+
+    Raises:
+        KeyError: The plan names a part or a material that nobody builds.
+    """
+    objects = [obj for wall in plan.walls for obj in _wall(wall, indoor=plan.indoor)]
+    objects += [_slab(slab) for slab in plan.slabs]
+    objects += _pieces(plan, scene)
+    for card in plan.backdrops:
+        obj = _object(backdrop_mesh(card, scene), card.node_id, Surface.CARD)
+        obj.visible_shadow = False
+        objects.append(obj)
+    for obj in objects:
+        obj.name = f"{scene.name}.{obj.name}"
+        obj.display.show_shadows = False
+        collection.objects.link(obj)
+    return objects
+
+
+def _object(mesh: bpy.types.Mesh, node_id: str, surface: Surface, name: str = "") -> bpy.types.Object:
+    obj = bpy.data.objects.new(name or node_id, mesh)
+    return tag(obj, kind="set", node_id=node_id, surface=surface)
+
+
+def _wall(wall: Wall, *, indoor: bool) -> list[bpy.types.Object]:
+    angle = math.atan2(wall.end[1] - wall.start[1], wall.end[0] - wall.start[0])
+    body = _object(wall_mesh(wall, indoor=indoor), wall.node_id, Surface.SET)
+    body.location, body.rotation_euler = (*wall.start, wall.base), (0, 0, angle)
+    objects = [body]
+    for opening, mesh, hinge, swing in leaf_meshes(wall):
+        leaf = _object(mesh, wall.node_id, Surface.SET, f"{wall.node_id}_{opening.name}")
+        along = (math.cos(angle) * hinge, math.sin(angle) * hinge)
+        leaf.location = (wall.start[0] + along[0], wall.start[1] + along[1], wall.base)
+        leaf["opening"], leaf["shut"], leaf["swing"] = opening.name, angle, math.radians(-swing)
+        swing_door(leaf, opening.state)
+        objects.append(leaf)
+    return objects
+
+
+def swing_door(leaf: bpy.types.Object, state: str) -> None:
+    """Open or close a door leaf that ``build_set`` made; it swings away from the room.
+
+    Args:
+        leaf: The object with the property ``opening``.
+        state: ``open`` or ``closed``.
+    """
+    leaf.rotation_euler = (0, 0, leaf["shut"] + (leaf["swing"] if state == "open" else 0.0))
+
+
+def _slab(slab: Slab) -> bpy.types.Object:
+    builder = MeshBuilder(slab.node_id)
+    skin = finish(slab.material)
+    if slab.role == "block":
+        builder.extrude(skin, slab.polygon, slab.thickness, base=slab.z - slab.thickness)
+    elif slab.role == "ceiling":
+        builder.polygon(skin, [(x, y, slab.z) for x, y in reversed(slab.polygon)])
+        _beams(builder, slab)
+    else:
+        builder.polygon(skin, [(x, y, slab.z) for x, y in slab.polygon])
+    return _object(builder.mesh(), slab.node_id, Surface.WET if slab.wet else Surface.SET)
+
+
+def _beams(builder: MeshBuilder, slab: Slab) -> None:
+    xs, ys = [x for x, _ in slab.polygon], [y for _, y in slab.polygon]
+    for index in range(slab.beams):
+        y = min(ys) + (index + 0.5) * (max(ys) - min(ys)) / slab.beams
+        middle = ((min(xs) + max(xs)) / 2, y, slab.z - 0.09)
+        builder.box(finish("wood_dark"), middle, (max(xs) - min(xs), 0.17, 0.18), bevel=0.015)
+
+
+def _pieces(plan: SetPlan, scene: bpy.types.Scene) -> list[bpy.types.Object]:
+    meshes: dict[tuple[str, str], tuple[bpy.types.Mesh, Surface]] = {}
+    objects = []
+    for piece in plan.pieces:
+        key = (piece.part, repr(sorted(piece.params.items())))
+        if key not in meshes:
+            meshes[key] = piece_mesh(piece, scene)
+        mesh, surface = meshes[key]
+        obj = _object(mesh, piece.node_id, surface)
+        obj.location, obj.rotation_euler = piece.location, (0, 0, math.radians(piece.yaw))
+        obj.scale = (piece.scale,) * 3
+        objects.append(obj)
+    return objects

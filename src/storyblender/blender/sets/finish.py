@@ -1,0 +1,75 @@
+"""Finishes of the paint chart as Blender materials; lit windows get one per scene, as they follow its daylight."""
+
+from __future__ import annotations
+
+import bpy
+
+from storyblender.blender.materials import material
+from storyblender.catalog.materials import hex_color
+from storyblender.catalog.sets.finishes import finish_of
+from storyblender.memory.base import Color
+
+PANES: dict[str, tuple[Color, float]] = {
+    "pane_warm": (hex_color("#ffc173"), 0.75),
+    "pane_amber": (hex_color("#ffb05c"), 0.5),
+    "pane_pale": (hex_color("#ffdca8"), 0.95),
+    "pane_far": (hex_color("#ffca7a"), 0.4),
+}
+"""Windows with somebody home: colour and emission at night."""
+
+_GLASS = hex_color("#2a343d")
+"""The same windows by day."""
+
+
+def finish(key: str) -> bpy.types.Material:
+    """Return the material of a finish, or of a plain material key."""
+    chosen = finish_of(key)
+    return material(chosen.material, chosen.color)
+
+
+def painted(code: str) -> bpy.types.Material:
+    """Return paint in a hex colour that a kit chose."""
+    return material("paint", hex_color(code))
+
+
+def pane(key: str, scene: bpy.types.Scene) -> bpy.types.Material:
+    """Return the material of a lit window in one scene; ``light_windows`` switches it with the scene's daylight.
+
+    Args:
+        key: A key of ``PANES``.
+        scene: Scenes of one file have different times of day, so each has its own.
+    """
+    name = f"MT_{key}_{scene.name}"
+    found = bpy.data.materials.get(name)
+    if found is not None:
+        return found
+    block = bpy.data.materials.new(name)
+    block.use_nodes = True
+    block["key"], block["tile"], block["grain"], block["pane"] = key, 1.0, False, key
+    block.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.15
+    _light(block, 1.0)
+    return block
+
+
+def light_windows(scene: bpy.types.Scene, night: float) -> None:
+    """Light the windows of a scene's set.
+
+    Args:
+        scene: Whose panes to switch.
+        night: 1 at night, 0 by day.
+    """
+    for key in PANES:
+        block = bpy.data.materials.get(f"MT_{key}_{scene.name}")
+        if block is not None:
+            _light(block, night)
+
+
+def _light(block: bpy.types.Material, night: float) -> None:
+    color, strength = PANES[block["pane"]]
+    shown = tuple(glass + (lamp - glass) * night for glass, lamp in zip(_GLASS, color, strict=True))
+    shader = block.node_tree.nodes["Principled BSDF"]
+    shader.inputs["Base Color"].default_value = (*shown, 1)
+    shader.inputs["Emission Color"].default_value = (*color, 1)
+    shader.inputs["Emission Strength"].default_value = strength * night
+    block.diffuse_color = (*shown, 1)
+    block["emit"] = strength * night
