@@ -45,6 +45,10 @@ class ContinuityMemoryGraph(Frozen):
 
     schema_version: int = SCHEMA_VERSION
     title: str = ""
+    script_name: str = ""
+    """File name of the script; a copy lies in the project folder."""
+    plan_digest: str = ""
+    """Hash of the script and of the settings the plan depends on: another hash, another plan."""
     format: ProjectFormat = ProjectFormat()
     story_summary: str = ""
     outline: tuple[SceneOutline, ...] = ()

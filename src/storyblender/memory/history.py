@@ -20,7 +20,7 @@ from storyblender.memory.shot_context import ShotContext
 Layer = Literal["outline", "assets", "scenes", "shots", "head"]
 Item = SceneOutline | Asset | SceneContext | ShotContext
 
-HEAD_FIELDS = ("title", "format", "story_summary")
+HEAD_FIELDS = ("title", "script_name", "plan_digest", "format", "story_summary")
 """The graph's own fields, kept as the single item of the layer ``head``."""
 
 

@@ -1,0 +1,81 @@
+"""Semantic-spatial grounding: script -> skeleton of the graph (paper, section 3.2)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from storyblender.agents.director.assembly import storyboard
+from storyblender.agents.director.reader.reader import read_script
+from storyblender.agents.director.settings import DirectorSettings
+from storyblender.memory.base import content_hash
+from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
+from storyblender.pipeline.run import Run
+from storyblender.project import write_atomic
+from storyblender.screenplay.model import Screenplay
+from storyblender.screenplay.source import load
+from storyblender.trace import Event
+
+
+def ground(run: Run, script: Path) -> None:
+    """Read the script and commit the plan, unless this very plan is in the graph already.
+
+    Args:
+        run: The run.
+        script: The file; a copy is kept in the project so that every shot's words can be found again.
+
+    Raises:
+        InputError: The script cannot be read.
+    """
+    run.progress("ground", 0, 1, script.name)
+    screenplay = load(script)
+    digest = _plan_digest(run, screenplay)
+    if run.graph.plan_digest != digest:
+        write_atomic(run.project.path(f"script{script.suffix}"), script.read_bytes())
+        graph = _plan(run, script, screenplay, digest)
+        run.project.commit(graph, "director", f"plans {script.name}")
+        for shot in graph.shots:
+            for flag in shot.flags:
+                run.tell(Event(kind="propose", role="director", subject=flag.topic, message=flag.reason))
+    else:
+        _take_over_format(run)
+    run.progress("ground", 1, 1, f"{len(run.graph.scenes)} scenes, {len(run.graph.shots)} shots")
+
+
+def _plan(run: Run, script: Path, screenplay: Screenplay, digest: str) -> ContinuityMemoryGraph:
+    settings = DirectorSettings(shots_per_scene=run.settings.shots_per_scene, fps=run.settings.fps)
+    board = storyboard(read_script(screenplay), settings)
+    return ContinuityMemoryGraph(
+        title=screenplay.title or script.stem.replace("_", " ").title(),
+        script_name=script.name,
+        plan_digest=digest,
+        format=_format(run),
+        story_summary=board.story_summary,
+        outline=board.storyboard_outline,
+        assets=board.asset_sheet,
+        scenes=board.scene_details,
+        shots=board.shot_details,
+    )
+
+
+def _take_over_format(run: Run) -> None:
+    """A new width asks for new pictures, not for a new plan."""
+    graph = run.graph.model_copy(update={"format": _format(run)})
+    run.project.commit(graph, "user", "picture size")
+
+
+def _format(run: Run) -> ProjectFormat:
+    settings = run.settings
+    return ProjectFormat(
+        fps=settings.fps,
+        aspect=settings.aspect,
+        width=settings.width // 4 * 4,
+        sensor_width=settings.sensor_width,
+        seed=settings.seed,
+    )
+
+
+def _plan_digest(run: Run, screenplay: Screenplay) -> str:
+    settings = run.settings.model_dump(
+        mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed", "crew", "models"}
+    )
+    return content_hash(screenplay.text, screenplay.format, settings)
