@@ -97,10 +97,10 @@ class Legs(Piece):
 
     waist: Level = ("belt", 0.0)
     hem: Level = ("ankle", -0.01)
-    thigh: float = 0.083
-    knee: float = 0.078
-    cuff: float = 0.080
-    drop: float = 0.035
+    thigh: float = 0.082
+    knee: float = 0.070
+    cuff: float = 0.068
+    drop: float = 0.022
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -135,14 +135,14 @@ class Footwear(Piece):
         ease: Thickness over the foot.
         shaft: Least radius of a boot's shaft, 0 follows the leg.
         sole: Tint of the sole, empty for a sock.
-        throat: How far the instep is cut out, as in a court shoe.
+        throat: The instep is cut out, as in a court shoe.
     """
 
     top: Level = ("ankle", 0.015)
     ease: float = 0.007
     shaft: float = 0.0
     sole: str = "#151210"
-    throat: float = 0.0
+    throat: bool = False
     fabric: Fabric = "leather"
 
 
@@ -299,7 +299,7 @@ GARMENTS: Catalog[GarmentSpec] = Catalog("garment", (
     _spec("shoes", "oxfords, loafers, sneakers, pumps", 10, "feet", "#1d1410 #0d0c0c #4a2a18",
           Footwear()),
     _spec("heels", "high heels, court shoes, pumps, slippers", 10, "feet", "#5d0c18 #1d1410 #0d0c0c",
-          Footwear(ease=0.005, throat=0.05)),
+          Footwear(ease=0.005, throat=True)),
     _spec("shirt", "dress shirt, button-down, collared shirt", 20, "upper", "#e9e6de #c9d6e4 #d9cfc0 #8fa6bd",
           Top(sleeve=1.96, neck=0.046, elbow=0.045, cuff=0.035),
           Collar(), Buttons(top=("neck", -0.06), bottom=("waist", 0.02), count=6, radius=0.005)),

@@ -69,7 +69,7 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
     HairSpec(key="receding", name="Receding", tags=("thinning", "high forehead"),
              top=0.010, side=0.008, comb="back", locks=60, growth="receding", width=0.018),
     HairSpec(key="bald", name="Bald", tags=("bald on top", "wreath of hair", "tonsure"),
-             top=0.006, side=0.010, comb="crown", locks=46, reach=0.35, growth="wreath", width=0.018),
+             top=0.006, side=0.010, comb="crown", locks=60, reach=0.45, growth="wreath", width=0.020),
     HairSpec(key="shaved", name="Shaved head", tags=("no hair", "hairless"), top=0, side=0, locks=0, growth="wreath"),
     HairSpec(key="bun", name="Bun", tags=("chignon", "updo", "knot", "pinned up"),
              top=0.016, side=0.011, comb="gather", locks=64, reach=1.5, mess=0.06, lift=0.002, knot="bun"),

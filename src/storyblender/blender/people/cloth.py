@@ -172,7 +172,6 @@ def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
     sheet = clip(sheet, figure.height(cut.top) - sheet.skin[:, 2])
     sheet = clip(sheet, sheet.skin[:, 2] - figure.height(cut.hem))
     sheet = loosened(sheet, cut.ease * figure.k, 3)
-    sheet = under.push_out(sheet, 0.004 * figure.k)
     middle = figure.joint("pelvis")[1]
     top = sheet.points[:, 2].max()
     fall = np.clip((top - sheet.points[:, 2]) / max(top - sheet.points[:, 2].min(), 0.05), 0, 1)
@@ -182,7 +181,7 @@ def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
     points = sheet.points.copy()
     points[:, 0] *= grow
     points[:, 1] = middle + (points[:, 1] - middle) * grow
-    sheet = sheet.moved(points)
+    sheet = under.push_out(sheet.moved(points), 0.005 * figure.k)
     if cut.opening:
         front = sheet.skin[:, 1] < middle
         sheet = clip(sheet, np.where(front, np.abs(sheet.skin[:, 0]) - cut.opening * figure.k, FAR))
@@ -206,16 +205,12 @@ def cover_footwear(cut: Footwear, figure: Figure, sheet: Sheet) -> Floats:
     field = figure.below(sheet, figure.height(cut.top)) - 0.004
     if not cut.throat:
         return field
-    # The instep: an ellipse seen from above, between the ankle and the toes.
+    # The instep is cut out along a slope from the ankle down to the toes.
     ankle, toe = figure.joint("l-ankle"), figure.joint("l-toe-3-1")
-    along = (toe - ankle) * (1, 1, 0)
-    side = np.sign(sheet.skin[:, :1])
-    local = np.concatenate([np.abs(sheet.skin[:, :1]), sheet.skin[:, 1:]], 1) - ankle
-    del side
-    forward = (local @ along) / (along @ along)
-    return np.where(
-        forward > -0.1, np.minimum(field, ankle[2] * (0.95 - 0.5 * np.clip(forward, 0, 0.9)) - sheet.skin[:, 2]), field
-    )
+    along = (toe - ankle)[1]
+    forward = (sheet.skin[:, 1] - ankle[1]) / along
+    slope = ankle[2] * np.interp(forward, (-0.3, 0.1, 0.9), (1.0, 0.62, 0.30))
+    return np.minimum(field, slope - sheet.skin[:, 2])
 
 
 def build_footwear(cut: Footwear, figure: Figure, under: Under) -> list[Bolt]:

@@ -80,6 +80,8 @@ class Pin:
     def __init__(self, pack: BodyPack, x: float, y: float) -> None:
         tree, faces = _base_tree(pack)
         hit, _, face, _ = tree.ray_cast((x, y, 5.0), (0.0, 0.0, -1.0))
+        if face is None or hit.z < 0:  # past the jaw's edge: the nearest place on it
+            hit, _, face, _ = tree.find_nearest((x, y, 1.0))
         self._corners = faces[face]
         self._shares = np.array(poly_3d_calc([Vector(pack.points[corner]) for corner in self._corners], hit))
 

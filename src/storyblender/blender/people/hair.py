@@ -91,7 +91,7 @@ def build_hair(
         shades.append(np.full(len(lock.points), shade))
     paint = np.concatenate(shades)[:, None] * np.array(colors.hair)
     # The shell thins out to the skin at the hairline.
-    thin = 0.65 * np.exp(-np.maximum(above_hairline(shell.base, spec, masculine), 0) / 0.10)[:, None]
+    thin = 0.45 * np.exp(-np.maximum(above_hairline(shell.base, spec, masculine), 0) / 0.05)[:, None]
     paint[: len(shell.points)] = paint[: len(shell.points)] * (1 - thin) + np.array(colors.skin) * thin
     return Hair(join(sheets), np.clip(paint, 0, 1))
 
@@ -165,7 +165,8 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: _Drape | N
     direction = root
     points, outward = [], []
     for row in range(rows):
-        lift = rise * np.sin(np.pi * min(1.0, 0.35 + row / rows))
+        # The root is sunk into the shell, or the open end of the lock would show at the parting.
+        lift = rise * np.sin(np.pi * min(1.0, 0.35 + row / rows)) if row else -0.45 * spec.top * scale
         found = scalp.over(direction, lift)
         if found is None:
             break
@@ -185,7 +186,7 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: _Drape | N
         way = way + stray * np.cross(direction, way)
         direction = direction + way / np.linalg.norm(way) * STEP
         direction = direction / np.linalg.norm(direction)
-    if len(points) < 2:
+    if len(points) < 3:
         return None
     if spec.hang and body:
         body.hang(points, outward, spec, spec.hang * scale * rng.uniform(0.85, 1.08), rng)
@@ -216,7 +217,7 @@ class _Drape:
         for row in range(max(2, round(length / drop))):
             aim = 0.55 * aim + 0.45 * np.array((0.0, 0.0, -1.0))
             aim = aim / np.linalg.norm(aim)
-            swing = spec.wave * scale * 0.5 * np.sin(phase + row * 1.15)
+            swing = spec.wave * scale * 0.5 * np.sin(phase + row * 0.95)
             across = np.cross(out, (0.0, 0.0, 1.0))
             point = points[-1] + aim * drop + across * swing + out * 0.0015
             point = self.push_out(self._aside(point), 0.007 * scale)
@@ -227,7 +228,7 @@ class _Drape:
         """Return ``point`` kept off the face."""
         scale = self._figure.head_scale
         depth = self._figure.joint("head")[1] - point[1]
-        least = float(np.interp(depth, (0.0, 0.05 * scale), (0.0, 0.066 * scale)))
+        least = float(np.interp(depth, (0.0, 0.05 * scale), (0.0, 0.072 * scale)))
         if point[2] < self._figure.heights["neck"] + 0.02 * scale or abs(point[0]) >= least:
             return point
         return np.array((least if point[0] > 0 else -least, point[1], point[2]))
@@ -252,7 +253,7 @@ def _hair_weights(figure: Figure, points: Floats) -> Floats:
 
 def _leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
     """Return a lock: a strip with a raised middle that tapers to its tip."""
-    count = ROWS if not spec.hang else max(ROWS, round(len(strand.points) * 0.6))
+    count = ROWS if not spec.hang else max(ROWS, round(len(strand.points) * (0.9 if spec.wave > 0.015 else 0.6)))
     at = np.linspace(0, len(strand.points) - 1, count)
     index = np.arange(len(strand.points))
     points = np.stack([np.interp(at, index, strand.points[:, axis]) for axis in range(3)], 1)
@@ -263,7 +264,7 @@ def _leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet
     outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-9)
     across = np.cross(along, outward)
     u = np.linspace(0, 1, count)
-    profile = np.interp(u, (0, 0.25, 0.65, 1), (0.55, 1.0, max(0.85, spec.tip), spec.tip))
+    profile = np.interp(u, (0, 0.25, 0.65, 1), (0.4, 1.0, max(0.85, spec.tip), spec.tip))
     half = (0.5 * width * figure.head_scale * profile)[:, None]
     sink = 0.45 * half * outward
     rows = np.stack([points - across * half - sink, points + outward * half * 0.25, points + across * half - sink], 1)

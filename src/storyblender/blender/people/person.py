@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import bpy
 import numpy as np
+from numpy.typing import NDArray
 
-from storyblender.blender.people import face, hair, rig, skin, tailor
+from storyblender.blender.people import eyewear, face, hair, rig, skin, tailor, whiskers
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
+from storyblender.blender.people.pack import PARTS, load_body_pack
 from storyblender.blender.people.parts import Paint, build_object
 from storyblender.blender.people.sheet import hemmed, join
 from storyblender.blender.people.tailor import Worn
@@ -29,6 +30,9 @@ SCLERA = (0.78, 0.76, 0.74)
 LASH = (0.010, 0.008, 0.006)
 TOOTH = (0.75, 0.72, 0.65)
 TONGUE = (0.40, 0.12, 0.10)
+
+FRAME = (0.012, 0.010, 0.009)
+Expressions = dict[str, NDArray[np.float64]]
 
 
 @dataclass(frozen=True)
@@ -63,10 +67,13 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     armature = rig.build_armature(asset_id, {n: figure.joint(n) for bone in SKELETON for n in (bone.head, bone.tail)})
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
     wardrobe = tailor.dress(figure, dressed(look, gender, seed), seed)
+    every = skin.expressions(pack)
     meshes = [
-        _build_skin(pack, figure, armature, look, colors, wardrobe),
+        _build_skin(figure, armature, look, colors, wardrobe, every),
         _build_eyes(figure, armature, colors),
         *_build_hair(figure, armature, look, colors, wardrobe, float(gender == "male"), seed),
+        *_build_whiskers(figure, armature, look, colors, every, seed),
+        *_build_glasses(figure, armature, look),
         *(_build_garment(figure, armature, worn) for worn in wardrobe),
     ]
     bare = PARTS["skin"]
@@ -75,15 +82,14 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
 
 
 def _build_skin(
-    pack: BodyPack,
     figure: Figure,
     armature: bpy.types.Object,
     look: CharacterLook,
     colors: Complexion,
     wardrobe: Sequence[Worn],
+    every: Expressions,
 ) -> bpy.types.Object:
     """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys."""
-    every = skin.expressions(pack)
     bare = figure.part("skin")
     bare = bare.keep_faces(~tailor.covered_skin(figure, bare, wardrobe))
     paint = skin.paint_skin(figure, bare, colors, look)
@@ -147,6 +153,33 @@ def _build_hair(
             group, grown.sheet, [paint], armature, surface=Surface.HAIR, ink_group=group, colors=grown.colors
         )
     ]  # fmt: skip
+
+
+def _build_whiskers(
+    figure: Figure, armature: bpy.types.Object, look: CharacterLook, colors: Complexion, every: Expressions, seed: int
+) -> list[bpy.types.Object]:
+    if look.facial_hair not in ("moustache", "beard"):
+        return []
+    grown = whiskers.build_whiskers(figure, look.facial_hair, seed, every)
+    return [
+        build_object(
+            f"{armature.name}_{look.facial_hair}",
+            grown.sheet,
+            [Paint(colors.hair, "hair", vertex_colors=True)],
+            armature,
+            surface=Surface.HAIR,
+            ink_group=f"{armature.name}_hair",
+            colors=np.clip(grown.shades[:, None] * np.array(colors.hair), 0, 1),
+            shape_keys=grown.keys,
+        )
+    ]
+
+
+def _build_glasses(figure: Figure, armature: bpy.types.Object, look: CharacterLook) -> list[bpy.types.Object]:
+    if not look.glasses:
+        return []
+    sheet = eyewear.build_glasses(figure)
+    return [build_object(f"{armature.name}_glasses", sheet, [Paint(FRAME, "satin")], armature, surface=Surface.PROP)]
 
 
 def _build_garment(figure: Figure, armature: bpy.types.Object, worn: Worn) -> bpy.types.Object:

@@ -40,6 +40,14 @@ def keys_for(sheet: Sheet, every: Mapping[str, Floats]) -> dict[str, Floats]:
     return {key: offsets[sheet.source] for key, offsets in every.items()}
 
 
+def whisker_growth(base: Floats) -> Floats:
+    """Return how far points of the base mesh lie inside the region where a beard grows, decimetres."""
+    x, y, depth = np.abs(base[:, 0]), base[:, 1], base[:, 2]
+    cheek = np.interp(x, (0.0, 0.25, 0.38, 0.55, 0.70, 0.82), (6.815, 6.80, 6.74, 6.72, 6.84, 7.10))
+    lips = 0.12 * (np.hypot(x / 0.285, (y - 6.605) / 0.115) - 1)
+    return np.minimum.reduce([cheek - y, lips, depth - 0.42, y - 6.08])
+
+
 def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: CharacterLook) -> Floats:
     """Return the vertex colours (V, 3): tone, blood in cheeks, nose and ears, lips, eye sockets, stubble, age.
 
@@ -66,13 +74,8 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: Character
     for strength, where in ((0.28, spot(0.31, 7.30, 1.35, 0.16)), (0.4 * old, folds)):
         paint *= 1 + strength * where * (shade - 1)
     lips = figure.pack.lips[sheet.source] * (base[:, 1] > 6.4) * (base[:, 1] < 7) * (base[:, 2] > 0.9)
-    beard = (
-        np.clip((6.98 - base[:, 1]) / 0.12, 0, 1)
-        * np.clip((base[:, 2] - 0.35) / 0.3, 0, 1)
-        * np.clip((base[:, 1] - 6.1) / 0.15, 0, 1)
-        * (1 - lips)
-        * (0.6 if look.facial_hair == "stubble" else 0.0)
-    )[:, None]
+    shadow_of = {"stubble": 0.55, "beard": 0.5, "moustache": 0.12}.get(look.facial_hair, 0.0)
+    beard = (np.clip(whisker_growth(base) / 0.10 + 0.3, 0, 1) * (1 - lips) * shadow_of)[:, None]
     style = HAIRSTYLES[look.hair]
     if style.top or style.side:
         over = above_hairline(base, style, float(look.gender != "female"))
