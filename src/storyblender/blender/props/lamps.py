@@ -184,7 +184,7 @@ def wall_lamp(b: MeshBuilder, spec: PropSpec) -> Anchors:
     with b.at((0, -d / 2 + w / 2, 0)):
         _shade(b, shade, w / 2, w * 0.3, h * 0.5, h)
         b.sphere("lamp_warm", (0, 0, h * 0.65), 0.03)
-    b.lathe(metal, [(0.001, -0.03), (0.014, -0.015), (0.001, 0)], origin=(0, -0.02, h * 0.1), segments=10)
+    b.lathe(metal, [(0.001, -0.03), (0.014, -0.015), (0.006, 0.01)], origin=(0, 0.03, h * 0.12), segments=10)
     return ()
 
 
@@ -205,7 +205,12 @@ def lantern(b: MeshBuilder, spec: PropSpec) -> Anchors:
     bail = [(r * 0.95 * math.cos(a), 0, 0.24 + (h - 0.25) * math.sin(a)) for a in np.linspace(0, math.pi, 13)]
     b.tube(metal, bail, 0.004, segments=6)
     flame(b, spec.material("flame"), 0, 0, 0.085, 0.08)
-    return two_hands((0, 0, h + 0.005), (0, -0.3, -0.95), (0.0, -0.95, 0.3), (0.9, 0.9, 0.5), "_carry")
+    return two_hands(
+        (0, 0, h + 0.005),
+        (0, -0.3, -0.95),
+        (0.0, -0.95, 0.3),
+        (0.9, 0.9, 0.5),
+    )
 
 
 @prop("candelabra")

@@ -41,8 +41,8 @@ def book(b: MeshBuilder, spec: PropSpec) -> Anchors:
             ]
             b.loft(page, rows if x > 0 else rows[::-1], closed=False)
             b.box(page, (x * w * 0.48, 0, 0.008), (w * 0.95, d - 0.014, 0.008))
-        left = grip("left", (w * 0.8, d * 0.25, -0.012), (0.35, -0.9, 0), (0, 0, 1), (0.11, 0.13, 0.0))
-        right = grip("right", (-w * 0.8, d * 0.25, -0.012), (-0.35, -0.9, 0), (0, 0, 1), (0.11, 0.13, 0.0))
+        left = grip("grip_l", (w * 0.8, d * 0.25, -0.012), (0.35, -0.9, 0), (0, 0, 1), (0.11, 0.13, 0.0))
+        right = grip("grip_r", (-w * 0.8, d * 0.25, -0.012), (-0.35, -0.9, 0), (0, 0, 1), (0.11, 0.13, 0.0))
         return (right, left)
     b.box(cover, (0, 0, 0.002), (w, d, 0.004), bevel=0.001)
     b.box(cover, (0, 0, h - 0.002), (w, d, 0.004), bevel=0.001)
@@ -114,7 +114,7 @@ def folder(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box(cover, (0, 0, h - 0.001), (w, d, 0.002), rotation=(0, 1.5, 0))
     b.box(cover, (-w / 2 - 0.005, -d * 0.28, 0.001), (0.02, d * 0.25, 0.002))
     b.box("paper", (0, -d * 0.3, h + 0.001), (w * 0.5, d * 0.1, 0.001), rotation=(0, 1.5, 0))
-    return under(d * 0.38) + two_hands((-w / 2, 0.0, h * 0.5), (0.1, -0.6, -0.8), (1, 0, 0), (0.4, 0.45, 0.3), "_side")
+    return under(d * 0.38) + two_hands((-w / 2, 0.0, h * 0.5), (0.1, -0.6, -0.8), (1, 0, 0), (0.4, 0.45, 0.3), "side")
 
 
 @prop("newspaper")
@@ -126,7 +126,7 @@ def newspaper(b: MeshBuilder, spec: PropSpec) -> Anchors:
     x, y = w / 2, d / 2
     b.quad(page, (x, -y, h), (x, y, h), (-x, y, h), (-x, -y, h), uv=((0, 1), (0, 0), (1, 0), (1, 1)))
     b.cylinder("linen", (-w / 2, -d / 2, h / 2), (-w / 2, d / 2, h / 2), h * 0.48, segments=10)
-    return under(d * 0.4) + two_hands((-w / 2, 0.1, h), (0.2, -0.9, 0.2), (0.7, 0, 0.7), (0.5, 0.55, 0.3), "_read")
+    return under(d * 0.4) + two_hands((-w / 2, 0.1, h), (0.2, -0.9, 0.2), (0.7, 0, 0.7), (0.5, 0.55, 0.3), "read")
 
 
 @prop("scroll")
@@ -186,4 +186,4 @@ def money(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(page, (slip, slip, h * (k + 0.5) / 6.2), (w - 0.004, d - 0.004, h / 6 * 0.9))
     b.box(spec.material("band"), (0, 0, h / 2), (w * 0.22, d + 0.001, h), bevel=0.002)
     b.lathe("linen", [(d * 0.22, 0), (d * 0.22, 0.0008)], origin=(-w * 0.3, 0, h * 0.965), segments=18)
-    return under(d * 0.4) + two_hands((-w / 2, 0.0, h / 2), (0.2, -1, 0), (1, 0, 0), (0.5, 0.6, 0.3), "_side")
+    return under(d * 0.4) + two_hands((-w / 2, 0.0, h / 2), (0.2, -1, 0), (1, 0, 0), (0.5, 0.6, 0.3), "side")

@@ -117,7 +117,7 @@ def grip(name: str, location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3) -> An
     """Return a grip.
 
     Args:
-        name: ``right`` or ``left`` for the hand it is made for; see ``two_hands``.
+        name: Ends in ``_r`` or ``_l`` for the hand it is made for; see ``two_hands``.
         location: Palm centre.
         fingers: Direction of the fingers.
         palm: The palm's normal, into the object.
@@ -126,15 +126,15 @@ def grip(name: str, location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3) -> An
     return Anchor(kind="grip", name=name, location=location, direction=fingers, normal=palm, curl=curl)
 
 
-def two_hands(location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3, suffix: str = "") -> Anchors:
-    """Return a grip for the right hand and its mirror image for the left; named ``right`` and ``left`` + suffix."""
+def two_hands(location: Vec3, fingers: Vec3, palm: Vec3, curl: Vec3, name: str = "grip") -> Anchors:
+    """Return a grip for the right hand and its mirror image for the left; named ``grip_r`` and ``grip_l``."""
 
     def mirrored(vector: Vec3) -> Vec3:
         return (-vector[0], vector[1], vector[2])
 
     return (
-        grip("right" + suffix, location, fingers, palm, curl),
-        grip("left" + suffix, mirrored(location), mirrored(fingers), mirrored(palm), curl),
+        grip(f"{name}_r", location, fingers, palm, curl),
+        grip(f"{name}_l", mirrored(location), mirrored(fingers), mirrored(palm), curl),
     )
 
 

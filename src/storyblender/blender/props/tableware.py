@@ -24,7 +24,7 @@ def around(radius: float, height: float, curl: Vec3 = WRAP) -> Anchors:
 def under(depth: float, curl: Vec3 = (0.12, 0.15, 0.0)) -> Anchors:
     """Return the grips of hands that carry a flat thing by its near and by its far edge, from below."""
     near = two_hands((-0.01, depth, -0.012), (0, -1, 0), (0, 0, 1), curl)
-    return near + two_hands((-0.01, -depth, -0.012), (0, 1, 0), (0, 0, 1), curl, "_far")
+    return near + two_hands((-0.01, -depth, -0.012), (0, 1, 0), (0, 0, 1), curl, "far")
 
 
 @prop("cup")
@@ -63,7 +63,11 @@ def wine_glass(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(body, [(r * 0.9, 0), (r * 0.86, 0.005), (0.008, 0.014), (0.004, 0.05), *bowl], segments=24, caps=False)
     if spec.number("fill") > 0:
         level = h * (0.5 + 0.4 * spec.number("fill"))
-        b.lathe(spec.material("drink"), [(0.008, h * 0.47), (r * 0.74, h * 0.565), (r * 0.97, level)], segments=24)
+        b.lathe(
+            spec.material("drink"),
+            [(0.009, h * 0.47), (r * 0.77, h * 0.562), (r * 1.015, min(level, h * 0.72))],
+            segments=24,
+        )
     return around(0.012, h * 0.36, (0.7, 0.75, 0.45))
 
 
@@ -86,7 +90,7 @@ def bottle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe(spec.material("label"), [(r * 1.01, h * 0.2), (r * 1.01, h * 0.46)], segments=20, caps=False)
     b.cylinder(spec.material("cork"), (0, 0, h * 0.95), (0, 0, h), r * 0.3, segments=12)
     return around(r, h * 0.38, (0.6, 0.65, 0.4)) + two_hands(
-        (-r * 0.4, 0.008, h * 0.82), (0.25, -1, 0), (1, 0.2, 0), (0.85, 0.85, 0.5), "_neck"
+        (-r * 0.4, 0.008, h * 0.82), (0.25, -1, 0), (1, 0.2, 0), (0.85, 0.85, 0.5), "neck"
     )
 
 

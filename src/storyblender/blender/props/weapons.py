@@ -58,7 +58,7 @@ def gun(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.tube(body, [(0, back - 0.075, h * 0.66), (0, back - 0.078, h * 0.53)], 0.0025, segments=6)
     hold = two_hands((-0.004, back - 0.008, h * 0.34), (0.06, -1, 0), (1, 0.1, 0), (0.22, 0.98, 0.22))
     return hold + two_hands(
-        (0.03, back - 0.04, h * 0.12), (-0.35, -1, 0.05), (-1, 0.1, 0.25), (0.87, 0.89, 0.22), "_support"
+        (0.03, back - 0.04, h * 0.12), (-0.35, -1, 0.05), (-1, 0.1, 0.25), (0.87, 0.89, 0.22), "support"
     )
 
 
@@ -92,7 +92,7 @@ def rifle(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for y in (-0.3, -0.14):
         b.box(body, (0, y, bore - 0.02), (0.046, 0.016, 0.062), bevel=0.006)
     hold = two_hands((-0.016, 0.25, h * 0.52), (0.1, -0.9, -0.3), (1, 0.1, 0), (0.3, 0.95, 0.4))
-    return hold + two_hands((0.0, -0.1, bore - 0.06), (-0.5, -0.8, 0.1), (0, 0, 1), (0.6, 0.65, 0.4), "_support")
+    return hold + two_hands((0.0, -0.1, bore - 0.06), (-0.5, -0.8, 0.1), (0, 0, 1), (0.6, 0.65, 0.4), "support")
 
 
 @prop("knife")
