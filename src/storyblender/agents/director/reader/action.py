@@ -18,6 +18,7 @@ from storyblender.agents.director.reading import Person
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _SPOKEN = frozenset({"call", "shout", "yell"})
 _WITH = frozenset({"with", "off"})
+_TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
 _USING = frozenset({"on", "with", "into", "at", "through"})
 
 
@@ -114,7 +115,9 @@ def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
     if not head and any(noun.head == "it" for noun in clause.object):
         head = "it"
     posture = stage.scene.posture.get(roles.subjects[0].id, ("stand", None))[0]
-    return motion_of(clause, head, posture)
+    motion = motion_of(clause, head, posture)
+    voiced = motion in ("shout", "talk", "whisper", "sing") and all(p.kind == "animal" for p in roles.subjects)
+    return None if voiced else motion
 
 
 def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
@@ -151,21 +154,21 @@ def _notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | Non
     for thing in roles.subject_things:
         if inventory.class_of(thing) == "prop":
             inventory.seen(thing, "related")
-    _remember_things(stage, roles)
+    _remember_things(stage, roles, motion)
 
 
-def _remember_things(stage: Stage, roles: Roles) -> None:
-    """What ``it`` and ``them`` may mean next: the thing handled, the thing that does something, the thing gone to."""
+def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
+    """What ``it`` and ``them`` may mean next: the thing handled, the thing that does something, the thing it is at."""
     inventory, discourse = stage.inventory, stage.discourse
     if stage.sentence.plural_thing:
         discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
     if roles.things:
         things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
-    elif not roles.subjects:
-        things = [thing for thing in roles.subject_things if inventory.class_of(thing) in _OBJECTLIKE]
     else:
+        things = [thing for thing in roles.subject_things if inventory.class_of(thing) in _OBJECTLIKE]
         solid = ("set_piece", "prop")
-        things = [t for place in roles.places for t in place.things if inventory.class_of(t) in solid]
+        if not things and motion not in _TRAVEL:
+            things = [t for place in roles.places for t in place.things if inventory.class_of(t) in solid]
     things = [thing for thing in things if inventory.head(thing) not in lexicon.PLURAL_ONLY]
     if things:
         discourse.last_thing = things[0]

@@ -96,7 +96,7 @@ def find_phrases(words: list[Word]) -> list[Phrase]:
     at = 0
     while at < len(words):
         phrase = _mention_or_verb(words, at) or _pronoun(words, at) or _small_word(words, at)
-        if phrase is None and not _skipped(words[at]):
+        if phrase is None and not _skipped(words, at):
             phrase = _noun_phrase(words, at)
         if phrase:
             if phrase.noun and phrase.noun.possessor is not None and phrase.noun.possessor < phrase.first:
@@ -146,7 +146,11 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
     return Phrase("mark", at, at, word.text) if not word.text[0].isalnum() else None
 
 
-def _skipped(word: Word) -> bool:
+def _skipped(words: list[Word], at: int) -> bool:
+    """Adverbs, and ``each other``."""
+    word = words[at]
+    if word.low in ("other", "another") and at and words[at - 1].low in ("each", "one"):
+        return True
     return word.low.endswith("ly") or word.low in lexicon.ADVERBS
 
 
@@ -346,10 +350,15 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.places[-1][1].append(noun)
     elif linked and clause.object and noun.kind == "person":
         clause.object.append(noun)
-    elif clause.object and left and left.kind == "noun" and clause.object[0].kind != "thing" and noun.kind == "thing":
+    elif clause.object and left and left.kind == "noun" and _receives(clause.object[0]) and noun.kind == "thing":
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and not clause.places:
         clause.object = [noun]
+
+
+def _receives(noun: NounPhrase) -> bool:
+    """Whether a noun before another noun can be who gets it: ``hands Mia the key``."""
+    return noun.kind == "person" or (noun.kind == "pronoun" and noun.head != "it")
 
 
 def _verb_follows(phrases: list[Phrase], index: int) -> bool:

@@ -39,7 +39,8 @@ def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> 
     """Bring the subjects of a clause on stage; returns False where they are only heard."""
     seen = True
     for person in subjects:
-        stage.mention(person, 1.0 if len(subjects) == 1 else 0.3)
+        again = person.id in stage.sentence.named
+        stage.mention(person, 1.0 if len(subjects) == 1 and not again else 0.3)
         stage.sentence.named.add(person.id)
         stage.discourse.last_sentence[person.id] = stage.discourse.sentence
         calls = clause.verb in _CALLING and clause.particle != "out" and any(p == "from" for p, _ in clause.places)

@@ -19,11 +19,8 @@ _NAME = re.compile(
     r"|has|put|held|gave|knew|saw|felt|kept|left|and [A-Z]))",
     re.MULTILINE,
 )
-_ROLE = re.compile(
-    r"\b(the|a|an|his|her|their|two|three|four|five|one)\s+((?:[a-z-]+\s+){0,3}?)([a-z]+)\b"
-    r"(?:\s+(?:named|called)\s+([A-ZÀ-Ý][\w’'-]+))?",
-    re.IGNORECASE,
-)
+_DETERMINER = re.compile(r"\b(the|a|an|his|her|their|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE)
+_NAMED = re.compile(r"\s+(?:named|called)\s+([A-ZÀ-Ý][\w’'-]+)")
 _NOT_NAMES = frozenset(
     {"once", "deep", "but", "and", "when", "then", "i", "monday", "tuesday", "wednesday", "thursday", "friday", "saturday",
      "sunday", "christmas", "there", "what", "nobody", "everyone", "somebody", "someone", "god", "english", "french",
@@ -85,17 +82,24 @@ def _names(text: str, start: int) -> list[tuple[int, str]]:
 
 
 def _roles(text: str, start: int) -> list[_Role]:
+    """Nouns for people with a determiner and at most three words between."""
     found: list[_Role] = []
-    for match in _ROLE.finditer(text):
-        determiner, adjectives, noun, name = match.groups()
-        head = singular(noun)
-        words = tuple(adjectives.lower().split())
-        if is_person_noun(head) and head not in _NOT_ROLES and not set(words) & _SMALL:
-            after = text[match.end() : match.end() + 60]
-            role = _Role(
-                start + match.start(), determiner.lower(), words, head, head != noun.lower(), name or "", after
-            )
-            found.append(role)
+    for match in _DETERMINER.finditer(text):
+        at = match.end()
+        adjectives: list[str] = []
+        for word in match.group(2).split():
+            noun, low = singular(word), word.lower().strip(",")
+            at = text.index(word, at) + len(word)
+            if low in _SMALL:
+                break
+            if is_person_noun(noun) and noun not in _NOT_ROLES:
+                name = _NAMED.match(text, at)
+                found.append(
+                    _Role(start + match.start(), match.group(1).lower(), tuple(adjectives), noun, noun != low,
+                          name.group(1) if name else "", text[at : at + 60])
+                )  # fmt: skip
+                break
+            adjectives.append(low)
     return found
 
 

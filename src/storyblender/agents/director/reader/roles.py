@@ -135,8 +135,5 @@ def _owner_role(stage: Stage, clause: Clause, noun: NounPhrase, subjects: list[P
     contact = clause.verb in _CONTACT or (clause.verb == "shake" and noun.head == "hand")
     if contact and noun.head in lexicon.BODY and others:
         return "other"
-    beside = noun.head in _SIDES and clause.subject and clause.subject[0].index < noun.index
-    before = (
-        bool(beside) and stage.sentence.words[noun.index].start < stage.sentence.words[clause.subject[0].index].start
-    )
-    return "other" if before else "possessor"
+    leads = bool(clause.subject) and clause.subject[0].index > noun.index
+    return "other" if leads and noun.head in _SIDES else "possessor"

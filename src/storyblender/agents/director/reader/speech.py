@@ -21,6 +21,7 @@ _INTO = re.compile(
     r"(?:in)?to (?:the |his |her |a )?(phone|telephone|radio|walkie-talkie|microphone|camera|intercom|receiver|headset|cell)"
 )
 _TO = re.compile(r"\bto ([a-z .#0-9'’-]+)")
+_POSES = frozenset({"hold", "stand", "sit", "lie_down", "sleep", "listen", "look"})
 _MANNER = {
     "whisper": "whisper", "murmur": "whisper", "mutter": "whisper", "hiss": "whisper",
     "shout": "shout", "cry": "shout", "scream": "shout", "yell": "shout", "roar": "shout", "exclaim": "shout",
@@ -152,7 +153,7 @@ def _acted_since(stage: Stage, speaker: Person) -> Person | None:
         if unit.kind == "dialogue" or unit.scene != stage.unit.scene:
             break
         for deed in reversed(unit.deeds):
-            if deed.actor != speaker.id:
+            if deed.actor != speaker.id and deed.motion not in _POSES:
                 return stage.person(deed.actor)
     return None
 
