@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeVar
 
 from storyblender.engine.blender_engine import BlenderEngine
@@ -26,7 +28,7 @@ class Run:
     Attributes:
         project: The open project; the only place where the graph lives.
         engine: Blender.
-        embedder: Likeness of meaning, for retrieval.
+        load_embedder: Loads the sentence model when retrieval first needs it.
         settings: As the user gave them.
         listener: Hears every event.
         packs: Scene id to the pack in use, as the staging made them.
@@ -34,10 +36,15 @@ class Run:
 
     project: Project
     engine: BlenderEngine
-    embedder: Embedder
+    load_embedder: Callable[[], Embedder]
     settings: Settings
     listener: Listener
     packs: dict[int, PackRef] = field(default_factory=dict)
+
+    @cached_property
+    def embedder(self) -> Embedder:
+        """Likeness of meaning, for retrieval."""
+        return self.load_embedder()
 
     @property
     def graph(self) -> ContinuityMemoryGraph:

@@ -1,0 +1,61 @@
+"""A typed edit becomes the smallest set of commits: here, a changed camera."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import get_args
+
+from pydantic import ValidationError
+
+from storyblender.errors import InputError
+from storyblender.memory.base import Frozen, shot_name
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
+from storyblender.memory.vocabulary import DISTANCE_OF_SIZE, Angle, Movement, ShotSize
+from storyblender.pipeline.run import Run
+
+CHOICES = {"size": get_args(ShotSize), "angle": get_args(Angle), "movement": get_args(Movement)}
+
+
+class CameraEdit(Frozen):
+    """What a person wants another camera to be; fields left out stay as they are."""
+
+    size: ShotSize | None = None
+    angle: Angle | None = None
+    movement: Movement | None = None
+    lens: float | None = None
+
+    @classmethod
+    def from_words(cls, words: Mapping[str, str | float]) -> CameraEdit:
+        """Read an edit.
+
+        Raises:
+            InputError: A word is not in the vocabulary.
+        """
+        try:
+            return cls.model_validate(dict(words))
+        except ValidationError as error:
+            name = str(error.errors()[0]["loc"][0])
+            mend = f"it is one of: {', '.join(CHOICES[name])}" if name in CHOICES else "it is a number"
+            raise InputError(f"{name} cannot be {words[name]!r}", mend=mend) from error
+
+
+def apply_camera_edit(run: Run, shot: ShotContext, edit: CameraEdit) -> None:
+    """Commit a changed camera instruction; the Camera Operator sets that one camera anew.
+
+    Raises:
+        InputError: The camera of the shot is locked.
+    """
+    name = shot_name(shot.scene_id, shot.shot_id)
+    if "camera" in shot.locked:
+        raise InputError(f"the camera of {name} is locked", mend="unlock it first")
+    changes = edit.model_dump(exclude_none=True)
+    if edit.size is not None:
+        changes |= {"distance": DISTANCE_OF_SIZE[edit.size]}
+        if edit.lens is None:
+            changes |= {"lens": None}
+    instruction = CameraInstruction.model_validate(
+        {**shot.camera_instruction.model_dump(), **changes, "explicit": True}
+    )
+    said = ", ".join(f"{key} {value}" for key, value in edit.model_dump(exclude_none=True).items())
+    fresh = shot.model_copy(update={"camera_instruction": instruction, "camera": None, "lights": ()})
+    run.commit("user", f"{name}: {said}", fresh)

@@ -1,0 +1,233 @@
+"""Studio: everything a user can do, one method each. Opens the project, wires settings, ports and crew.
+
+The command line calls it, and so will every other surface; it has no terminal in it, only events.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from storyblender.catalog.garments import GARMENTS
+from storyblender.catalog.hair import HAIR
+from storyblender.catalog.materials import MATERIALS
+from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.registry import Entry
+from storyblender.catalog.sets import SETS
+from storyblender.deliver.timeline import EXTRA_FORMATS, write_extra
+from storyblender.edits import CameraEdit, apply_camera_edit
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.errors import InputError
+from storyblender.inspection import Inspection, inspect
+from storyblender.library.embedder import load_embedder
+from storyblender.look.looks import LOOKS
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
+from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import AssetJob, ExportJob
+from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.delivery import compile_blend, deliver, frame_paths
+from storyblender.pipeline.filming import film
+from storyblender.pipeline.grounding import ground
+from storyblender.pipeline.materializing import materialize
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.shooting import prune, shoot_frames, shoot_motion
+from storyblender.pipeline.staging import pack_scenes, stage
+from storyblender.project import Project, read_project_graph
+from storyblender.settings import Settings
+from storyblender.trace import Listener, silent
+
+CATALOGS: dict[str, Mapping[str, Entry]] = {
+    "props": PROPS,
+    "sets": SETS,
+    "garments": GARMENTS,
+    "hair": HAIR,
+    "materials": MATERIALS,
+    "motions": MOTIONS,
+    "looks": LOOKS,
+}
+
+
+@dataclass(frozen=True)
+class Delivery:
+    """What a call made.
+
+    Attributes:
+        folder: The project.
+        files: Names in it, in the order people open them.
+        graph: The story as it is now.
+    """
+
+    folder: Path
+    files: list[str]
+    graph: ContinuityMemoryGraph
+
+
+class Studio:
+    """The facade.
+
+    Args:
+        settings: For every call.
+        listener: Hears every event.
+    """
+
+    def __init__(self, settings: Settings, listener: Listener = silent) -> None:
+        self._settings, self._listener = settings, listener
+
+    def plan(self, script: Path, folder: Path) -> Delivery:
+        """Read a script into the graph; no Blender.
+
+        Raises:
+            InputError: The script or the folder cannot be used.
+        """
+        with self._open(script, folder) as run:
+            ground(run, script)
+            run.project.checkpoint()
+            return Delivery(run.project.folder, ["graph.json"], run.graph)
+
+    def make(self, script: Path, folder: Path) -> Delivery:
+        """Turn a script into everything; goes on where an earlier run was stopped.
+
+        Raises:
+            InputError: The script or the folder cannot be used.
+            EngineError: Blender failed for good.
+        """
+        with self._open(script, folder) as run:
+            ground(run, script)
+            materialize(run)
+            stage(run)
+            pack_scenes(run)
+            film(run)
+            return self._shoot(run, run.graph.shots)
+
+    def render(self, folder: Path, names: Sequence[str], camera: Mapping[str, str | float]) -> Delivery:
+        """Draw again what changed, with a changed camera if one is given.
+
+        Args:
+            folder: The project.
+            names: Shots to draw; all if empty.
+            camera: ``size``, ``angle``, ``lens``, ``movement`` for the named shots.
+
+        Raises:
+            InputError: No such project or shot, or a camera without a shot.
+        """
+        read_project_graph(folder)
+        with self._open(None, folder) as run:
+            shots = _named_shots(run.graph, names)
+            if camera:
+                if not names:
+                    raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
+                edit = CameraEdit.from_words(camera)
+                for shot in shots:
+                    apply_camera_edit(run, shot, edit)
+            pack_scenes(run, {shot.scene_id for shot in shots})
+            film(run)
+            return self._shoot(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
+
+    def check(self, folder: Path) -> Inspection:
+        """Inspect a finished project: layout, framing, continuity, collisions, people in frame."""
+        return inspect(read_project_graph(folder), folder)
+
+    def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:
+        """Write scenes as glTF or USD, the timeline as EDL or FCPXML.
+
+        Raises:
+            InputError: The project has no story.blend yet, or an adapter is missing.
+        """
+        read_project_graph(folder)
+        with self._open(None, folder) as run:
+            files: list[str] = []
+            for kind in kinds:
+                if kind in EXTRA_FORMATS:
+                    path = write_extra(run.graph, frame_paths(run), run.project.path("timeline.otio"), kind)
+                    files.append(path.name)
+                else:
+                    files += self._export_scenes(run, kind)
+            return Delivery(run.project.folder, files, run.graph)
+
+    def catalog(self, kind: str = "") -> dict[str, list[Entry]]:
+        """Return the entries of one catalogue, or of all.
+
+        Raises:
+            InputError: No such catalogue.
+        """
+        if kind and kind not in CATALOGS:
+            raise InputError(f"there is no catalogue {kind!r}", mend=f"it is one of {', '.join(CATALOGS)}")
+        return {name: list(entries.values()) for name, entries in CATALOGS.items() if kind in ("", name)}
+
+    def picture(self, key: str, out: Path) -> None:
+        """Render a picture of a prop, or of a garment or hair style on a person.
+
+        Raises:
+            InputError: Nothing in the library has that key.
+        """
+        asset = _sample(key)
+        with TemporaryDirectory() as folder, BlenderEngine(Path(folder), jobs=1) as engine:
+            engine.portrait(AssetJob(asset=asset), "picture.png").result()
+            out.parent.mkdir(parents=True, exist_ok=True)
+            out.write_bytes((Path(folder) / "picture.png").read_bytes())
+
+    @contextmanager
+    def _open(self, script: Path | None, folder: Path) -> Iterator[Run]:
+        models = self._settings.models
+        if models is not None and not models.is_dir():
+            raise InputError("is not a folder", mend="give --models a folder of .glb or .blend files", path=models)
+        if script is not None and not script.is_file():
+            raise InputError("there is no such script", mend="check the path", path=script)
+        with Project(folder) as project, BlenderEngine(project.folder, models, self._settings.jobs) as engine:
+            yield Run(project, engine, load_embedder, self._settings, self._listener)
+
+    def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
+        shoot_frames(run, shots)
+        blend = compile_blend(run)
+        clips = shoot_motion(run, shots) if self._settings.animatic else None
+        if len(shots) == len(run.graph.shots):
+            prune(run, run.graph.shots)
+        blend.result()
+        return Delivery(run.project.folder, deliver(run, clips), run.graph)
+
+    def _export_scenes(self, run: Run, kind: str) -> list[str]:
+        if not (run.project.folder / "story.blend").exists():
+            raise InputError("has no story.blend yet", mend="run `storyblender make` first", path=run.project.folder)
+        jobs = [
+            ExportJob(
+                story="story.blend",
+                scene_id=scene.scene_id,
+                format="glb" if kind == "glb" else "usd",
+                out=f"export/{scene_name(scene.scene_id)}.{'glb' if kind == 'glb' else 'usdc'}",
+            )
+            for scene in run.graph.scenes
+        ]
+        waiting = [run.engine.export_scene(job) for job in jobs]
+        return [future.result() for future in waiting]
+
+
+def _named_shots(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
+    known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    for name in names:
+        if name not in known:
+            raise InputError(f"there is no shot {name!r}", mend=f"the first is {next(iter(known), 'none')}")
+    return [known[name] for name in names] if names else list(graph.shots)
+
+
+def _sample(key: str) -> Asset:
+    """Return an asset that shows one entry of the library."""
+
+    def asset(source: str, entry: str, look: CharacterLook | None = None) -> Asset:
+        canonical = CanonicalAsset.model_validate(
+            {"source": source, "key": entry, "dimensions": (1, 1, 1), "digest": ""}
+        )
+        kind = "character" if look else "object"
+        return Asset(asset_id=entry, asset_type=kind, description=entry, look=look, canonical=canonical)
+
+    if key in PROPS:
+        return asset("catalog", key)
+    if key in GARMENTS:
+        return asset("person", key, CharacterLook(garments=(Garment(key=key),)))
+    if key in HAIR:
+        return asset("person", key, CharacterLook(hair=key))
+    raise InputError(f"nothing in the library is called {key!r}", mend="see `storyblender catalog`")
