@@ -17,11 +17,13 @@ from storyblender.look.surface import Surface
 _HEAD_RADIUS = 0.17
 """Metres round the face's centre within which skin counts as face, for a person of scale 1."""
 _FEWEST_PIXELS = 12
-_KEY_GAIN = (0.06, 2.0)
-_FILL_GAIN = (0.25, 3.0)
-"""Keys and fills are scaled within these; a key beyond 2x turns clothes to chalk before it lights a visor's shade."""
-_TRIM = 0.8
-"""Most stops by which a frame is brightened or darkened as a whole."""
+_KEY_GAIN = (0.35, 2.0)
+_FILL_GAIN = (0.2, 3.0)
+_LIT_ENOUGH, _LEAST_KEY = 1.3, 0.08
+"""Keys and fills are scaled within these. A key beyond 2x turns clothes to chalk before it lights a visor's shade; a
+face without any key is flat, so where the set just lights it enough, the trim takes the rest; in the sun it may go."""
+_TRIM = (-1.5, 0.8)
+"""Stops by which a frame may be darkened or brightened as a whole; a burnt face is worse than a dark room."""
 _PASSES = 3
 
 
@@ -89,9 +91,10 @@ def solve_faces(
                     continue
                 here = _luminance_at(solved, ambient, shade, face.mask)
                 its = _luminance_at([solved[i] for i in start], None, shade, face.mask)
-                if role == "fill" and bright_half(here) > 0.85 * target:
-                    continue
-                gain = _gain(here - its, its, target)
+                others = here - its
+                gain = _gain(others, its, target)
+                if role == "key" and bright_half(others) > _LIT_ENOUGH * target:
+                    least = _LEAST_KEY
                 for i in start:
                     so_far = solved[i].light.power / fields[i].light.power
                     solved[i] = fields[i].scaled(float(np.clip(gain * so_far, least, most)))
@@ -147,7 +150,7 @@ def trim(picture: Image, faces: Sequence[Face], target: float, set_target: float
     else:
         # Half the way: an insert of something dark should stay darker than an insert of something bright.
         stops = (math.log2(set_target) - math.log2(geometric_mean(light))) / 2
-    return float(np.clip(stops, -_TRIM, _TRIM))
+    return float(np.clip(stops, *_TRIM))
 
 
 def geometric_mean(light: NDArray) -> float:

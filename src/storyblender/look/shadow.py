@@ -41,22 +41,26 @@ class ShadowMap:
     parallel: bool
     depth: NDArray[np.float32]
 
-    def visibility(self, positions: Image, softness: float = 1.0) -> Image:
+    def visibility(self, positions: Image, normal: Image, softness: float = 1.0) -> Image:
         """Return the lit share, 0 to 1, of (h, w, 3) world positions; what lies outside the map is lit.
 
         Args:
             positions: World, metres.
+            normal: World, unit.
             softness: Width of the edge in texels.
         """
-        local = (positions - self.eye.astype(np.float32)) @ self.axes.astype(np.float32)
+        # Receivers are lifted off their surface by two texels, so that slanted ones do not shade themselves.
+        texel = 2 * self.half_extent / self.depth.shape[0]
+        lift = np.float32(texel) if self.parallel else texel * np.linalg.norm(positions - self.eye, axis=2)[..., None]
+        lifted = positions + normal * (2 * lift + 0.01).astype(np.float32)
+        local = (lifted - self.eye.astype(np.float32)) @ self.axes.astype(np.float32)
         distance = -local[..., 2]
         scale = self.half_extent if self.parallel else self.half_extent * np.maximum(distance, 1e-3)
         size = self.depth.shape[0]
         column = (local[..., 0] / scale + 1) * (size / 2)
         row = (1 - local[..., 1] / scale) * (size / 2)
         inside = (column >= 0) & (column < size) & (row >= 0) & (row < size) & (distance > 0)
-        # A receiver is compared a little nearer than it is, so that slanted surfaces do not shade themselves.
-        nearer = distance - (0.015 + 4 * scale / size)
+        nearer = distance - (0.01 + 2 * scale / size)
         lit = np.zeros(distance.shape, np.float32)
         for dx, dy in _TAPS:
             x = np.clip(column + dx * softness, 0, size - 1).astype(np.int32)

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.render.cycles import render_cycles
-from storyblender.blender.render.lamps import lit
-from storyblender.blender.render.meter import balanced
+from storyblender.blender.render.lamps import FACE_ROLES, lit
+from storyblender.blender.render.meter import SetLight, balanced, reach_of
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
 from storyblender.blender.render.shadow_maps import render_shadow_map
@@ -34,7 +34,7 @@ from storyblender.look.ink import apply_ink, draw_ink, people_nearby
 from storyblender.look.looks import LOOKS, Look
 from storyblender.look.occlusion import ambient_occlusion
 from storyblender.look.pencil import draw_pencil
-from storyblender.look.raster import Image, blur, luminance, shrink
+from storyblender.look.raster import Image, Mask, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
 from storyblender.look.surface import FLESH
 from storyblender.memory.base import Vec3
@@ -149,8 +149,9 @@ def render_frame(
     step = request.supersample or look.supersample
     with RenderSession(scene, camera_object, request.frame, request.hidden_node_ids) as session:
         passes = render_passes(session, request.width * step, request.height * step)
-        plan = balanced(scene, lighting)
-        shot = _Shot(session, passes, plan, people, step * look.light_step)
+        set_light = balanced(scene, lighting)
+        plan = set_light.plan
+        shot = _Shot(session, passes, set_light, people, step * look.light_step)
         lights = plan.lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
     gbuffer = passes.gbuffer.reduced(step)
@@ -188,28 +189,30 @@ class _Shot:
     Args:
         session: The frame.
         passes: Its G-buffer.
-        plan: Balanced light of the set.
+        set_light: Balanced light of the set.
         people: Everyone whose face may show.
         step: Pixels of the G-buffer for one pixel of light.
     """
 
     def __init__(
-        self, session: RenderSession, passes: Passes, plan: Lighting, people: Sequence[PersonHead], step: int
+        self, session: RenderSession, passes: Passes, set_light: SetLight, people: Sequence[PersonHead], step: int
     ) -> None:
         self.gbuffer: GBuffer = passes.gbuffer.reduced(step)
-        self.plan = plan
+        self.plan = set_light.plan
         self.albedo = mean_albedo(passes.gbuffer, step)
         self._positions = self.gbuffer.positions()
         self._normal = self.gbuffer.normal.astype(np.float32)
         self._openness = ambient_occlusion(self.gbuffer, self._positions, self._normal)
-        ambient = ambient_light(plan.ambient, self._normal, self._openness)
-        lamps = plan.lights + _lamps_of_faces(session, people, plan)
-        fields = self._with_shadows(session, [light_field(lamp, self._positions, self._normal) for lamp in lamps])
-        set_light = total([f for f in fields if f.light.for_asset is None], ambient)
-        bounce = bounce_light(self.albedo, set_light, ~self.gbuffer.sky, self._openness)
+        ambient = ambient_light(self.plan.ambient, self._normal, self._openness)
+        self.roof_light = ambient * np.float32(set_light.roofed)
+        lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)
+        fields = [light_field(lamp, self._positions, self._normal) for lamp in lamps]
+        fields = self._with_shadows(session, fields, _pixels_of(people, passes, self.gbuffer))
+        from_set = total([f for f in fields if f.light.for_asset is None], ambient)
+        bounce = bounce_light(self.albedo, from_set, ~self.gbuffer.sky, self._openness)
         faces = find_faces(self.gbuffer, [(head.asset_id, head.location, head.scale) for head in people])
-        self.fields = solve_faces(fields, ambient + bounce, self.albedo, faces, plan.face_luminance)
         self._around = ambient + bounce
+        self.fields = solve_faces(fields, self._around, self.albedo, faces, self.plan.face_luminance)
 
     @property
     def lights(self) -> tuple[Light, ...]:
@@ -220,8 +223,10 @@ class _Shot:
         """Return the (h, w, 3) illumination by every lamp."""
         return total(self.fields, self._around)
 
-    def _with_shadows(self, session: RenderSession, fields: list[LightField]) -> list[LightField]:
-        """Cast shadows from the lamps that matter; the others are only kept out of corners."""
+    def _with_shadows(
+        self, session: RenderSession, fields: list[LightField], bodies: Sequence[tuple[PersonHead, Mask]]
+    ) -> list[LightField]:
+        """Cast shadows from the lamps that matter; of the others, ask at each face whether they reach it."""
         eye = self.gbuffer.view.eye.astype(np.float32)
         solid = ~self.gbuffer.sky
         shares = [strength(field, self.albedo) for field in fields]
@@ -232,12 +237,29 @@ class _Shot:
             if index in casting:
                 receivers = self._positions[solid & (lamp.amount > 0)]
                 shadow = render_shadow_map(session, lamp.light, receivers, eye)
-                result.append(lamp.shadowed(blur(shadow.visibility(self._positions), 1)))
-            elif lamp.light.role in ("key", "fill", "rim"):
+                result.append(lamp.shadowed(blur(shadow.visibility(self._positions, self._normal), 1)))
+            elif lamp.light.role in FACE_ROLES:
                 result.append(lamp)
             else:
-                result.append(lamp.shadowed(0.45 + 0.55 * self._openness))
+                reach = 0.45 + 0.55 * self._openness
+                for head, body in bodies:
+                    reach[body] *= np.float32(reach_of(session.scene, lamp.light, _round_face(head)))
+                result.append(lamp.shadowed(reach))
         return result
+
+
+def _pixels_of(people: Sequence[PersonHead], passes: Passes, gbuffer: GBuffer) -> list[tuple[PersonHead, Mask]]:
+    """Return the visible people and their pixels."""
+    owners = np.array(["", *(node.node_id for node in passes.nodes)])
+    bodies = [(head, (owners == head.asset_id)[gbuffer.ids]) for head in people]
+    return [(head, body) for head, body in bodies if body.any()]
+
+
+def _round_face(head: PersonHead) -> list[Vec3]:
+    """Return five points round a face, at the distance of a hand."""
+    x, y, z = head.location
+    reach = 0.12 * head.scale
+    return [(x, y, z), (x + reach, y, z), (x - reach, y, z), (x, y + reach, z), (x, y - reach, z - reach)]
 
 
 def _casting(fields: Sequence[LightField], shares: Sequence[float]) -> frozenset[int]:
@@ -291,11 +313,11 @@ def _relit(
             seed=request.seed,
             draft=look.light == "cycles",
         )
-    if look.light == "final":
-        return traced
+    if look.light_step == 1:
+        return traced + shot.albedo * shot.roof_light
     coarse = step * look.light_step
     low_sky = sky_light(shot.plan.sky, gbuffer.view.reduced(coarse).rays())
-    light = demodulate(traced, mean_albedo(gbuffer, coarse, low_sky))
+    light = demodulate(traced, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light
     return remodulate(upsample(light, gbuffer, look.light_step), mean_albedo(gbuffer, step, sky))
 
 

@@ -7,14 +7,14 @@ stands where the scene is played, never at the camera, so every shot of a scene 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
 from mathutils import Vector
 from numpy.typing import NDArray
 
-from storyblender.look.exposure import geometric_mean
 from storyblender.look.illumination import LightField, ambient_light, direction_of, light_field, total
 from storyblender.look.raster import luminance
 from storyblender.memory.base import Color, Vec3
@@ -32,24 +32,51 @@ _FITTING = 0.35
 _FEWEST_HITS = 20
 
 
-def balanced(scene: bpy.types.Scene, lighting: Lighting) -> Lighting:
-    """Return the plan with set lamps, ambient light, sky and fog scaled so that grey reaches ``set_luminance``.
+@dataclass(frozen=True)
+class SetLight:
+    """The light of a set, brought to its level.
+
+    Attributes:
+        plan: Set lamps, ambient light, sky and fog scaled so that grey reaches ``set_luminance``.
+        roofed: 0 under the open sky to 1 in a closed room: the share of ambient light that no sky gives, and that a
+            path tracer would therefore miss.
+    """
+
+    plan: Lighting
+    roofed: float
+
+
+def balanced(scene: bpy.types.Scene, lighting: Lighting) -> SetLight:
+    """Measure the light that falls round the stage and bring it to the plan's level.
 
     Args:
         scene: The context's scene, with its set; people are looked through.
         lighting: The plan as designed.
     """
+    roofed = _roofed(scene)
     points = list(_surroundings(scene))
     if len(points) < _FEWEST_HITS:
-        return lighting
+        return SetLight(lighting, roofed)
     positions = np.array([[p for p, _ in points]], np.float32)
     normal = np.array([[n for _, n in points]], np.float32)
     fields = [light_field(light, positions, normal) for light in lighting.lights]
     ambient = ambient_light(lighting.ambient, normal, np.ones(normal.shape[:2], np.float32))
     strong = 0.02 * luminance(total(fields, ambient))
-    reaching = [field.shadowed(_reached(scene, field, positions, normal, strong)) for field in fields]
-    level = _GREY * geometric_mean(luminance(total(reaching, ambient)))
-    return scaled(lighting, float(np.clip(lighting.set_luminance / level, *_GAIN)))
+    reaching = [field.shadowed(_reached(scene, field, positions, strong)) for field in fields]
+    # The square of the mean root stands between the mean, which one lamp can rule, and the geometric mean, which a
+    # shaded street side would: that one burns everything in the sun.
+    level = _GREY * float(np.sqrt(luminance(total(reaching, ambient))).mean()) ** 2
+    return SetLight(scaled(lighting, float(np.clip(lighting.set_luminance / level, *_GAIN))), roofed)
+
+
+def reach_of(scene: bpy.types.Scene, light: Light, points: Sequence[Vec3]) -> float:
+    """Return the share of the points that a lamp reaches; people are looked through."""
+    depsgraph = scene.view_layers[0].depsgraph
+    reached = 0
+    for point in points:
+        toward, distance = _toward(light, Vector(point))
+        reached += not _first_hit(scene, depsgraph, Vector(point), toward, distance - _FITTING)[0]
+    return reached / len(points)
 
 
 def scaled(lighting: Lighting, gain: float) -> Lighting:
@@ -83,18 +110,24 @@ def _surroundings(scene: bpy.types.Scene) -> Iterator[tuple[Vector, Vector]]:
                 yield place + toward * 0.01, toward
 
 
-def _reached(
-    scene: bpy.types.Scene, field: LightField, positions: NDArray, normal: NDArray, strong: NDArray
-) -> NDArray[np.float32]:
+def _reached(scene: bpy.types.Scene, field: LightField, positions: NDArray, strong: NDArray) -> NDArray[np.float32]:
     """Return 0 where something stands between lamp and point, else 1; weak light is not worth a ray."""
-    depsgraph = scene.view_layers[0].depsgraph
-    light, lit = field.light, np.ones(field.amount.shape, np.float32)
+    lit = np.ones(field.amount.shape, np.float32)
     for column in np.flatnonzero(field.amount[0] > strong[0]):
-        start = Vector(positions[0, column].tolist())
-        toward, distance = _toward(light, start)
-        hit, _, _ = _first_hit(scene, depsgraph, start, toward, distance - _FITTING)
-        lit[0, column] = 0.0 if hit else 1.0
+        lit[0, column] = reach_of(scene, field.light, [positions[0, column].tolist()])
     return lit
+
+
+def _roofed(scene: bpy.types.Scene) -> float:
+    """Return the share of steep upward looks from the stations that end at something."""
+    depsgraph = scene.view_layers[0].depsgraph
+    looks = [(x, y, 1.0) for x in (-0.6, 0.0, 0.6) for y in (-0.6, 0.0, 0.6)]
+    hits = [
+        _first_hit(scene, depsgraph, Vector(station), Vector(look).normalized(), _REACH)[0]
+        for station in _STATIONS
+        for look in looks
+    ]
+    return sum(hits) / len(hits)
 
 
 def _toward(light: Light, start: Vector) -> tuple[Vector, float]:

@@ -76,7 +76,7 @@ def render_motion(
         first = _heads(scene, in_frame)
         still = render_frame(scene, camera_object, lighting, first, still_request)
         gain = np.float32(2.0**still.statistics.exposure)
-        plan = balanced(scene, lighting)
+        plan = balanced(scene, lighting).plan
         light = MovingLight(plan)
         glow: tuple[View, NDArray[np.float32], NDArray[np.float32]] | None = None
         with _animatic_workbench(session, plan.lights + still.lights):
