@@ -167,7 +167,9 @@ class _Writer:
         else:
             kept = reduce_keys(self.frames, values, tolerance)
         for column in range(values.shape[1]):
-            curve = bag.fcurves.new(path, index=column, group_name=group)
+            curve = bag.fcurves.new(path, index=column)
+            if group:
+                curve.group = bag.groups.get(group) or bag.groups.new(group)
             curve.keyframe_points.add(len(kept))
             points = np.c_[self.frames[kept], values[kept, column]].astype(np.float32)
             curve.keyframe_points.foreach_set("co", points.ravel())
