@@ -1,0 +1,68 @@
+"""The shot breakdown: from what the script says to the skeleton of the Continuity Memory Graph (paper, section 3.2)."""
+
+from __future__ import annotations
+
+from storyblender.agents.director.assembly import Assembly
+from storyblender.agents.director.coverage import cover
+from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, breathe
+from storyblender.agents.director.directions import attach_notes
+from storyblender.agents.director.draft import ShotDraft
+from storyblender.agents.director.economy import economise
+from storyblender.agents.director.reading import Reading
+from storyblender.agents.director.settings import DirectorSettings
+from storyblender.agents.director.wording import listed, one_line
+from storyblender.memory.graph import Storyboard
+
+
+def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> Storyboard:
+    """Cut a script into shots and lay out the graph.
+
+    Every unit of the script is covered by one shot, or by the two that share a long speech, in the order of the script.
+    Directions written in the script are always obeyed.
+
+    Args:
+        reading: What the script says.
+        settings: How finely to cut.
+    """
+    settings = settings or DirectorSettings()
+    assembly = Assembly(reading, settings)
+    notes = attach_notes(reading)
+    outline, details, shots = [], [], []
+    for index, scene in enumerate(reading.scenes):
+        numbered = [(number, unit) for number, unit in enumerate(reading.units) if unit.scene == index]
+        units = [unit for _, unit in numbered]
+        own_notes = {place: notes[number] for place, (number, _) in enumerate(numbered) if number in notes}
+        drafts = cut(reading, cover(reading, scene, units, own_notes), settings)
+        outline.append(assembly.scene_outline(scene, drafts))
+        details.append(assembly.scene_context(scene, units))
+        shots += assembly.shot_contexts(scene, units, drafts)
+    return Storyboard(
+        story_summary=_summary(reading, assembly),
+        storyboard_outline=tuple(outline),
+        asset_sheet=assembly.asset_sheet(),
+        scene_details=tuple(details),
+        shot_details=tuple(shots),
+    )
+
+
+def cut(reading: Reading, drafts: list[ShotDraft], settings: DirectorSettings) -> list[ShotDraft]:
+    """Return the final cut of a scene: joined to its budget, turned from face to face, without jump cuts."""
+    people = {person.id for person in reading.people}
+    kept = economise(drafts, people, reading.screenplay.text, settings)
+    alternate(kept)
+    avoid_jump_cuts(kept)
+    breathe(kept, reading.screenplay.text)
+    return kept
+
+
+def _summary(reading: Reading, assembly: Assembly) -> str:
+    """Return the writer's own synopses, or the title, the cast and the first sentence."""
+    synopses = [one_line(element.text) for element in reading.screenplay.elements if element.kind == "synopsis"]
+    if synopses:
+        return " ".join(synopses[:6])
+    title = one_line(reading.screenplay.title)
+    cast = listed([assembly.names[person.id] for person in assembly.people[:5] if person.id in assembly.actors])
+    first = next((one_line(unit.text) for unit in reading.units if unit.kind == "action"), "")
+    places = len({scene.place for scene in reading.scenes})
+    opening = f"{title}: " if title else ""
+    return f"{opening}{cast or 'a story'}, in {places} place{'s' if places != 1 else ''}. {first}".strip()

@@ -1,0 +1,232 @@
+"""Casting: from the words of the script to how a person looks. What is not said stays open or gets a plain default."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Final, Literal, TypeVar
+
+from storyblender.agents.director.palette import cloth_color, hair_color
+from storyblender.agents.director.reading import Person
+from storyblender.memory.asset_sheet import CharacterLook, Garment
+from storyblender.memory.base import Color, content_hash
+
+Build = Literal["slim", "average", "athletic", "stocky", "heavy"]
+Skin = Literal["pale", "light", "tan", "brown", "dark"]
+_Key = TypeVar("_Key", bound=str)
+FacialHair = Literal["none", "stubble", "moustache", "beard"]
+
+_GARMENTS: Final = {
+    "dinner_jacket trousers:black shirt:white bow_tie:black": "dinner jacket|tuxedo|white tie|black tie",
+    "jacket trousers:same shirt": "suit|pinstripes|three-piece suit",
+    "uniform trousers:same cap:same boots:black": "uniform",
+    "coat": "overcoat|trench ?coat|raincoat|greatcoat|lab coat|frock coat|oilskins?|parka|cloak|cape|robes?|poncho"
+    "|anorak|dressing gown|bathrobe|coat",
+    "cardigan": "cardigan|shawl",
+    "jacket": "blazer|windbreaker|bomber|tweeds|sports coat|jacket",
+    "tee": "t-shirts?|tee|tank top|tank|jersey|hoodie|sweatshirt|sweater|jumper|pullover|turtleneck|polo",
+    "blouse": "blouse",
+    "shirt": "dress shirt|shirt sleeves|shirtsleeves|work shirt|shirt",
+    "shirt trousers:same": "pyjamas|pajamas|scrubs|overalls|coveralls|boiler suit|jumpsuit|dungarees|tracksuit",
+    "tunic": "tunic|kaftan|caftan|armou?r|chain ?mail|kurta|toga|habit|cassock|jerkin",
+    "dress": "evening gown|ball gown|nightgown|nightdress|sundress|gown|frock|sari|kimono|dress",
+    "skirt": "skirt|kilt",
+    "trousers:denim": "jeans|denims",
+    "trousers": "trousers|slacks|pants|breeches|leggings|corduroys|chinos",
+    "shorts": "shorts|swimming trunks",
+    "tie": "necktie|tie",
+    "bow_tie": "bow tie|bow-tie|bowtie",
+    "belt": "belt|sash",
+    "vest": "waistcoat|vest",
+    "apron": "apron|pinafore",
+    "hat": "fedora|top hat|bowler|straw hat|sun hat|stetson|trilby|bonnet|turban|crown|hat",
+    "cap": "baseball cap|flat cap|peaked cap|beret|beanie|helmet|hood|kepi|headscarf|headphones|cap",
+    "boots": "wellingtons|riding boots|boots",
+    "shoes": "sneakers|trainers|sandals|slippers|loafers|heels|pumps|clogs|shoes",
+    "socks": "stockings|tights|socks",
+}  # fmt: skip
+"""Garments (``key:colour``, ``same`` for the colour named) and the words for them."""
+_LAYERS: Final = (
+    "socks", "tee", "shirt", "blouse", "tunic", "dress", "skirt", "shorts", "trousers", "belt", "tie", "bow_tie",
+    "vest", "cardigan", "jacket", "dinner_jacket", "uniform", "coat", "apron", "shoes", "boots", "hat", "cap",
+)  # fmt: skip
+_HAIR: Final = {
+    "bald": "bald|balding|shaved head|shaven|hairless",
+    "crop": "crop|cropped|crew cut|crew-cut|buzz ?cut|close-cut|shorn|cropped",
+    "ponytail": "ponytail|pony-tail|pigtails?|braids?|braided|plaits?|dreadlocks",
+    "bun": "bun|chignon|updo|pinned up|pinned-up|knot|tied back",
+    "bob": "bob|bobbed|chin-length|shoulder-length",
+    "curly": "curly|curls|curled|afro|frizzy|ringlets|wavy|waves",
+    "messy": "messy|tousled|untidy|unkempt|wild|tangled|dishevell?ed|ruffled|windblown|shaggy",
+    "long": "long|flowing|waist-length",
+    "short": "short|neat|slicked|combed|side-parted|trim",
+}
+_BUILD: Final[dict[Build, str]] = {
+    "heavy": "heavy|heavyset|heavy-set|fat|plump|stout|large|overweight|obese|portly|rotund|round|big-bellied",
+    "stocky": "stocky|broad|broad-shouldered|burly|squat|thickset|sturdy|barrel-chested",
+    "athletic": "athletic|muscular|fit|strong|powerful|toned|wiry|sinewy",
+    "slim": "slim|lean|thin|slender|skinny|lanky|gaunt|bony|petite|slight|willowy|frail",
+}
+_SKIN: Final[dict[Skin, str]] = {
+    "dark": r"dark[- ]skin(?:ned)?|black[- ]skin(?:ned)?|ebony",
+    "brown": r"brown[- ]skin(?:ned)?",
+    "tan": r"tann?ed|tan skin|olive[- ]skin(?:ned)?|sunburn(?:ed|t)|weather-?beaten|weathered|bronzed",
+    "pale": r"pale|ashen|pallid|pasty",
+}
+_FACIAL_HAIR: Final[dict[FacialHair, str]] = {
+    "beard": "beard|bearded|goatee",
+    "moustache": "moustache|mustache|moustached",
+    "stubble": "stubble|unshaven|stubbled",
+}
+_AGES: Final = {
+    "baby": 1, "infant": 1, "toddler": 3, "child": 9, "kid": 10, "little": 8, "boy": 10, "girl": 10, "adolescent": 15,
+    "teen": 16, "teenage": 16, "teenager": 16, "young": 25, "youthful": 25, "student": 20, "adult": 35,
+    "middle-aged": 50, "middle": 50, "older": 62, "aging": 62, "ageing": 62, "elderly": 74, "old": 72, "aged": 72,
+    "grandmother": 70,
+    "grandfather": 72, "grandma": 70, "grandpa": 72, "ancient": 84, "wizened": 80,
+}  # fmt: skip
+_TALL: Final = {
+    "giant": 0.28,
+    "enormous": 0.26,
+    "huge": 0.24,
+    "towering": 0.22,
+    "very tall": 0.17,
+    "tall": 0.11,
+    "lanky": 0.08,
+}
+_SMALL: Final = {
+    "tiny": -0.16,
+    "diminutive": -0.14,
+    "very short": -0.13,
+    "petite": -0.1,
+    "short": -0.09,
+    "small": -0.09,
+}
+_DEFAULT_HAIR: Final = {
+    "female": ("long", "bob", "bun", "ponytail"),
+    "male": ("short", "crop", "messy"),
+    "unknown": ("short",),
+}
+
+
+def cast(person: Person) -> CharacterLook:
+    """Return the look of a person from the words of the script.
+
+    Args:
+        person: As read. Words the script does not use leave the default; the seed of the default is the person's id,
+            so the same person always looks the same.
+    """
+    seed = int(content_hash(person.id)[:8], 16)
+    age = years(person, seed)
+    hair = ", ".join(person.hair)
+    everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit))
+    return CharacterLook(
+        gender=person.gender,
+        age=age,
+        stature=_stature(person, age),
+        build=_first(_BUILD, ", ".join(person.build)) or "average",
+        skin=_first(_SKIN, everything) or "light",
+        hair=_hair(person, age, seed),
+        hair_color=hair_color(_without_beard(hair)),
+        facial_hair=_first(_FACIAL_HAIR, everything) or "none",
+        garments=garments(", ".join(person.outfit)),
+        glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
+    )
+
+
+def years(person: Person, seed: int = 0) -> float:
+    """Return the age of a person: ``late 30s`` is 38, ``old`` is 72; an adult of 30 to 44 where nothing is said."""
+    words = person.age.lower()
+    if number := re.search(r"\d{1,3}", words):
+        part = 2 if "early" in words else 5 if "mid" in words else 8 if "late" in words else 5 if "s" in words else 0
+        return float(min(110, int(number[0]) + part))
+    decade = re.search(r"\b(twen|thir|for|fif|six|seven|eigh)ties\b", words)
+    if decade:
+        decades = ["twen", "thir", "for", "fif", "six", "seven", "eigh"]
+        return 25.0 + 10 * decades.index(decade[1])
+    named = [
+        word
+        for word in re.findall(r"[a-z-]+", f"{words} {person.role} {' '.join(person.build)}".lower())
+        if word in _AGES
+    ]
+    return float(_AGES[named[0]]) if named else 30.0 + seed % 15
+
+
+def garments(words: str) -> tuple[Garment, ...]:
+    """Return the garments that a description names, from the inside out; the last one named wins a place.
+
+    Args:
+        words: e.g. ``white dinner jacket, black bow tie``. A colour holds for the next garment named.
+    """
+    chosen: dict[str, Garment] = {}
+    implied: dict[str, Garment] = {}
+    for keys, color in _named_garments(words.lower()):
+        first, *others = keys.split()
+        key, _, own = first.partition(":")
+        chosen[key] = Garment(key=key, color=color or cloth_color(own))
+        for key, _, own in (other.partition(":") for other in others):
+            implied[key] = Garment(key=key, color=color if own == "same" else cloth_color(own))
+    return tuple(sorted((implied | chosen).values(), key=lambda garment: _LAYERS.index(garment.key)))
+
+
+def _named_garments(words: str) -> list[tuple[str, Color | None]]:
+    """Return the garments behind every garment word, and the colour before it; the longest word wins a place."""
+    named = [
+        (match, keys) for keys, pattern in _GARMENTS.items() for match in re.finditer(rf"\b(?:{pattern})\b", words)
+    ]
+    named.sort(key=lambda pair: (pair[0].start(), -len(pair[0][0])))
+    found: list[tuple[str, Color | None]] = []
+    end = 0
+    for match, keys in named:
+        if match.start() < end:
+            continue
+        before = re.split(r",|;| and | with | over | under ", words[end : match.start()])[-1]
+        found.append((keys, cloth_color(f"{before} {match[0]}")))
+        end = match.end()
+    return found
+
+
+def describe(person: Person) -> str:
+    """Return one sentence about a person, e.g. ``A lean woman, 35, short black hair, in a grey trench coat.``"""
+    noun = person.role or {"female": "woman", "male": "man"}.get(person.gender, "person")
+    if years(person) < 14:
+        noun = {"female": "girl", "male": "boy"}.get(person.gender, "child")
+    adjectives = [word for word in person.build if " " not in word]
+    article = "An" if (adjectives or [noun])[0][:1].lower() in "aeiou" else "A"
+    parts = [f"{article} {', '.join(adjectives)} {noun}".replace("  ", " ")]
+    parts += [person.age] if person.age else []
+    parts += [*(word for word in person.build if " " in word), *person.hair, *person.face]
+    parts += [piece if piece.startswith(("in ", "wearing")) else f"in {piece}" for piece in person.outfit[:1]]
+    return ", ".join([*parts, *person.outfit[1:]]) + "."
+
+
+def _first(table: Mapping[_Key, str], words: str) -> _Key | None:
+    """Return the first key whose words occur."""
+    return next((key for key, pattern in table.items() if re.search(rf"\b(?:{pattern})\b", words.lower())), None)
+
+
+def _hair(person: Person, age: float, seed: int) -> str:
+    words = _without_beard(", ".join((*person.hair, *(face for face in person.face if "bald" in face))))
+    style = _first(_HAIR, words)
+    if style:
+        return style
+    if age >= 65 and person.gender == "female":
+        return "bun"
+    choices = _DEFAULT_HAIR[person.gender]
+    return choices[seed % len(choices)]
+
+
+def _without_beard(words: str) -> str:
+    """Hair words only: the colour of a beard or a moustache is not the colour of the head."""
+    return ", ".join(part for part in words.split(",") if not re.search(r"beard|moustache|mustache|stubble", part))
+
+
+def _stature(person: Person, age: float) -> float | None:
+    words = ", ".join((*person.build, *person.face)).lower()
+    if age < 16:
+        return None
+    base = {"female": 1.65, "male": 1.78}.get(person.gender, 1.72)
+    for word, offset in (_TALL | _SMALL).items():
+        if re.search(rf"\b{word}\b(?! hair)", words):
+            return round(base + offset, 2)
+    return None

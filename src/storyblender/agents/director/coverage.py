@@ -1,0 +1,331 @@
+"""Coverage: which shots a scene needs before anybody counts them (notes of the director, section 2).
+
+One pass over the units of a scene. Geography before detail; the whole body while it travels; hands and both faces
+when a thing changes hands; a master, then over the shoulder, then singles that tighten while people talk.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Final
+
+from storyblender.agents.director.cutting import step
+from storyblender.agents.director.directions import Names, directed_shot
+from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
+from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
+from storyblender.agents.director.reading import CameraNote, Deed, Reading, SceneReading, Unit
+from storyblender.memory.vocabulary import ShotKind, ShotSize
+
+_REPLY: Final = 3
+"""A reply of so few words stays in the shot it answers."""
+_SPEECH: Final = 25
+"""A longer speech leaves room to cut to the listener."""
+_JOINED: Final = 7.0
+"""Sentences of one paragraph share a shot up to this many seconds."""
+_TOGETHER: Final = 5
+"""No more faces than this in one group."""
+
+
+def cover(
+    reading: Reading, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]
+) -> list[ShotDraft]:
+    """Return every shot a scene calls for, in order.
+
+    Args:
+        reading: Names and text.
+        scene: The scene.
+        units: Its units.
+        notes: Camera directions by index into ``units``.
+    """
+    return _Coverage(reading, scene, units, notes).shots()
+
+
+class _Coverage:
+    def __init__(
+        self, reading: Reading, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]
+    ) -> None:
+        self.scene = scene
+        self.units = units
+        self.notes = notes
+        self.text = reading.screenplay.text
+        self.names = Names(reading)
+        self.props = {thing.id for thing in reading.things if thing.kind == "prop"}
+        self.things = {thing.id for thing in reading.things}
+        self.establish = _is_new(reading, scene)
+        self.drafts: list[ShotDraft] = []
+        self.talk = 0
+        """Speeches since the geography was last shown."""
+        self.present = -1
+        self.axes: dict[frozenset[str], tuple[str, str]] = {}
+
+    def shots(self) -> list[ShotDraft]:
+        for index, unit in enumerate(self.units):
+            note = self.notes.get(index)
+            if note:
+                self._directed(unit, note)
+            elif unit.kind == "action":
+                self._action(index, unit)
+            else:
+                self._speech(index, unit)
+        if not self.drafts:
+            self._add("establishing", self._widest, [])
+        return self.drafts
+
+    @property
+    def _widest(self) -> ShotSize:
+        return "EWS" if self.scene.scene_type == "outdoor" else "WS"
+
+    @property
+    def _last(self) -> ShotDraft | None:
+        return self.drafts[-1] if self.drafts else None
+
+    def _add(self, kind: ShotKind, size: ShotSize, focus: Sequence[str | None], *units: Unit) -> ShotDraft:
+        draft = ShotDraft(kind, size, beats=[Beat.whole(unit) for unit in units])
+        draft.look_at(*focus)
+        draft.on_stage = list(units[0].on_stage) if units else list(self._last.on_stage) if self._last else []
+        self.drafts.append(draft)
+        return draft
+
+    def _axis(self, one: str | None, other: str | None) -> tuple[str, str] | None:
+        """The line between two people: the same two ends, in the same order, all through the scene."""
+        if not one or not other or one == other:
+            return None
+        return self.axes.setdefault(frozenset((one, other)), (one, other))
+
+    def _directed(self, unit: Unit, note: CameraNote) -> None:
+        default = self._size_of({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
+        draft = directed_shot(unit, note, self.names, default, self._last)
+        if draft.kind in ("ots", "two_shot"):
+            pair = [draft.over, *draft.focus] if draft.over else draft.focus
+            draft.axis = self._axis(*pair[:2]) if len(pair) > 1 else None
+        self.drafts.append(draft)
+        self.establish = self.establish and step(draft.size, "FS") > 0 and draft.kind in ("insert", "pov")
+        self.talk = 1 if draft.kind in ("two_shot", "group") else 0
+
+    # -- action ----------------------------------------------------------------------------------------------------
+    def _action(self, index: int, unit: Unit) -> None:
+        motions = {deed.motion for deed in unit.deeds}
+        if motions & (TRAVEL | WHOLE_BODY) or len(unit.on_stage) != self.present:
+            self.talk = 0
+        self.present = len(unit.on_stage)
+        if self.establish:
+            self.establish = False
+            self._add("establishing", self._widest, unit.on_stage if unit.deeds else [], unit)
+            return
+        drafts = self._action_shots(index, unit, motions)
+        if len(drafts) == 1 and self._joins(drafts[0]):
+            self._join(drafts[0])
+        else:
+            self.drafts += drafts
+
+    def _action_shots(self, index: int, unit: Unit, motions: set[str]) -> list[ShotDraft]:
+        actors = _unique(deed.actor for deed in unit.deeds)
+        if not unit.deeds:
+            return [self._still(unit)]
+        seen = self._seen_thing(unit.deeds)
+        if seen and motions <= {"look", "read", "think", "idle"}:
+            looker = ShotDraft("reaction", "MCU", actors[:2], [Beat.whole(unit)], on_stage=list(unit.on_stage))
+            return [looker, ShotDraft("insert", "CU", [seen], on_stage=list(unit.on_stage))]
+        partners = [deed.target for deed in unit.deeds if deed.target in unit.on_stage and deed.target not in actors]
+        hands = bool(motions & HANDS) and not motions & (TRAVEL | WHOLE_BODY)
+        props = _unique(deed.prop for deed in unit.deeds if deed.prop in self.props)
+        size = self._size_of(motions)
+        kind: ShotKind = "action" if motions & (TRAVEL | WHOLE_BODY | HANDS) or len(actors) > 1 else "reaction"
+        if len(actors) > 2:
+            kind, size = "group", "FS" if motions & TRAVEL else "MWS"
+        draft = ShotDraft(kind, size, [], [Beat.whole(unit)], on_stage=list(unit.on_stage))
+        draft.look_at(*actors[:_TOGETHER], *partners, *(props if hands else []))
+        draft.whole_body = bool(motions & TRAVEL)
+        if index and set(unit.entering) & set(actors) and draft.whole_body:
+            draft.size = "FS"
+        if motions & FAST:
+            draft.movement = "track"
+        elif "walk" in motions and len(actors) == 1 and not partners:
+            draft.movement = "pan"
+        if motions & LOW:
+            draft.angle = "high angle"
+        elif "aim" in motions:
+            draft.angle = "low angle"
+        return [draft]
+
+    def _still(self, unit: Unit) -> ShotDraft:
+        """A sentence in which nobody does anything: faces, things, weather."""
+        people = [person for person in unit.people if person in unit.on_stage]
+        shown = [thing for thing in unit.things if thing in self.things]
+        if people:
+            face = len(people) == 1 and bool(unit.expressions)
+            draft = ShotDraft("reaction" if face else "action", "MCU" if face else "MS", people[:_TOGETHER])
+        elif shown and shown[0] in self.props:
+            draft = ShotDraft("insert", "CU", shown[:1])
+        elif shown:
+            draft = ShotDraft("action", "MS", shown[:1])
+        else:
+            draft = ShotDraft("action", "MS" if self.drafts and unit.on_stage else "WS", unit.on_stage[:2])
+        draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
+        return draft
+
+    def _seen_thing(self, deeds: Sequence[Deed]) -> str | None:
+        """The prop somebody looks at or reads: point, glance, thing."""
+        for deed in deeds:
+            if deed.motion in ("look", "read"):
+                return next((each for each in (deed.prop, deed.target) if each in self.props), None)
+        return None
+
+    @staticmethod
+    def _size_of(motions: set[str]) -> ShotSize:
+        if motions & TRAVEL:
+            return "FS"
+        if motions & WHOLE_BODY:
+            return "MWS"
+        return "MS" if motions & HANDS else "MCU"
+
+    def _joins(self, new: ShotDraft) -> bool:
+        """Sentences of one paragraph about the same people, in sizes that are close, share a shot."""
+        last = self._last
+        if (
+            last is None
+            or last.explicit
+            or not last.beats
+            or last.kind not in ("establishing", "action", "reaction", "group")
+        ):
+            return False
+        unit, before = new.beats[0].unit, last.beats[-1].unit
+        seconds = sum(action_seconds(beat.unit.text) for beat in last.beats) + action_seconds(unit.text)
+        empty = not unit.deeds and not unit.people and not unit.things
+        if empty:
+            return seconds <= _JOINED and len(last.beats) < 3
+        if before.element != unit.element or before.kind != "action":
+            return False
+        if last.kind == "establishing":
+            return seconds <= 5.0 and not set(unit.entering) and new.kind != "insert"
+        nested = set(new.focus) <= set(last.focus) or set(last.focus) <= set(new.focus)
+        return nested and seconds <= _JOINED and abs(step(new.size, last.size)) <= 2
+
+    def _join(self, new: ShotDraft) -> None:
+        last = self.drafts[-1]
+        last.beats += new.beats
+        last.on_stage = _unique([*last.on_stage, *new.on_stage])
+        last.look_at(*new.focus)
+        if last.kind == "establishing":
+            return
+        if step(last.size, new.size) > 0 or new.whole_body:
+            last.size = new.size
+        last.whole_body = last.whole_body or new.whole_body
+        if last.movement == "static":
+            last.movement = new.movement
+
+    # -- speech ----------------------------------------------------------------------------------------------------
+    def _speech(self, index: int, unit: Unit) -> None:
+        if self.establish:
+            self.establish = False
+            self._add("establishing", self._widest, []).on_stage = [p for p in unit.on_stage if p not in unit.entering]
+        speaker = unit.speaker if unit.speaker in unit.on_stage and not unit.off_screen else None
+        if speaker is None:
+            self._heard(unit)
+            return
+        listener = self._listener(unit, speaker)
+        if self._stays(unit, speaker):
+            self._stay(unit)
+            return
+        self.talk += 1
+        final = all(later.kind != "dialogue" for later in self.units[index + 1 :])
+        draft = self._speaking(unit, speaker, listener, final=final)
+        draft.axis = self._axis(speaker, listener)
+        if draft.kind == "single" and any(deed.motion == "shout" for deed in unit.deeds):
+            draft.angle = "low angle"
+        self._cut_to_listener(draft, unit, listener)
+
+    @staticmethod
+    def _listener(unit: Unit, speaker: str) -> str | None:
+        if unit.to in unit.on_stage and unit.to != speaker:
+            return unit.to
+        others = [person for person in unit.on_stage if person != speaker]
+        return others[0] if len(others) == 1 else None
+
+    def _speaking(self, unit: Unit, speaker: str, listener: str | None, *, final: bool) -> ShotDraft:
+        crowd = len(unit.on_stage) > 2
+        if self.talk == 1:
+            last = self._last
+            if crowd and not (last and last.kind == "group"):
+                others = [person for person in unit.on_stage if person not in (speaker, listener)]
+                return self._add("group", "MWS", [speaker, listener, *others][:_TOGETHER], unit)
+            if crowd or not listener:
+                return self._add("single", "MCU" if crowd else "MS", [speaker], unit)
+            return self._add("two_shot", "MS", [speaker, listener], unit)
+        if self.talk <= 4 and listener:
+            draft = self._add("ots", "MS" if self.talk == 2 else "MCU", [speaker], unit)
+            draft.over = listener
+            return draft
+        return self._add("single", "CU" if self.talk >= 7 or (final and self.talk > 2) else "MCU", [speaker], unit)
+
+    def _heard(self, unit: Unit) -> None:
+        """A voice from outside: hold the listener, or the place."""
+        last = self._last
+        listeners = [person for person in unit.on_stage if person != unit.speaker]
+        seen = [person for draft in reversed(self.drafts) for person in draft.focus if person in listeners]
+        acting = next(iter([*seen, *listeners]), None)
+        if last and not last.explicit and last.focus[:1] == ([acting] if acting else []) and last.beats:
+            seconds = speech_seconds(unit.text) + sum(action_seconds(beat.unit.text) for beat in last.beats)
+            if seconds <= _JOINED:
+                last.beats.append(Beat.whole(unit))
+                return
+        self._add("reaction" if acting else "action", "MCU" if acting else "WS", [acting], unit)
+
+    def _stays(self, unit: Unit, speaker: str) -> bool:
+        """Whether a speech needs no cut: a short reply, a speech that goes on, or one of two at the same time."""
+        last = self._last
+        if not last or last.explicit or not last.beats or last.beats[-1].unit.kind != "dialogue":
+            return False
+        before = last.beats[-1].unit
+        seconds = sum(speech_seconds(beat.unit.text) for beat in last.beats) + speech_seconds(unit.text)
+        if unit.dual and before.speaker in unit.on_stage:
+            return True
+        if before.speaker == speaker and speaker in last.focus:
+            return seconds <= _JOINED
+        shown = last.kind in ("two_shot", "group") and speaker in last.focus
+        return shown and word_count(unit.text) <= _REPLY and len(last.beats) < 3
+
+    def _stay(self, unit: Unit) -> None:
+        last = self.drafts[-1]
+        if unit.dual and unit.speaker not in last.focus:
+            last.kind, last.size, last.over = "two_shot", "MS", None
+            last.look_at(unit.speaker)
+            last.axis = self._axis(last.focus[0], unit.speaker)
+        last.beats.append(Beat.whole(unit))
+        last.on_stage = _unique([*last.on_stage, *unit.on_stage])
+
+    def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
+        """Give the second half of a long speech to the one who hears it."""
+        cut = _middle(self.text, unit) if listener and word_count(unit.text) > _SPEECH else None
+        if cut is None:
+            return
+        draft.beats = [Beat(unit, unit.start, cut[0])]
+        reaction = self._add("reaction", "MCU", [listener])
+        reaction.beats, reaction.axis = [Beat(unit, cut[1], unit.end)], draft.axis
+
+
+def _middle(text: str, unit: Unit) -> tuple[int, int] | None:
+    """Return where to cut a speech: the end of the first part and the start of the second, near the middle.
+
+    A sentence end is best, a comma will do; each part keeps at least a quarter of the speech.
+    """
+    words = text[unit.start : unit.end]
+    for pattern in (r"[.!?…]+[\"”'’)]*\s+", r"[,;:–—]\s+"):
+        gaps = [(m.start() + len(m[0].rstrip()), m.end()) for m in re.finditer(pattern, words)]
+        gaps = [gap for gap in gaps if len(words) / 4 < gap[0] and gap[1] < len(words) * 3 / 4]
+        if gaps:
+            end, start = min(gaps, key=lambda gap: abs(gap[0] - len(words) / 2))
+            return unit.start + end, unit.start + start
+    return None
+
+
+def _is_new(reading: Reading, scene: SceneReading) -> bool:
+    """Whether the audience has not seen this place at this hour."""
+    earlier = next((other for other in reading.scenes if other.id == scene.reference), None)
+    return earlier is None or earlier.time != scene.time
+
+
+def _unique(items: Iterable[str | None]) -> list[str]:
+    return list(dict.fromkeys(item for item in items if item))

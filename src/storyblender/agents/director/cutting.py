@@ -1,0 +1,89 @@
+"""Cutting: neighbouring shots must differ enough, and talk must alternate (notes of the director, section 2)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import pairwise
+from typing import Final
+
+from storyblender.agents.director.draft import ShotDraft
+from storyblender.agents.director.durations import shot_seconds, word_count
+from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
+
+_RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
+    "insert": ("MCU", "ECU"),
+    "group": ("WS", "MS"),
+    "two_shot": ("FS", "MCU"),
+    "ots": ("MS", "CU"),
+    "single": ("MWS", "ECU"),
+    "reaction": ("MS", "ECU"),
+}
+"""Sizes a kind of shot may take."""
+_SLOW: Final = 9.0
+"""Seconds after which a still shot of one or two people breathes: a slow push in."""
+
+
+def step(tighter: ShotSize, wider: ShotSize) -> int:
+    """Return how many sizes ``tighter`` is tighter than ``wider``; negative where it is wider."""
+    return SHOT_SIZES.index(tighter) - SHOT_SIZES.index(wider)
+
+
+def alternate(drafts: list[ShotDraft]) -> None:
+    """Let a long conversation turn from face to face: after a two-shot, over the shoulder on who speaks most."""
+    for before, draft in pairwise(drafts):
+        talk = draft.kind == "two_shot" and before.kind in ("two_shot", "ots") and draft.speech and not draft.explicit
+        if not talk or draft.axis is None or before.axis is None or set(draft.axis) != set(before.axis):
+            continue
+        speakers = [speaker for speaker in _speakers(draft) if speaker in draft.axis]
+        turned = [speaker for speaker in speakers if before.kind != "ots" or speaker != before.focus[0]]
+        if turned:
+            draft.kind, draft.focus = "ots", turned[:1]
+            draft.over = next(person for person in draft.axis if person != turned[0])
+
+
+def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
+    """Put two sizes between neighbours with the same subject (the 30-degree rule), without touching ordered shots."""
+    for index in range(1, len(drafts)):
+        before, draft = drafts[index - 1], drafts[index]
+        if not _jumps(before, draft):
+            continue
+        if not draft.explicit:
+            following = drafts[index + 1] if index + 1 < len(drafts) else None
+            _resize(draft, before, following if following and following.explicit else None)
+        elif not before.explicit:
+            _resize(before, draft, drafts[index - 2] if index > 1 else None)
+
+
+def breathe(drafts: list[ShotDraft], text: str) -> None:
+    """Push in slowly on long still talk."""
+    for draft in drafts:
+        still = draft.movement == "static" and not draft.explicit and draft.kind in ("single", "two_shot", "ots")
+        if still and draft.speech and shot_seconds(draft, text) > _SLOW:
+            draft.movement = "push in"
+
+
+def _speakers(draft: ShotDraft) -> list[str]:
+    """Who speaks in a shot, most words first."""
+    words: Counter[str] = Counter()
+    for beat in draft.beats:
+        words[beat.unit.speaker or ""] += word_count(beat.unit.text)
+    return [speaker for speaker, _ in words.most_common()]
+
+
+def _jumps(before: ShotDraft, draft: ShotDraft) -> bool:
+    same = set(before.focus) == set(draft.focus) and (before.kind == "pov") == (draft.kind == "pov")
+    cut_in = before.kind == "establishing" and draft.whole_body
+    return same and not cut_in and abs(step(draft.size, before.size)) < 2
+
+
+def _resize(draft: ShotDraft, *neighbours: ShotDraft | None) -> None:
+    """Take the nearest size that is two steps from every neighbour with the same subject; tighter is better."""
+    limits = _RANGE.get(draft.kind, ("EWS", "CU"))
+    widest = SHOT_SIZES.index(limits[0])
+    tightest = SHOT_SIZES.index("MWS" if draft.whole_body else limits[1])
+    others: list[ShotSize] = [other.size for other in neighbours if other and set(other.focus) == set(draft.focus)]
+    allowed: list[ShotSize] = [
+        size for size in SHOT_SIZES[widest : tightest + 1] if all(abs(step(size, other)) >= 2 for other in others)
+    ]
+    if allowed:
+        draft.size = min(allowed, key=lambda size: (abs(step(size, draft.size)), step(draft.size, size)))

@@ -1,0 +1,133 @@
+"""Camera directions of the script become shots; whatever they say is obeyed (notes, sections 2 and 3)."""
+
+from __future__ import annotations
+
+import re
+from typing import cast, get_args
+
+from storyblender.agents.director.camera_phrases import parse_note
+from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.reading import CameraNote, Reading, Unit
+from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind, ShotSize
+
+_SIZE_OF_KIND: dict[str, ShotSize] = {
+    "insert": "CU", "ots": "MS", "two_shot": "MS", "group": "MWS", "pov": "MS", "reverse": "MCU",
+}  # fmt: skip
+
+
+class Names:
+    """Finds people and things by the words of a direction."""
+
+    def __init__(self, reading: Reading) -> None:
+        entries: list[tuple[str, str]] = []
+        for person in reading.people:
+            entries += [(name, person.id) for name in (person.name, *person.aliases, person.role) if name]
+        self.people = {person.id for person in reading.people}
+        for thing in reading.things:
+            entries += [(name, thing.id) for name in (thing.name, thing.name.split()[-1] if thing.name else "") if name]
+        self._entries = sorted(entries, key=lambda entry: -len(entry[0]))
+
+    def find(self, words: str) -> list[str]:
+        """Return the ids named in ``words``, in order; the longest name wins a place."""
+        found: list[tuple[int, str]] = []
+        rest = words
+        for name, id_ in self._entries:
+            match = re.search(rf"(?<!\w){re.escape(name)}(?!\w)", rest, re.IGNORECASE)
+            if match:
+                rest = rest[: match.start()] + " " * len(match[0]) + rest[match.end() :]
+                found.append((match.start(), id_))
+        return list(dict.fromkeys(id_ for _, id_ in sorted(found)))
+
+
+def attach_notes(reading: Reading) -> dict[int, CameraNote]:
+    """Return the camera direction of every unit by its index: its own, or the ``SHOT`` note that stands before it.
+
+    A note after the last unit of a scene belongs to that unit.
+    """
+    notes = {index: unit.camera for index, unit in enumerate(reading.units) if unit.camera}
+    for element in reading.screenplay.elements:
+        note = parse_note(element.text) if element.kind == "note" else None
+        if note is None:
+            continue
+        before = [index for index, unit in enumerate(reading.units) if unit.start < element.start]
+        after = len(before)
+        same_scene = after < len(reading.units) and (
+            not before
+            or reading.units[after].scene == reading.units[before[-1]].scene
+            or _opens(reading, element.start)
+        )
+        target = after if same_scene else before[-1] if before else None
+        if target is not None:
+            notes.setdefault(target, note)
+    return notes
+
+
+def _opens(reading: Reading, offset: int) -> bool:
+    """Whether a note stands under a heading that comes after the last unit before it."""
+    headings = [element.start for element in reading.screenplay.elements if element.kind == "heading"]
+    last_unit = max((unit.start for unit in reading.units if unit.start < offset), default=-1)
+    return any(last_unit < heading < offset for heading in headings)
+
+
+def directed_shot(
+    unit: Unit, note: CameraNote, names: Names, default_size: ShotSize, last: ShotDraft | None
+) -> ShotDraft:
+    """Return the shot that a direction orders for a unit.
+
+    Args:
+        unit: What it covers.
+        note: The direction.
+        names: To find its subject.
+        default_size: Where the direction names no size.
+        last: The shot before, for POV and reverse angles that name nobody.
+    """
+    named = names.find(note.subject)
+    acting = [deed.actor for deed in unit.deeds] or ([unit.speaker] if unit.speaker in unit.on_stage else [])
+    focus = (
+        named or list(dict.fromkeys(each for each in acting if each)) or unit.people or unit.on_stage[:3] or unit.things
+    )
+    size = cast(ShotSize, note.size) if note.size else _SIZE_OF_KIND.get(note.kind, default_size)
+    shot = ShotDraft(
+        kind=_kind(note, focus, names, unit),
+        size=size,
+        focus=list(focus),
+        beats=[Beat.whole(unit)],
+        angle=cast(Angle, note.angle or "eye-level"),
+        movement=cast(Movement, note.movement or "static"),
+        direction=cast(CameraDirection, note.direction) if note.direction else None,
+        note=note,
+        on_stage=list(unit.on_stage),
+    )
+    who = next(iter(names.find(note.who)), None)
+    if shot.kind == "pov":
+        shot.pov = who or next((each for each in (last.focus if last else []) if each in names.people), None)
+        shot.focus = [each for each in focus if each != shot.pov] or [e for e in unit.on_stage if e != shot.pov]
+    if shot.kind == "ots":
+        _over_shoulder(shot, who, unit, last)
+    return shot
+
+
+def _over_shoulder(shot: ShotDraft, who: str | None, unit: Unit, last: ShotDraft | None) -> None:
+    """Settle whose shoulder and whose face; without two people on stage it is a single."""
+    if shot.note and shot.note.kind == "reverse" and who is None and last and last.focus:
+        who = last.focus[0]
+    candidates = [unit.speaker, *shot.focus, unit.to, *unit.on_stage]
+    shot.over = who or next((each for each in (unit.to, *unit.on_stage) if each and each not in shot.focus[:1]), None)
+    face = next((each for each in (*shot.focus, *candidates) if each and each != shot.over), None)
+    shot.focus = [face] if face else []
+    if shot.over not in unit.on_stage or not face:
+        shot.kind, shot.over = "single", None
+        shot.focus = shot.focus or ([who] if who else [])
+
+
+def _kind(note: CameraNote, focus: list[str], names: Names, unit: Unit) -> ShotKind:
+    if note.kind in get_args(ShotKind):
+        return cast(ShotKind, note.kind)
+    if note.kind == "reverse":
+        return "ots" if len(unit.on_stage) > 1 else "single"
+    people = [each for each in focus if each in names.people]
+    if focus and not people:
+        return "insert" if note.size in ("", "CU", "ECU", "MCU") else "action"
+    if len(people) > 1:
+        return "group" if len(people) > 2 else "two_shot" if unit.kind == "dialogue" else "action"
+    return "single" if people and note.size in ("MCU", "CU", "ECU") else "action"

@@ -1,0 +1,64 @@
+"""A shot while the Director still cuts: mutable, in ids and units, before it becomes a ShotContext."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from storyblender.agents.director.reading import CameraNote, Unit
+from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind, ShotSize
+
+
+@dataclass
+class Beat:
+    """What a shot covers of a unit: all of it, or a part of a long speech."""
+
+    unit: Unit
+    start: int
+    end: int
+
+    @classmethod
+    def whole(cls, unit: Unit) -> Beat:
+        """Cover all of a unit."""
+        return cls(unit, unit.start, unit.end)
+
+    @property
+    def complete(self) -> bool:
+        """Whether it covers all of its unit."""
+        return (self.start, self.end) == (self.unit.start, self.unit.end)
+
+
+@dataclass
+class ShotDraft:
+    """A shot as planned."""
+
+    kind: ShotKind
+    size: ShotSize
+    focus: list[str] = field(default_factory=list)
+    """Whom and what it shows, most important first."""
+    beats: list[Beat] = field(default_factory=list)
+    """Empty for an insert or an establishing shot that has no line of its own."""
+    angle: Angle = "eye-level"
+    movement: Movement = "static"
+    direction: CameraDirection | None = None
+    over: str | None = None
+    pov: str | None = None
+    axis: tuple[str, str] | None = None
+    whole_body: bool = False
+    """Somebody travels in it: it must not be tightened beyond the body."""
+    note: CameraNote | None = None
+    """The direction in the script that ordered it."""
+    on_stage: list[str] = field(default_factory=list)
+
+    @property
+    def explicit(self) -> bool:
+        """Whether the script ordered it."""
+        return self.note is not None
+
+    @property
+    def speech(self) -> bool:
+        """Whether it covers speech and nothing else."""
+        return bool(self.beats) and all(beat.unit.kind == "dialogue" for beat in self.beats)
+
+    def look_at(self, *ids: str | None) -> None:
+        """Add to the focus, each once."""
+        self.focus += [each for each in dict.fromkeys(ids) if each and each not in self.focus]

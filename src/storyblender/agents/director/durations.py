@@ -1,0 +1,58 @@
+"""How long the words of a script last on screen, in seconds."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from storyblender.agents.director.draft import ShotDraft
+
+WORDS_PER_SECOND: Final = 2.5
+SHORTEST: Final = 1.5
+LONGEST_ACTION: Final = 8.0
+ESTABLISHING: Final = 3.0
+"""An establishing shot stays at least this long: the eye needs it to read a place."""
+_PAUSE: Final = re.compile(r"\b(?:beat|pause|silence|long)\b", re.IGNORECASE)
+_UNSPACED: Final = re.compile(r"[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]")
+
+
+def word_count(text: str) -> int:
+    """Count words; scripts without spaces between words count two characters as one."""
+    unspaced = len(_UNSPACED.findall(text))
+    return len(re.findall(r"[^\W_]+(?:['’-][^\W_]+)*", _UNSPACED.sub(" ", text))) + (unspaced + 1) // 2
+
+
+def speech_seconds(text: str, parenthetical: str = "") -> float:
+    """Return how long a speech takes to say; ``(beat)`` adds a second."""
+    pause = 1.0 if _PAUSE.search(parenthetical) else 0.0
+    return max(SHORTEST, word_count(text) / WORDS_PER_SECOND + 0.4 + pause)
+
+
+def action_seconds(text: str) -> float:
+    """Return how long a sentence of action takes to play."""
+    return min(LONGEST_ACTION, max(SHORTEST, 0.2 * word_count(text) + 0.5))
+
+
+def shot_seconds(shot: ShotDraft, text: str) -> float:
+    """Return how long a shot lasts.
+
+    Args:
+        shot: Its beats; dual dialogue overlaps the speech before it.
+        text: The script the beats point into.
+    """
+    total = last = 0.0
+    for beat in shot.beats:
+        words = text[beat.start : beat.end]
+        if beat.unit.kind == "action":
+            last = action_seconds(words)
+        else:
+            previous, last = last, speech_seconds(words, beat.unit.parenthetical)
+            if beat.unit.dual:
+                total -= min(previous, last)
+        total += last
+    return max(total, ESTABLISHING if shot.kind == "establishing" else SHORTEST)
+
+
+def frames(seconds: float, fps: int) -> int:
+    """Round seconds to whole frames, at least one."""
+    return max(1, round(seconds * fps))

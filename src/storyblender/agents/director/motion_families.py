@@ -1,0 +1,30 @@
+"""Families of motions by what of the body must be seen (notes of the director, section 2)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+TRAVEL: Final = frozenset(
+    {"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "swim", "dance", "ride", "drive", "fall"}
+)  # fmt: skip
+"""The whole body must stay in frame."""
+WHOLE_BODY: Final = frozenset({
+    "sit", "stand_up", "lie_down", "kneel", "crouch", "bow", "fight", "hit", "kick", "push", "pull", "throw", "hug",
+    "work", "cook", "clean", "lean", "hide", "turn", "carry", "stand", "sleep", "wake", "play_music",
+})  # fmt: skip
+"""Hips and knees tell it."""
+HANDS: Final = frozenset({
+    "give", "take", "pick_up", "put_down", "hold", "open", "close", "press", "type", "write", "read", "phone", "pour",
+    "cut", "light", "knock", "touch", "shake_hands", "catch", "drop", "wear", "take_off", "aim", "shoot", "point",
+    "wave", "search",
+})  # fmt: skip
+"""Hands, and the faces above them."""
+FAST: Final = frozenset({"run", "ride", "drive"})
+"""The camera must travel along."""
+LOW: Final = frozenset({"fall", "lie_down", "crawl"})
+"""Seen from above."""
+POSES: Final = frozenset({"sit", "lie_down", "kneel", "crouch", "lean", "stand", "sleep"})
+"""Where a scene opens on one of these, it is a state, not a movement."""
+GETTING: Final = frozenset({"take", "pick_up", "catch"})
+"""A thing comes into the hand."""
+SPOKEN: Final = frozenset({"talk", "whisper", "shout", "sing"})

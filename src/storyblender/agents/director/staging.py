@@ -1,0 +1,116 @@
+"""Who is where in which posture with what in hand, at the start of every shot."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import takewhile
+
+from storyblender.agents.director.draft import ShotDraft
+from storyblender.agents.director.motion_families import GETTING, POSES, TRAVEL
+from storyblender.agents.director.reading import Deed, Unit
+from storyblender.memory.shot_context import BodyState
+from storyblender.memory.vocabulary import Posture
+
+
+@dataclass
+class _Body:
+    posture: Posture = "stand"
+    support: str | None = None
+    held: list[str] = field(default_factory=list)
+    looking_at: str | None = None
+
+
+class Staging:
+    """The bodies of one scene, carried from shot to shot.
+
+    Args:
+        units: The scene's units.
+        assets: Ids on the asset sheet; nothing else can support, be held or be looked at.
+    """
+
+    def __init__(self, units: Sequence[Unit], assets: Collection[str]) -> None:
+        self.assets = assets
+        self.bodies: dict[str, _Body] = {}
+        self.first: dict[str, Unit] = {}
+        for unit in units:
+            for person in unit.on_stage:
+                self.first.setdefault(person, unit)
+        self.opening = {person: unit for person, unit in self.first.items() if not _comes_in(person, unit)}
+
+    def already(self, deed: Deed, unit: Unit) -> bool:
+        """Whether a deed tells how somebody is found, e.g. ``Nora sits in a booth`` as a scene opens."""
+        if self.opening.get(deed.actor) is not unit:
+            return False
+        mine = [other for other in unit.deeds if other.actor == deed.actor]
+        posed = list(takewhile(lambda other: other.motion in POSES, mine))
+        return deed in posed
+
+    def states(self, draft: ShotDraft) -> tuple[BodyState, ...]:
+        """Return the bodies as the shot begins, then play its units."""
+        for person in draft.on_stage:
+            if person not in self.bodies:
+                self.bodies[person] = self._found(person)
+        states = tuple(self._state(person) for person in draft.on_stage)
+        for beat in draft.beats:
+            self._play(beat.unit)
+        return states
+
+    def _found(self, person: str) -> _Body:
+        """How a person is seen for the first time in the scene."""
+        unit = self.first.get(person)
+        if unit is None:
+            return _Body()
+        mine = [deed for deed in unit.deeds if deed.actor == person]
+        taken = {deed.prop for deed in mine if deed.motion in GETTING}
+        given = {deed.prop for deed in unit.deeds if deed.motion == "give" and deed.target == person}
+        held = [thing for thing in unit.held.get(person, []) if thing not in taken | given]
+        held += [deed.prop for deed in mine if deed.motion in ("give", "put_down", "drop", "throw") and deed.prop]
+        body = _Body(held=list(dict.fromkeys(held)))
+        if any(self.already(deed, unit) for deed in mine) or (not mine and person in unit.posture):
+            body.posture, body.support = unit.posture.get(person, ("stand", None))
+        return body
+
+    def _play(self, unit: Unit) -> None:
+        for person, (posture, support) in unit.posture.items():
+            body = self.bodies.setdefault(person, _Body())
+            body.posture, body.support = posture, support
+        for person in unit.on_stage:
+            self.bodies.setdefault(person, _Body()).held = list(unit.held.get(person, []))
+        for deed in unit.deeds:
+            body = self.bodies.setdefault(deed.actor, _Body())
+            if deed.motion in ("look", "read", "aim", "talk", "whisper", "shout", "listen"):
+                body.looking_at = deed.target or deed.prop
+            elif deed.motion in TRAVEL or deed.motion in ("turn", "look_around"):
+                body.looking_at = None
+        if unit.kind == "dialogue" and unit.speaker:
+            for person in unit.on_stage:
+                other = unit.to if person == unit.speaker else unit.speaker
+                self.bodies[person].looking_at = other if other != person else None
+
+    def _state(self, person: str) -> BodyState:
+        body = self.bodies[person]
+        return BodyState(
+            asset_id=person,
+            posture=body.posture,
+            support_id=self._known(body.support),
+            held=tuple(thing for thing in body.held if thing in self.assets),
+            looking_at=self._known(body.looking_at),
+        )
+
+    def _known(self, id_: str | None) -> str | None:
+        return id_ if id_ in self.assets else None
+
+
+def _comes_in(person: str, unit: Unit) -> bool:
+    """Whether a person's first unit brings them on stage, instead of finding them there."""
+    return person in unit.entering and any(deed.actor == person and deed.motion in TRAVEL for deed in unit.deeds)
+
+
+def entrances(units: Sequence[Unit]) -> Mapping[int, list[str]]:
+    """Return who comes in in which unit, by index: people who walk in after the scene has begun."""
+    return {
+        index: [person for person in unit.entering if _comes_in(person, unit)]
+        for index, unit in enumerate(units)
+        if index and unit.entering
+    }

@@ -1,0 +1,93 @@
+"""The Director's own sentences: what a shot shows, how the camera sees it, what a person does."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Final
+
+from storyblender.agents.director.draft import ShotDraft
+from storyblender.agents.director.reading import Deed, Unit
+from storyblender.memory.vocabulary import Mood, ShotSize
+
+_SIZES: Final[dict[ShotSize, str]] = {
+    "EWS": "extreme wide shot", "WS": "wide shot", "FS": "full shot", "MWS": "medium wide shot", "MS": "medium shot",
+    "MCU": "medium close-up", "CU": "close-up", "ECU": "extreme close-up",
+}  # fmt: skip
+_KINDS: Final = {"two_shot": "two-shot", "group": "group shot", "insert": "insert", "establishing": "establishing shot"}
+_MOODS: Final[dict[Mood, str]] = {
+    "happy": "happ|smil|grin|laugh|cheer|joy|delight|amus|beam|excited|proud|playful",
+    "sad": "sad|tear|cry|sob|weep|grie|mourn|broken|bitter|lonel|regret|heartbroken",
+    "angry": "angr|furious|rage|scowl|glare|frown|snarl|yell|shout|harsh|cold|snap|spit|hiss|annoy|irritat|stern",
+    "afraid": "afraid|fear|scare|terrif|panic|nervous|trembl|shak|anxious|worr|pale|alarm|frantic|horrif|startl",
+    "tender": "tender|gentl|soft|warm|kind|lov|quietly|whisper|sooth|affection",
+}
+_MOTION_WORDS: Final = {"idle": "is there", "talk": "speaks", "whisper": "whispers", "shout": "shouts", "sing": "sings"}
+
+
+def mood_of(words: str) -> Mood:
+    """Return the mood that a parenthetical or an expression names; tenderness only where nothing stronger is said."""
+    for mood, pattern in _MOODS.items():
+        if re.search(rf"\b(?:{pattern})", words.lower()):
+            return mood
+    return "neutral"
+
+
+def one_line(text: str) -> str:
+    """Return text without line breaks and doubled spaces."""
+    return " ".join(text.split())
+
+
+def listed(names: list[str]) -> str:
+    """Return names as a phrase: ``Rick, Ilsa and Sam``."""
+    return names[0] if len(names) == 1 else " and ".join([", ".join(names[:-1]), names[-1]]) if names else ""
+
+
+def camera_sentence(draft: ShotDraft, names: Mapping[str, str], place: str) -> str:
+    """Return one sentence for the camera, e.g. ``A static medium close-up of Ilsa over Rick's shoulder, eye-level.``"""
+    size, kind = _SIZES[draft.size], _KINDS.get(draft.kind, "")
+    form = (
+        f"{size}, {kind}," if kind in ("insert", "establishing shot") else size.replace("shot", kind) if kind else size
+    )
+    form = form if not kind or kind in form else f"{size} {kind}"
+    movement = {"static": "static", "push in": "slow push in,"}.get(draft.movement, f"{draft.movement},")
+    shown = listed([names.get(each, each) for each in draft.focus]) or place or "the place"
+    sentence = f"{'An' if movement[0] in 'aeiou' else 'A'} {movement} {form} of {shown}".replace(", of", " of")
+    if draft.over:
+        sentence += f" over {names.get(draft.over, draft.over)}'s shoulder"
+    if draft.pov:
+        sentence += f" as {names.get(draft.pov, draft.pov)} sees it"
+    sentence += f", {draft.angle}" + (f", moving {draft.direction}" if draft.direction else "")
+    ordered = f" (script: {one_line(draft.note.phrase)})" if draft.note and draft.note.phrase else ""
+    return sentence + ordered + "."
+
+
+def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: str) -> str:
+    """Return what happens in a shot: the action as written, and who speaks with the first words."""
+    parts: list[str] = []
+    for beat in draft.beats:
+        words = one_line(text[beat.start : beat.end])
+        if beat.unit.kind == "action":
+            parts.append(words if words.endswith((".", "!", "?", "…", '"', "”")) else words + ".")
+            continue
+        speaker = names.get(beat.unit.speaker or "", "") or beat.unit.speaker_name.title() or "A voice"
+        to = f" to {names[beat.unit.to]}" if beat.unit.to and beat.unit.to in names else ""
+        shown = words.split()
+        quote = words if len(shown) <= 14 else " ".join(shown[:12]) + " …"
+        parts.append(f"{speaker}{to}: “{quote}”")
+    if parts:
+        return " ".join(parts)
+    shown_names = listed([names.get(each, each) for each in draft.focus])
+    if draft.kind == "establishing":
+        return f"{place or 'The place'}, before anybody speaks."
+    return f"{'We see' if draft.kind == 'insert' else 'On'} {shown_names or place}."
+
+
+def deed_words(deed: Deed, unit: Unit, text: str) -> str:
+    """Return what a person does in the script's own words, from the verb to the next deed."""
+    if unit.kind == "dialogue" or not unit.start <= deed.at < unit.end:
+        return _MOTION_WORDS.get(deed.motion, deed.motion.replace("_", " "))
+    later = [other.at for other in unit.deeds if deed.at < other.at < unit.end]
+    words = one_line(text[deed.at : min(later, default=unit.end)])
+    words = re.sub(r"[\s,;.!?:–—-]+$", "", re.sub(r"(?:,|\b(?:and|then|while|as|but))\s*$", "", words.rstrip(" .,;")))
+    return words or deed.verb or deed.motion.replace("_", " ")
