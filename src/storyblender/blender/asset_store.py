@@ -84,7 +84,11 @@ class AssetStore:
         objects = self._append(digest)
         armature = next(obj for obj in objects if obj.type == "ARMATURE")
         meshes = [obj for obj in objects if obj.type == "MESH"]
-        return CastMember(armature, meshes, Body.load(self._folder / f"{digest}.npz"))
+        return CastMember(armature, meshes, self.body(digest))
+
+    def body(self, digest: str) -> Body:
+        """Return a person's measures for the motion solver."""
+        return Body.load(self._folder / f"{digest}.npz")
 
     def _append(self, digest: str) -> list[bpy.types.Object]:
         path = self._folder / f"{digest}.blend"

@@ -21,7 +21,7 @@ from storyblender.memory.jobs import (
     SceneJob,
     StoryJob,
 )
-from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
+from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
 
 Result = TypeVar("Result")
 
@@ -62,6 +62,11 @@ def make_server(session: Session, main_thread: MainThread) -> FastMCP:
     async def look(pack: PackRef, requests: list[ViewRequest], aspect: float) -> list[CameraView]:
         """Look through the viewfinder: ID masks turned into numbers."""
         return await on_main(lambda: session.look(pack, requests, aspect))
+
+    @server.tool
+    async def find_collisions(pack: PackRef) -> list[Collision]:
+        """Find people inside furniture, in every shot of a pack."""
+        return await on_main(lambda: session.find_collisions(pack))
 
     @server.tool
     async def render_frame(job: FrameJob) -> FrameReport:

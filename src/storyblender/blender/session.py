@@ -11,6 +11,7 @@ import bpy
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.cameras import make_camera
 from storyblender.blender.export import export_scene
+from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.measure.view import WIDTH, Sighting, look
 from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
@@ -22,7 +23,7 @@ from storyblender.blender.sets.world import set_world
 from storyblender.blender.story import compile_story
 from storyblender.errors import InputError
 from storyblender.geometry.framing import Figure
-from storyblender.memory.base import scene_name
+from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
     AssetJob,
@@ -34,7 +35,7 @@ from storyblender.memory.jobs import (
     SceneJob,
     StoryJob,
 )
-from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
+from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
 
 GROWN_HEAD = 0.235
 """Metres from crown to chin that count as scale 1."""
@@ -82,6 +83,21 @@ class Session:
         """Return everybody's faces at frames of the scene's timeline."""
         scene = self._open_pack(pack)
         return [list(figures(scene, frame)) for frame in frames]
+
+    def find_collisions(self, pack: PackRef) -> list[Collision]:
+        """Find people inside furniture, in every shot of a pack."""
+        scene = self._open_pack(pack)
+        bodies = {
+            str(obj["asset_id"]): self._store.body(str(obj.data["digest"]))
+            for obj in scene.objects
+            if obj.type == "ARMATURE"
+        }
+        ends = [start for _, start in pack.starts[1:]] + [scene.frame_end + 1]
+        frames = {
+            shot_name(pack.scene_id, shot_id): range(start, end)
+            for (shot_id, start), end in zip(pack.starts, ends, strict=True)
+        }
+        return find_collisions(scene, bodies, frames)
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
         """Look through the viewfinder."""

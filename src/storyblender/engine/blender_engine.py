@@ -13,9 +13,10 @@ from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import Worker, blender_command
 from storyblender.geometry.framing import Figure
 from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
-from storyblender.memory.measure import AssetMeasure, CameraView, ViewRequest
+from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
 
 _FIGURES = TypeAdapter(list[list[Figure]])
+_COLLISIONS = TypeAdapter(list[Collision])
 _VIEWS = TypeAdapter(list[CameraView])
 
 
@@ -64,6 +65,12 @@ class BlenderEngine:
         """Look through the viewfinder."""
         arguments = {"pack": _plain(pack), "requests": [_plain(request) for request in requests], "aspect": aspect}
         return self._pool.submit("look", arguments, _VIEWS.validate_python, affinity=f"scene{pack.scene_id}")
+
+    def find_collisions(self, pack: PackRef) -> Future[list[Collision]]:
+        """Find people inside furniture, in every shot of a pack."""
+        return self._pool.submit(
+            "find_collisions", {"pack": _plain(pack)}, _COLLISIONS.validate_python, affinity=f"scene{pack.scene_id}"
+        )
 
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
         """Render the board frame of one shot."""

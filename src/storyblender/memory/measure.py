@@ -71,3 +71,15 @@ class ViewRequest(Frozen):
     hidden_node_ids: tuple[Identifier, ...] = ()
     focus_ids: tuple[str, ...] = ()
     """node_ids the shot is about."""
+
+
+class Collision(Frozen):
+    """A person inside a thing."""
+
+    shot: str
+    frame: int
+    """From the start of the shot."""
+    asset_id: str
+    node_id: str
+    depth: float
+    """Metres of the deepest point of the skin."""

@@ -5,6 +5,7 @@ A look costs one flat Workbench picture of 320 pixels' width. Colours are node i
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
@@ -76,8 +77,8 @@ def look(
 ) -> list[CameraView]:
     """Return what each camera sees, in order; the file is as it was afterwards.
 
-    Looks of one frame with the same hidden nodes share their set-up, so order them that way. The frame's aspect is
-    width / height. A scene with the custom property ``open_sky`` shows sky above the horizon where it shows nothing.
+    Looks of one frame share their set-up, so order them by frame. The frame's aspect is width / height. A scene with
+    the custom property ``open_sky`` shows sky above the horizon where it shows nothing.
     """
     results: list[CameraView] = []
     with (
@@ -85,25 +86,12 @@ def look(
         flat_workbench(scene),
         changed(scene.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
     ):
-        batch: list[Sighting] = []
-        for sighting in sightings:
-            if batch and (sighting.frame, sighting.hidden) != (batch[0].frame, batch[0].hidden):
-                results += _look_at_once(scene, camera, batch, width, height)
-                batch = []
-            batch.append(sighting)
-        if batch:
-            results += _look_at_once(scene, camera, batch, width, height)
+        for frame, batch in itertools.groupby(sightings, key=lambda sighting: sighting.frame):
+            with RenderSession(scene, camera, frame) as session:
+                stage = _Stage(session)
+                with _numbered(stage.objects, stage.numbers):
+                    results += [stage.see(sighting, width, height) for sighting in batch]
     return results
-
-
-def _look_at_once(
-    scene: bpy.types.Scene, camera: bpy.types.Object, batch: Sequence[Sighting], width: int, height: int
-) -> list[CameraView]:
-    """Take the looks of one frame with the same hidden nodes."""
-    with RenderSession(scene, camera, batch[0].frame, batch[0].hidden) as session:
-        stage = _Stage(session, frozenset(node for sighting in batch for node in sighting.focus_ids))
-        with _numbered(stage.objects, stage.numbers):
-            return [stage.see(sighting, width, height) for sighting in batch]
 
 
 @contextmanager
@@ -122,21 +110,23 @@ def _node_id(obj: bpy.types.Object) -> str:
 
 
 class _Stage:
-    """What is drawn at one frame: objects, their sample points, faces. Shared by all looks of a batch."""
+    """What is drawn at one frame: objects, their sample points, faces. Shared by all looks of that frame."""
 
-    def __init__(self, session: RenderSession, focus: frozenset[str]) -> None:
+    def __init__(self, session: RenderSession) -> None:
         self.session = session
         self.objects = session.visible_objects()
         nodes = dict.fromkeys(_node_id(obj) for obj in self.objects)
         self.numbers = {node: number for number, node in enumerate(nodes, 1)}
         self.depsgraph = session.scene.view_layers[0].depsgraph
         self.faces = {figure.node_id: figure for figure in figures(session.scene) if figure.node_id in nodes}
-        wanted = [node for node in nodes if node in self.faces or node in focus]
-        self.points = {node: self._sample(node) for node in wanted}
+        self._points: dict[str, Floats] = {}
 
-    def _sample(self, node_id: str) -> Floats:
-        clouds = [self._vertices(obj) for obj in self.objects if _node_id(obj) == node_id]
-        return np.concatenate(clouds) if clouds else np.zeros((0, 3))
+    def points(self, node_id: str) -> Floats:
+        """Return (n, 3) sample points of a node, sampled at the first asking."""
+        if node_id not in self._points:
+            clouds = [self._vertices(obj) for obj in self.objects if _node_id(obj) == node_id]
+            self._points[node_id] = np.concatenate(clouds) if clouds else np.zeros((0, 3))
+        return self._points[node_id]
 
     def _vertices(self, obj: bpy.types.Object) -> Floats:
         evaluated = obj.evaluated_get(self.depsgraph)
@@ -156,18 +146,24 @@ class _Stage:
         camera = self.session.camera
         camera.data.lens, camera.data.sensor_width = pose.lens, sighting.sensor_width
         camera.matrix_world = Matrix(orbit.world.tolist())
-        channels = self.session.exr(width, height, depth=True)
+        hidden = [obj for obj in self.objects if _node_id(obj) in sighting.hidden]
+        with ExitStack() as stack:
+            for obj in hidden:
+                stack.enter_context(changed(obj, {"hide_render": True}))
+            channels = self.session.exr(width, height, depth=True)
         red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
         ids, depth = red + 256 * green, channels["Depth.Z"]
         sky = self._sky(ids, blue, orbit)
-        subjects = tuple(self._subject(node, orbit, ids) for node in self.points)
+        wanted = dict.fromkeys((*self.faces, *sighting.focus_ids))
+        shown = [node for node in wanted if node in self.numbers and node not in sighting.hidden]
+        subjects = tuple(self._subject(node, orbit, ids) for node in shown)
         return CameraView(
             subjects=subjects,
             void=float(((ids == 0) & ~sky).mean()),
             sky=float(sky.mean()),
             foreground=self._foreground(sighting, orbit, ids, depth),
             nearest=float(depth[ids > 0].min()) if (ids > 0).any() else 1e9,
-            inside=self._inside(orbit.position),
+            inside=self._inside(orbit.position, sighting.hidden),
             below_floor=float(orbit.position[2]) < _FLOOR,
         )
 
@@ -183,7 +179,7 @@ class _Stage:
         return sky
 
     def _foreground(self, sighting: Sighting, orbit: Orbit, ids: Ints, depth: NDArray[np.float32]) -> float:
-        clouds = [self.points[node] for node in sighting.focus_ids if len(self.points.get(node, ()))]
+        clouds = [cloud for node in sighting.focus_ids if len(cloud := self.points(node))]
         away = orbit.distance
         if clouds:
             away = min(float(np.median(project(orbit, cloud)[1])) for cloud in clouds)
@@ -202,7 +198,7 @@ class _Stage:
                 float((columns.max() + 1) / width),
                 float((rows.max() + 1) / height),
             )
-        screen, depth = project(orbit, self.points[node_id])
+        screen, depth = project(orbit, self.points(node_id))
         inside = ((screen > 0) & (screen < 1)).all(1) & (depth > 0)
         seen = inside & _hit(screen, mine)
         count = max(len(screen), 1)
@@ -215,12 +211,12 @@ class _Stage:
         )
         return _with_face(subject, self.faces[node_id], orbit, mine) if node_id in self.faces else subject
 
-    def _inside(self, position: Floats) -> tuple[str, ...]:
+    def _inside(self, position: Floats, hidden: Sequence[str]) -> tuple[str, ...]:
         """Return the solids the camera is in, or too close to."""
         point = Vector(position.tolist())
         found: dict[str, None] = {}
         for obj in self.objects:
-            if obj.get("surface") == int(Surface.CARD) or obj.type != "MESH":
+            if obj.get("surface") == int(Surface.CARD) or obj.type != "MESH" or _node_id(obj) in hidden:
                 continue
             evaluated = obj.evaluated_get(self.depsgraph)
             local = evaluated.matrix_world.inverted_safe() @ point

@@ -176,7 +176,9 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
     return target
 
 
-def gripping(who: Performer, side: str, prop: PropPuppet, grip: Grip, opening: float = 1.0, lift: float = 0.0) -> TargetOf:
+def gripping(
+    who: Performer, side: str, prop: PropPuppet, grip: Grip, opening: float = 1.0, lift: float = 0.0
+) -> TargetOf:
     """Where the hand holds a prop that moves by itself or in another hand; fingers opened, palm lifted by metres."""
 
     def target(t: float) -> Floats:

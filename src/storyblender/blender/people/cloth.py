@@ -49,7 +49,8 @@ def one(piece: Piece, sheet: Sheet) -> list[Bolt]:
 def cover_top(cut: Top, figure: Figure, sheet: Sheet) -> Floats:
     """Return the field of a top."""
     field = np.minimum(figure.inside_sleeve(sheet, cut.sleeve), figure.above(sheet, figure.height(cut.hem)))
-    field = np.minimum(field, figure.below_neck(sheet, cut.neck))
+    # The throat stays: a collar stands off it, and one looks down into it.
+    field = np.minimum(field, figure.below_neck(sheet, cut.neck - 0.02))
     return np.minimum(field, figure.beside_opening(sheet, cut.opening)) if cut.opening else field
 
 
@@ -91,7 +92,9 @@ def build_lapel(cut: Lapel, figure: Figure, under: Under) -> list[Bolt]:
         lambda s: figure.below_neck(s, 0.03),
         lambda s: figure.above(s, bottom),
         lambda s: np.where(figure.is_front(s), figure.beside_opening(s, opening), -FAR),
-        lambda s: _lapel_width(s, figure, cut, bottom, top) - figure.beside_opening(s, opening),
+        lambda s: np.where(
+            figure.is_front(s), _lapel_width(s, figure, cut, bottom, top) - figure.beside_opening(s, opening), -FAR
+        ),
     ):
         sheet = clip(sheet, field(sheet))
     sheet = sheet.moved(sheet.points + normals(sheet) * cut.ease * k)
@@ -181,7 +184,7 @@ def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
     points = sheet.points.copy()
     points[:, 0] *= grow
     points[:, 1] = middle + (points[:, 1] - middle) * grow
-    sheet = under.push_out(sheet.moved(points), 0.005 * figure.k)
+    sheet = under.push_out(sheet.moved(points), 0.012 * figure.k)
     if cut.opening:
         front = sheet.skin[:, 1] < middle
         sheet = clip(sheet, np.where(front, np.abs(sheet.skin[:, 0]) - cut.opening * figure.k, FAR))

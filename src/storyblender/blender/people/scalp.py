@@ -78,7 +78,7 @@ class Scalp:
         full = spec.side * (1 - high) + spec.top * high
         if self.hatted:
             full = full * (1 - 0.85 * np.clip((base[:, 1] - 7.3) / 0.3, 0, 1))
-        grown = np.clip(above_hairline(base, spec, self.masculine) / 0.30, 0, 1) ** 0.6
+        grown = np.clip(above_hairline(base, spec, self.masculine) / 0.22, 0, 1) ** 0.6
         return (0.0015 + full * grown) * self.figure.head_scale
 
     def cap(self) -> Sheet:
@@ -117,6 +117,7 @@ class Scalp:
         high = float(np.clip((direction[2] + 0.1) / 0.9, 0, 1))
         full = self.spec.side * (1 - high) + self.spec.top * high
         if self.hatted:
-            full *= 1 - 0.85 * high
+            full *= 1 - 0.9 * float(np.clip((direction[2] + 0.05) / 0.3, 0, 1))
+            lift = min(lift, 0.0)
         thick = 0.0015 + full * float(np.clip((grown + 0.12) / 0.4, 0.25, 1)) ** 0.6
         return point + direction * (thick * self.figure.head_scale + lift), grown

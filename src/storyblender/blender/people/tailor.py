@@ -51,6 +51,9 @@ COVERS: dict[type, Cover] = {
 }
 """Pieces that hide what is below them."""
 
+SOLID = {*COVERS, cuts.Band, cuts.Bib, cuts.Lapel}
+"""Pieces that later ones are pushed off; the others are too small or stand off by themselves."""
+
 
 @dataclass
 class Worn:
@@ -79,7 +82,7 @@ def dress(figure: Figure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
         for piece in spec.pieces:
             bolts = BUILDERS[type(piece)](piece, figure, under)
             worn.bolts += bolts
-            if type(piece) in COVERS:
+            if type(piece) in SOLID:
                 for bolt in bolts:
                     under.add(bolt.sheet)
         wardrobe.append(worn)

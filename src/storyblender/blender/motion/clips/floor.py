@@ -125,7 +125,9 @@ def _lie_on_floor(stage: Stage, who: Performer, beat: Beat) -> float:
     return recline(stage, who, t, who.position - toward * tall, toward, 0.0)
 
 
-def recline(stage: Stage, who: Performer, t: float, head: Vector, feet: Vector, height: float, rise: float = 8) -> float:
+def recline(
+    stage: Stage, who: Performer, t: float, head: Vector, feet: Vector, height: float, rise: float = 8
+) -> float:
     """Swing the legs up and lower the back; return the end.
 
     Args:
@@ -189,7 +191,9 @@ def _propping(who: Performer, side: str, height: float) -> TargetOf:
         spot = who.to_world(Vector((s * 0.26 * k, 0.22 * k + who.m.hip_y, 0)))
         spot.z = height + 0.03
         turn = who.facing
-        return hand(spot, turn @ Vector((s * 0.4, 0.8, 0)), Vector((0, 0, -1)), turn @ Vector((s * 0.6, 1, 0.2)), (4, 4, 0))
+        return hand(
+            spot, turn @ Vector((s * 0.4, 0.8, 0)), Vector((0, 0, -1)), turn @ Vector((s * 0.6, 1, 0.2)), (4, 4, 0)
+        )
 
     return target
 
@@ -340,7 +344,11 @@ def _lean_on(stage: Stage, who: Performer, t: float, height: float, edge: float,
             palm = who.to_world(Vector((s * inward, -ahead, top - 0.012 * k)))
             turn = who.facing
             return hand(
-                palm, turn @ Vector((-s * 0.85, -0.35, 0)), Vector((0, 0, -1)), turn @ Vector((s, 0.25, -0.35)), (14, 20, 0)
+                palm,
+                turn @ Vector((-s * 0.85, -0.35, 0)),
+                Vector((0, 0, -1)),
+                turn @ Vector((s, 0.25, -0.35)),
+                (14, 20, 0),
             )
 
         who.home[each] = target
@@ -378,7 +386,9 @@ def climb(stage: Stage, who: Performer, beat: Beat) -> float:
     while t < end - pulse:
         side = SIDES[index % 2]
         for each, high in ((side, 0.75), (other(side), 0.15)):
-            rung = upright(who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25))
+            rung = upright(
+                who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25)
+            )
             who.hands[each].set(t, 0.9 * pulse, rung)
         foot = other(side)
         lifted = who.plant(foot, *(who.position + who.forward * 0.12 * k), who.yaw)
@@ -405,4 +415,3 @@ def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
     who.hips.set(end, 0.8, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(end, 0.8, (0, 0, 0))
     return end + 0.8
-

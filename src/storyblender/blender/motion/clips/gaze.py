@@ -152,4 +152,3 @@ def _aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
         return Vector((x + 5 * math.sin(turned), y - 5 * math.cos(turned), who.m.eye_height * height))
 
     return point
-

@@ -47,7 +47,9 @@ def wave(stage: Stage, who: Performer, beat: Beat) -> float:
     look_at_subject(stage, who, t, beat)
     mood(who, t, "happy" if beat.mood == "neutral" else beat.mood)
     raised = [
-        by_chest(who, side, (0.45 + out, 0.30, 0.50), (lean, 0.15, 1), (-0.1, 1, 0), pole=(0.8, -0.1, -0.8), curl=(3, 4, 0))
+        by_chest(
+            who, side, (0.45 + out, 0.30, 0.50), (lean, 0.15, 1), (-0.1, 1, 0), pole=(0.8, -0.1, -0.8), curl=(3, 4, 0)
+        )
         for out, lean in ((-0.10, -0.35), (0.14, 0.45))
     ]
     who.hands[side].set(t, 0.45, raised[1])
@@ -69,7 +71,13 @@ def shrug(stage: Stage, who: Performer, beat: Beat) -> float:
     for side in SIDES:
         if side not in who.held:
             shown = by_chest(
-                who, side, (0.42, 0.42, -0.40), (0.65, 0.75, 0.1), (-0.1, 0.1, 1), pole=(0.7, -0.4, -0.7), curl=(8, 12, 0)
+                who,
+                side,
+                (0.42, 0.42, -0.40),
+                (0.65, 0.75, 0.1),
+                (-0.1, 0.1, 1),
+                pole=(0.7, -0.4, -0.7),
+                curl=(8, 12, 0),
             )
             who.hands[side].set(t, 0.4, shown)
             who.hands[side].set(t + 0.95, 0.6, who.home[side])
@@ -86,7 +94,13 @@ def salute(stage: Stage, who: Performer, beat: Beat) -> float:
     t, side = beat.start, beat.side
     look_at_subject(stage, who, t, beat)
     temple = by_head(
-        who, side, (0.085, 0.055, 0.035), (-0.75, 0.25, 0.55), (-0.35, 0.45, -0.8), pole=(1, 0.15, -0.25), curl=(2, 3, 0)
+        who,
+        side,
+        (0.085, 0.055, 0.035),
+        (-0.75, 0.25, 0.55),
+        (-0.35, 0.45, -0.8),
+        pole=(1, 0.15, -0.25),
+        curl=(2, 3, 0),
     )
     who.hands[side].set(t, 0.4, temple)
     who.accent.set(t, 0.4, (-3, 0, 0))

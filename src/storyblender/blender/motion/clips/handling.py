@@ -8,13 +8,14 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel, Floats, TargetOf
-from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, mood
-from storyblender.blender.motion.clips.locomotion import face, step_to, travel
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
+from storyblender.blender.motion.clips.locomotion import face, travel
 from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import by_chest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
 from storyblender.blender.motion.puppets import PropPuppet, carried, gripping, standing
-from storyblender.blender.motion.skeleton import SIDES, UP, about, other, sign
+from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import PADDING, Beat, Stage
 from storyblender.geometry.paths import clearance
 

@@ -220,5 +220,3 @@ def _here(who: Performer) -> Mark:
 
 def _forward(yaw: float) -> Vector:
     return Vector((math.sin(yaw), -math.cos(yaw)))
-
-

@@ -128,7 +128,12 @@ def _gesture(
         who.hands[side].set(t + 0.5 * period, 0.13, struck, ease=ease_out)
         return
     ready = by_chest(
-        who, side, (-0.02 + out, 0.50, -0.42 + raised), (-0.3, 0.9, 0.25 + raised), (-0.55, -0.1, 0.85), curl=(10, 18, 0)
+        who,
+        side,
+        (-0.02 + out, 0.50, -0.42 + raised),
+        (-0.3, 0.9, 0.25 + raised),
+        (-0.55, -0.1, 0.85),
+        curl=(10, 18, 0),
     )
     shown = by_chest(
         who, side, (0.06 + out, 0.56, -0.50 + 0.5 * raised), (-0.15, 1, 0), (-0.45, -0.1, 0.9), curl=(14, 22, 0)
@@ -168,7 +173,13 @@ def cry(stage: Stage, who: Performer, beat: Beat) -> float:
     free = [side for side in SIDES if side not in who.held]
     for side in free:
         face = by_head(
-            who, side, (-0.012, 0.115, -0.045), (-0.35, 0.15, 0.9), (-0.15, -1, 0), pole=(0.45, 0.3, -1), curl=(10, 14, 0)
+            who,
+            side,
+            (-0.012, 0.115, -0.045),
+            (-0.35, 0.15, 0.9),
+            (-0.15, -1, 0),
+            pole=(0.45, 0.3, -1),
+            curl=(10, 14, 0),
         )
         who.hands[side].set(t + 0.1, 0.8, face)
     tremble = t + 0.9

@@ -63,7 +63,15 @@ def _on_box(who: Performer, world: Matrix, subject: StageFurniture) -> Vector:
 
 
 def busy(
-    who: Performer, side: str, t: float, end: float, place: Vector, move: Offset, *, palm: Vector, curl: tuple[float, float, float]
+    who: Performer,
+    side: str,
+    t: float,
+    end: float,
+    place: Vector,
+    move: Offset,
+    *,
+    palm: Vector,
+    curl: tuple[float, float, float],
 ) -> None:
     """Keep a hand at a place with a movement on top, then bring it home."""
 
@@ -258,7 +266,9 @@ def play_piano(stage: Stage, who: Performer, beat: Beat) -> float:
     return _over_keys(stage, who, beat, 2.2, 0.10, 0.03)
 
 
-def _labour(stage: Stage, who: Performer, beat: Beat, move: Callable[[float, str], Vector], sides: str, bend: float) -> float:
+def _labour(
+    stage: Stage, who: Performer, beat: Beat, move: Callable[[float, str], Vector], sides: str, bend: float
+) -> float:
     """Hands at work on a surface or a thing, for the duration."""
     place, surface = handle_of(stage, who, beat)
     t = approach(stage, who, beat, place, 0.95 * who.m.arm)
@@ -309,7 +319,9 @@ def search(stage: Stage, who: Performer, beat: Beat) -> float:
 
     def rummage(u: float, side: str) -> Vector:
         phase = 0.0 if side == "L" else 1.9
-        return Vector((0.08 * math.sin(3.1 * u + phase), 0.07 * math.sin(2.3 * u + 2 * phase), 0.04 * math.sin(4 * u) ** 2))
+        return Vector(
+            (0.08 * math.sin(3.1 * u + phase), 0.07 * math.sin(2.3 * u + 2 * phase), 0.04 * math.sin(4 * u) ** 2)
+        )
 
     return _labour(stage, who, beat, rummage, "LR", 10)
 
@@ -319,7 +331,9 @@ def pour(stage: Stage, who: Performer, beat: Beat) -> float:
     """Tilt what is held over a place before one, and right it again."""
     t, side, k = beat.start, beat.side, who.m.k
     held = stage.props.get(who.held.get(side, ""))
-    raised: TargetOf = by_chest(who, side, (-0.25, 0.62, -0.30), (-0.9, 0.5, -0.1), (-0.2, 0.4, -0.9), curl=(50, 55, 25))
+    raised: TargetOf = by_chest(
+        who, side, (-0.25, 0.62, -0.30), (-0.9, 0.5, -0.1), (-0.2, 0.4, -0.9), curl=(50, 55, 25)
+    )
     if held is not None:
         grip = held.grip(side)
 
