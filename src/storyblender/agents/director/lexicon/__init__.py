@@ -9,7 +9,7 @@ from __future__ import annotations
 from importlib.resources import files
 from typing import Literal, NamedTuple, cast
 
-from storyblender.memory.vocabulary import Gender, RelationKind, TimeOfDay, Weather
+from storyblender.memory.vocabulary import Gender, Mood, RelationKind, TimeOfDay, Weather
 
 NounClass = Literal["abstract", "body", "set_piece", "prop", "worn", "scenery", "unknown"]
 
@@ -95,6 +95,18 @@ PORTABLE = frozenset(_nouns["portable"])
 CARRIERS = frozenset(_nouns["carrier"])
 """First words of a compound that name a kind of the second: ``coffee cup``, ``birthday card``."""
 MEASURES, LIQUIDS, WEATHER_NOUNS = (frozenset(_nouns[key]) for key in ("measure", "liquid", "weather"))
+OPENABLE = frozenset(_nouns["openable"])
+SUITING: dict[str, frozenset[str]] = {
+    verb: frozenset(_nouns[kind])
+    for kind, verbs in (
+        ("openable", ("open", "close", "shut", "lock", "unlock", "slam")),
+        ("readable", ("read", "sign", "unfold")),
+        ("drinkable", ("drink", "sip", "drain", "gulp")),
+        ("callable", ("answer",)),
+    )
+    for verb in verbs
+}
+"""Verb -> nouns that ``it`` rather means as its object."""
 PLURAL_ONLY, IRREGULAR_PLURALS = frozenset(_nouns["plural_only"]), _pairs(_nouns["irregular_plural"])
 SOUNDS = _pairs(_nouns["sound"])
 """Word for a noise -> name of the sound effect."""
@@ -128,6 +140,8 @@ RELATION_OF_PREPOSITION: dict[str, str] = _inverse(_read("relations.tsv"))
 TIME_WORDS = cast(dict[str, TimeOfDay], _pairs(_time["time"]))
 WEATHER_WORDS = cast(dict[str, Weather], _pairs(_time["weather"]))
 
+MOOD_OF_WORD = _inverse(_read("moods.tsv"))
+
 # -- function words ----------------------------------------------------------------------------------------------
 PRONOUNS = _pairs(_function["pronoun"])
 """Pronoun -> ``male``, ``female``, ``plural`` or ``thing``."""
@@ -139,6 +153,14 @@ COMPOUND_PREPOSITIONS = tuple(tuple(phrase.split("_")) for phrase in _function["
 ADVERBS = frozenset(_function["adverb"])
 NOT_PEOPLE = frozenset(_function["caps"])
 """Words in capitals that are never people: noises, title cards, transitions."""
+
+
+def mood_of(text: str) -> Mood:
+    """The first mood a text names; neutral where it names none."""
+    for word in text.lower().replace(",", " ").replace(".", " ").split():
+        if word in MOOD_OF_WORD:
+            return cast(Mood, MOOD_OF_WORD[word])
+    return "neutral"
 
 
 def noun_class(key: str) -> NounClass:

@@ -19,6 +19,10 @@ _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _SPOKEN = frozenset({"call", "shout", "yell"})
 _WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
+_RECENT = 7
+"""Things ``it`` can mean."""
+_ADJECTIVES = 4
+"""Words before a garment that may describe it."""
 _USING = frozenset({"on", "with", "into", "at", "through"})
 
 
@@ -49,16 +53,25 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
 
 def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
     """Every noun that names a thing is seen; in capitals it is shown."""
-    for phrase in phrases:
+    for index, phrase in enumerate(phrases):
         noun = phrase.noun
         if noun is None or noun.kind != "thing" or lexicon.noun_class(noun.key) == "abstract":
             continue
         word = stage.sentence.words[noun.index]
+        if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
+            _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
         thing = stage.inventory.id_of(noun.key, word.start)
         loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
         stage.inventory.seen(thing, "shown" if loud else "seen")
+        stage.discourse.recent_things = [thing, *stage.discourse.recent_things[:_RECENT]]
         if stage.inventory.class_of(thing) in _OBJECTLIKE and thing not in stage.unit.things:
             stage.unit.things.append(thing)
+
+
+def _notice_weather(stage: Stage, word: str, left: Phrase | None) -> None:
+    """Rain hammers the windows; somebody walks through the fog. ``like thunder`` is no weather."""
+    if left is None or left.kind in ("mark", "link") or left.text in ("in", "through", "into", "under", "of"):
+        stage.place.weather = lexicon.WEATHER_WORDS[word]
 
 
 def _name_people(stage: Stage) -> None:
@@ -86,6 +99,7 @@ def _name_thing(stage: Stage, phrases: list[Phrase]) -> None:
 
 
 def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bool) -> None:
+    stage.sentence.verb = clause.verb
     roles = resolve_subject(stage, clause, previous)
     if len(roles.subjects) > 1:
         discourse = stage.discourse
@@ -94,6 +108,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if roles.subjects and (clause.main or not stage.sentence.subjects):
         stage.sentence.subjects = roles.subjects
     resolve_objects(stage, clause, roles, previous)
+    _dress(stage, roles)
     states.changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return
@@ -106,6 +121,20 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if roles.subjects and motion:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
         entrances.leave(stage, clause, roles, motion)
+
+
+def _dress(stage: Stage, roles: Roles) -> None:
+    """``A woman in a grey suit``: what she wears is no place."""
+    for place in [place for place in roles.places if place.preposition == "in" and place.things]:
+        if all(stage.inventory.class_of(thing) == "worn" for thing in place.things):
+            roles.places.remove(place)
+            for person in roles.subjects:
+                if not person.outfit:
+                    words = stage.sentence.words
+                    start = max(0, place.nouns[0].index - _ADJECTIVES)
+                    described = [w.text for w in words[start : place.nouns[0].index + 1] if w.text.islower()]
+                    cut = max((i for i, w in enumerate(described) if w in lexicon.PREPOSITIONS), default=-1)
+                    person.outfit = (" ".join(described[cut + 1 :]),)
 
 
 def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
@@ -162,9 +191,8 @@ def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
     inventory, discourse = stage.inventory, stage.discourse
     if stage.sentence.plural_thing:
         discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
-    if roles.things:
-        things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
-    else:
+    things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
+    if not things:
         things = [thing for thing in roles.subject_things if inventory.class_of(thing) in _OBJECTLIKE]
         solid = ("set_piece", "prop")
         if not things and motion not in _TRAVEL:

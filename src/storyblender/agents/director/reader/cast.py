@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.roster import Roster, bare
+from storyblender.agents.director.reading import Person
 
 _RUN = re.compile(
     r"(?<![A-Za-z])(?:THE |A |AN |TWO |THREE |FOUR |FIVE |SIX )?"
@@ -26,6 +27,13 @@ _ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
 _COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
 _INTRODUCED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |in h)")
 _LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])", re.DOTALL)
+_SOME = 3
+"""Members of a group whose number is not told."""
+_SOMEBODY = re.compile(r"\b[Aa]n? ((?:[a-z-]+,? ){0,3}?)([a-z]+)\b")
+_NAMING = re.compile(
+    r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)"
+    r"(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)\s+([A-ZÀ-Ý][\w’'-]*(?: [A-ZÀ-Ý][\w’'-]*)*)"
+)
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
 
@@ -63,6 +71,9 @@ def find_cast(script: Manuscript) -> Roster:
     speaking = {bare(cue) for cue in cues}
     for person in roster.people:
         person.speaks = any(alias in speaking for alias in person.aliases)
+    for paragraph in script.paragraphs:
+        if paragraph.kind == "action":
+            _named_later(roster, paragraph.raw)
     roster.link_variants()
     return roster
 
@@ -136,25 +147,49 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
 
 def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str) -> None:
     """Add a sighting to the cast unless a longer form of the name is introduced elsewhere."""
-    count = lexicon.NUMBERS[sighting.name.split()[0].lower()] if _COUNT.match(sighting.name) else 1
     base = re.sub(r"^(A|AN) ", "", _COUNT.sub("", sighting.name))
     name = re.sub(r"^THE ", "", base)
     known = roster.find(name)
     if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
         return
-    if known:
-        person = known[0]
-    else:
-        words = name.split()
-        if count > 1:
-            base = " ".join([*words[:-1], singular(words[-1]).upper()])
-        person = roster.add(base, sighting.at)
-        person.count = max(person.count, count)
-        if count > 1:
-            person.kind = "group"
+    person = known[0] if known else _newcomer(roster, sighting, base)
     said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
     if said:
         describe(person, said.group(1) or said.group(2))
+
+
+def _newcomer(roster: Roster, sighting: _Sighting, name: str) -> Person:
+    """A new person, or a group for TWO GUARDS and SAILORS."""
+    words = name.split()
+    head = singular(words[-1])
+    plural = head != words[-1].lower() and is_person_noun(head)
+    counted = _COUNT.match(sighting.name)
+    count = lexicon.NUMBERS[counted.group(1).lower()] if counted else _SOME if plural else 1
+    if count > 1:
+        name = " ".join([*words[:-1], head.upper()])
+    person = roster.add(name, sighting.at)
+    if count > 1 and person.first == sighting.at:
+        person.count, person.kind = max(person.count, count), "group" if person.kind == "human" else person.kind
+        roster.call(person, bare(sighting.name))
+    return person
+
+
+def _named_later(roster: Roster, text: str) -> None:
+    """``A woman in a grey suit sits down. Her name is NANCY``: the woman is Nancy."""
+    naming = _NAMING.search(text)
+    people = roster.find(naming.group(1).strip()) if naming else []
+    if not naming or not people or people[0].role:
+        return
+    for match in _SOMEBODY.finditer(text[: naming.start()]):
+        noun = match.group(2).lower()
+        if is_person_noun(noun):
+            person = people[0]
+            person.role = noun
+            if person.gender == "unknown":
+                person.gender = lexicon.gender_of_word(noun)
+            roster.call(person, noun)
+            roster.call(person, bare(match.group(1).lower() + " " + noun))
+            return
 
 
 def _is_part_of(name: str, full: str) -> bool:

@@ -252,11 +252,20 @@ def _resolve_pronoun_phrase(
     discourse = stage.discourse
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
-        return Referents([], discourse.last_thing)
+        return Referents([], _it(stage))
     plural = discourse.last_plural
     if kind == "plural" and role == "object" and plural and plural[1] >= discourse.sentence - 1:
         return Referents([], plural[0])
     return Referents(resolve_pronoun(stage, pronoun, role, list(subjects), list(previous)))
+
+
+def _it(stage: Stage) -> str | None:
+    """The last thing, or the last that suits the verb: a door is opened, a letter is read."""
+    suiting = lexicon.SUITING.get(stage.sentence.verb)
+    last = stage.discourse.last_thing
+    if suiting is None or stage.inventory.head(last) in suiting:
+        return last
+    return next((thing for thing in stage.discourse.recent_things if stage.inventory.head(thing) in suiting), last)
 
 
 def remember(stage: Stage, index: int, referents: Referents) -> Referents:

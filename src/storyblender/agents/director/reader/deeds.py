@@ -75,6 +75,9 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
         for person in roles.subjects
     ]
     deeds = _mutual(stage, roles, deeds, motion)
+    mood = lexicon.mood_of(joined(stage.sentence.words))
+    for deed in deeds:
+        deed.mood = mood
     deeds += _companions(roles, clause, motion)
     stage.unit.deeds += [deed for deed in deeds if not _repeats(stage, deed)]
     _pair_up(stage, roles, motion)

@@ -86,20 +86,12 @@ def without_quotations(text: str) -> str:
 
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
-    """Lay out a screenplay for reading; a ``SHOT`` note belongs to the action or speech after it."""
-    paragraphs: list[Paragraph] = []
-    pending: CameraNote | None = None
-    for index, element in enumerate(screenplay.elements):
-        if element.kind == "note":
-            pending = camera_phrases.parse_note(element.text) or pending
-        kind = _KINDS.get(element.kind)
-        if kind is None:
-            continue
-        paragraph = _paragraph(screenplay, index, element, kind)
-        if pending and kind in ("action", "dialogue"):
-            paragraph.cameras.insert(0, (paragraph.start, pending))
-            pending = None
-        paragraphs.append(paragraph)
+    """Lay out a screenplay for reading."""
+    paragraphs = [
+        _paragraph(screenplay, index, element, kind)
+        for index, element in enumerate(screenplay.elements)
+        if (kind := _KINDS.get(element.kind))
+    ]
     return Manuscript(screenplay, paragraphs)
 
 

@@ -92,7 +92,8 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
         if deed.motion not in ("talk", "whisper", "shout")
         and not (deed.actor == speaker.id and deed.motion == said_already)
     ]
-    unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb))
+    mood = lexicon.mood_of(speech.parenthetical or speech.verb)
+    unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb, mood=mood))
     unit.to = listener.id if listener else None
     if listener:
         stage.discourse.raise_(listener, 0.4)

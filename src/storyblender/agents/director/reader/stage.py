@@ -38,6 +38,8 @@ class Discourse:
     subjects: list[Person] = field(default_factory=list)
     """Subject of the last sentence."""
     last_thing: str | None = None
+    recent_things: list[str] = field(default_factory=list)
+    """Things named lately, the last first."""
     last_plural: tuple[str, int] | None = None
     """Things named in the plural, and in which sentence."""
     victim: tuple[Person, int] | None = None
@@ -62,7 +64,7 @@ class Discourse:
         for person in self.salience:
             self.salience[person] *= _SCENE_FADING
         self.groups = self.groups[-1:] if keep_groups else []
-        self.subjects, self.last_thing, self.last_plural = [], None, None
+        self.subjects, self.last_thing, self.last_plural, self.recent_things = [], None, None, []
         self.last_speaker = self.last_listener = None
 
 
@@ -90,6 +92,8 @@ class SentenceState:
     named: set[str] = field(default_factory=set)
     pronouns: dict[int, tuple[list[Person], str | None]] = field(default_factory=dict)
     """Position of a pronoun -> who or what it means."""
+    verb: str = ""
+    """Of the clause being read."""
     plural_thing: str | None = None
     pictured: bool = False
 

@@ -112,11 +112,6 @@ def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
 
 # -- doors, lamps, light -----------------------------------------------------------------------------------------
 
-_OPENABLE = frozenset(
-    {"door", "window", "gate", "curtain", "curtains", "drawer", "box", "chest", "safe", "vault", "hatch", "suitcase", "trunk",
-     "fridge", "refrigerator", "cupboard", "cabinet", "wardrobe", "closet", "envelope", "book", "folder", "briefcase",
-     "laptop", "umbrella", "shutter", "shutters", "lid", "trapdoor", "crate", "bag", "elevator", "lift", "airlock"}
-)  # fmt: skip
 _BY_VERB = {
     "open": "open", "unlock": "open", "pop": "open", "close": "closed", "shut": "closed", "slam": "closed", "lock": "closed",
     "break": "broken", "shatter": "broken", "smash": "broken", "crack": "broken", "burst": "broken", "explode": "broken",
@@ -160,7 +155,7 @@ def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
     if state is None:
         return
     for thing in roles.things or (roles.subject_things if not roles.subjects else []):
-        openable = stage.inventory.head(thing) in _OPENABLE
+        openable = stage.inventory.head(thing) in lexicon.OPENABLE
         if (openable and state in ("open", "closed")) or (
             state == "broken" and stage.inventory.class_of(thing) in ("prop", "set_piece")
         ):
