@@ -16,6 +16,8 @@ _REACH = 400.0
 _HALO = 0.10
 _HALO_LIMIT = 0.35
 """A halo adds at most this much luminance: more turned frames into soup (notes 1.8)."""
+_HALO_WIDTH = 1.6
+"""Metres beyond which a halo fades faster than physics has it: the far tails of many lamps only add up to haze."""
 _RAIN_LAYERS = ((2.5, 40, 120, 0.5), (6.0, 160, 60, 0.4), (14.0, 420, 28, 0.3))
 """Distance in metres, streaks, length in pixels at 540 rows, strength."""
 _RAIN_SLANT = 0.1
@@ -75,6 +77,7 @@ def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image
         along = along_ray @ from_light
         aside = np.sqrt(np.maximum(float(from_light @ from_light) - along * along, 0.0036) + 0.05)
         scatter = (np.arctan((distance + along) / aside) - np.arctan(along / aside)) / aside
+        scatter /= 1 + (aside / _HALO_WIDTH) ** 2
         share = 0.6 if light.kind == "SPOT" else 1.0
         color = np.asarray(light.color, np.float32)
         amount = _HALO * share * light.glow * light.power / (16 * math.pi**2) * scatter

@@ -24,6 +24,8 @@ _LIT_ENOUGH, _LEAST_KEY = 1.3, 0.08
 face without any key is flat, so where the set just lights it enough, the trim takes the rest; in the sun it may go."""
 _TRIM = (-1.5, 0.8)
 """Stops by which a frame may be darkened or brightened as a whole; a burnt face is worse than a dark room."""
+_DARKER, _BRIGHTER = 0.85, 1.6
+"""Faces between these multiples of the target are left alone: in the sun they may be brighter than in the shade."""
 _PASSES = 3
 
 
@@ -146,7 +148,8 @@ def trim(picture: Image, faces: Sequence[Face], target: float, set_target: float
     if faces:
         weights = [math.sqrt(int(face.mask.sum())) for face in faces]
         levels = [math.log2(bright_half(light[face.mask]) + 1e-5) for face in faces]
-        stops = math.log2(target) - float(np.average(levels, weights=weights))
+        level = float(np.average(levels, weights=weights)) - math.log2(target)
+        stops = float(np.clip(level, math.log2(_DARKER), math.log2(_BRIGHTER))) - level
     else:
         # Half the way: an insert of something dark should stay darker than an insert of something bright.
         stops = (math.log2(set_target) - math.log2(geometric_mean(light))) / 2

@@ -16,9 +16,9 @@ from mathutils import Vector
 from numpy.typing import NDArray
 
 from storyblender.look.illumination import LightField, ambient_light, direction_of, light_field, total
-from storyblender.look.raster import luminance
+from storyblender.look.raster import LUMA, luminance
 from storyblender.memory.base import Color, Vec3
-from storyblender.memory.scene_context import Fog, Light, Lighting, Sky
+from storyblender.memory.scene_context import Light, Lighting, Sky
 
 _STATIONS: tuple[Vec3, ...] = ((0, 0, 1.5), (1.3, 1.0, 1.5), (-1.3, 1.0, 1.5), (1.3, -1.0, 1.5), (-1.3, -1.0, 1.5))
 """Where the meter stands: round the middle of the playing area, at eye level."""
@@ -29,6 +29,8 @@ _GREY = 0.18
 _REACH = 60.0
 _GAIN = (0.1, 8.0)
 _FITTING = 0.35
+_MILKY = 1.3
+"""Fog is never brighter than this many times the set's grey: a brighter veil looks like milk, not like air."""
 _FEWEST_HITS = 20
 
 
@@ -82,16 +84,18 @@ def reach_of(scene: bpy.types.Scene, light: Light, points: Sequence[Vec3]) -> fl
 def scaled(lighting: Lighting, gain: float) -> Lighting:
     """Return the plan with everything that lights the set ``gain`` times as bright."""
 
-    def times(color: Color) -> Color:
-        return (color[0] * gain, color[1] * gain, color[2] * gain)
+    def times(color: Color, by: float = gain) -> Color:
+        return (color[0] * by, color[1] * by, color[2] * by)
 
     sky, fog = lighting.sky, lighting.fog
+    veil = min(gain, _MILKY * lighting.set_luminance / max(float(LUMA @ np.asarray(fog.color)), 1e-6)) if fog else gain
     return lighting.model_copy(
         update={
             "lights": tuple(light.model_copy(update={"power": light.power * gain}) for light in lighting.lights),
             "ambient": times(lighting.ambient),
             "sky": Sky(zenith=times(sky.zenith), horizon=times(sky.horizon), ground=times(sky.ground)),
-            "fog": fog and Fog.model_copy(fog, update={"color": times(fog.color), "sun_color": times(fog.sun_color)}),
+            "fog": fog
+            and fog.model_copy(update={"color": times(fog.color, veil), "sun_color": times(fog.sun_color, veil)}),
         }
     )
 
