@@ -366,7 +366,7 @@ GARMENTS: Catalog[GarmentSpec] = Catalog("garment", (
           Buttons(top=("chest", 0.06), bottom=("hip", 0.05), count=4, offset=0.055, tint="#c9a344", fabric="metal"),
           Band(low=("waist", -0.03), high=("waist", 0.012), tint="#141210")),
     _spec("apron", "pinafore, smock", 70, "", "#e4ded0 #7d8a93 #5b4632",
-          Bib(), Band(low=("belt", -0.018), high=("belt", 0.012), ease=0.014, fabric="cloth")),
+          Bib(), Band(low=("belt", -0.045), high=("belt", 0.012), ease=0.014, fabric="cloth")),
     _spec("coat", "trench coat, overcoat, raincoat, trenchcoat", 80, "upper", "#8a7450 #2e2f36 #4d4238",
           Top(sleeve=1.97, neck=0.02, ease=0.020, drape=14, hem=("belt", -0.06), opening=_COAT_V, elbow=0.062, cuff=0.054),
           Skirt(top=("belt", 0.03), hem=("knee", -0.06), flare=0.10, folds=7, depth=0.025, ease=0.026, opening=0.006),

@@ -23,7 +23,7 @@ LEAST_WEIGHT = 0.02
 FINISHES: dict[str, tuple[float, float, float]] = {
     "skin": (0.55, 0.0, 0.35),
     "eye": (0.12, 0.0, 0.5),
-    "hair": (0.5, 0.0, 0.3),
+    "hair": (0.62, 0.0, 0.15),
     "cloth": (0.85, 0.0, 0.2),
     "knit": (0.95, 0.0, 0.1),
     "leather": (0.38, 0.0, 0.4),
