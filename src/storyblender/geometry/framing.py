@@ -169,8 +169,9 @@ def group(
         aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
         needed = aside / span - depth + camera.distance
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
-    height = SCALES[size].crown + _CROWN * head / camera.frame_height
-    camera = placed(camera, middle, 0.5, min(max(height, 0.2), 0.45))
+    tallest = max(figures, key=lambda figure: figure.face[2])
+    share = tallest.head / camera.frame_height
+    camera = placed(camera, tallest.face, 0.5, max(SCALES[size].crown, 0.1) + (_CROWN + 0.1) * share)
     screen, _ = project(camera, faces)
     return pan(camera, float(screen[:, 0].min() + screen[:, 0].max() - 1) / 2 * film.aspect, 0.0)
 

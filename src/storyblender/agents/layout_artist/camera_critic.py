@@ -25,7 +25,7 @@ _HIDDEN = 0.30
 _FACE_SHOWN = 0.60
 _VOID = 0.015
 _FOREGROUND = 0.22
-_FOREGROUND_OTS = 0.50
+_FOREGROUND_OTS = 0.38
 _STRAY = 0.09
 """How far in widths or heights of the picture a face may be from its place."""
 _CLOSE = ("MS", "MCU", "CU", "ECU")
@@ -56,7 +56,7 @@ class CameraCritic:
         wanted = [(take, moment) for take in takes for moment in moments]
         fresh = [pair for pair in dict.fromkeys((take, moment.frame) for take, moment in wanted)
                  if self._key(brief, *pair) not in self._seen]  # fmt: skip
-        fresh.sort(key=lambda pair: (pair[1], pair[0].hidden))
+        fresh.sort(key=lambda pair: pair[1])
         views = self._viewfinder.look([_request(brief, take, frame) for take, frame in fresh])
         for (take, frame), seen in zip(fresh, views, strict=True):
             self._seen[self._key(brief, take, frame)] = seen
@@ -109,7 +109,7 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
     main = 0 if brief.walks else len(seen) // 2
     for index, (moment, view) in enumerate(seen):
         camera = take.at(share_of(brief, moment.frame))
-        found = [*_visibility(brief, moment, view), *_place(view)]
+        found = [*_visibility(brief, moment, view), *_place(view), *_void(view)]
         if index == main:
             found += [*_composition(brief, camera, moment, view), *_surroundings(brief, view)]
         known = {(fault.kind, fault.subject) for fault in told}
@@ -181,6 +181,14 @@ def _place(view: CameraView) -> list[Fault]:
     if view.below_floor:
         found.append(_fault("below_floor", "", 5.0, "the camera is below the floor", ops="orbit_up"))
     return found
+
+
+def _void(view: CameraView) -> list[Fault]:
+    if view.void <= _VOID:
+        return []
+    text = f"{view.void:.0%} of the picture shows nothing"
+    ops = "orbit_left orbit_right orbit_down zoom_in"
+    return [_fault("void", "", min(0.5 + 6 * view.void, 3.0), text, ops=ops)]
 
 
 def _composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
@@ -262,24 +270,21 @@ def _headroom(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
 
 
 def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
-    """Nothing void, nothing looming, nobody cut by the frame, somebody to look at."""
+    """Nothing looming, nobody cut by the frame, somebody to look at."""
     found: list[Fault] = []
     kind = brief.instruction.kind
-    if view.void > _VOID:
-        text = f"{view.void:.0%} of the picture shows nothing"
-        ops = "orbit_left orbit_right orbit_down zoom_in"
-        found.append(_fault("void", "", min(0.5 + 6 * view.void, 3.0), text, ops=ops))
     allowed = _FOREGROUND_OTS if kind == "ots" else _FOREGROUND
     if view.foreground > allowed and kind != "pov":
         text = f"{view.foreground:.0%} of the picture is in front of the subject"
-        ops = "zoom_in orbit_left orbit_right orbit_up"
+        ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
         found.append(_fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
     own = {*brief.focus, brief.node(brief.instruction.over_id or "")}
     covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
     if covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
         found.append(_fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
-    if kind not in ("establishing", "pov"):
-        found += _bystanders(view, own, set(brief.in_frame))
+    if kind != "pov":
+        main = set() if kind == "establishing" else own
+        found += _bystanders(view, main, {*brief.in_frame, *own})
     return found
 
 
@@ -290,6 +295,9 @@ def _bystanders(view: CameraView, own: set[str], meant: set[str]) -> list[Fault]
     for subject in view.subjects:
         if subject.node_id in own or subject.box is None or subject.face is None or subject.pixels < 0.004:
             continue
+        if subject.pixels > 0.012 and not 0.0 < subject.face[1] < 1.0:
+            text = f"the frame takes the head off {subject.node_id}"
+            found.append(_fault("beheaded", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in zoom_out"))
         left, _, right, _ = subject.box
         if (left < 0.004) != (right > 0.996) or (left < 0.004 and right > 0.996):
             x = right if left < 0.004 else 1 - left

@@ -37,11 +37,17 @@ OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
 }
 """The paper's operations and step sizes (appendix, prompt of the Camera Operator)."""
 
-_ANOTHER_PLACE = ((22, 0), (-22, 0), (45, 0), (-45, 0), (75, 0), (-75, 0), (0, 9), (30, 9), (-30, 9), (110, 0),
-                  (-110, 0), (180, 0))  # fmt: skip
-"""Degrees to go round and up for a fresh composition, where small operations do not help."""
-_ENOUGH = 9.6
-_TURNS = 8
+_ANOTHER_PLACE = (
+    *((turn, 0, 1.0) for turn in (22, -22, 45, -45, 75, -75, 110, -110, 180)),
+    *((turn, 9, 1.0) for turn in (0, 30, -30)),
+    *((turn, 0, 0.65) for turn in (0, 25, -25, 60, -60)),
+)
+"""Degrees to go round and up, and factor of the lens, for a new composition where small operations do not help."""
+_ENOUGH = 9.25
+"""Points: what is left then is not worth thirty looks."""
+_TURNS = 5
+_ANSWERED = 3
+"""The worst faults, which one turn answers."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +81,7 @@ def _fixed(draft: Take, critique: Critique) -> list[Orbit]:
     """Return the cameras that the critique asks for: each numeric fix, all of them together, each named operation."""
     cameras: dict[Orbit, None] = {}
     together = draft.camera
-    for fault in sorted(critique.faults, key=lambda fault: -fault.severity):
+    for fault in sorted(critique.faults, key=lambda fault: -fault.severity)[:_ANSWERED]:
         numbers = {name: value for name, value in fault.fix.items() if isinstance(value, float | int)}
         if numbers:
             cameras[_applied(draft.camera, numbers)] = None
@@ -98,7 +104,7 @@ def _recomposed(brief: CameraBrief) -> list[Take]:
     """Return fresh compositions from other sides; a point of view has only one."""
     if brief.instruction.kind == "pov":
         return []
-    return [start(brief, float(turn), float(rise)) for turn, rise in _ANOTHER_PLACE]
+    return [start(brief, turn, rise, widen) for turn, rise, widen in _ANOTHER_PLACE]
 
 
 def operate(

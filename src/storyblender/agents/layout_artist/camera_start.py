@@ -20,19 +20,23 @@ _OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
 _WIDE_OFF = 40.0
 _MASTER_ELEVATION, _INSERT_ELEVATION = 9.0, 30.0
 _MASTER_AZIMUTH = 14.0
+_WIDEST = 20.0
+"""mm: a wider lens bends people."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
 """Aperture by shot size: tight shots part the face from its background."""
 
 
-def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
+def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0, widen: float = 1.0) -> Take:
     """Return the analytic take of a shot.
 
     Args:
         brief: The shot.
         turn: Degrees to go round from the preferred azimuth; the composition is made anew there.
         rise: Degrees to go up from the preferred elevation.
+        widen: Factor of the focal length: a wider lens from nearer keeps the camera inside a small room.
     """
-    camera = _compose(brief, turn, rise)
+    lens = brief.lens if brief.instruction.lens else max(brief.lens * widen, _WIDEST)
+    camera = _compose(brief, lens, turn, rise)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
     return take(brief, camera)
@@ -80,30 +84,30 @@ def _follows(brief: CameraBrief, camera: Orbit) -> bool:
     return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
 
 
-def _compose(brief: CameraBrief, turn: float, rise: float) -> Orbit:
+def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
     instruction, film, people = brief.instruction, brief.film, brief.people
     elevation = framing.ELEVATION[instruction.angle] + rise
-    if instruction.kind == "pov" and (pov := _pov(brief)) is not None:
+    if instruction.kind == "pov" and (pov := _pov(brief, lens)) is not None:
         return pov
     if instruction.kind == "establishing" or not (people or brief.things):
         up = max(elevation, _MASTER_ELEVATION)
         fill = 0.6 if instruction.size == "EWS" else 0.86
-        return framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, brief.lens, fill)
+        return framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
     lead = people[0] if people else None
     if lead is None or (brief.things and instruction.kind == "insert"):
-        return _of_things(brief, turn, rise)
+        return _of_things(brief, lens, turn, rise)
     over = brief.moments[len(brief.moments) // 2].figure(brief.node(instruction.over_id or ""))
     if instruction.kind == "ots" and over is not None and over.node_id != lead.node_id:
         side = line_side(brief, lead, over)
-        camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, brief.lens)
+        camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         return _swung(camera, turn, rise)
     if len(people) > 1:
         azimuth = _group_azimuth(brief, people) + turn
-        return framing.group(film, people, instruction.size, azimuth, elevation, brief.lens)
+        return framing.group(film, people, instruction.size, azimuth, elevation, lens)
     if brief.walks and not _tight(brief):
-        return _of_walk(brief, lead, turn, elevation)
+        return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
-    return framing.single(film, lead, instruction.size, azimuth, elevation, brief.lens)
+    return framing.single(film, lead, instruction.size, azimuth, elevation, lens)
 
 
 def _tight(brief: CameraBrief) -> bool:
@@ -114,7 +118,7 @@ def _swung(camera: Orbit, turn: float, rise: float) -> Orbit:
     return orbit(camera, turn, rise) if turn or rise else camera
 
 
-def _pov(brief: CameraBrief) -> Orbit | None:
+def _pov(brief: CameraBrief, lens: float) -> Orbit | None:
     """Return the view through somebody's eyes to the first focus, or straight ahead."""
     eyes = brief.moments[len(brief.moments) // 2].figure(brief.node(brief.instruction.pov_id or ""))
     if eyes is None:
@@ -124,10 +128,10 @@ def _pov(brief: CameraBrief) -> Orbit | None:
         target = np.mean([figure.face for figure in brief.people], axis=0)
     elif brief.things:
         target = np.mean([corners(box).mean(0) for box in brief.things], axis=0)
-    return framing.through_eyes(brief.film, eyes, target, min(brief.lens, 50.0))
+    return framing.through_eyes(brief.film, eyes, target, min(lens, 50.0))
 
 
-def _of_things(brief: CameraBrief, turn: float, rise: float) -> Orbit:
+def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
     """Frame things: from above if they lie on a table, level if they hang; from the front, on the audience's side."""
     points = np.concatenate([corners(box) for box in brief.things])
     box = brief.things[0]
@@ -136,15 +140,15 @@ def _of_things(brief: CameraBrief, turn: float, rise: float) -> Orbit:
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
     azimuth = _towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
     fill = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}.get(brief.instruction.size, 0.2)
-    return framing.insert(brief.film, points, azimuth, elevation, brief.lens, fill)
+    return framing.insert(brief.film, points, azimuth, elevation, lens, fill)
 
 
-def _of_walk(brief: CameraBrief, figure: Figure, turn: float, elevation: float) -> Orbit:
+def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
     """Frame a walk from the side and a little ahead, on the audience's side."""
     heading = math.degrees(math.atan2(brief.travel[0], -brief.travel[1]))
     sides = [heading + 62.0, heading - 62.0]
     azimuth = min(sides, key=lambda angle: abs(_turned(angle))) + turn
-    return framing.single(brief.film, figure, brief.instruction.size, azimuth, elevation, brief.lens)
+    return framing.single(brief.film, figure, brief.instruction.size, azimuth, elevation, lens)
 
 
 def _turned(angle: float) -> float:
