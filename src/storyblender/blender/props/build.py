@@ -58,31 +58,32 @@ def build_prop(
     spec = PropSpec(entry, (size[0], size[1], size[2]), entry.params | given, np.random.default_rng(seed))
     builder = MeshBuilder(key)
     anchors = builders()[key](builder, spec)
-    return settle(builder.mesh(), anchors, stretched(spec.size, dimension))
+    return settle(builder.mesh(), anchors, dimension)
 
 
-def settle(mesh: bpy.types.Mesh, anchors: Anchors, size: Vec3) -> PropBuild:
-    """Scale a mesh to ``size`` and move its bottom centre to the origin, with its anchors. Changes ``mesh``."""
+def settle(mesh: bpy.types.Mesh, anchors: Anchors, dimension: AssetDimension | None = None) -> PropBuild:
+    """Scale a mesh to the wanted size and move its bottom centre to the origin, with its anchors. Changes ``mesh``."""
     points = np.empty(len(mesh.vertices) * 3, np.float32)
     mesh.vertices.foreach_get("co", points)
     cloud = points.reshape(-1, 3).astype(float)
     low, high = cloud.min(axis=0), cloud.max(axis=0)
-    factors = np.asarray(size) / np.maximum(high - low, 1e-6)
+    factors = _factors(high - low, dimension)
     origin = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh.vertices.foreach_set("co", ((cloud - origin) * factors).astype(np.float32).ravel())
     mesh.update()
-    return PropBuild(mesh, tuple(_moved(anchor, origin, factors) for anchor in anchors), size)
+    width, depth, height = (float(extent) for extent in (high - low) * factors)
+    return PropBuild(mesh, tuple(_moved(anchor, origin, factors) for anchor in anchors), (width, depth, height))
 
 
-def stretched(size: Vec3, dimension: AssetDimension | None) -> Vec3:
-    """Return ``size`` with the wanted dimensions; axes nobody gave keep the shape."""
-    if dimension is None:
-        return size
-    wanted = (dimension.width, dimension.depth, dimension.height)
-    ratios = [goal / extent for goal, extent in zip(wanted, size, strict=True) if goal is not None]
-    rest = float(np.mean(ratios)) if ratios else 1.0
-    width, depth, height = (goal or extent * rest for goal, extent in zip(wanted, size, strict=True))
-    return (width, depth, height)
+def _factors(extent: np.ndarray, dimension: AssetDimension | None) -> np.ndarray:
+    """Return the scale of each axis; axes nobody gave keep the shape."""
+    wanted = (None, None, None) if dimension is None else (dimension.width, dimension.depth, dimension.height)
+    ratios = [
+        None if goal is None else goal / max(float(size), 1e-6) for goal, size in zip(wanted, extent, strict=True)
+    ]
+    known = [ratio for ratio in ratios if ratio is not None]
+    rest = float(np.mean(known)) if known else 1.0
+    return np.array([rest if ratio is None else ratio for ratio in ratios])
 
 
 def _moved(anchor: Anchor, origin: np.ndarray, factors: np.ndarray) -> Anchor:

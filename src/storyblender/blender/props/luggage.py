@@ -15,8 +15,7 @@ from storyblender.blender.props.weapons import FIST
 
 def hanging(height: float) -> Anchors:
     """Return the grips of a hand that carries something by a handle at its top; the handle runs along X."""
-    hold = two_hands((-0.0, 0.0, height + 0.004), (0, -0.35, -0.94), (0, -0.94, 0.35), FIST)
-    return hold
+    return two_hands((0.0, 0.0, height + 0.004), (0, -0.35, -0.94), (0, -0.94, 0.35), FIST)
 
 
 def _bail(b: MeshBuilder, material: MaterialRef, width: float, foot: float, rise: float, radius: float) -> None:
@@ -300,7 +299,7 @@ def mask(b: MeshBuilder, spec: PropSpec) -> Anchors:
     across = np.linspace(-1, 1, 15)
     rows = []
     for t in np.linspace(0, 1, 11):
-        width = w / 2 * math.sin(math.pi * (0.22 + 0.6 * t)) ** 0.7
+        width = w / 2 * math.sin(math.pi * (0.2 + 0.7 * t)) ** 0.7
         nose = 0.16 * np.exp(-((across / 0.16) ** 2)) * (0.3 < t < 0.62) * (t - 0.3 < 0.4) * (1.2 - t)
         rows.append(
             np.c_[
@@ -333,7 +332,7 @@ def jewel_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 (0.016, 0.016, base - 0.01),
                 bevel=0.003,
             )
-    with b.at((0, d / 2 - 0.006, base + 0.006), (100 if opened else 0, 0, 0)):
+    with b.at((0, d / 2 - 0.006, base + 0.006), (-100 if opened else 0, 0, 0)):
         b.box(
             body,
             (0, -d / 2 + 0.006, (h - base) * 0.4),
@@ -606,7 +605,7 @@ def violin(b: MeshBuilder, spec: PropSpec) -> Anchors:
     bout = h * 0.6
     with b.at((0, d / 2, 0), (90, 0, 0)):
         b.extrude(body, _bout(w, bout, 0.36), d * 0.4)
-    b.box(neck, (0, -d * 0.02, h * 0.66), (0.028, 0.016, h * 0.46), bevel=0.003)
+    b.box(neck, (0, -d * 0.02, h * 0.7), (0.028, 0.016, h * 0.54), bevel=0.003)
     b.box(neck, (0, -d * 0.02, bout * 0.16), (0.035, 0.014, bout * 0.3), bevel=0.004, taper=0.6)
     b.box("wood_light", (0, -d * 0.05, bout * 0.42), (0.05, 0.006, 0.02), rotation=(0, 0, 0))
     for x in (-1, 1):
