@@ -128,11 +128,16 @@ def light_place(setup: SceneSetup, plan: SetPlan, environment: Environment) -> L
     return RulesLightingArranger().propose(LightingView(setup, plan, environment))
 
 
+_SWITCHES = r"turn(s|ed)?|switch(es|ed)?|flip(s|ped)?|snuff(s|ed)?|blow(s|n)?"
 _OUT = (
     r"\b(lights?|lamps?|power|electricity|bulbs?|candles?)\b.{0,24}\b(out|off|dies?|fails?|blow)\b"
-    r"|\b(black ?out|pitch dark|plunged? into darkness|goes dark|total darkness)\b|\b(turns?|switch\w*|snuff\w*|blows?) (off|out)\b"
+    r"|\b(black ?out|pitch dark|plunged? into darkness|goes dark|total darkness)\b"
+    rf"|\b({_SWITCHES}) (off|out)\b"
 )
-_ON = r"\b(lights?|lamps?|power|bulbs?|candles?)\b.{0,24}\b(on|back|up|lit)\b|\b(turns?|switch\w*|flips?) on\b|\blights? (a|the) (lamp|candle)\b"
+_ON = (
+    r"\b(lights?|lamps?|power|bulbs?|candles?)\b.{0,24}\b(on|back|up|lit)\b"
+    rf"|\b({_SWITCHES}) on\b|\blights? (a|the) (lamp|candle)\b"
+)
 _HOUR_WORDS: tuple[tuple[str, TimeOfDay], ...] = (
     (r"\b(sun ?rise|sun (comes|is coming) up|dawn breaks|first light)\b", "dawn"),
     (r"\b(sun ?set|sun (goes|is going) down)\b", "sunset"),
@@ -401,15 +406,18 @@ def _exterior(view: LightingView) -> Lighting:
         rain=air.rain,
         face_luminance=round(max(0.15, hour.face * (0.6 + 0.4 * air.level)), 4),
         set_luminance=round(level, 4),
-        key_color=mix(hour.sun_color, (1.0, 0.95, 0.9), 0.6)
-        if not night
-        else (1.0, 0.78, 0.52)
-        if _lamps(view, 1.0)
-        else (0.7, 0.82, 1.0),
+        key_color=_outdoor_key(view, hour),
         fill_color=(0.74, 0.84, 1.0),
         rim_color=hour.sun_color,
         key_fill_ratio=hour.ratio - 0.5 * air.gray,
     )
+
+
+def _outdoor_key(view: LightingView, hour: Hour) -> Color:
+    """Return the colour of faces: sunlight softened; at night the lamps, or the moon where there are none."""
+    if hour.lamps < 0.95:
+        return mix(hour.sun_color, (1.0, 0.95, 0.9), 0.6)
+    return (1.0, 0.78, 0.52) if _lamps(view, 1.0) else (0.7, 0.82, 1.0)
 
 
 def _sun_azimuth(plan: SetPlan, hour: Hour) -> float:
