@@ -237,9 +237,7 @@ class Scorer:
         motion, _, target = item[len(actor) + 1 :].partition(" ")
         return actor, motion, target
 
-    def _targets(
-        self, gold: set[tuple[str, str, str]], found: list[tuple[str, str, str, str]], where: str
-    ) -> None:
+    def _targets(self, gold: set[tuple[str, str, str]], found: list[tuple[str, str, str, str]], where: str) -> None:
         """Actions whose gold names a target: right if target or prop has its head noun."""
         answers: set[tuple[str, str, str]] = set()
         for actor, motion, target, prop in found:
@@ -291,8 +289,12 @@ def main() -> None:
         for measure, count in counts.items():
             total[measure].merge(count)
             if arguments.verbose:
-                print(*(f"    {measure}: MISSED {item}" for item in count.missed), sep="\n", end="\n" * bool(count.missed))
-                print(*(f"    {measure}: EXTRA  {item}" for item in count.extra), sep="\n", end="\n" * bool(count.extra))
+                print(
+                    *(f"    {measure}: MISSED {item}" for item in count.missed), sep="\n", end="\n" * bool(count.missed)
+                )
+                print(
+                    *(f"    {measure}: EXTRA  {item}" for item in count.extra), sep="\n", end="\n" * bool(count.extra)
+                )
     print()
     for measure, count in total.items():
         print(

@@ -15,7 +15,7 @@ NounClass = Literal["abstract", "body", "set_piece", "prop", "worn", "scenery", 
 
 
 def _lines(name: str) -> list[str]:
-    text = files(__package__).joinpath(name).read_text(encoding="utf-8")
+    text = files(__name__).joinpath(name).read_text(encoding="utf-8")
     return [line for line in text.splitlines() if line and not line.startswith("#")]
 
 
@@ -34,6 +34,11 @@ def _pairs(words: tuple[str, ...]) -> dict[str, str]:
 
 def _spaced(words: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(word.replace("_", " ") for word in words)
+
+
+def _by_first(words: tuple[str, ...]) -> dict[str, tuple[tuple[str, ...], ...]]:
+    phrases = [tuple(word.split("_")) for word in words]
+    return {first: tuple(p for p in phrases if p[0] == first) for first in dict.fromkeys(p[0] for p in phrases)}
 
 
 def _inverse(classes: dict[str, tuple[str, ...]]) -> dict[str, str]:
@@ -79,12 +84,19 @@ class Override(NamedTuple):
     motion: str
 
 
-def _overrides() -> tuple[Override, ...]:
+def _overrides() -> dict[str, tuple[Override, ...]]:
     rows = [line.split("\t") for line in _lines("overrides.tsv")]
-    return tuple(Override(*(tuple(cell.split(" ")) for cell in row[:5]), row[5]) for row in rows)
+    rules = [Override(*(_cell(cell) for cell in row[:5]), motion=row[5]) for row in rows]
+    verbs = dict.fromkeys(verb for rule in rules for verb in rule.verbs)
+    return {verb: tuple(rule for rule in rules if verb in rule.verbs) for verb in verbs}
+
+
+def _cell(words: str) -> tuple[str, ...]:
+    return tuple(words.split(" "))
 
 
 OVERRIDES = _overrides()
+"""Verb -> its rules, in order."""
 
 # -- things ------------------------------------------------------------------------------------------------------
 ABSTRACT, BODY, PROPS = frozenset(_nouns["abstract"]), frozenset(_nouns["body"]), frozenset(_nouns["prop"])
@@ -149,7 +161,8 @@ DETERMINERS, POSSESSIVES = frozenset(_function["determiner"]), frozenset(_functi
 NUMBERS = {word: int(value) for word, value in _pairs(_function["number"]).items()}
 PREPOSITIONS, CONJUNCTIONS = frozenset(_function["preposition"]), frozenset(_function["conjunction"])
 PARTICLES = frozenset(_function["particle"])
-COMPOUND_PREPOSITIONS = tuple(tuple(phrase.split("_")) for phrase in _function["compound_preposition"])
+COMPOUND_PREPOSITIONS: dict[str, tuple[tuple[str, ...], ...]] = _by_first(_function["compound_preposition"])
+"""First word -> prepositions of several words."""
 ADVERBS = frozenset(_function["adverb"])
 NOT_PEOPLE = frozenset(_function["caps"])
 """Words in capitals that are never people: noises, title cards, transitions."""

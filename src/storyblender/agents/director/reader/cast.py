@@ -155,7 +155,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     person = known[0] if known else _newcomer(roster, sighting, base)
     said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
     if said:
-        describe(person, said.group(1) or said.group(2))
+        describe(person, said.group(1) or said.group(2) or "")
 
 
 def _newcomer(roster: Roster, sighting: _Sighting, name: str) -> Person:

@@ -132,10 +132,10 @@ def _pronoun(words: list[Word], at: int) -> Phrase | None:
 
 def _small_word(words: list[Word], at: int) -> Phrase | None:
     word = words[at]
-    for compound in lexicon.COMPOUND_PREPOSITIONS:
+    for compound in lexicon.COMPOUND_PREPOSITIONS.get(word.low, ()):
         if tuple(w.low for w in words[at : at + len(compound)]) == compound:
             return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
-    if word.low in lexicon.PREPOSITIONS | lexicon.PARTICLES:
+    if word.low in lexicon.PREPOSITIONS or word.low in lexicon.PARTICLES:
         return Phrase("preposition", at, at, word.low)
     if word.low in _LINKS:
         return Phrase("link", at, at, word.low)
@@ -167,7 +167,9 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     elif words[at].low in lexicon.POSSESSIVES:
         possessor, first = at, at + 1
     end = first
-    while end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES):
+    while (
+        end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES)
+    ):
         end += 1
     if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at):
         noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]
@@ -312,6 +314,7 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
     )
 
 
+_PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
 _WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", "wait", "hesitate", "fail"})
 
 

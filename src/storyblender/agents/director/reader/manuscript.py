@@ -115,7 +115,8 @@ def _take_out_cameras(paragraph: Paragraph) -> None:
             paragraph.cameras.append((paragraph.start + start, camera))
             kept = range(start + first, start + last)
             body = "".join(
-                letter if at in kept or not start <= at < end or letter == "\n" else " " for at, letter in enumerate(body)
+                letter if at in kept or not start <= at < end or letter == "\n" else " "
+                for at, letter in enumerate(body)
             )
     paragraph.body = body
 

@@ -11,6 +11,7 @@ from storyblender.agents.director.reading import Person
 _COUNTS = frozenset(lexicon.NUMBERS) - {"a", "an", "one"}
 _NOT_ALONE = frozenset({"cook", "guide"})
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+_NO_ADJECTIVES = _OPENERS | lexicon.PREPOSITIONS
 
 
 def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
@@ -71,7 +72,7 @@ def _after_determiner(words: list[Word]) -> bool:
         at > len(words) - 4
         and at >= 0
         and words[at].text.islower()
-        and words[at].low not in _OPENERS | lexicon.PREPOSITIONS
+        and words[at].low not in _NO_ADJECTIVES
         and words[at].low not in FORMS
     ):
         at -= 1

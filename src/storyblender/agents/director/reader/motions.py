@@ -16,7 +16,6 @@ _SUPINE = frozenset({"sit", "lie", "kneel", "crouch"})
 class Doing:
     """What decides the motion of a clause."""
 
-    verb: str
     particle: str
     object: str
     """Head noun of the object, ``person``, or empty."""
@@ -37,8 +36,8 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     if clause.recipient:
         prepositions |= {"to"}
     nouns = frozenset(noun.head for _, nouns in clause.places for noun in nouns)
-    doing = Doing(clause.verb, clause.particle, object_head, prepositions, nouns)
-    for rule in lexicon.OVERRIDES:
+    doing = Doing(clause.particle, object_head, prepositions, nouns)
+    for rule in lexicon.OVERRIDES.get(clause.verb, ()):
         if _applies(rule, doing):
             return None if rule.motion == "none" else rule.motion
     if clause.verb in lexicon.SILENT_VERBS:
@@ -52,8 +51,7 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
 
 def _applies(rule: lexicon.Override, doing: Doing) -> bool:
     return (
-        doing.verb in rule.verbs
-        and _matches(rule.particles, doing.particle)
+        _matches(rule.particles, doing.particle)
         and _matches(rule.objects, doing.object)
         and (rule.prepositions == ("*",) or any(_matches(rule.prepositions, p) for p in doing.prepositions))
         and (rule.nouns == ("*",) or any(_matches(rule.nouns, noun) for noun in doing.nouns))

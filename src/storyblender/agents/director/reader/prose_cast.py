@@ -19,7 +19,9 @@ _NAME = re.compile(
     r"|has|put|held|gave|knew|saw|felt|kept|left|and [A-Z]))",
     re.MULTILINE,
 )
-_DETERMINER = re.compile(r"\b(the|a|an|his|her|their|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE)
+_DETERMINER = re.compile(
+    r"\b(the|a|an|his|her|their|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE
+)
 _NAMED = re.compile(r"\s+(?:named|called)\s+([A-ZÀ-Ý][\w’'-]+)")
 _NOT_NAMES = frozenset(
     {"once", "deep", "but", "and", "when", "then", "i", "monday", "tuesday", "wednesday", "thursday", "friday", "saturday",

@@ -120,7 +120,11 @@ def _read(stage: Stage, sentence: Sentence) -> None:
         read_action(stage, sentence)
     if sentence.speech:
         speak(stage, sentence, sentence.speech)
-    if sentence.camera and sentence.camera.kind == "pov" and _THROUGH.search(sentence.camera.phrase + sentence.camera.subject):
+    if (
+        sentence.camera
+        and sentence.camera.kind == "pov"
+        and _THROUGH.search(sentence.camera.phrase + sentence.camera.subject)
+    ):
         stage.scene.leaving += [person for person in unit.entering if person not in stage.scene.leaving]
     unit.leaving = list(stage.scene.leaving)
     unit.on_stage = list(stage.scene.on)

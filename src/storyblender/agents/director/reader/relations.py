@@ -63,7 +63,9 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             found += _placed(stage, clause, place, located)
         found += _between(stage, roles, located)
     elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
-        found += [(s, "on", t) for s in located for place in roles.places if place.preposition == "onto" for t in place.things]
+        found += [
+            (s, "on", t) for s in located for place in roles.places if place.preposition == "onto" for t in place.things
+        ]
     if first and roles.subjects:
         _left_or_right(stage, roles.subjects)
     if clause.verb in _PLACING and roles.things:
@@ -196,7 +198,11 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
             for person in resolve_mention(stage, noun.mention):
                 for target in _anchors(stage, anchor, subjects, previous):
                     stage.relate(person.id, kind, target)
-        if kind not in _OF_THE_NOUN or noun.kind != "thing" or lexicon.noun_class(noun.key) not in ("prop", "set_piece"):
+        if (
+            kind not in _OF_THE_NOUN
+            or noun.kind != "thing"
+            or lexicon.noun_class(noun.key) not in ("prop", "set_piece")
+        ):
             continue
         if left and left.kind == "preposition" and kind != "on":
             continue

@@ -14,10 +14,14 @@ from storyblender.agents.director.reader.morphology import FORMS, VerbForm, form
 from storyblender.agents.director.reader.words import Word
 
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+_BEFORE_NOUN = _OPENERS | lexicon.PREPOSITIONS | {"'s"}
+_LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
+_PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
 _OBJECT_OPENERS = _OPENERS | {"him", "her", "it", "them", "up", "to", "twice", "once", "again", "at"}
 _AFTER_VERB = _OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
 _SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
 _PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i"})
+_ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
 _NOUNS = lexicon.WORN | lexicon.PROPS | lexicon.BODY | lexicon.SET_PIECES
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
@@ -57,9 +61,8 @@ def _was(at: int) -> Word:
 
 
 def _is_adverb(word: Word) -> bool:
-    return word.mention is None and (
-        (word.low.endswith("ly") and len(word.low) > 4) or word.low in lexicon.ADVERBS - {"there", "here"}
-    )
+    adverb = (word.low.endswith("ly") and len(word.low) > 4) or word.low in _PASSED_OVER
+    return adverb and word.mention is None
 
 
 def regularise(words: list[Word]) -> list[Word]:
@@ -183,9 +186,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         and (len(row.words) < 2 or row.words[-2].low in ("and", ",", "then", "."))
     ):
         return True
-    if left.mention is None and (
-        left.low in _OPENERS | lexicon.PREPOSITIONS or left.low == "'s" or left.text[0].isdigit()
-    ):
+    if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
         return False
     if left.mention:
         return form_kind(right) != "past" if third else _is_plural(left, row)
@@ -195,7 +196,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return True
     if left.low in (")", '"'):
         return third
-    if left.low in lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}:
+    if left.low in _LINKS:
         return _continues(form, left, right, row) and not (
             third
             and left.low in (",", "and")
@@ -204,6 +205,11 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
             and not right.endswith("ly")
         )
     return left.text.isalpha() and not row.verb_seen and _after_noun(form, left, right)
+
+
+def _opens_clause(row: _Row) -> bool:
+    """Whether only one word stands since the start of the clause: ``In`` of ``In walks BOB``."""
+    return len(row.words) < 2 or row.words[-2].low in ("and", ",", "then", ".")
 
 
 def _is_plural(left: Word, row: _Row) -> bool:

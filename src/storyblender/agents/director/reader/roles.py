@@ -19,9 +19,7 @@ _STRIKING = frozenset(
 )  # fmt: skip
 _INVERTED = frozenset({"sit", "stand", "live", "lie", "come", "appear", "be", "emerge", "hang"})
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""
-_CONTACT = frozenset(
-    {"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"}
-)
+_CONTACT = frozenset({"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"})
 _SIDES = frozenset({"left", "right", "side"})
 
 

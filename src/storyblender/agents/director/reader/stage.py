@@ -81,6 +81,7 @@ class SceneState:
     """Heard but not seen yet."""
     posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
     held: dict[str, list[str]] = field(default_factory=dict)
+    relations: list[tuple[int, Relation]] = field(default_factory=list)
 
 
 @dataclass
@@ -163,7 +164,8 @@ class Stage:
             self.unit.scene,
             Relation(asset_id=subject, kind=kind, anchor_asset_id=anchor, second_anchor_asset_id=second),
         )
-        if stated not in self.reading.relations:
+        if stated not in self.scene.relations:
+            self.scene.relations.append(stated)
             self.reading.relations.append(stated)
         for end in (subject, anchor):
             self.inventory.seen(end, "related")
