@@ -1,0 +1,199 @@
+"""The check of a finished project: layout, framing, continuity, collisions, people in frame. Numbers, not opinions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from storyblender.agents.layout_artist.layout_critic import layout_violations, spatial_error
+from storyblender.catalog.sets import plan_of
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.geometry.continuity import side_of_line
+from storyblender.geometry.framing import Figure
+from storyblender.geometry.orbit import Orbit
+from storyblender.memory.base import Frozen, shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import PackRef
+from storyblender.memory.measure import CameraView, Collision, ViewRequest
+from storyblender.memory.shot_context import CameraPose, ShotContext
+from storyblender.pipeline.shooting import story_moment
+from storyblender.pipeline.staging import measures_of
+
+HIDDEN = 0.30
+SEEN = 0.004
+"""Share of the frame from which a person counts as seen."""
+OCCM_EPSILON = 1e-6
+
+
+class CheckRow(Frozen):
+    """One line of the report."""
+
+    name: str
+    value: str
+    ok: bool
+
+
+class Inspection(Frozen):
+    """The report."""
+
+    rows: tuple[CheckRow, ...]
+    findings: tuple[str, ...] = ()
+    """What to look at, one sentence each."""
+
+    @property
+    def clean(self) -> bool:
+        """Whether every line is as it should be."""
+        return all(row.ok for row in self.rows)
+
+
+class ShotSight(Frozen):
+    """What a shot's camera sees at its story moment, and where the people are."""
+
+    view: CameraView
+    figures: tuple[Figure, ...]
+
+
+def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence[PackRef]) -> Inspection:
+    """Check a project.
+
+    Args:
+        graph: The story.
+        engine: Looks and measures.
+        packs: The scenes as built.
+    """
+    sights: dict[str, ShotSight] = {}
+    collisions: list[Collision] = []
+    for pack in packs:
+        sights |= _sights(graph, engine, pack)
+        collisions += engine.find_collisions(pack).result()
+    findings: list[str] = []
+    rows = [
+        *_layout_rows(graph, findings),
+        _presence_row(graph, sights, findings),
+        _hidden_row(graph, sights, findings),
+        _inside_row(sights, findings),
+        _line_row(graph, sights, findings),
+        _collision_row(collisions, findings),
+        _staging_row(packs, findings),
+    ]
+    return Inspection(rows=tuple(rows), findings=tuple(findings))
+
+
+def _sights(graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) -> dict[str, ShotSight]:
+    shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
+    requests = [_request(shot) for shot in shots]
+    views = engine.look(pack, requests, graph.format.aspect).result() if requests else []
+    frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
+    figures = engine.read_figures(pack, frames).result() if requests else []
+    return {
+        shot_name(shot.scene_id, shot.shot_id): ShotSight(view=view, figures=tuple(faces))
+        for shot, view, faces in zip(shots, views, figures, strict=True)
+    }
+
+
+def _request(shot: ShotContext) -> ViewRequest:
+    assert shot.camera is not None, "only shots with a camera are looked at"
+    frame = story_moment(shot)
+    pose = min(shot.camera.poses, key=lambda item: abs(item.frame - frame))
+    return ViewRequest(
+        scene_id=shot.scene_id,
+        shot_id=shot.shot_id,
+        frame=frame,
+        pose=pose,
+        sensor_width=shot.camera.sensor_width,
+        hidden_node_ids=shot.camera.hidden_node_ids,
+        focus_ids=shot.camera_instruction.focus_on_ids,
+    )
+
+
+def _layout_rows(graph: ContinuityMemoryGraph, findings: list[str]) -> list[CheckRow]:
+    count, error = 0, 0.0
+    for scene in graph.scenes:
+        if scene.layout is None or scene.environment is None:
+            continue
+        measures, plan = measures_of(graph, scene.scene_id), plan_of(scene.environment)
+        faults = layout_violations(scene.layout, measures, plan)
+        count += len(faults)
+        error += spatial_error(scene.layout, measures)
+        findings += [f"scene {scene.scene_id}: {fault.message}" for fault in faults]
+    return [
+        CheckRow(name="layout violations", value=str(count), ok=count == 0),
+        CheckRow(name="SDE", value=f"{error:g}", ok=error == 0),
+    ]
+
+
+def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
+    """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D from ID masks, E from the plan."""
+    scores = []
+    for shot in graph.shots:
+        name = shot_name(shot.scene_id, shot.shot_id)
+        if name not in sights:
+            continue
+        cast = {figure.node_id for figure in sights[name].figures}
+        seen = {item.node_id for item in sights[name].view.subjects if item.node_id in cast and item.pixels > SEEN}
+        expected = len(shot.in_frame)
+        scores.append(math.exp(-abs(len(seen) - expected) / (OCCM_EPSILON + expected)) if expected or seen else 1.0)
+        if len(seen) != expected:
+            findings.append(f"{name}: shows {sorted(seen)}, meant to show {sorted(shot.in_frame)}")
+    mean = 100 * sum(scores) / max(1, len(scores))
+    return CheckRow(name="on-stage count matching", value=f"{mean:.1f}", ok=mean >= 95)
+
+
+def _hidden_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
+    hidden = 0
+    for shot in graph.shots:
+        name = shot_name(shot.scene_id, shot.shot_id)
+        people = [asset_id for asset_id in shot.camera_instruction.focus_on_ids if asset_id in shot.on_stage]
+        for item in sights[name].view.subjects if name in sights else ():
+            share = item.visible_fraction / max(item.in_frame_fraction, 1e-6)
+            if item.node_id in people and share < 1 - HIDDEN:
+                hidden += 1
+                findings.append(f"{name}: {item.node_id} is {100 * (1 - share):.0f} % hidden")
+    return CheckRow(name="focus people hidden", value=str(hidden), ok=hidden == 0)
+
+
+def _inside_row(sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
+    inside = [(name, sight.view) for name, sight in sights.items() if sight.view.inside or sight.view.below_floor]
+    findings += [f"{name}: the camera is in {', '.join(view.inside) or 'the floor'}" for name, view in inside]
+    return CheckRow(name="cameras inside geometry", value=str(len(inside)), ok=not inside)
+
+
+def _line_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
+    """Cuts that change sides of a pair's line, unless the script asked for that camera."""
+    crossings = 0
+    for scene in graph.scenes:
+        sides: dict[frozenset[str], int] = {}
+        for shot in graph.shots_of(scene.scene_id):
+            name = shot_name(shot.scene_id, shot.shot_id)
+            axis, instruction = shot.camera_instruction.axis, shot.camera_instruction
+            if axis is None or name not in sights or shot.camera is None or instruction.kind in ("pov", "insert"):
+                continue
+            faces = {figure.node_id: figure.face for figure in sights[name].figures}
+            first, second = sorted(axis)
+            if first not in faces or second not in faces:
+                continue
+            side = side_of_line(_orbit(shot.camera.poses[0]).position, faces[first], faces[second])
+            last = sides.setdefault(frozenset(axis), side)
+            if side and last and side != last and not instruction.explicit:
+                crossings += 1
+                findings.append(f"{name}: crosses the line between {first} and {second}")
+            sides[frozenset(axis)] = side or last
+    return CheckRow(name="line crossings", value=str(crossings), ok=crossings == 0)
+
+
+def _collision_row(collisions: list[Collision], findings: list[str]) -> CheckRow:
+    findings += [
+        f"{item.shot} frame {item.frame}: {item.asset_id} is {100 * item.depth:.0f} cm inside {item.node_id}"
+        for item in collisions
+    ]
+    return CheckRow(name="people through furniture", value=str(len(collisions)), ok=not collisions)
+
+
+def _staging_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
+    problems = [problem for pack in packs for problem in pack.problems]
+    findings += problems
+    return CheckRow(name="staging problems", value=str(len(problems)), ok=True)
+
+
+def _orbit(pose: CameraPose) -> Orbit:
+    return Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens)

@@ -1,0 +1,52 @@
+"""One small storyboard, made once for the tests that look at the result."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+SCRIPT = """Title: Two Cups
+
+INT. KITCHEN - DAY
+
+ADA (60, grey hair in a bun, blue cardigan) sits at the table with a cup. TOM (25, brown jacket) stands by the window.
+
+ADA
+You came back.
+
+TOM
+I said I would.
+
+Tom walks to the table.
+"""
+
+SMALL = ["--look", "fast", "--width", "320", "--quiet"]
+
+
+def storyblender(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """Run the command line in a process of its own, as a user does."""
+    command = [sys.executable, "-m", "storyblender", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+
+
+def made(arguments: Sequence[str | Path]) -> None:
+    done = storyblender("make", *arguments)
+    assert done.returncode == 0, done.stderr[-3000:]
+
+
+@pytest.fixture(scope="session")
+def script(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("script") / "two_cups.fountain"
+    path.write_text(SCRIPT, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="session")
+def project(script: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("made") / "two_cups.storyboard"
+    made([script, "--out", folder, *SMALL])
+    return folder
