@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from string import capwords
 
-from storyblender.agents.director.casting import cast, describe
+from storyblender.agents.director.casting import cast, describe, introduction
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
-from storyblender.agents.director.motion_families import SPOKEN
+from storyblender.agents.director.motion_families import GETTING, SPOKEN
 from storyblender.agents.director.place_words import ground, lighting, walls
-from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
+from storyblender.agents.director.reading import Deed, Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import camera_sentence, deed_words, mood_of, one_line, shot_sentence
@@ -24,6 +26,10 @@ from storyblender.memory.shot_context import (
 )
 from storyblender.memory.vocabulary import DISTANCE_OF_SIZE
 
+_OUT_OF = (
+    r"(?:draws?|drew|produces?d?|fish(?:es|ed)?)\b|(?:pulls?|pulled|takes?|took)\b.*\b(?:out"
+    r"|from (?:his|her|their|a|the) \w*\s?(?:jacket|coat|pocket|bag|purse|sleeve|belt|satchel))\b"
+)
 _POV_LENS = 35.0
 """mm: about what an eye takes in."""
 
@@ -63,7 +69,7 @@ class Assembly:
             else one_line(f"{' '.join(person.build)} {person.role or person.name}"),
             name=self.names[person.id],
             tags=tuple(tags),
-            look=cast(person) if character else None,
+            look=cast(person, introduction(person, self.text)) if character else None,
             reference_character=person.variant_of if person.variant_of in self.actors else None,
         )
 
@@ -83,14 +89,14 @@ class Assembly:
         place = scene.place or scene.heading
         return SceneOutline(
             scene_id=scene.id,
-            scene_description=f"{place.title() or 'A place'}, {scene.time}. {one_line(first)}".strip(),
+            scene_description=f"{capwords(place) or 'A place'}, {scene.time}. {one_line(first)}".strip(),
             heading=scene.heading,
             script_number=scene.number,
             span=SourceSpan(start=scene.start, end=max(scene.start, scene.end)),
             shots=tuple(
                 ShotOutline(
                     shot_id=number,
-                    shot_description=shot_sentence(draft, self.text, self.names, place.title()),
+                    shot_description=shot_sentence(draft, self.text, self.names, capwords(place)),
                     lines=tuple(self._line(beat) for beat in draft.beats),
                 )
                 for number, draft in enumerate(drafts, 1)
@@ -111,7 +117,7 @@ class Assembly:
 
     def scene_context(self, scene: SceneReading, units: Sequence[Unit]) -> SceneContext:
         """Return what the scene starts with."""
-        relations = self._relations(scene)
+        relations = self._relations(scene, units)
         present = _unique(
             each
             for unit in units
@@ -144,13 +150,20 @@ class Assembly:
             ),
         )
 
-    def _relations(self, scene: SceneReading) -> list[Relation]:
-        """The relations a scene states, the first for each thing: later ones are the work of its people."""
+    def _relations(self, scene: SceneReading, units: Sequence[Unit]) -> list[Relation]:
+        """The relations that hold as the scene opens; what its people bring about later is left to them."""
+        staging = Staging(units, self.assets)
+        placed = {deed.prop for unit in units for deed in unit.deeds if deed.motion in ("put_down", "throw", "drop")}
+        handled = {thing.id for thing in self.reading.things if thing.handled and thing.kind == "prop"}
         found: dict[str, Relation] = {}
         for index, relation in self.reading.relations:
             ends = {relation.asset_id, relation.anchor_asset_id}
-            known = len(ends) == 2 and ends <= self.assets
-            if known and self.reading.scenes[index].id == scene.id:
+            if self.reading.scenes[index].id != scene.id or len(ends) < 2 or not ends <= self.assets:
+                continue
+            moves_in = relation.asset_id in self.actors and (
+                relation.asset_id not in staging.opening or relation.anchor_asset_id in handled
+            )
+            if not moves_in and relation.asset_id not in placed:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())
 
@@ -160,7 +173,7 @@ class Assembly:
             for relation in relations
         ]
         furniture = ", ".join(self.names[thing] for thing in scene.furniture if thing in self.names)
-        place = scene.place.title() or "A place"
+        place = capwords(scene.place) or "A place"
         return "; ".join([f"{place} with {furniture}" if furniture else place, *stated]) + "."
 
     # -- shots -----------------------------------------------------------------------------------------------------
@@ -170,6 +183,7 @@ class Assembly:
         """Return the shots of a scene; bodies and things are carried from one to the next."""
         staging = Staging(units, self.assets)
         told: set[int] = set()
+        seen: set[str] = set()
         shots: list[ShotContext] = []
         for number, draft in enumerate(drafts, 1):
             states = staging.states(draft)
@@ -183,7 +197,7 @@ class Assembly:
                     on_stage=tuple(on_stage),
                     in_frame=tuple(self._in_frame(draft, on_stage)),
                     states=tuple(state for state in states if state.asset_id in self.actors),
-                    asset_modifications=tuple(self._modifications(fresh)),
+                    asset_modifications=tuple(self._modifications(fresh, seen)),
                     character_actions=tuple(self._actions(draft, on_stage, staging)),
                     new_lighting_description=next(
                         (c.state for u in fresh for c in u.changes if c.subject == "light"), None
@@ -219,22 +233,31 @@ class Assembly:
             pov_id=draft.pov,
             lens=_POV_LENS if draft.kind == "pov" else None,
             axis=draft.axis,
-            description=camera_sentence(draft, self.names, scene.place.title()),
+            description=camera_sentence(draft, self.names, capwords(scene.place)),
             explicit=draft.explicit,
         )
 
-    def _modifications(self, units: Sequence[Unit]) -> list[AssetModification]:
-        return [
-            AssetModification(
-                asset_id=change.subject,
-                modification_type="remove" if change.state == "gone" else "transform",
-                description=f"{self.names[change.subject]}: {change.state}",
-                state=change.state,
-            )
-            for unit in units
-            for change in unit.changes
-            if change.subject in self.assets
-        ]
+    def _modifications(self, units: Sequence[Unit], seen: set[str]) -> list[AssetModification]:
+        """What changes: doors and lamps, things that break or go, things that are brought out of a pocket."""
+        found: list[AssetModification] = []
+        for unit in units:
+            for deed in unit.deeds:
+                if deed.prop in self.assets and deed.prop not in seen and _brought_out(deed, unit, self.text):
+                    hand = f"in the hand of {self.names.get(deed.actor, deed.actor)}"
+                    found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
+            for change in unit.changes:
+                if change.subject in self.assets:
+                    found.append(
+                        AssetModification(
+                            asset_id=change.subject,
+                            modification_type="remove" if change.state == "gone" else "transform",
+                            description=f"{self.names[change.subject]}: {change.state}",
+                            state=change.state,
+                        )
+                    )
+            seen.update(unit.things)
+            seen.update(deed.prop for deed in unit.deeds if deed.prop)
+        return found
 
     def _actions(self, draft: ShotDraft, on_stage: Sequence[str], staging: Staging) -> list[CharacterAction]:
         """What everybody in the shot does: deeds, speech, faces; whoever is seen and does nothing listens or waits."""
@@ -306,13 +329,19 @@ class Assembly:
         ]
 
 
+def _brought_out(deed: Deed, unit: Unit, text: str) -> bool:
+    """Whether a thing comes out of clothes or a bag, so that it was not to be seen before."""
+    words = deed_words(deed, unit, text).lower()
+    return deed.motion in GETTING and bool(re.match(_OUT_OF, words))
+
+
 def is_character(person: Person) -> bool:
     """Whether somebody is cast: people, and animals that speak."""
     return person.kind != "animal" or person.speaks
 
 
 def _shown_name(each: Person | Thing) -> str:
-    return each.name.title() if each.name.isupper() else each.name
+    return capwords(each.name) if each.name.isupper() else each.name
 
 
 def _unique(items: Iterable[str | None]) -> list[str]:

@@ -8,6 +8,7 @@ from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, bre
 from storyblender.agents.director.directions import attach_notes
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.economy import economise
+from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.wording import listed, one_line
@@ -25,6 +26,7 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         settings: How finely to cut.
     """
     settings = settings or DirectorSettings()
+    reading = expand_groups(reading)
     assembly = Assembly(reading, settings)
     notes = attach_notes(reading)
     outline, details, shots = [], [], []

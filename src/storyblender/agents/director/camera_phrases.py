@@ -206,7 +206,7 @@ def _read(loud: str, phrase: str, names: dict[str, str | None]) -> CameraNote:
         for field, value in fields.items():
             if not getattr(note, field):
                 setattr(note, field, value)
-    if note.direction and note.movement in ("", "static"):
+    if note.movement not in ("pan", "tilt", "pedestal", "truck", "track", "orbit"):
         note.direction = ""
     note.who = (who or "").strip(" .'’")
     return note

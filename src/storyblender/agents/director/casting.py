@@ -16,6 +16,11 @@ Skin = Literal["pale", "light", "tan", "brown", "dark"]
 _Key = TypeVar("_Key", bound=str)
 FacialHair = Literal["none", "stubble", "moustache", "beard"]
 
+_INTRODUCTION: Final = re.compile(
+    r"[^\W\d_][\w.'’#-]*(?:\s[\w.'’#-]+){0,3}?"
+    r"(?:\s*\((?P<brackets>[^)]{3,200})\)|,\s+(?P<apposition>(?:an?|the|in|wearing)\s[^.;:!?]{3,120})"
+    r"|\s+(?:dressed in|wearing|in)\s(?P<worn>[^.,;:!?]{3,60}))"
+)
 _GARMENTS: Final = {
     "dinner_jacket trousers:black shirt:white bow_tie:black": "dinner jacket|tuxedo|white tie|black tie",
     "jacket trousers:same shirt": "suit|pinstripes|three-piece suit",
@@ -109,27 +114,39 @@ _DEFAULT_HAIR: Final = {
 }
 
 
-def cast(person: Person) -> CharacterLook:
+def introduction(person: Person, text: str) -> str:
+    """Return the words that introduce a person: in brackets after the name, in apposition, or after ``in``.
+
+    Args:
+        person: ``first`` is where the name first stands in ``text``.
+        text: The script.
+    """
+    match = _INTRODUCTION.match(text, person.first)
+    return " ".join((match["brackets"] or match["apposition"] or match["worn"]).split()) if match else ""
+
+
+def cast(person: Person, introduced: str = "") -> CharacterLook:
     """Return the look of a person from the words of the script.
 
     Args:
         person: As read. Words the script does not use leave the default; the seed of the default is the person's id,
             so the same person always looks the same.
+        introduced: The words of the introduction, for what the reader did not sort (skin, glasses, a beard).
     """
     seed = int(content_hash(person.id)[:8], 16)
     age = years(person, seed)
     hair = ", ".join(person.hair)
-    everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit))
+    everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
     return CharacterLook(
         gender=person.gender,
         age=age,
         stature=_stature(person, age),
-        build=_first(_BUILD, ", ".join(person.build)) or "average",
+        build=_first(_BUILD, ", ".join(person.build) or introduced) or "average",
         skin=_first(_SKIN, everything) or "light",
         hair=_hair(person, age, seed),
         hair_color=hair_color(_without_beard(hair)),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
-        garments=garments(", ".join(person.outfit)),
+        garments=garments(", ".join(person.outfit) or introduced),
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
     )
 

@@ -24,6 +24,8 @@ _SPEECH: Final = 25
 """A longer speech leaves room to cut to the listener."""
 _JOINED: Final = 7.0
 """Sentences of one paragraph share a shot up to this many seconds."""
+_ESTABLISHED: Final = 6.0
+"""An establishing shot takes in what follows in its paragraph up to this many seconds."""
 _TOGETHER: Final = 5
 """No more faces than this in one group."""
 
@@ -58,6 +60,7 @@ class _Coverage:
         self.talk = 0
         """Speeches since the geography was last shown."""
         self.present = -1
+        self.talkers = {each for unit in units if unit.kind == "dialogue" for each in (unit.speaker, unit.to)}
         self.axes: dict[frozenset[str], tuple[str, str]] = {}
 
     def shots(self) -> list[ShotDraft]:
@@ -102,7 +105,7 @@ class _Coverage:
             draft.axis = self._axis(*pair[:2]) if len(pair) > 1 else None
         self.drafts.append(draft)
         self.establish = self.establish and step(draft.size, "FS") > 0 and draft.kind in ("insert", "pov")
-        self.talk = 1 if draft.kind in ("two_shot", "group") else 0
+        self.talk = max(self.talk, int(draft.kind in ("two_shot", "group")))
 
     # -- action ----------------------------------------------------------------------------------------------------
     def _action(self, index: int, unit: Unit) -> None:
@@ -199,7 +202,7 @@ class _Coverage:
         if before.element != unit.element or before.kind != "action":
             return False
         if last.kind == "establishing":
-            return seconds <= 5.0 and not set(unit.entering) and new.kind != "insert"
+            return seconds <= _ESTABLISHED and not new.whole_body and new.kind != "insert"
         nested = set(new.focus) <= set(last.focus) or set(last.focus) <= set(new.focus)
         return nested and seconds <= _JOINED and abs(step(new.size, last.size)) <= 2
 
@@ -245,11 +248,11 @@ class _Coverage:
         return others[0] if len(others) == 1 else None
 
     def _speaking(self, unit: Unit, speaker: str, listener: str | None, *, final: bool) -> ShotDraft:
-        crowd = len(unit.on_stage) > 2
+        others = [p for p in unit.on_stage if p in self.talkers and p not in (speaker, listener)]
+        crowd = bool(others) if listener else len(unit.on_stage) > 1
         if self.talk == 1:
             last = self._last
             if crowd and not (last and last.kind == "group"):
-                others = [person for person in unit.on_stage if person not in (speaker, listener)]
                 return self._add("group", "MWS", [speaker, listener, *others][:_TOGETHER], unit)
             if crowd or not listener:
                 return self._add("single", "MCU" if crowd else "MS", [speaker], unit)

@@ -19,23 +19,26 @@ class Names:
     """Finds people and things by the words of a direction."""
 
     def __init__(self, reading: Reading) -> None:
-        entries: list[tuple[str, str]] = []
-        for person in reading.people:
-            entries += [(name, person.id) for name in (person.name, *person.aliases, person.role) if name]
         self.people = {person.id for person in reading.people}
+        self._ids: dict[str, list[str]] = {}
+        for person in reading.people:
+            self._name(person.id, person.name, *person.aliases, person.role)
         for thing in reading.things:
-            entries += [(name, thing.id) for name in (thing.name, thing.name.split()[-1] if thing.name else "") if name]
-        self._entries = sorted(entries, key=lambda entry: -len(entry[0]))
+            self._name(thing.id, thing.name, *thing.name.split()[-1:])
+
+    def _name(self, id_: str, *names: str) -> None:
+        for name in {name.lower(): None for name in names if name}:
+            self._ids.setdefault(name, []).append(id_)
 
     def find(self, words: str) -> list[str]:
         """Return the ids named in ``words``, in order; the longest name wins a place."""
         found: list[tuple[int, str]] = []
         rest = words
-        for name, id_ in self._entries:
+        for name in sorted(self._ids, key=len, reverse=True):
             match = re.search(rf"(?<!\w){re.escape(name)}(?!\w)", rest, re.IGNORECASE)
             if match:
                 rest = rest[: match.start()] + " " * len(match[0]) + rest[match.end() :]
-                found.append((match.start(), id_))
+                found += [(match.start(), id_) for id_ in self._ids[name]]
         return list(dict.fromkeys(id_ for _, id_ in sorted(found)))
 
 

@@ -13,6 +13,7 @@ LONGEST_ACTION: Final = 8.0
 ESTABLISHING: Final = 3.0
 """An establishing shot stays at least this long: the eye needs it to read a place."""
 _PAUSE: Final = re.compile(r"\b(?:beat|pause|silence|long)\b", re.IGNORECASE)
+_BRACKETS: Final = re.compile(r"\([^)]*\)")
 _UNSPACED: Final = re.compile(r"[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]")
 
 
@@ -29,8 +30,8 @@ def speech_seconds(text: str, parenthetical: str = "") -> float:
 
 
 def action_seconds(text: str) -> float:
-    """Return how long a sentence of action takes to play."""
-    return min(LONGEST_ACTION, max(SHORTEST, 0.2 * word_count(text) + 0.5))
+    """Return how long a sentence of action takes to play; looks in brackets take no time."""
+    return min(LONGEST_ACTION, max(SHORTEST, 0.2 * word_count(_BRACKETS.sub(" ", text)) + 0.5))
 
 
 def shot_seconds(shot: ShotDraft, text: str) -> float:

@@ -33,7 +33,7 @@ def economise(
     kept = list(drafts)
     if settings.shots_per_scene is None:
         return kept
-    scene = _Economy(kept, people, text, settings.longest_shot)
+    scene = _Economy(kept, people, text, settings)
     for give_up in (scene.insert, scene.reaction, scene.talk, scene.actor, scene.neighbours):
         while len(kept) > settings.shots_per_scene and give_up():
             pass
@@ -41,11 +41,11 @@ def economise(
 
 
 class _Economy:
-    def __init__(self, drafts: list[ShotDraft], people: Collection[str], text: str, longest: float) -> None:
+    def __init__(self, drafts: list[ShotDraft], people: Collection[str], text: str, settings: DirectorSettings) -> None:
         self.drafts = drafts
         self.people = people
         self.text = text
-        self.longest = longest
+        self.settings = settings
 
     def insert(self) -> bool:
         """Drop an insert without a line; the shot before widens to show the thing."""
@@ -93,8 +93,11 @@ class _Economy:
         return [
             (a, b)
             for a, b in pairs
-            if not a.explicit and not b.explicit and a.beats and b.beats and self._seconds(a, b) <= self.longest
+            if not a.explicit and not b.explicit and a.beats and b.beats and self._seconds(a, b) <= self._limit(a, b)
         ]
+
+    def _limit(self, a: ShotDraft, b: ShotDraft) -> float:
+        return self.settings.longest_talk if a.speech and b.speech else self.settings.longest_action
 
     def _seconds(self, a: ShotDraft, b: ShotDraft) -> float:
         return shot_seconds(a, self.text) + shot_seconds(b, self.text)
@@ -137,7 +140,7 @@ class _Economy:
         if talk and a.axis and len(faces) == 2:
             a.kind, a.size = "two_shot", _wider(a.size, "MS")
         elif len(faces) > 2:
-            a.kind, a.size = "group", _wider(a.size, "MWS")
+            a.kind, a.size, a.focus = "group", _wider(a.size, "MWS"), faces
         else:
             a.kind = "single" if talk else "action"
             a.size = _wider(a.size, "MS") if len(a.focus) > 1 else a.size

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from itertools import takewhile
 
@@ -105,12 +105,3 @@ class Staging:
 def _comes_in(person: str, unit: Unit) -> bool:
     """Whether a person's first unit brings them on stage, instead of finding them there."""
     return person in unit.entering and any(deed.actor == person and deed.motion in TRAVEL for deed in unit.deeds)
-
-
-def entrances(units: Sequence[Unit]) -> Mapping[int, list[str]]:
-    """Return who comes in in which unit, by index: people who walk in after the scene has begun."""
-    return {
-        index: [person for person in unit.entering if _comes_in(person, unit)]
-        for index, unit in enumerate(units)
-        if index and unit.entering
-    }

@@ -8,19 +8,25 @@ from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.reading import Deed, Unit
-from storyblender.memory.vocabulary import Mood, ShotSize
+from storyblender.memory.vocabulary import Mood, Movement, ShotSize
 
 _SIZES: Final[dict[ShotSize, str]] = {
     "EWS": "extreme wide shot", "WS": "wide shot", "FS": "full shot", "MWS": "medium wide shot", "MS": "medium shot",
     "MCU": "medium close-up", "CU": "close-up", "ECU": "extreme close-up",
 }  # fmt: skip
-_KINDS: Final = {"two_shot": "two-shot", "group": "group shot", "insert": "insert", "establishing": "establishing shot"}
+_KINDS: Final = {"two_shot": "two-shot", "group": "group shot"}
+_MOVES: Final[dict[Movement, str]] = {
+    "push in": "slow push in",
+    "pull out": "slow pull out",
+    "pan": "panning",
+    "tilt": "tilting",
+}
 _MOODS: Final[dict[Mood, str]] = {
     "happy": "happ|smil|grin|laugh|cheer|joy|delight|amus|beam|excited|proud|playful",
     "sad": "sad|tear|cry|sob|weep|grie|mourn|broken|bitter|lonel|regret|heartbroken",
     "angry": "angr|furious|rage|scowl|glare|frown|snarl|yell|shout|harsh|cold|snap|spit|hiss|annoy|irritat|stern",
     "afraid": "afraid|fear|scare|terrif|panic|nervous|trembl|shak|anxious|worr|pale|alarm|frantic|horrif|startl",
-    "tender": "tender|gentl|soft|warm|kind|lov|quietly|whisper|sooth|affection",
+    "tender": "tender|gentl|soft|warm|kind|lov|sooth|affection",
 }
 _MOTION_WORDS: Final = {"idle": "is there", "talk": "speaks", "whisper": "whispers", "shout": "shouts", "sing": "sings"}
 
@@ -45,19 +51,20 @@ def listed(names: list[str]) -> str:
 
 def camera_sentence(draft: ShotDraft, names: Mapping[str, str], place: str) -> str:
     """Return one sentence for the camera, e.g. ``A static medium close-up of Ilsa over Rick's shoulder, eye-level.``"""
-    size, kind = _SIZES[draft.size], _KINDS.get(draft.kind, "")
-    form = (
-        f"{size}, {kind}," if kind in ("insert", "establishing shot") else size.replace("shot", kind) if kind else size
-    )
-    form = form if not kind or kind in form else f"{size} {kind}"
-    movement = {"static": "static", "push in": "slow push in,"}.get(draft.movement, f"{draft.movement},")
+    form = _SIZES[draft.size]
+    if draft.kind in _KINDS:
+        form = form.removesuffix(" shot") + " " + _KINDS[draft.kind]
+    elif draft.kind in ("insert", "establishing"):
+        form = f"{draft.kind} {form}"
+    form = f"static {form}" if draft.movement == "static" else form
     shown = listed([names.get(each, each) for each in draft.focus]) or place or "the place"
-    sentence = f"{'An' if movement[0] in 'aeiou' else 'A'} {movement} {form} of {shown}".replace(", of", " of")
+    sentence = f"{'An' if form[0] in 'aeiou' else 'A'} {form} of {shown}"
     if draft.over:
         sentence += f" over {names.get(draft.over, draft.over)}'s shoulder"
     if draft.pov:
         sentence += f" as {names.get(draft.pov, draft.pov)} sees it"
-    sentence += f", {draft.angle}" + (f", moving {draft.direction}" if draft.direction else "")
+    move = "" if draft.movement == "static" else _MOVES.get(draft.movement, draft.movement)
+    sentence += ", ".join(["", *filter(None, [f"{move} {draft.direction or ''}".strip(), draft.angle])])
     ordered = f" (script: {one_line(draft.note.phrase)})" if draft.note and draft.note.phrase else ""
     return sentence + ordered + "."
 
@@ -68,6 +75,7 @@ def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: 
     for beat in draft.beats:
         words = one_line(text[beat.start : beat.end])
         if beat.unit.kind == "action":
+            words = words[:1].upper() + words[1:]
             parts.append(words if words.endswith((".", "!", "?", "…", '"', "”")) else words + ".")
             continue
         speaker = names.get(beat.unit.speaker or "", "") or beat.unit.speaker_name.title() or "A voice"

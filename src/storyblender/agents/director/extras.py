@@ -1,0 +1,93 @@
+"""Groups become people: ``TWO GUARDS`` are two bodies on the set, though the script gives them one name."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TypeVar
+
+from storyblender.agents.director.reading import Person, Reading, Unit
+from storyblender.memory.scene_context import Relation
+
+MOST = 4
+"""Bodies for one group; a crowd is suggested, not counted."""
+
+_Value = TypeVar("_Value")
+
+
+def expand_groups(reading: Reading) -> Reading:
+    """Return the reading with every group replaced by its members; one member speaks and is spoken to.
+
+    Args:
+        reading: Left as it is.
+    """
+    people: list[Person] = []
+    members: dict[str, list[str]] = {}
+    for person in reading.people:
+        count = min(MOST, person.count) if person.kind != "animal" else 1
+        if count < 2:
+            people.append(person)
+            continue
+        singles = [_member(person, number) for number in range(1, count + 1)]
+        members[person.id] = [single.id for single in singles]
+        people += singles
+    if not members:
+        return reading
+    return replace(
+        reading,
+        people=people,
+        units=[_expand(unit, members) for unit in reading.units],
+        relations=[
+            (scene, single) for scene, relation in reading.relations for single in _expand_relation(relation, members)
+        ],
+    )
+
+
+def _member(group: Person, number: int) -> Person:
+    return replace(
+        group, id=f"{group.id[:60]}_{number}", name=f"{group.name} {number}", kind="human", count=1,
+        aliases=(*group.aliases, group.name),
+    )  # fmt: skip
+
+
+def _expand(unit: Unit, members: dict[str, list[str]]) -> Unit:
+    return replace(
+        unit,
+        deeds=[
+            replace(deed, actor=actor, target=_maybe(deed.target, members))
+            for deed in unit.deeds
+            for actor in members.get(deed.actor, [deed.actor])
+        ],
+        on_stage=_all(unit.on_stage, members),
+        entering=_all(unit.entering, members),
+        leaving=_all(unit.leaving, members),
+        people=_all(unit.people, members),
+        posture=_each(unit.posture, members),
+        held={_one(person, members): things for person, things in unit.held.items()},
+        expressions=_each(unit.expressions, members),
+        speaker=_maybe(unit.speaker, members),
+        to=_maybe(unit.to, members),
+    )
+
+
+def _expand_relation(relation: Relation, members: dict[str, list[str]]) -> list[Relation]:
+    anchor = _one(relation.anchor_asset_id, members)
+    return [
+        relation.model_copy(update={"asset_id": member, "anchor_asset_id": anchor})
+        for member in members.get(relation.asset_id, [relation.asset_id])
+    ]
+
+
+def _all(ids: list[str], members: dict[str, list[str]]) -> list[str]:
+    return [member for id_ in ids for member in members.get(id_, [id_])]
+
+
+def _each(values: dict[str, _Value], members: dict[str, list[str]]) -> dict[str, _Value]:
+    return {member: value for person, value in values.items() for member in members.get(person, [person])}
+
+
+def _one(id_: str, members: dict[str, list[str]]) -> str:
+    return members[id_][0] if id_ in members else id_
+
+
+def _maybe(id_: str | None, members: dict[str, list[str]]) -> str | None:
+    return _one(id_, members) if id_ else None
