@@ -20,11 +20,13 @@ _FEWEST_PIXELS = 12
 _KEY_GAIN = (0.35, 2.0)
 _FILL_GAIN = (0.2, 3.0)
 _LIT_ENOUGH, _LEAST_KEY = 1.3, 0.08
+_SET_ON_FACES, _LEAST_SET_LAMP = 0.8, 0.3
+"""Lamps of the set may bring a face to this share of its target, and are dimmed to no less than this otherwise."""
 """Keys and fills are scaled within these. A key beyond 2x turns clothes to chalk before it lights a visor's shade; a
 face without any key is flat, so where the set just lights it enough, the trim takes the rest; in the sun it may go."""
 _TRIM = (-1.5, 0.8)
 """Stops by which a frame may be darkened or brightened as a whole; a burnt face is worse than a dark room."""
-_DARKER, _BRIGHTER = 0.85, 1.6
+_DARKER, _BRIGHTER = 0.85, 2.0
 """Faces between these multiples of the target are left alone: in the sun they may be brighter than in the shade."""
 _PASSES = 3
 
@@ -101,6 +103,30 @@ def solve_faces(
                     so_far = solved[i].light.power / fields[i].light.power
                     solved[i] = fields[i].scaled(float(np.clip(gain * so_far, least, most)))
     return tuple(_with_rims(solved, fields))
+
+
+def dim_set_lamps(
+    fields: Sequence[LightField], ambient: Image, albedo: Image, faces: Sequence[Face], target: float
+) -> tuple[LightField, ...]:
+    """Dim the lamps of the set that alone would burn a face out, as a gaffer flags a practical; never the sun.
+
+    Arguments as for ``solve_faces``.
+    """
+    dimmed = list(fields)
+    for face in faces:
+        shade = albedo[face.mask]
+        of_set = [index for index, field in enumerate(dimmed) if field.light.for_asset is None]
+        level = bright_half(_luminance_at([dimmed[i] for i in of_set], ambient, shade, face.mask))
+        lamps = [i for i in of_set if dimmed[i].light.kind != "SUN"]
+        given = {i: bright_half(_luminance_at([dimmed[i]], None, shade, face.mask)) for i in lamps}
+        strong = [i for i in lamps if given[i] > 0.1 * level]
+        surplus = level - _SET_ON_FACES * target
+        if surplus <= 0 or not strong:
+            continue
+        gain = max(_LEAST_SET_LAMP, 1 - surplus / sum(given[i] for i in strong))
+        for i in strong:
+            dimmed[i] = dimmed[i].scaled(gain)
+    return tuple(dimmed)
 
 
 def _with_rims(solved: Sequence[LightField], fields: Sequence[LightField]) -> list[LightField]:

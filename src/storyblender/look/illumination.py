@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.look.raster import LUMA, Image, luminance
-from storyblender.memory.scene_context import Light, Sky
+from storyblender.memory.scene_context import Light, Lighting, Sky
 
 _BOUNCE = 0.55
 """Share of the mean outgoing light that comes back from all sides as first bounce (fitted to Cycles, 3 bounces)."""
@@ -67,10 +67,27 @@ def light_field(light: Light, positions: Image, normal: Image) -> LightField:
     return LightField(light, amount)
 
 
-def ambient_light(ambient: Sequence[float], normal: Image, openness: Image) -> Image:
-    """Return the (h, w, 3) light from all sides: a little more from above, none in the corners."""
-    amount = openness * (0.75 + 0.25 * normal[..., 2])
-    return amount[..., None] * np.asarray(ambient, np.float32)
+def ambient_light(plan: Lighting, roofed: float, normal: Image, openness: Image) -> Image:
+    """Return the (h, w, 3) light from all sides; none in the corners.
+
+    Under the sky a level surface gets the plan's ambient light and an upright one half of it, the rest from the
+    ground. Under a roof it comes from everywhere, a little more from above.
+
+    Args:
+        plan: Ambient light and sky.
+        roofed: 0 under the open sky to 1 in a closed room.
+        normal: (h, w, 3) world, unit.
+        openness: (h, w) ambient occlusion.
+    """
+    ambient, ground = np.asarray(plan.ambient, np.float32), np.asarray(plan.sky.ground, np.float32)
+    up = normal[..., 2:]
+    outdoors = ground + (ambient - ground) * (1 + up) / 2
+    return openness[..., None] * (outdoors * np.float32(1 - roofed) + roof_light(plan, roofed, normal))
+
+
+def roof_light(plan: Lighting, roofed: float, normal: Image) -> Image:
+    """Return the part of the ambient light that no sky gives; a path tracer is given it, as nothing else would."""
+    return (0.75 + 0.25 * normal[..., 2:]) * (np.asarray(plan.ambient, np.float32) * np.float32(roofed))
 
 
 def bounce_light(albedo: Image, direct: Image, solid: NDArray[np.bool_], openness: Image) -> Image:

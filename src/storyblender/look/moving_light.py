@@ -69,10 +69,11 @@ class MovingLight:
 
     Args:
         plan: Balanced light plan: ambient light, sky, fog.
+        roofed: 0 under the open sky to 1 in a closed room.
     """
 
-    def __init__(self, plan: Lighting) -> None:
-        self._plan = plan
+    def __init__(self, plan: Lighting, roofed: float) -> None:
+        self._plan, self._roofed = plan, roofed
         self._held: _Held | None = None
         self._bounce = np.zeros(3, np.float32)
 
@@ -95,7 +96,8 @@ class MovingLight:
         normal = normals_of(positions, frame.depth, rays)[changed][:, None]
         places, rays, depth = positions[changed][:, None], rays[changed][:, None], frame.depth[changed][:, None]
         fields = [light_field(lamp, places, normal) for lamp in lamps]
-        light = total(fields, ambient_light(self._plan.ambient, normal, np.ones(depth.shape, np.float32)))
+        open_air = np.ones(depth.shape, np.float32)
+        light = total(fields, ambient_light(self._plan, self._roofed, normal, open_air))
         if held is None:
             leaving = np.minimum(frame.albedo * light.reshape(frame.albedo.shape), 4.0)
             solid = frame.coverage > 0.5

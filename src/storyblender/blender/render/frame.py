@@ -17,7 +17,7 @@ from storyblender.blender.render.session import RenderSession
 from storyblender.blender.render.shadow_maps import render_shadow_map
 from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
-from storyblender.look.exposure import Face, bright_half, find_faces, solve_faces, trim
+from storyblender.look.exposure import Face, bright_half, dim_set_lamps, find_faces, solve_faces, trim
 from storyblender.look.face_light import face_lights
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.grade import to_bytes, to_display
@@ -26,6 +26,7 @@ from storyblender.look.illumination import (
     ambient_light,
     bounce_light,
     light_field,
+    roof_light,
     sky_light,
     strength,
     total,
@@ -118,11 +119,13 @@ class FrameResult:
     Attributes:
         image: uint8 (h, w, 3), sRGB.
         lights: Key, fill and rim of the shot as solved.
+        set_lights: The set's lamps, balanced; those that would burn a face out are dimmed for this shot.
         statistics: Measured on the picture.
     """
 
     image: NDArray[np.uint8]
     lights: tuple[Light, ...]
+    set_lights: tuple[Light, ...]
     statistics: FrameStatistics
 
 
@@ -152,7 +155,7 @@ def render_frame(
         set_light = balanced(scene, lighting)
         plan = set_light.plan
         shot = _Shot(session, passes, set_light, people, step * look.light_step)
-        lights = plan.lights + shot.lights
+        lights = shot.set_lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
     gbuffer = passes.gbuffer.reduced(step)
     depth, rays, eye = gbuffer.depth, gbuffer.view.rays(), gbuffer.view.eye
@@ -170,7 +173,7 @@ def render_frame(
             display = draw_pencil(display, ink, passes.gbuffer.coverage(FLESH, step), look.ink)
         else:
             display = apply_ink(display, ink, people_nearby(passes.gbuffer, step), look.ink)
-    return FrameResult(to_bytes(display), shot.lights, statistics)
+    return FrameResult(to_bytes(display), shot.lights, shot.set_lights, statistics)
 
 
 def _look_of(request: FrameRequest) -> Look:
@@ -203,8 +206,8 @@ class _Shot:
         self._positions = self.gbuffer.positions()
         self._normal = self.gbuffer.normal.astype(np.float32)
         self._openness = ambient_occlusion(self.gbuffer, self._positions, self._normal)
-        ambient = ambient_light(self.plan.ambient, self._normal, self._openness)
-        self.roof_light = ambient * np.float32(set_light.roofed)
+        ambient = ambient_light(self.plan, set_light.roofed, self._normal, self._openness)
+        self.roof_light = roof_light(self.plan, set_light.roofed, self._normal) * self._openness[..., None]
         lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)
         fields = [light_field(lamp, self._positions, self._normal) for lamp in lamps]
         fields = self._with_shadows(session, fields, _pixels_of(people, passes, self.gbuffer))
@@ -212,7 +215,14 @@ class _Shot:
         bounce = bounce_light(self.albedo, from_set, ~self.gbuffer.sky, self._openness)
         faces = find_faces(self.gbuffer, [(head.asset_id, head.location, head.scale) for head in people])
         self._around = ambient + bounce
-        self.fields = solve_faces(fields, self._around, self.albedo, faces, self.plan.face_luminance)
+        target = self.plan.face_luminance
+        fields = dim_set_lamps(fields, self._around, self.albedo, faces, target)
+        self.fields = solve_faces(fields, self._around, self.albedo, faces, target)
+
+    @property
+    def set_lights(self) -> tuple[Light, ...]:
+        """The lamps of the set as they burn in this shot."""
+        return tuple(field.light for field in self.fields[: len(self.plan.lights)])
 
     @property
     def lights(self) -> tuple[Light, ...]:
@@ -303,7 +313,7 @@ def _relit(
         share = shrink(gbuffer.sky.astype(np.float32), step)[..., None]
         return mean_albedo(gbuffer, step) * light + gbuffer.emission(step) + sky * share
     cast = [obj for obj in session.visible_objects() if obj.get("kind") == "character"]
-    with lit(session.scene, shot.plan.lights + shot.lights, shot.plan.sky, cast):
+    with lit(session.scene, shot.set_lights + shot.lights, shot.plan.sky, cast):
         traced = render_cycles(
             session,
             request.width // look.light_step,

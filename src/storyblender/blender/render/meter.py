@@ -25,12 +25,13 @@ _STATIONS: tuple[Vec3, ...] = ((0, 0, 1.5), (1.3, 1.0, 1.5), (-1.3, 1.0, 1.5), (
 _RAYS = 70
 _STEEPEST = 0.6
 """Sine of the elevation up to which the meter looks: cameras seldom look higher or lower."""
-_GREY = 0.18
+_REFLECTANCE = 0.26
+"""Of the walls, floors and clothes of an average set; one number for all, so that dark sets stay dark."""
 _REACH = 60.0
 _GAIN = (0.1, 8.0)
 _FITTING = 0.35
 _MILKY = 1.3
-"""Fog is never brighter than this many times the set's grey: a brighter veil looks like milk, not like air."""
+"""Fog is never brighter than this many times the level of the set: a brighter veil looks like milk, not like air."""
 _FEWEST_HITS = 20
 
 
@@ -39,7 +40,7 @@ class SetLight:
     """The light of a set, brought to its level.
 
     Attributes:
-        plan: Set lamps, ambient light, sky and fog scaled so that grey reaches ``set_luminance``.
+        plan: Set lamps, ambient light, sky and fog scaled so that an average surface reaches ``set_luminance``.
         roofed: 0 under the open sky to 1 in a closed room: the share of ambient light that no sky gives, and that a
             path tracer would therefore miss.
     """
@@ -62,12 +63,12 @@ def balanced(scene: bpy.types.Scene, lighting: Lighting) -> SetLight:
     positions = np.array([[p for p, _ in points]], np.float32)
     normal = np.array([[n for _, n in points]], np.float32)
     fields = [light_field(light, positions, normal) for light in lighting.lights]
-    ambient = ambient_light(lighting.ambient, normal, np.ones(normal.shape[:2], np.float32))
+    ambient = ambient_light(lighting, roofed, normal, np.ones(normal.shape[:2], np.float32))
     strong = 0.02 * luminance(total(fields, ambient))
     reaching = [field.shadowed(_reached(scene, field, positions, strong)) for field in fields]
     # The square of the mean root stands between the mean, which one lamp can rule, and the geometric mean, which a
     # shaded street side would: that one burns everything in the sun.
-    level = _GREY * float(np.sqrt(luminance(total(reaching, ambient))).mean()) ** 2
+    level = _REFLECTANCE * float(np.sqrt(luminance(total(reaching, ambient))).mean()) ** 2
     return SetLight(scaled(lighting, float(np.clip(lighting.set_luminance / level, *_GAIN))), roofed)
 
 

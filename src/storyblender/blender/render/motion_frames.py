@@ -76,13 +76,13 @@ def render_motion(
         first = _heads(scene, in_frame)
         still = render_frame(scene, camera_object, lighting, first, still_request)
         gain = np.float32(2.0**still.statistics.exposure)
-        plan = balanced(scene, lighting).plan
-        light = MovingLight(plan)
+        set_light = balanced(scene, lighting)
+        plan, light = set_light.plan, MovingLight(set_light.plan, set_light.roofed)
         glow: tuple[View, NDArray[np.float32], NDArray[np.float32]] | None = None
-        with _animatic_workbench(session, plan.lights + still.lights):
+        with _animatic_workbench(session, still.set_lights + still.lights):
             for number in frames:
                 session.go_to(number)
-                lamps = plan.lights + _followed(still.lights, first, _heads(scene, in_frame))
+                lamps = still.set_lights + _followed(still.lights, first, _heads(scene, in_frame))
                 channels, view = session.exr(width, height, depth=True), session.view(width, height)
                 depth = np.where(channels["Combined.A"] > 0.5, channels["Depth.Z"], np.float32(FAR))
                 if glow is None or not same_view(glow[0], view):
