@@ -34,7 +34,7 @@ class HairSpec:
         tip: Width at the end of a lock as a share.
         growth: ``full``, ``receding`` or ``wreath`` (bald on top).
         knot: ``bun`` or ``tail`` at the back.
-        curls: ``tight`` round curls or falling ``ringlets`` instead of locks.
+        curls: Round curls instead of locks.
     """
 
     key: str
@@ -55,7 +55,7 @@ class HairSpec:
     tip: float = 0.12
     growth: Literal["full", "receding", "wreath"] = "full"
     knot: Literal["", "bun", "tail"] = ""
-    curls: Literal["", "tight", "ringlets"] = ""
+    curls: bool = False
 
 
 HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
@@ -85,7 +85,12 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
              top=0.022, side=0.022, parting=0.38, sweep=0.25, locks=90, reach=1.6, hang=0.16, mess=0.15, lift=0.006,
              width=0.034, wave=0.028, tip=0.35),
     HairSpec(key="curly", name="Curly", tags=("curls", "ringlets", "frizzy"),
-             top=0.026, side=0.020, comb="crown", locks=130, curls="ringlets", width=0.020, mess=0.5, tip=0.3),
+             top=0.032, side=0.026, comb="crown", locks=190, curls=True, width=0.036, mess=0.5),
     HairSpec(key="afro", name="Afro", tags=("natural", "round"),
-             top=0.060, side=0.052, comb="crown", locks=150, curls="tight", width=0.050, mess=0.25),
+             top=0.060, side=0.052, comb="crown", locks=150, curls=True, width=0.050, mess=0.25),
 ))  # fmt: skip
+
+
+def hairstyle(key: str) -> HairSpec:
+    """Return a hairstyle; a key that the catalog does not know gives short hair."""
+    return HAIRSTYLES.get(key, HAIRSTYLES["short"])

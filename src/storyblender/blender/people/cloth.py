@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from storyblender.blender.people.figure import FAR, Figure
 from storyblender.blender.people.sheet import Sheet, clip, loosened, normals, smoothed
 from storyblender.blender.people.under import Under
-from storyblender.catalog.garments import Band, Collar, Fabric, Footwear, Lapel, Legs, Piece, Skirt, Top
+from storyblender.catalog.cuts import Band, Collar, Fabric, Footwear, Lapel, Legs, Piece, Skirt, Top
 from storyblender.catalog.skeleton import columns
 
 Floats = NDArray[np.float64]

@@ -17,6 +17,7 @@ from storyblender.blender.people.sheet import Sheet, join, rigid
 from storyblender.catalog.skeleton import BONE_INDEX, SKELETON
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 EYE_RINGS = ((0.0, 0), (0.19, 0), (0.20, 1), (0.43, 1), (0.44, 2), (0.50, 2), (0.51, 3), (0.9, 3), (1.4, 3), (1.9, 3))
 """Angle from the optical axis in radians and the slot of the band that ends there: pupil, iris, limbus, sclera."""
@@ -62,7 +63,7 @@ def _eye(figure: Figure, side: str) -> Sheet:
 
 
 @lru_cache(maxsize=1)
-def _base_tree(pack: BodyPack) -> tuple[BVHTree, Floats]:
+def _base_tree(pack: BodyPack) -> tuple[BVHTree, Ints]:
     skin = PARTS["skin"].stop
     faces = pack.faces[pack.faces[:, 0] < skin]
     return BVHTree.FromPolygons(pack.points[:skin].tolist(), faces.tolist()), faces

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.pack import PARTS, BodyPack
 from storyblender.blender.people.sheet import Sheet
-from storyblender.catalog.garments import Level, Opening
+from storyblender.catalog.cuts import Level, Opening
 from storyblender.catalog.skeleton import columns
 
 Floats = NDArray[np.float64]
@@ -164,4 +164,6 @@ class Figure:
         z = sheet.skin[:, 2]
         width = opening.width * np.clip((z - bottom) / (top - bottom), 0, 1.15) + opening.gap
         width = np.where(z < bottom, opening.gap - (0 if opening.gap else 0.001), width) * self.k
-        return np.where(self.is_front(sheet), np.abs(sheet.skin[:, 0]) - width, 0.05)
+        # Towards the shoulder's ridge the opening closes in a curve.
+        depth = np.clip((self.joint("neck")[1] - 0.01 * self.k - sheet.skin[:, 1]) / (0.035 * self.k), 0, 1)
+        return np.where(self.is_front(sheet), np.abs(sheet.skin[:, 0]) - width * np.sqrt(depth), 0.05)

@@ -12,7 +12,7 @@ from storyblender.blender.people.face import bone_weights
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.sheet import Sheet, rigid
 from storyblender.blender.people.under import Under
-from storyblender.catalog.garments import Hat
+from storyblender.catalog.cuts import Hat
 
 Floats = NDArray[np.float64]
 Profile = tuple[tuple[float, float], ...]
@@ -63,12 +63,13 @@ class _Head:
         self.scale = figure.head_scale
         self.rx = (high[0] - low[0]) / 2 + 0.013 * self.scale
         self.ry = (high[1] - low[1]) / 2 + 0.013 * self.scale
-        self.center = np.array((0.0, (low[1] + high[1]) / 2, high[2] - 0.082 * self.scale))
+        self.center: Floats = np.array((0.0, (low[1] + high[1]) / 2, high[2] - 0.082 * self.scale), float)
 
     def _place(self, turn: float, radius: float, height: float) -> Floats:
         """Return a point at an angle (0 = left, -90 degrees = front)."""
         x, y = self.rx * radius * math.cos(turn), self.ry * radius * math.sin(turn)
-        return self.center + np.array((x, y, height * self.scale - 0.16 * y))
+        offset: Floats = np.array((x, y, height * self.scale - 0.16 * y), float)
+        return self.center + offset
 
     def turn(self, profile: Profile, dented: bool = False) -> Sheet:
         """Return a turned surface; ``dented`` presses a crease into the top."""

@@ -1,7 +1,7 @@
 """Pieces of surface that know their body: the cloth that garments are cut from, and the hair. Pure numpy.
 
 A sheet is cut from a part of the base mesh, so it carries skin weights and follows every morph for free. ``clip`` is
-the tailor's scissors: it keeps where a scalar field is positive, with a clean hem anywhere (notes on humans, section 4).
+the tailor's scissors: it keeps where a scalar field is positive, with a clean hem anywhere (notes: humans, 4).
 """
 
 from __future__ import annotations
@@ -170,7 +170,7 @@ def rim(sheet: Sheet) -> NDArray[np.bool_]:
 
 
 def _scatter(rows: Ints, values: Floats, count: int) -> Floats:
-    return np.stack([np.bincount(rows, values[:, axis], count) for axis in range(3)], 1)
+    return np.stack([np.bincount(rows, values[:, axis], count).astype(float) for axis in range(3)], 1)
 
 
 def normals(sheet: Sheet) -> Floats:

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import BodyPack, to_scene
-from storyblender.blender.people.sheet import Sheet
 from storyblender.blender.people.scalp import above_hairline
+from storyblender.blender.people.sheet import Sheet
 from storyblender.catalog.bodies import Complexion
-from storyblender.catalog.hair import HAIRSTYLES
+from storyblender.catalog.hair import hairstyle
 from storyblender.memory.asset_sheet import CharacterLook
 
 Floats = NDArray[np.float64]
@@ -76,7 +76,7 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: Character
     lips = figure.pack.lips[sheet.source] * (base[:, 1] > 6.4) * (base[:, 1] < 7) * (base[:, 2] > 0.9)
     shadow_of = {"stubble": 0.55, "beard": 0.5, "moustache": 0.12}.get(look.facial_hair, 0.0)
     beard = (np.clip(whisker_growth(base) / 0.10 + 0.3, 0, 1) * (1 - lips) * shadow_of)[:, None]
-    style = HAIRSTYLES[look.hair]
+    style = hairstyle(look.hair)
     if style.top or style.side:
         over = above_hairline(base, style, float(look.gender != "female"))
         shadow = (0.55 * np.exp(np.minimum(over, 0) / 0.05) * ~figure.pack.ears[sheet.source] * (base[:, 1] > 6.5))[

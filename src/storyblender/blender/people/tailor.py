@@ -14,7 +14,7 @@ from storyblender.blender.people.cloth import Bolt, Builder, Cover
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.sheet import Sheet
 from storyblender.blender.people.under import Under
-from storyblender.catalog import garments as cuts
+from storyblender.catalog import cuts
 from storyblender.catalog.bodies import mix
 from storyblender.catalog.garments import GARMENTS, GarmentSpec
 from storyblender.catalog.materials import hex_color

@@ -12,7 +12,7 @@ from storyblender.blender.people.cloth import Bolt, one
 from storyblender.blender.people.figure import FAR, Figure
 from storyblender.blender.people.sheet import Sheet, clip, join, loosened, normals, rigid
 from storyblender.blender.people.under import FrontPoint, Under
-from storyblender.catalog.garments import Bib, BowTie, Buttons, Necktie, Patches, Scarf
+from storyblender.catalog.cuts import Bib, BowTie, Buttons, Necktie, Patches, Scarf
 
 Floats = NDArray[np.float64]
 Row = tuple[float, float, float]

@@ -1,0 +1,186 @@
+"""Single locks of hair: leaves, ringlets, curls, the knot of a bun, and hair that hangs over body and clothes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+from numpy.typing import NDArray
+
+from storyblender.blender.people.face import bone_weights
+from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.scalp import Scalp
+from storyblender.blender.people.sheet import Sheet, rigid
+from storyblender.blender.people.under import polygons
+from storyblender.catalog.hair import HairSpec
+
+Floats = NDArray[np.float64]
+
+KNOT = np.array((0.0, 0.95, 0.32)) / np.linalg.norm((0.0, 0.95, 0.32))
+DROP = 0.026
+"""Metres between the rows of a lock that hangs."""
+ROWS = 7
+
+
+@dataclass
+class Strand:
+    """The middle line of a lock.
+
+    Attributes:
+        points: (N, 3).
+        outward: (N, 3) away from the head or body.
+    """
+
+    points: Floats
+    outward: Floats
+
+
+class Drape:
+    """The body and clothes that long hair falls on."""
+
+    def __init__(self, figure: Figure, clothes: Sequence[Sheet]) -> None:
+        skin = figure.part("skin")
+        low = skin.points[:, 2] > figure.heights["chest"] - 0.1 * figure.k
+        self._sheets = [skin.keep_faces(low[skin.faces].all(1)), *clothes]
+        self._trees = [BVHTree.FromPolygons(sheet.points.tolist(), polygons(sheet)) for sheet in self._sheets]
+        self._figure = figure
+
+    def hang(
+        self, points: list[Floats], outward: list[Floats], spec: HairSpec, length: float, rng: np.random.Generator
+    ) -> None:
+        """Continue a lock downwards, outside the body."""
+        scale = self._figure.head_scale
+        phase = rng.uniform(0, 2 * np.pi)
+        aim = points[-1] - points[-2]
+        aim = aim / np.linalg.norm(aim)
+        out = np.array((outward[-1][0], outward[-1][1], 0.0))
+        out = out / max(float(np.linalg.norm(out)), 1e-6)
+        drop = DROP * scale
+        for row in range(max(2, round(length / drop))):
+            aim = 0.55 * aim + 0.45 * np.array((0.0, 0.0, -1.0))
+            aim = aim / np.linalg.norm(aim)
+            swing = spec.wave * scale * 0.5 * np.sin(phase + row * 0.95)
+            across = np.cross(out, (0.0, 0.0, 1.0))
+            point = points[-1] + aim * drop + across * swing + out * 0.0015
+            point = self.push_out(self._aside(point), 0.007 * scale)
+            points.append(point)
+            outward.append(out)
+
+    def _aside(self, point: Floats) -> Floats:
+        """Return ``point`` kept off the face."""
+        scale = self._figure.head_scale
+        depth = self._figure.joint("head")[1] - point[1]
+        least = float(np.interp(depth, (0.0, 0.05 * scale), (0.0, 0.072 * scale)))
+        if point[2] < self._figure.heights["neck"] + 0.02 * scale or abs(point[0]) >= least:
+            return point
+        return np.array((least if point[0] > 0 else -least, point[1], point[2]))
+
+    def push_out(self, point: Floats, gap: float) -> Floats:
+        """Return ``point`` moved at least ``gap`` outside the body and clothes."""
+        for tree in self._trees:
+            nearest, normal, _, _ = tree.find_nearest(Vector(point), 0.08)
+            if nearest is not None:
+                depth = gap - (Vector(point) - nearest).dot(normal)
+                if depth > 0:
+                    point = point + np.array(normal) * depth
+        return point
+
+
+def _hair_weights(figure: Figure, points: Floats) -> Floats:
+    """Hair follows the head; where it lies on the shoulders it stays half with them."""
+    neck, chest = figure.heights["neck"], figure.heights["chest"]
+    share = np.interp(points[:, 2], (chest, neck + 0.05 * figure.k), (0.55, 0.0))[:, None]
+    return (1 - share) * bone_weights("head") + share * bone_weights("upper_chest")
+
+
+def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
+    """Return a lock: a strip with a raised middle that tapers to its tip."""
+    count = ROWS if not spec.hang else max(ROWS, round(len(strand.points) * (0.9 if spec.wave > 0.015 else 0.6)))
+    at = np.linspace(0, len(strand.points) - 1, count)
+    index = np.arange(len(strand.points))
+    points = np.stack([np.interp(at, index, strand.points[:, axis]) for axis in range(3)], 1)
+    outward = np.stack([np.interp(at, index, strand.outward[:, axis]) for axis in range(3)], 1)
+    along = np.gradient(points, axis=0)
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+    outward -= along * (outward * along).sum(1, keepdims=True)
+    outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-9)
+    across = np.cross(along, outward)
+    u = np.linspace(0, 1, count)
+    profile = np.interp(u, (0, 0.25, 0.65, 1), (0.4, 1.0, max(0.85, spec.tip), spec.tip))
+    half = (0.5 * width * figure.head_scale * profile)[:, None]
+    sink = 0.45 * half * outward
+    rows = np.stack([points - across * half - sink, points + outward * half * 0.25, points + across * half - sink], 1)
+    faces = [(r * 3 + c, r * 3 + c + 1, r * 3 + c + 4, r * 3 + c + 3) for r in range(count - 1) for c in range(2)]
+    flat = rows.reshape(-1, 3)
+    return rigid(flat, faces, _hair_weights(figure, flat))
+
+
+def _ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
+    """Return a small ellipsoid; ``spin`` (3, 3) turns it."""
+    points = [np.array((0.0, 0.0, 1.0))]
+    for ring in range(1, rings):
+        tilt = np.pi * ring / rings
+        for step in range(segments):
+            turn = 2 * np.pi * step / segments
+            points.append(np.array((np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.cos(tilt))))
+    points.append(np.array((0.0, 0.0, -1.0)))
+    last = len(points) - 1
+    faces: list[tuple[int, ...]] = []
+    for step in range(segments):
+        after = (step + 1) % segments
+        faces.append((0, 1 + step, 1 + after))
+        for ring in range(rings - 2):
+            a, b = 1 + ring * segments, 1 + (ring + 1) * segments
+            faces.append((a + step, b + step, b + after, a + after))
+        end = 1 + (rings - 2) * segments
+        faces.append((end + step, last, end + after))
+    placed = center + (np.array(points) * radii) @ spin.T
+    return rigid(placed, faces, _hair_weights(figure, placed))
+
+
+def curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
+    """Return one round curl standing on the hair."""
+    spec, scale = scalp.spec, scalp.figure.head_scale
+    size = 0.5 * spec.width * scale * rng.uniform(0.75, 1.25)
+    found = scalp.over(root, -rng.uniform(0.1, 0.8) * size)
+    center = found[0] if found else scalp.center
+    spin, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    spin = spin * np.sign(np.linalg.det(spin))
+    return _ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 6, 3)
+
+
+def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
+    """Return a knot of wound locks."""
+    figure, scale = scalp.figure, scalp.figure.head_scale
+    found = scalp.over(KNOT, 0.020 * scale)
+    center = found[0] if found else scalp.center
+    radii = np.array((0.046, 0.038, 0.042)) * scale
+    locks = [_ball(figure, center, radii * 0.94, np.eye(3), 10, 7)]
+    right = np.array((1.0, 0.0, 0.0))
+    up = np.cross(KNOT, right)
+    for step in range(9):
+        turn = 2 * np.pi * step / 9 + rng.normal(0, 0.1)
+        angle = np.linspace(0.25, 1.75, ROWS)[:, None]
+        wind = turn + 1.5 * angle
+        directions = KNOT * np.cos(angle) + (right * np.cos(wind) + up * np.sin(wind)) * np.sin(angle)
+        locks.append(leaf(figure, Strand(center + directions * radii, directions), scalp.spec, 0.030))
+    return locks
+
+
+def tail(scalp: Scalp, body: Drape, rng: np.random.Generator) -> list[Sheet]:
+    """Return the hanging locks of a ponytail and the band that holds them."""
+    figure, spec, scale = scalp.figure, scalp.spec, scalp.figure.head_scale
+    found = scalp.over(KNOT, 0.012 * scale)
+    start = found[0] if found else scalp.center
+    locks = [_ball(figure, start, np.full(3, 0.017) * scale, np.eye(3), 8, 6)]
+    for step in range(9):
+        turn = 2 * np.pi * step / 9
+        fan = np.array((np.cos(turn), 0.3 * np.sin(turn), 0.8 * np.sin(turn))) * 0.009 * scale
+        points = [start, start + KNOT * 0.03 * scale + fan, start + KNOT * 0.05 * scale + fan * 1.6]
+        outward = [KNOT, KNOT, KNOT]
+        body.hang(points, outward, spec, 0.24 * scale * rng.uniform(0.85, 1.05), rng)
+        locks.append(leaf(figure, Strand(np.array(points), np.array(outward)), spec, 0.028))
+    return locks
