@@ -25,6 +25,8 @@ _TOUCH = 0.03
 """Metres that two props may share before one of them has to go."""
 _TUCKED = 0.3
 """The same for a seat, which goes under its table."""
+_STAGE: Vec2 = (0.0, 0.8)
+"""Where the script's things want to be: the middle, a little away from the audience."""
 _CLEAR = 1.25
 """Half the side of the square in the middle that dressing leaves to people."""
 _CLEAR_PER_PERSON = 0.15
@@ -100,6 +102,7 @@ class RulesSetDresser:
         taken = _take_over(view)
         standing = [_Standing.of(item, taken.get(item.node_id)) for item in view.plan.furnishings]
         _settle_on_new_tops(standing)
+        _draw_up_seats(standing)
         kept, dropped = _without_clutter(standing, view.people)
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
         placed = {asset.asset_id for asset in taken.values()}
@@ -203,7 +206,7 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
         anchor = anchors.get(asset.asset_id)
         if anchor in ids and anchor not in where:
             continue
-        near = where.get(anchor, (0.0, 0.0)) if anchor else (0.0, 0.0)
+        near = where.get(anchor, _STAGE) if anchor else _STAGE
         found = _best_place(view.plan, prop_of(asset), near, taken)
         if found is not None:
             taken[found.node_id] = asset
@@ -276,7 +279,7 @@ class _Standing:
     @property
     def tolerance(self) -> float:
         """Metres it may reach into another footprint: a chair goes under its table."""
-        return _TUCKED if self.item.prop in PROPS and PROPS[self.item.prop].seats else _TOUCH
+        return _TUCKED if _is_seat(self.item.prop) else _TOUCH
 
     @property
     def in_the_way(self) -> bool:
@@ -316,6 +319,26 @@ def _settle_on_new_tops(standing: list[_Standing]) -> None:
             x, y, z = item.location
             if item is not base and abs(z - top) < 0.12 and _over(base, (x, y), old):
                 item.location = (x, y, base.location[2] + base.size[2])
+
+
+def _draw_up_seats(standing: list[_Standing]) -> None:
+    """Keep the seats around a table at its edge when a larger or smaller one took its place."""
+    for base in standing:
+        if not base.scripted:
+            continue
+        old = _box(base.item.location, base.item.yaw, prop_size(base.item.prop, base.item.params))
+        for seat in standing:
+            x, y, z = seat.item.location
+            away = math.hypot(x - old.x, y - old.y)
+            if seat is base or seat.scripted or not _is_seat(seat.item.prop) or not 0.1 < away < old.radius + 0.6:
+                continue
+            axis = ((x - old.x) / away, (y - old.y) / away)
+            step = base.box.reach(axis) - old.reach(axis)
+            seat.location = (x + axis[0] * step, y + axis[1] * step, z)
+
+
+def _is_seat(prop: str) -> bool:
+    return prop in PROPS and PROPS[prop].seats > 0
 
 
 def _over(base: _Standing, point: Vec2, size: Vec3) -> bool:

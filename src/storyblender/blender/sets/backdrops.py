@@ -6,6 +6,7 @@ The sky itself stays free behind them. A ring's cards join because every outline
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import bpy
 import numpy as np
@@ -13,29 +14,42 @@ from numpy.typing import NDArray
 
 from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.sets.finish import finish, pane
+from storyblender.blender.sets.finish import finish, pane, view_outside
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.set_plan import Backdrop
 
 Floats = NDArray[np.float64]
 
 
-def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene) -> bpy.types.Mesh:
+Skin = Callable[[str, str], bpy.types.Material]
+"""Gives the material of a catalog key in a hex colour."""
+
+
+_HOUSES = (("brick", "#6d4a3a"), ("plaster", "#a7a08f"), ("plaster", "#cbbfa4"), ("brick", "#7a3b28"))
+_TOWERS = (("plaster", "#7c7f82"), ("plaster", "#96938c"), ("plaster", "#6a6460"), ("plaster", "#8b7d70"))
+
+
+def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bpy.types.Mesh:
     """Build a backdrop in world coordinates, two to three layers deep.
 
     Args:
         card: Of the plan; its corners are lower left, lower right, upper right, upper left as seen from the set.
         scene: Whose daylight the windows of towns follow.
+        indoor: It is seen through windows, so it shines by day.
     """
+
+    def skin(key: str, code: str) -> bpy.types.Material:
+        return view_outside(f"{key}_{code[1:]}", hex_color(code), scene) if indoor else material(key, hex_color(code))
+
     builder = MeshBuilder(card.node_id)
     left, right = np.array(card.corners[0]), np.array(card.corners[1])
     height = card.corners[2][2] - card.corners[1][2]
     if card.kind in ("skyline", "facades"):
-        _town(builder, scene, left, right, height, near=card.kind == "facades")
+        _town(builder, scene, skin, left, right, height, near=card.kind == "facades")
     elif card.kind in ("treeline", "hills"):
-        _land(builder, left, right, height, trees=card.kind == "treeline")
+        _land(builder, skin, left, right, height, trees=card.kind == "treeline")
     elif card.kind == "sea":
-        _sheet(builder, material("water", hex_color("#3a5c68")), left, right, np.full(2, height))
+        _sheet(builder, skin("water", "#3a5c68"), left, right, np.full(2, height))
     else:
         key = "card_stars" if card.kind == "stars" else "card_plain"
         builder.quad(key, *card.corners, uv=[(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -54,7 +68,7 @@ def _azimuths(left: Floats, right: Floats, count: int) -> Floats:
     return np.arctan2(points[:, 1], points[:, 0])
 
 
-def _land(builder: MeshBuilder, left: Floats, right: Floats, height: float, *, trees: bool) -> None:
+def _land(builder: MeshBuilder, skin_of: Skin, left: Floats, right: Floats, height: float, *, trees: bool) -> None:
     span = float(np.linalg.norm(right - left))
     away = (left + right)[:2] / 2
     outwards = away / max(float(np.linalg.norm(away)), 1e-6)
@@ -67,15 +81,22 @@ def _land(builder: MeshBuilder, left: Floats, right: Floats, height: float, *, t
         if trees:
             ragged = 0.5 * np.abs(np.sin(61 * angle + phase)) + 0.5 * np.abs(np.sin(143 * angle + 3 * phase))
             tops = height * share * (0.78 + 0.07 * swell + 0.2 * ragged)
-            skin = material("leaves_dark", hex_color(color))
+            skin = skin_of("leaves_dark", color)
         else:
             tops = height * share * (0.62 + 0.19 * swell)
-            skin = material("dirt", hex_color(color))
+            skin = skin_of("dirt", color)
         _sheet(builder, skin, left + offset, right + offset, np.maximum(tops, 0.3))
 
 
 def _town(
-    builder: MeshBuilder, scene: bpy.types.Scene, left: Floats, right: Floats, height: float, *, near: bool
+    builder: MeshBuilder,
+    scene: bpy.types.Scene,
+    skin_of: Skin,
+    left: Floats,
+    right: Floats,
+    height: float,
+    *,
+    near: bool,
 ) -> None:
     """Raise rows of houses or towers along a card, with windows, some of them lit at night."""
     span = float(np.linalg.norm((right - left)[:2]))
@@ -84,11 +105,7 @@ def _town(
     yaw = math.degrees(math.atan2(along[1], along[0]))
     seed = int(abs(left[0] * 13.7 + left[1] * 7.3 + height * 3.1)) % 997
     rng = np.random.default_rng(seed)
-    walls = (
-        ("brick_brown", "plaster_grey", "limewash", "brick_red")
-        if near
-        else ("concrete_dark", "concrete", "stone_dark")
-    )
+    walls = _HOUSES if near else _TOWERS
     for row, share in enumerate((1.0,) if near else (1.0, 0.7, 0.45)):
         at, depth = 0.0, 7.0 - 3.0 * row
         while at < span:
@@ -96,7 +113,8 @@ def _town(
             tall = height * share * float(rng.uniform(0.72, 1.0) if near else rng.uniform(0.5, 1.0))
             foot = left + along * (at + width / 2) + outwards * depth
             with builder.at(foot, (0, 0, yaw)):
-                builder.box(finish(walls[int(rng.integers(len(walls)))]), (0, 0, tall / 2), (width, 4.0, tall))
+                key, code = walls[int(rng.integers(len(walls)))]
+                builder.box(skin_of(key, code), (0, 0, tall / 2), (width, 4.0, tall))
                 if near or row == 2 or span < 60:
                     _windows(builder, scene, width, tall, rng, near=near)
             at += width + (0.0 if near else float(rng.uniform(-0.5, 1.5)))

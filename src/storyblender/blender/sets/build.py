@@ -8,11 +8,14 @@ import bpy
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.backdrops import backdrop_mesh
-from storyblender.blender.sets.finish import finish
+from storyblender.blender.sets.finish import finish, view_outside
 from storyblender.blender.sets.pieces import piece_mesh
 from storyblender.blender.sets.walls import leaf_meshes, wall_mesh
 from storyblender.blender.tags import Surface, tag
+from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.set_plan import SetPlan, Slab, Wall
+
+from storyblender.catalog.sets.finishes import finish_of
 
 
 def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Collection) -> list[bpy.types.Object]:
@@ -33,10 +36,10 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
         KeyError: The plan names a part or a material that nobody builds.
     """
     objects = [obj for wall in plan.walls for obj in _wall(wall, indoor=plan.indoor)]
-    objects += [_slab(slab) for slab in plan.slabs]
+    objects += [_slab(slab, scene) for slab in plan.slabs]
     objects += _pieces(plan, scene)
     for card in plan.backdrops:
-        obj = _object(backdrop_mesh(card, scene), card.node_id, Surface.CARD)
+        obj = _object(backdrop_mesh(card, scene, indoor=plan.indoor), card.node_id, Surface.CARD)
         obj.visible_shadow = False
         objects.append(obj)
     for obj in objects:
@@ -76,9 +79,9 @@ def swing_door(leaf: bpy.types.Object, state: str) -> None:
     leaf.rotation_euler = (0, 0, leaf["shut"] + (leaf["swing"] if state == "open" else 0.0))
 
 
-def _slab(slab: Slab) -> bpy.types.Object:
+def _slab(slab: Slab, scene: bpy.types.Scene) -> bpy.types.Object:
     builder = MeshBuilder(slab.node_id)
-    skin = finish(slab.material)
+    skin = _outside(slab.material, scene) if slab.role == "patch" and slab.z < 0 else finish(slab.material)
     if slab.role == "block":
         builder.extrude(skin, slab.polygon, slab.thickness, base=slab.z - slab.thickness)
     elif slab.role == "ceiling":
@@ -87,6 +90,12 @@ def _slab(slab: Slab) -> bpy.types.Object:
     else:
         builder.polygon(skin, [(x, y, slab.z) for x, y in slab.polygon])
     return _object(builder.mesh(), slab.node_id, Surface.WET if slab.wet else Surface.SET)
+
+
+def _outside(key: str, scene: bpy.types.Scene) -> bpy.types.Material:
+    """Return the material of the ground before a room's windows."""
+    chosen = finish_of(key)
+    return view_outside(key, chosen.color or MATERIALS[chosen.material].color, scene)
 
 
 def _beams(builder: MeshBuilder, slab: Slab) -> None:

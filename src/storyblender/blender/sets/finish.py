@@ -17,6 +17,9 @@ PANES: dict[str, tuple[Color, float]] = {
 }
 """Windows with somebody home: colour and emission at night."""
 
+DAYLIGHT = 1.25
+"""Emission by day, times its colour, of what is seen through the windows of a room that is exposed for its inside."""
+
 _GLASS = hex_color("#2a343d")
 """The same windows by day."""
 
@@ -51,8 +54,36 @@ def pane(key: str, scene: bpy.types.Scene) -> bpy.types.Material:
     return block
 
 
+def view_outside(key: str, color: Color, scene: bpy.types.Scene) -> bpy.types.Material:
+    """Return the material of something outside the windows of a room: sunlit by day, dark at night.
+
+    Args:
+        key: Names it within the scene.
+        color: Its colour in daylight.
+        scene: Whose daylight it follows.
+    """
+    name = f"MT_outside_{key}_{scene.name}"
+    found = bpy.data.materials.get(name)
+    if found is not None:
+        return found
+    block = bpy.data.materials.new(name)
+    block.use_nodes = True
+    block["key"], block["tile"], block["grain"], block["outside"] = key, 1.0, False, scene.name
+    shader = block.node_tree.nodes["Principled BSDF"]
+    shader.inputs["Base Color"].default_value = shader.inputs["Emission Color"].default_value = (*color, 1)
+    shader.inputs["Roughness"].default_value = 1.0
+    block.diffuse_color = (*color, 1)
+    _shine(block, 0.0)
+    return block
+
+
+def _shine(block: bpy.types.Material, strength: float) -> None:
+    block.node_tree.nodes["Principled BSDF"].inputs["Emission Strength"].default_value = strength
+    block["emit"] = strength
+
+
 def light_windows(scene: bpy.types.Scene, night: float) -> None:
-    """Light the windows of a scene's set.
+    """Light the windows of a scene's set, and what is seen through them.
 
     Args:
         scene: Whose panes to switch.
@@ -62,6 +93,9 @@ def light_windows(scene: bpy.types.Scene, night: float) -> None:
         block = bpy.data.materials.get(f"MT_{key}_{scene.name}")
         if block is not None:
             _light(block, night)
+    for block in bpy.data.materials:
+        if block.get("outside") == scene.name:
+            _shine(block, DAYLIGHT * (1.0 - night))
 
 
 def _light(block: bpy.types.Material, night: float) -> None:

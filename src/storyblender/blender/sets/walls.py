@@ -121,6 +121,16 @@ def _skirting(builder: MeshBuilder, wall: Wall, length: float, trim: bpy.types.M
         over = [(o.x - 0.08, o.x + o.width + 0.08) for o in wall.openings if o.sill < wall.dado_height]
         for start, end in _runs(length, sorted(over)):
             builder.box(trim, ((start + end) / 2, 0.015, wall.dado_height), (end - start, 0.03, 0.05))
+            if wall.dado.startswith("dado"):
+                _panels(builder, trim, start, end, wall.dado_height)
+
+
+def _panels(builder: MeshBuilder, trim: bpy.types.Material, start: float, end: float, height: float) -> None:
+    """Divide wainscoting by upright stiles."""
+    count = max(1, round((end - start) / 0.62))
+    for index in range(count + 1):
+        x = start + 0.03 + (end - start - 0.06) * index / count
+        builder.box(trim, (x, 0.008, height / 2), (0.07, 0.016, height))
 
 
 def _runs(length: float, gaps: list[tuple[float, float]]) -> list[tuple[float, float]]:

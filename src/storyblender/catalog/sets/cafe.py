@@ -38,17 +38,17 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for at in (-1.2, -0.45, 0.7):
         room.against("left", "bar_stool", at, 2.1, required=False)
 
-    tables = [(x - 1.35, -y * 0.5, 70), (x - 1.35, y * 0.16, 110), (-x * 0.12, -y + 1.5, 80), (0.3, arcade - 0.95, 90)]
+    tables = [(x - 1.35, y * 0.16, 110), (0.3, arcade - 0.95, 90), (x - 1.35, -y * 0.5, 70), (-x * 0.12, -y + 1.5, 80)]
     if x > 5.4:
         tables.append((x - 3.2, -y + 1.4, 20))
     for index, (tx, ty, yaw) in enumerate(tables):
-        room.furnish("round_table", tx, ty, required=index < 3)
+        room.furnish("round_table", tx, ty, required=index < 3, cloth=not modern)
         room.seats_around("chair", tx, ty, 0.66, (yaw, yaw + 180), required=index < 3)
         if index < 4:
             room.furnish(
                 "candle_holder" if params.period == "past" else "table_lamp", tx + 0.1, ty + 0.14, 0.75, required=False
             )
-    room.mark("table", tables[1][0] - 0.9, tables[1][1] - 0.5, 45, "table")
+    room.mark("table", tables[0][0] - 0.9, tables[0][1] - 0.5, 45, "table")
 
     if not modern:
         room.against("right", "piano", y - 3.1, 0.42, required=False)

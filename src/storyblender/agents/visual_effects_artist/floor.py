@@ -1,0 +1,256 @@
+"""The floor of a scene as the Animator sees it: what stands where, where there is room, where one can sit. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan, Wall
+from storyblender.geometry.paths import Footprint, Vec2, clearance, find_path
+from storyblender.memory.asset_sheet import Anchor, Asset
+from storyblender.memory.base import Vec3
+from storyblender.memory.scene_context import Layout
+
+UNDERFOOT, OVERHEAD = 0.12, 2.0
+"""Metres: lower things are stepped over, higher ones walked under."""
+BODY = 0.24
+"""Metres, times stature over 1.7: the disc a standing person takes."""
+PADDING = 0.10
+PERSONAL = 0.55
+"""Metres between two people who have nothing to do with each other."""
+
+
+@dataclass(frozen=True)
+class Thing:
+    """A placed object.
+
+    Attributes:
+        node_id: Instance.
+        asset_id: Asset.
+        location: Bottom centre.
+        yaw: Radians.
+        size: Width, depth, height.
+        anchors: In its own frame.
+    """
+
+    node_id: str
+    asset_id: str
+    location: Vec3
+    yaw: float
+    size: Vec3
+    anchors: tuple[Anchor, ...]
+
+    @property
+    def solid(self) -> bool:
+        """People walk around it."""
+        return self.location[2] < OVERHEAD and self.location[2] + self.size[2] > UNDERFOOT and self.size[2] > UNDERFOOT
+
+    @property
+    def footprint(self) -> Footprint:
+        """Its outline on the floor."""
+        return Footprint(self.location[:2], self.size[:2], self.yaw, name=self.node_id)
+
+    def world(self, point: Vec3) -> Vec3:
+        """Return a point of its own frame in the world."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        x, y, z = point
+        ox, oy, oz = self.location
+        return ox + cos * x - sin * y, oy + sin * x + cos * y, oz + z
+
+    def local(self, point: Vec2) -> Vec2:
+        """Return a world point of the floor in its own frame."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        x, y = point[0] - self.location[0], point[1] - self.location[1]
+        return cos * x + sin * y, cos * y - sin * x
+
+    def of_kind(self, *kinds: str) -> list[Anchor]:
+        """Return its anchors of some kinds."""
+        return [anchor for anchor in self.anchors if anchor.kind in kinds]
+
+
+@dataclass(frozen=True)
+class SeatPlace:
+    """A place for one sitter (or one sleeper).
+
+    Attributes:
+        node_id: Of the furniture.
+        anchor: Name of the anchor.
+        edge: Middle of the front edge, world.
+        yaw: Radians.
+    """
+
+    node_id: str
+    anchor: str
+    edge: Vec2
+    yaw: float
+
+    def before(self, k: float) -> Vec2:
+        """Return where one stands before sitting down."""
+        return self.edge[0] + 0.18 * k * math.sin(self.yaw), self.edge[1] - 0.18 * k * math.cos(self.yaw)
+
+
+class Floor:
+    """Everything that does not move during the scene.
+
+    Args:
+        layout: Placed objects; people in it are left out.
+        assets: With their canonical sizes and anchors.
+        plan: Walls, solid pieces, marks.
+    """
+
+    def __init__(self, layout: Layout, assets: Sequence[Asset], plan: SetPlan) -> None:
+        by_id = {asset.asset_id: asset for asset in assets}
+        self.things: dict[str, Thing] = {}
+        for item in layout.objects:
+            asset = by_id.get(item.asset_id)
+            if asset is None or asset.asset_type != "object":
+                continue
+            canonical = asset.canonical
+            size = canonical.dimensions if canonical else (0.4, 0.4, 0.4)
+            anchors = canonical.anchors if canonical else ()
+            yaw = math.radians(item.rotation[2])
+            self.things[item.node_id] = Thing(item.node_id, item.asset_id, item.location, yaw, size, anchors)
+        size = layout.scene_size
+        self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
+        self.marks = plan.marks
+        self.set_boxes = [box for wall in plan.walls for box in _solid_wall(wall)]
+        for piece in plan.pieces:
+            if piece.solid and piece.footprint is not None:
+                yaw = math.radians(piece.yaw)
+                self.set_boxes.append(Footprint(piece.location[:2], piece.footprint, yaw, name=piece.node_id))
+
+    def thing(self, name: str | None) -> Thing | None:
+        """Return a placed object by node id, or the first of an asset."""
+        if not name:
+            return None
+        return self.things.get(name) or next((t for t in self.things.values() if t.asset_id == name), None)
+
+    def obstacles(self, skip: Iterable[str] = ()) -> list[Footprint]:
+        """Return everything solid but the things in ``skip`` (node ids or asset ids)."""
+        left_out = set(skip)
+        solid = [t.footprint for t in self.things.values() if t.solid and not {t.node_id, t.asset_id} & left_out]
+        return solid + self.set_boxes
+
+    def room_at(self, point: Vec2, skip: Iterable[str] = ()) -> float:
+        """Return the distance to the nearest obstacle, negative inside one."""
+        return float(clearance(np.array([point]), self.obstacles(skip))[0])
+
+    def inside(self, point: Vec2, margin: float = 0.0) -> bool:
+        """Tell whether a point is within the playing area."""
+        x0, y0, x1, y1 = self.bounds
+        return x0 + margin <= point[0] <= x1 - margin and y0 + margin <= point[1] <= y1 - margin
+
+    def path(self, start: Vec2, goal: Vec2, k: float, people: Sequence[Vec2] = ()) -> list[Vec2] | None:
+        """Return the way for a person of scale ``k`` past furniture and people who stand."""
+        others = [Footprint(point, (0.0, 0.0), 0.0, 0.8 * BODY) for point in people]
+        obstacles = [box for box in self.obstacles() if float(clearance(np.array([start]), [box])[0]) > -0.02]
+        return find_path(start, goal, obstacles + others, self.bounds, BODY * k + PADDING)
+
+    def free_near(
+        self, wish: Vec2, k: float, people: Sequence[Vec2] = (), *, room: float | None = None, apart: float = PERSONAL
+    ) -> Vec2:
+        """Return the spot nearest to a wish where a person fits; the wish itself where nothing is better."""
+        need = BODY * k + 0.04 if room is None else room
+        rings = [(0.0, 0.0)]
+        for radius in np.arange(0.15, 2.6, 0.15):
+            count = max(8, int(2 * math.pi * radius / 0.2))
+            turns = np.linspace(0, 2 * math.pi, count, endpoint=False)
+            rings += [(float(radius * math.sin(a)), float(-radius * math.cos(a))) for a in turns]
+        points = np.array(wish) + np.array(rings)
+        fits = clearance(points, self.obstacles()) >= need
+        for person in people:
+            fits &= np.hypot(*(points - person).T) >= apart
+        fits &= np.array([self.inside((p[0], p[1]), 0.15) for p in points])
+        found = np.flatnonzero(fits)
+        best = points[found[0]] if len(found) else points[0]
+        return float(best[0]), float(best[1])
+
+    def spot_at(self, point: Vec2, start: Vec2, k: float, people: Sequence[Vec2], reach: float) -> Vec2 | None:
+        """Return the free spot around a point, within reach of it, that is easiest to come to."""
+        around = [
+            (point[0] + r * math.sin(a), point[1] - r * math.cos(a))
+            for r in (0.7 * reach, 0.85 * reach, reach)
+            for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)
+        ]
+        room = clearance(np.array(around), self.obstacles())
+        fitting = [
+            spot
+            for spot, free in zip(around, room, strict=True)
+            if free > BODY * k + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
+        ]
+        fitting.sort(key=lambda spot: math.dist(spot, start))
+        return next((spot for spot in fitting[:8] if self.path(start, spot, k) is not None), None)
+
+    def seats(self, name: str | None) -> list[SeatPlace]:
+        """Return the places to sit on a thing; wide seats hold several people."""
+        thing = self.thing(name)
+        if thing is None:
+            return []
+        places: list[SeatPlace] = []
+        for anchor in thing.of_kind("seat"):
+            x, y, z = anchor.location
+            dx, dy, _ = anchor.direction
+            yaw = thing.yaw + math.atan2(dx, -dy)
+            count = max(1, int((anchor.size[0] + 0.15) / 0.62))
+            right = (-dy, dx)
+            for index in range(count):
+                slide = (index - (count - 1) / 2) * 0.6
+                edge = thing.world((x + right[0] * slide, y + right[1] * slide, z))
+                places.append(SeatPlace(thing.node_id, anchor.name, edge[:2], yaw))
+        return places
+
+    def beds(self, name: str | None) -> list[tuple[SeatPlace, float]]:
+        """Return each long edge of a bed as a place to sit before lying down, and the yaw from head to feet."""
+        thing = self.thing(name)
+        if thing is None:
+            return []
+        places: list[tuple[SeatPlace, float]] = []
+        for anchor in thing.of_kind("bed"):
+            x, y, z = anchor.location
+            dx, dy, _ = anchor.direction
+            half = (anchor.size[0] or 0.9) / 2
+            for side in (1, -1):
+                edge = thing.world((x - dy * half * side, y + dx * half * side, z))
+                out = math.atan2(-dy * side, -dx * side)
+                yaw = thing.yaw + out
+                places.append((SeatPlace(thing.node_id, anchor.name, edge[:2], yaw), thing.yaw + math.atan2(dx, -dy)))
+        return places
+
+    def top_of(self, thing: Thing, near: Vec2) -> Vec3:
+        """Return the point on a thing's top that is nearest to somebody, a hand's breadth in from the edge."""
+        anchor = next(iter(thing.of_kind("top")), None)
+        x, y, z = anchor.location if anchor else (0.0, 0.0, thing.size[2])
+        half = [max(0.0, (anchor.size[i] if anchor else thing.size[i]) / 2 - 0.13) for i in (0, 1)]
+        lx, ly = thing.local(near)
+        spot = (x + max(-half[0], min(half[0], lx - x)), y + max(-half[1], min(half[1], ly - y)), z)
+        return thing.world(spot)
+
+    def nearest_top(self, point: Vec2, within: float) -> Thing | None:
+        """Return the nearest thing with a top to put something on."""
+        tops = [t for t in self.things.values() if t.of_kind("top") and 0.3 < t.location[2] + t.size[2] < 1.4]
+        tops.sort(key=lambda t: math.dist(self.top_of(t, point)[:2], point))
+        return tops[0] if tops and math.dist(self.top_of(tops[0], point)[:2], point) < within else None
+
+
+def facing(start: Vec2, goal: Vec2) -> float:
+    """Return the yaw, radians, that faces from one point to another."""
+    return math.atan2(goal[0] - start[0], start[1] - goal[1])
+
+
+def _solid_wall(wall: Wall) -> list[Footprint]:
+    """A wall without its doors, arches and gaps."""
+    (x0, y0), (x1, y1) = wall.start, wall.end
+    length = math.hypot(x1 - x0, y1 - y0)
+    yaw = math.atan2(y1 - y0, x1 - x0)
+    doors = sorted((o.x, o.x + o.width) for o in wall.openings if o.kind != "window" and o.sill < 0.3)
+    boxes, start = [], 0.0
+    for gap_start, gap_end in [*doors, (length, length)]:
+        if gap_start - start > 0.05:
+            middle = (start + gap_start) / 2 / length
+            centre = (x0 + (x1 - x0) * middle, y0 + (y1 - y0) * middle)
+            boxes.append(Footprint(centre, (gap_start - start, wall.thickness), yaw, name=wall.node_id))
+        start = gap_end
+    return boxes
