@@ -135,7 +135,7 @@ def cast(person: Person, introduced: str = "") -> CharacterLook:
     """
     seed = int(content_hash(person.id)[:8], 16)
     age = years(person, seed)
-    hair = ", ".join(person.hair)
+    hair = ", ".join(person.hair) or _hair_words(introduced)
     everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
     return CharacterLook(
         gender=person.gender,
@@ -143,7 +143,7 @@ def cast(person: Person, introduced: str = "") -> CharacterLook:
         stature=_stature(person, age),
         build=_first(_BUILD, ", ".join(person.build) or introduced) or "average",
         skin=_first(_SKIN, everything) or "light",
-        hair=_hair(person, age, seed),
+        hair=_hair(person, hair, age, seed),
         hair_color=hair_color(_without_beard(hair)),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
         garments=garments(", ".join(person.outfit) or introduced),
@@ -213,8 +213,9 @@ def describe(person: Person) -> str:
     parts = [f"{article} {', '.join(adjectives)} {noun}".replace("  ", " ")]
     parts += [person.age] if person.age else []
     parts += [*(word for word in person.build if " " in word), *person.hair, *person.face]
-    parts += [piece if piece.startswith(("in ", "wearing")) else f"in {piece}" for piece in person.outfit[:1]]
-    return ", ".join([*parts, *person.outfit[1:]]) + "."
+    worn = [re.sub(r"^(?:.*\b(?:in|wearing)\s+)?(?:an?\s+)?", "", piece) for piece in person.outfit]
+    parts += [f"in {', '.join(worn)}"] if worn else []
+    return ", ".join(parts) + "."
 
 
 def _first(table: Mapping[_Key, str], words: str) -> _Key | None:
@@ -222,8 +223,8 @@ def _first(table: Mapping[_Key, str], words: str) -> _Key | None:
     return next((key for key, pattern in table.items() if re.search(rf"\b(?:{pattern})\b", words.lower())), None)
 
 
-def _hair(person: Person, age: float, seed: int) -> str:
-    words = _without_beard(", ".join((*person.hair, *(face for face in person.face if "bald" in face))))
+def _hair(person: Person, hair: str, age: float, seed: int) -> str:
+    words = _without_beard(", ".join((hair, *(face for face in person.face if "bald" in face))))
     style = _first(_HAIR, words)
     if style:
         return style
@@ -231,6 +232,14 @@ def _hair(person: Person, age: float, seed: int) -> str:
         return "bun"
     choices = _DEFAULT_HAIR[person.gender]
     return choices[seed % len(choices)]
+
+
+def _hair_words(introduced: str) -> str:
+    """The parts of an introduction that speak of hair."""
+    parts = re.split(r",|;|\band\b|\bwith\b", introduced)
+    return ", ".join(
+        part for part in parts if re.search(r"hair|braid|bun\b|bob\b|ponytail|curls|bald|blond|brunette", part)
+    )
 
 
 def _without_beard(words: str) -> str:

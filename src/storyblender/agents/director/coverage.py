@@ -211,6 +211,7 @@ class _Coverage:
         last.beats += new.beats
         last.on_stage = _unique([*last.on_stage, *new.on_stage])
         last.look_at(*new.focus)
+        last.focus.sort(key=lambda each: each not in self.names.people)
         if last.kind == "establishing":
             return
         if step(last.size, new.size) > 0 or new.whole_body:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from itertools import pairwise
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.durations import shot_seconds, word_count
+from storyblender.agents.director.motion_families import TRAVEL, WHOLE_BODY
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 
 _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
@@ -20,7 +20,7 @@ _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
 }
 """Sizes a kind of shot may take."""
 _SLOW: Final = 9.0
-"""Seconds after which a still shot of one or two people breathes: a slow push in."""
+"""Seconds of one speaker after which a still shot breathes: a slow push in."""
 
 
 def step(tighter: ShotSize, wider: ShotSize) -> int:
@@ -29,16 +29,37 @@ def step(tighter: ShotSize, wider: ShotSize) -> int:
 
 
 def alternate(drafts: list[ShotDraft]) -> None:
-    """Let a long conversation turn from face to face: after a two-shot, over the shoulder on who speaks most."""
-    for before, draft in pairwise(drafts):
-        talk = draft.kind == "two_shot" and before.kind in ("two_shot", "ots") and draft.speech and not draft.explicit
-        if not talk or draft.axis is None or before.axis is None or set(draft.axis) != set(before.axis):
+    """Let a long conversation turn from face to face: after the two-shot, over the shoulder on who speaks most.
+
+    When somebody has moved, the two-shot comes back: the audience must see the new geography.
+    """
+    before: ShotDraft | None = None
+    turns = 0
+    for draft in drafts:
+        if draft.whole_body or draft.kind == "establishing":
+            before, turns = None, 0
+        if not draft.speech or draft.axis is None or draft.kind not in ("two_shot", "ots"):
             continue
-        speakers = [speaker for speaker in _speakers(draft) if speaker in draft.axis]
-        turned = [speaker for speaker in speakers if before.kind != "ots" or speaker != before.focus[0]]
-        if turned:
-            draft.kind, draft.focus = "ots", turned[:1]
-            draft.over = next(person for person in draft.axis if person != turned[0])
+        if (
+            before
+            and before.axis
+            and set(before.axis) == set(draft.axis)
+            and draft.kind == "two_shot"
+            and not draft.explicit
+        ):
+            turns += 1
+            _turn(draft, before, "MS" if turns < 3 else "MCU")
+        before = draft
+
+
+def _turn(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
+    """Make a two-shot an over-the-shoulder shot on whoever the shot before did not favour."""
+    pair = draft.axis or ("", "")
+    speakers = [speaker for speaker in _speakers(draft) if speaker in pair]
+    turned = [speaker for speaker in speakers if before.kind != "ots" or speaker != before.focus[0]]
+    if turned:
+        draft.kind, draft.size, draft.focus = "ots", size, turned[:1]
+        draft.over = next(person for person in pair if person != turned[0])
 
 
 def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
@@ -47,7 +68,11 @@ def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
         before, draft = drafts[index - 1], drafts[index]
         if not _jumps(before, draft):
             continue
-        if not draft.explicit:
+        if _turns(draft, before):
+            # Two people again: the angle changes instead of the size, over the shoulder on the one who acts.
+            draft.kind, draft.size, draft.axis = "ots", "MCU", before.axis
+            draft.focus, draft.over = draft.focus[:1], draft.focus[1]
+        elif not draft.explicit:
             following = drafts[index + 1] if index + 1 < len(drafts) else None
             _resize(draft, before, following if following and following.explicit else None)
         elif not before.explicit:
@@ -55,10 +80,10 @@ def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:
 
 
 def breathe(drafts: list[ShotDraft], text: str) -> None:
-    """Push in slowly on long still talk."""
+    """Push in slowly while one person speaks at length."""
     for draft in drafts:
-        still = draft.movement == "static" and not draft.explicit and draft.kind in ("single", "two_shot", "ots")
-        if still and draft.speech and shot_seconds(draft, text) > _SLOW:
+        still = draft.movement == "static" and not draft.explicit and draft.kind in ("single", "ots")
+        if still and draft.speech and len(_speakers(draft)) == 1 and shot_seconds(draft, text) > _SLOW:
             draft.movement = "push in"
 
 
@@ -76,12 +101,20 @@ def _jumps(before: ShotDraft, draft: ShotDraft) -> bool:
     return same and not cut_in and abs(step(draft.size, before.size)) < 2
 
 
+def _turns(draft: ShotDraft, before: ShotDraft) -> bool:
+    """Whether a small action of two people who talk can be told over a shoulder."""
+    talkers = before.axis is not None and set(draft.focus) == set(before.axis)
+    return talkers and draft.kind == "action" and not draft.explicit and not draft.motions & (TRAVEL | WHOLE_BODY)
+
+
 def _resize(draft: ShotDraft, *neighbours: ShotDraft | None) -> None:
     """Take the nearest size that is two steps from every neighbour with the same subject; tighter is better."""
     limits = _RANGE.get(draft.kind, ("EWS", "CU"))
     widest = SHOT_SIZES.index(limits[0])
-    tightest = SHOT_SIZES.index("MWS" if draft.whole_body else limits[1])
+    tightest = SHOT_SIZES.index("MWS" if draft.motions & (TRAVEL | WHOLE_BODY) else limits[1])
     others: list[ShotSize] = [other.size for other in neighbours if other and set(other.focus) == set(draft.focus)]
+    if len(draft.focus) > 1 and draft.kind != "insert":
+        tightest = min(tightest, SHOT_SIZES.index("MS"))
     allowed: list[ShotSize] = [
         size for size in SHOT_SIZES[widest : tightest + 1] if all(abs(step(size, other)) >= 2 for other in others)
     ]

@@ -59,6 +59,11 @@ class ShotDraft:
         """Whether it covers speech and nothing else."""
         return bool(self.beats) and all(beat.unit.kind == "dialogue" for beat in self.beats)
 
+    @property
+    def motions(self) -> set[str]:
+        """Everything that is done in it."""
+        return {deed.motion for beat in self.beats for deed in beat.unit.deeds}
+
     def look_at(self, *ids: str | None) -> None:
         """Add to the focus, each once."""
         self.focus += [each for each in dict.fromkeys(ids) if each and each not in self.focus]

@@ -125,6 +125,7 @@ class _Economy:
         talk = a.speech and b.speech
         a.size = a.size if a.kind == "establishing" else _wider(a.size, b.size, "MS" if talk else a.size)
         a.look_at(*([b.over] if b.over else []), *b.focus)
+        a.focus.sort(key=lambda each: each not in self.people)
         a.beats += b.beats
         a.on_stage = list(dict.fromkeys([*a.on_stage, *b.on_stage]))
         a.axis = a.axis or b.axis

@@ -27,4 +27,6 @@ POSES: Final = frozenset({"sit", "lie_down", "kneel", "crouch", "lean", "stand",
 """Where a scene opens on one of these, it is a state, not a movement."""
 GETTING: Final = frozenset({"take", "pick_up", "catch"})
 """A thing comes into the hand."""
+PARTING: Final = frozenset({"give", "throw", "drop", "put_down"})
+"""A thing leaves the hand that held it."""
 SPOKEN: Final = frozenset({"talk", "whisper", "shout", "sing"})

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import takewhile
 
 from storyblender.agents.director.draft import ShotDraft
-from storyblender.agents.director.motion_families import GETTING, POSES, TRAVEL
+from storyblender.agents.director.motion_families import GETTING, PARTING, POSES, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
@@ -36,7 +36,21 @@ class Staging:
         for unit in units:
             for person in unit.on_stage:
                 self.first.setdefault(person, unit)
+        self.brought = self._brought(units)
         self.opening = {person: unit for person, unit in self.first.items() if not _comes_in(person, unit)}
+
+    @staticmethod
+    def _brought(units: Sequence[Unit]) -> dict[str, dict[str, int]]:
+        """What people have with them, though nobody saw them take it: person -> thing -> where they part with it."""
+        brought: dict[str, dict[str, int]] = {}
+        seen: set[str] = set()
+        for unit in units:
+            for deed in unit.deeds:
+                if deed.prop and deed.prop not in seen and deed.motion in PARTING:
+                    brought.setdefault(deed.actor, {})[deed.prop] = unit.start
+                seen.update(filter(None, (deed.prop, deed.target)))
+            seen.update(unit.things)
+        return brought
 
     def already(self, deed: Deed, unit: Unit) -> bool:
         """Whether a deed tells how somebody is found, e.g. ``Nora sits in a booth`` as a scene opens."""
@@ -51,7 +65,8 @@ class Staging:
         for person in draft.on_stage:
             if person not in self.bodies:
                 self.bodies[person] = self._found(person)
-        states = tuple(self._state(person) for person in draft.on_stage)
+        start = draft.beats[0].unit.start if draft.beats else -1
+        states = tuple(self._state(person, start) for person in draft.on_stage)
         for beat in draft.beats:
             self._play(beat.unit)
         return states
@@ -65,8 +80,7 @@ class Staging:
         taken = {deed.prop for deed in mine if deed.motion in GETTING}
         given = {deed.prop for deed in unit.deeds if deed.motion == "give" and deed.target == person}
         held = [thing for thing in unit.held.get(person, []) if thing not in taken | given]
-        held += [deed.prop for deed in mine if deed.motion in ("give", "put_down", "drop", "throw") and deed.prop]
-        body = _Body(held=list(dict.fromkeys(held)))
+        body = _Body(held=held)
         if any(self.already(deed, unit) for deed in mine) or (not mine and person in unit.posture):
             body.posture, body.support = unit.posture.get(person, ("stand", None))
         return body
@@ -88,13 +102,14 @@ class Staging:
                 other = unit.to if person == unit.speaker else unit.speaker
                 self.bodies[person].looking_at = other if other != person else None
 
-    def _state(self, person: str) -> BodyState:
+    def _state(self, person: str, start: int) -> BodyState:
         body = self.bodies[person]
+        brought = [thing for thing, parted in self.brought.get(person, {}).items() if start <= parted]
         return BodyState(
             asset_id=person,
             posture=body.posture,
             support_id=self._known(body.support),
-            held=tuple(thing for thing in body.held if thing in self.assets),
+            held=tuple(thing for thing in dict.fromkeys([*body.held, *brought]) if thing in self.assets),
             looking_at=self._known(body.looking_at),
         )
 

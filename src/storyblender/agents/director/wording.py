@@ -28,6 +28,11 @@ _MOODS: Final[dict[Mood, str]] = {
     "afraid": "afraid|fear|scare|terrif|panic|nervous|trembl|shak|anxious|worr|pale|alarm|frantic|horrif|startl",
     "tender": "tender|gentl|soft|warm|kind|lov|sooth|affection",
 }
+_LOOSE_END: Final = re.compile(
+    r"[\s,;]*(?:\b(?:with|and|then|while|as|but|until|till|who|in|on)\b)?[\s,;]*(?:\b(?:an?|the|his|her|he|she|they|it)\b)?[\s,;.]*$",
+    re.IGNORECASE,
+)
+"""What hangs over from the next clause."""
 _MOTION_WORDS: Final = {"idle": "is there", "talk": "speaks", "whisper": "whispers", "shout": "shouts", "sing": "sings"}
 
 
@@ -80,6 +85,9 @@ def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: 
             continue
         speaker = names.get(beat.unit.speaker or "", "") or beat.unit.speaker_name.title() or "A voice"
         to = f" to {names[beat.unit.to]}" if beat.unit.to and beat.unit.to in names else ""
+        if words[0] in '"“«„':
+            parts.append(words)
+            continue
         shown = words.split()
         quote = words if len(shown) <= 14 else " ".join(shown[:12]) + " …"
         parts.append(f"{speaker}{to}: “{quote}”")
@@ -97,5 +105,5 @@ def deed_words(deed: Deed, unit: Unit, text: str) -> str:
         return _MOTION_WORDS.get(deed.motion, deed.motion.replace("_", " "))
     later = [other.at for other in unit.deeds if deed.at < other.at < unit.end]
     words = one_line(text[deed.at : min(later, default=unit.end)])
-    words = re.sub(r"[\s,;.!?:–—-]+$", "", re.sub(r"(?:,|\b(?:and|then|while|as|but))\s*$", "", words.rstrip(" .,;")))
+    words = _LOOSE_END.sub("", words).rstrip(" ,;.!?:–—-")
     return words or deed.verb or deed.motion.replace("_", " ")
