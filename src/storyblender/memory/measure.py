@@ -5,6 +5,7 @@ from __future__ import annotations
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3
 from storyblender.memory.shot_context import CameraPose
+from storyblender.memory.vocabulary import AssetType
 
 
 class AssetMeasure(Frozen):
@@ -17,6 +18,8 @@ class AssetMeasure(Frozen):
     anchors: tuple[Anchor, ...] = ()
     """Declared by the builder, plus every ``top`` found by ray-casting the mesh."""
     faces: int = 0
+    asset_type: AssetType = "object"
+    """A character takes the floor of a standing person, not of its rest pose."""
 
 
 class SubjectView(Frozen):

@@ -1,0 +1,118 @@
+"""What the Spatial Planner knows of a scene: its projection of the graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.scene_context import Layout, LayoutObject, SceneSetup
+from storyblender.memory.shot_context import BodyState
+
+
+@dataclass(frozen=True)
+class LayoutBrief:
+    """The Spatial Planner's view of one scene.
+
+    Attributes:
+        scene_id: Of the scene.
+        setup: Who and what is in it, and how they relate.
+        measures: By asset id, for everything that may be placed.
+        plan: The set.
+        dressed: What the Set Dresser stood already.
+        pending: Asset ids of the things that need a place.
+        states: Postures of whoever is on stage when the scene begins.
+        groups: People who talk with each other, those who talk most first.
+        targets: Asset ids that somebody walks to, sits on or handles later: they stay reachable.
+        reference: The layout of an earlier scene in the same place.
+        seed: For the solver.
+    """
+
+    scene_id: int
+    setup: SceneSetup
+    measures: Mapping[str, AssetMeasure]
+    plan: SetPlan
+    dressed: tuple[LayoutObject, ...] = ()
+    pending: tuple[str, ...] = ()
+    states: tuple[BodyState, ...] = ()
+    groups: tuple[tuple[str, ...], ...] = ()
+    targets: tuple[str, ...] = ()
+    reference: Layout | None = None
+    seed: int = 0
+    placements: Mapping[str, str] = field(default_factory=dict)
+    """``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it."""
+
+
+def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
+    """Return the measures of all assets that have become something, by asset id."""
+    return {
+        asset.asset_id: AssetMeasure(
+            asset_id=asset.asset_id,
+            digest=asset.canonical.digest,
+            geometry_hash=asset.canonical.geometry_hash,
+            dimensions=asset.canonical.dimensions,
+            anchors=asset.canonical.anchors,
+            asset_type=asset.asset_type,
+        )
+        for asset in assets
+        if asset.canonical is not None
+    }
+
+
+def layout_brief(
+    graph: ContinuityMemoryGraph,
+    scene_id: int,
+    plan: SetPlan,
+    dressed: tuple[LayoutObject, ...] = (),
+    pending: tuple[str, ...] | None = None,
+    measures: Mapping[str, AssetMeasure] | None = None,
+    placements: Mapping[str, str] | None = None,
+) -> LayoutBrief:
+    """Read a scene's brief from the graph.
+
+    Args:
+        graph: With the Director's scenes and shots, and the assets already built.
+        scene_id: Of the scene.
+        plan: Its set.
+        dressed: From the Set Dresser.
+        pending: Likewise; None takes every object of the scene that is not dressed.
+        measures: By asset id; None reads them from the asset sheet.
+        placements: By asset id, from the prop catalog.
+    """
+    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
+    objects = {asset.asset_id for asset in graph.assets if asset.asset_type == "object"}
+    standing = {item.asset_id for item in dressed}
+    first = shots[0] if shots else None
+    held = {asset_id for state in (first.states if first else ()) for asset_id in state.held}
+    if pending is None:
+        pending = tuple(asset_id for asset_id in scene.setup.asset_ids if asset_id in objects - standing)
+    talk: dict[tuple[str, ...], int] = {}
+    for shot in shots:
+        if shot.camera_instruction.axis is not None:
+            pair = tuple(sorted(shot.camera_instruction.axis))
+            talk[pair] = talk.get(pair, 0) + 1
+    targets = [
+        wanted
+        for shot in shots
+        for action in shot.character_actions
+        for wanted in (action.target_id, action.prop_id)
+        if wanted in objects
+    ]
+    reference = scene.setup.reference_scene_id
+    return LayoutBrief(
+        scene_id=scene_id,
+        setup=scene.setup,
+        measures=measures if measures is not None else measures_of(graph.assets),
+        plan=plan,
+        dressed=dressed,
+        pending=tuple(asset_id for asset_id in pending if asset_id not in held),
+        states=tuple(state for state in first.states if state.asset_id in first.on_stage) if first else (),
+        groups=tuple(sorted(talk, key=lambda pair: (-talk[pair], pair))),
+        targets=tuple(dict.fromkeys(str(target) for target in targets)),
+        reference=graph.scene(reference).layout if reference is not None else None,
+        seed=graph.format.seed,
+        placements=placements or {},
+    )

@@ -1,0 +1,106 @@
+"""The stage while it is being laid out: what stands, and where there is room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.layout_things import room_of, size_of, thing_of, walls_of, with_surfaces
+from storyblender.geometry.boxes import Box
+from storyblender.geometry.lanes import blocks
+from storyblender.geometry.paths import Footprint, clearance
+from storyblender.geometry.relations import Thing
+from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.scene_context import LayoutObject
+
+_GRID = 0.2
+"""Metres between the places tried."""
+_EDGE = 0.3
+"""Metres kept from the border of the playing area."""
+
+
+class Stage:
+    """Things by name, and questions about the room between them.
+
+    Args:
+        brief: The scene; what is dressed and what an earlier scene left stands already.
+    """
+
+    def __init__(self, brief: LayoutBrief) -> None:
+        self.brief = brief
+        self.room = room_of(brief.plan.size)
+        self.walls = walls_of(brief.plan)
+        self.things: dict[str, Thing] = {}
+        self.assets: dict[str, str] = {}
+        for item in brief.dressed:
+            self.put(item, fixed=True)
+        for item in brief.reference.objects if brief.reference is not None else ():
+            asked = item.asset_id in brief.pending or item.asset_id in brief.setup.asset_ids
+            if asked and item.node_id not in self.things and self.measure(item.asset_id).asset_type == "object":
+                self.put(item, fixed=True)
+
+    def put(self, item: LayoutObject, fixed: bool) -> None:
+        """Stand a thing where the graph has it."""
+        thing = thing_of(item, self.brief.measures, self.brief.plan)
+        if thing is not None:
+            thing.fixed = fixed or thing.floats
+            self.add(thing, item.asset_id)
+            with_surfaces([thing, *self.things.values()], self.assets, self.brief.measures)
+
+    def add(self, thing: Thing, asset_id: str) -> None:
+        """Stand a thing."""
+        self.things[thing.name], self.assets[thing.name] = thing, asset_id
+
+    def measure(self, asset_id: str) -> AssetMeasure:
+        """Return an asset's measure; a knee-high stand-in's where it is unknown."""
+        known = self.brief.measures.get(asset_id)
+        return known or AssetMeasure(asset_id=asset_id, digest="", geometry_hash="", dimensions=(0.4, 0.4, 0.4))
+
+    def find(self, asset_id: str | None, near: tuple[float, float] = (0.0, 0.0)) -> Thing | None:
+        """Return the thing of that name, or the nearest one that shows the asset."""
+        if asset_id is None:
+            return None
+        if asset_id in self.things:
+            return self.things[asset_id]
+        shown = [thing for name, thing in self.things.items() if self.assets[name] == asset_id]
+        return min(shown, key=lambda thing: math.dist((thing.box.x, thing.box.y), near), default=None)
+
+    def box(self, asset_id: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0) -> Box:
+        """Return the box of an asset at a place; yaw in radians."""
+        return Box(x, y, z, *size_of(self.measure(asset_id)), yaw)
+
+    def free_spot(
+        self,
+        near: tuple[float, float],
+        radius: float,
+        suits: Callable[[float, float], float] = lambda x, y: 0.0,
+    ) -> tuple[float, float]:
+        """Return the place nearest to a wish with clearance around it; ``suits`` adds metres of dislike.
+
+        Args:
+            near: Wish.
+            radius: Metres wanted free.
+            suits: Extra cost of a place.
+        """
+        x0, x1, y0, y1 = self.room
+        edge = min(_EDGE, (x1 - x0) / 4, (y1 - y0) / 4)
+        xs = np.arange(x0 + edge, x1 - edge + 1e-6, _GRID)
+        ys = np.arange(y0 + edge, y1 - edge + 1e-6, _GRID)
+        points = np.array([near, *((x, y) for x in xs for y in ys)])
+        points[0] = np.clip(points[0], (x0 + edge, y0 + edge), (x1 - edge, y1 - edge))
+        cost = np.hypot(*(points - near).T) + 4 * np.maximum(radius - self.clearance(points), 0)
+        cost += np.array([suits(float(x), float(y)) for x, y in points])
+        x, y = points[int(np.argmin(np.round(cost, 6)))]
+        return float(x), float(y)
+
+    def clearance(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return how far each point is from what one cannot stand in, people included."""
+        solid = [thing for thing in (*self.things.values(), *self.walls) if thing.walks or blocks(thing)]
+        footprints = [
+            Footprint((thing.box.x, thing.box.y), (thing.box.width, thing.box.depth), thing.box.yaw) for thing in solid
+        ]
+        return clearance(points, footprints)

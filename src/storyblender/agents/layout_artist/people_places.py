@@ -1,0 +1,217 @@
+"""Where people are when a scene begins: on their seats, at what they do, in groups that the audience can read."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
+from storyblender.geometry.boxes import facing, separation, wrapped
+from storyblender.geometry.relations import BEARING, Thing, slid
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.scene_context import Relation
+from storyblender.memory.shot_context import BodyState
+
+TALK = 1.15
+"""Metres between people who talk."""
+_CHEAT = math.radians(16)
+"""How far a talker turns towards the audience."""
+_ALONE = 1.5
+"""Metres between a person and a group they do not belong to."""
+_FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, -20.0)}
+"""Degrees around the middle of a group, open to the audience."""
+
+
+def place_people(stage: Stage) -> None:
+    """Place everybody who is on stage at the start."""
+    states = {state.asset_id: state for state in stage.brief.states}
+    relations = {
+        relation.asset_id: relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in states
+    }
+    for state in states.values():
+        if state.posture in ("sit", "lie", "asleep"):
+            _sit(stage, state)
+    for state in states.values():
+        relation = relations.get(state.asset_id)
+        anchor = stage.find(state.support_id if state.posture == "lean" else None)
+        anchor = anchor or (stage.find(relation.anchor_asset_id) if relation is not None else None)
+        if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
+            _stand_at(stage, state.asset_id, anchor, relation)
+    for members in _groups(stage, list(states)):
+        _gather(stage, members)
+    _look_at_each_other(stage)
+
+
+def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
+    """Return who stands together: talkers joined by their pairs, the rest one by one."""
+    groups: list[list[str]] = []
+    for pair in stage.brief.groups:
+        here = [member for member in pair if member in present]
+        if len(here) < 2:
+            continue
+        joined = next((group for group in groups if any(member in group for member in here)), None)
+        if joined is None:
+            groups.append(here)
+        else:
+            joined += [member for member in here if member not in joined]
+    told = {member for group in groups for member in group}
+    if not groups and len(present) == 2:
+        return [list(present)]
+    return groups + [[member] for member in present if member not in told]
+
+
+def _sit(stage: Stage, state: BodyState) -> None:
+    """Take the free seat of the support nearest to the middle; without one, stand."""
+    lies = state.posture in ("lie", "asleep")
+    choices = [name for name, thing in stage.things.items() if not thing.walks]
+    if state.support_id is not None:
+        choices = [name for name in choices if state.support_id in (name, stage.assets[name])]
+    seats: list[tuple[float, str, Anchor]] = []
+    for name in choices:
+        thing = stage.things[name]
+        for kind in ("bed", "seat") if lies else ("seat",):
+            for anchor in _anchors(stage, name, kind, state.support_id is not None):
+                x, y = thing.box.to_world(*anchor.location[:2])
+                if all(math.dist((x, y), (o.box.x, o.box.y)) > 0.45 for o in stage.things.values() if o.walks):
+                    seats.append((round(math.hypot(x, y), 3), name, anchor))
+    if not seats:
+        return
+    _, name, anchor = min(seats, key=lambda seat: seat[:2])
+    base = stage.things[name].box
+    x, y = base.to_world(*anchor.location[:2])
+    dx, dy, _ = anchor.direction
+    yaw = base.yaw + facing(dx, dy)
+    box = seat_box(x, y, base.z + anchor.location[2], yaw)
+    stage.add(Thing(state.asset_id, box, anchor=name, walks=True), state.asset_id)
+
+
+def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
+    """Return an asset's seats; something the script sits people on has one at its front edge even if it tells none."""
+    measure = stage.measure(stage.assets[name])
+    found = anchors_of(measure, kind)
+    if found or not asked or kind == "bed":
+        return found
+    width, depth, height = measure.dimensions
+    edge = (0.0, -depth / 2, min(height, 0.46))
+    return [Anchor(kind="seat", location=edge, size=(width, depth))]
+
+
+def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | None) -> None:
+    """Stand at, behind, before or beside something, looking at it unless it is behind the back."""
+    kind = relation.kind if relation is not None else "at"
+    sides = {"behind": "behind", "in_front_of": "in_front_of", "left_of": "on_the_left_of",
+             "right_of": "on_the_right_of"}  # fmt: skip
+    ahead = math.atan2(anchor.box.forward[1], anchor.box.forward[0])
+    choices = sorted(BEARING, key=lambda side: abs(wrapped(BEARING[side] - ahead)))
+    if kind in sides:
+        choices = [sides[kind]]
+    places = []
+    for side in choices:
+        angle = BEARING[side]
+        box = stage.box(asset_id, anchor.box.x + math.cos(angle), anchor.box.y + math.sin(angle), 0.0)
+        box.turn_to(facing(-math.cos(angle), -math.sin(angle)))
+        box.x, box.y = slid(box, anchor.box, 0.25, angle)
+        places.append(box)
+    room = stage.clearance(np.array([(box.x, box.y) for box in places]))
+    x_min, x_max, y_min, y_max = stage.room
+    outside = [not (x_min < box.x < x_max and y_min < box.y < y_max) for box in places]
+    best = max(
+        range(len(places)), key=lambda index: (not outside[index], min(round(float(room[index]), 2), 0.25), -index)
+    )
+    box = places[best]
+    if kind in ("behind", "over"):
+        box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
+    facing_it = "facing" if kind in ("at", "facing", "in_front_of", "on") else None
+    stage.add(
+        Thing(asset_id, box, anchor=anchor.name, relationship=choices[best], direction=facing_it, walks=True), asset_id
+    )
+
+
+def _towards_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:
+    middle = (stage.room.x_min + stage.room.x_max) / 2
+    return 0.3 * (middle - x), -1.0
+
+
+def _gather(stage: Stage, members: list[str]) -> None:
+    """Stand a group: around whoever sits or works already, else in a formation open to the audience."""
+    placed = [stage.things[member] for member in members if member in stage.things]
+    waiting = [member for member in members if member not in stage.things]
+    if not waiting:
+        return
+    if placed:
+        for member in waiting:
+            _join(stage, member, placed)
+            placed.append(stage.things[member])
+        return
+    if len(members) == 1:
+        others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
+        x, y = stage.free_spot(_focus(stage), 0.5, lambda x, y: _crowding((x, y), others))
+        box = stage.box(members[0], x, y, 0.0, 0.0)
+        box.turn_to(facing(*_towards_audience(x, y, stage)))
+        stage.add(Thing(members[0], box, walks=True), members[0])
+        return
+    radius = TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members))
+    x, y = stage.free_spot(_focus(stage), radius + 0.45)
+    angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
+    for member, angle in zip(members, angles, strict=True):
+        dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
+        box = stage.box(member, x + dx, y + dy, 0.0, cheated(facing(-dx, -dy)))
+        stage.add(Thing(member, box, walks=True), member)
+    if len(members) == 2:
+        left, right = (stage.things[member] for member in members)
+        left.anchor, left.relationship, left.direction, left.contact = right.name, "on_the_left_of", "facing", False
+        right.anchor, right.direction = left.name, "facing"
+
+
+def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> float:
+    """Dislike being in a group one does not belong to, and standing in line with it for the audience."""
+    cost = sum(3 * max(_ALONE - math.dist(place, other), 0.0) for other in others)
+    return cost + sum(max(0.5 - abs(place[0] - other[0]), 0.0) for other in others)
+
+
+def _focus(stage: Stage) -> tuple[float, float]:
+    """Return the middle of the playing area, or the set's own mark for it."""
+    mark = next((mark for mark in stage.brief.plan.marks if "centre" in mark.tags), None)
+    if mark is not None:
+        return mark.location[0], mark.location[1]
+    room = stage.room
+    return (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
+
+
+def _join(stage: Stage, member: str, placed: list[Thing]) -> None:
+    """Stand at talking distance before those who are placed, seen beside them and not in front of them."""
+    first = placed[0]
+    ahead = math.atan2(first.box.forward[1], first.box.forward[0])
+    best: tuple[float, float, float] | None = None
+    for turn in range(-110, 111, 10):
+        for reach in (TALK, TALK + 0.2):
+            angle = ahead + math.radians(turn)
+            x, y = first.box.x + reach * math.cos(angle), first.box.y + reach * math.sin(angle)
+            free = float(stage.clearance(np.array([(x, y)]))[0])
+            room = stage.room
+            inside = room.x_min + 0.3 < x < room.x_max - 0.3 and room.y_min + 0.3 < y < room.y_max - 0.3
+            cost = abs(turn) / 90 + 4 * max(0.4 - free, 0) + 5 * (not inside)
+            cost += sum(max(0.45 - abs(x - other.box.x), 0.0) * 2 for other in placed)
+            if best is None or cost < best[0] - 1e-9:
+                best = (cost, x, y)
+    assert best is not None
+    _, x, y = best
+    box = stage.box(member, x, y, 0.0, cheated(facing(first.box.x - x, first.box.y - y)))
+    stage.add(Thing(member, box, anchor=first.name, direction="facing", walks=True), member)
+
+
+def cheated(yaw: float) -> float:
+    """Return a yaw turned a little towards the audience (yaw 0)."""
+    yaw = wrapped(yaw)
+    return yaw - max(-_CHEAT, min(_CHEAT, yaw))
+
+
+def _look_at_each_other(stage: Stage) -> None:
+    """Turn whoever stands alone to whom they look at."""
+    for state in stage.brief.states:
+        thing, target = stage.things.get(state.asset_id), stage.find(state.looking_at)
+        free = thing is not None and thing.anchor is None and target is not None and target is not thing
+        if free and thing is not None and target is not None and separation(thing.box, target.box)[0] > 0:
+            thing.box.turn_to(cheated(facing(target.box.x - thing.box.x, target.box.y - thing.box.y)))

@@ -1,0 +1,176 @@
+"""The Spatial Planner: wishes from the script, then the solver, then the geometric critic (paper, appendix).
+
+The rules propose where everything is wished and let the solver make it valid; ``refine`` applies the critic's exact
+fixes and solves again. Geometry is never asked of a model: a language policy proposes wishes in the same way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_things import laid_out, layout_violations, room_of, thing_of, walls_of
+from storyblender.agents.layout_artist.object_places import place_objects
+from storyblender.agents.layout_artist.people_places import place_people
+from storyblender.geometry.boxes import Box
+from storyblender.geometry.lanes import lane, way
+from storyblender.geometry.relations import Thing, rides
+from storyblender.geometry.solver import solve
+from storyblender.memory.base import content_hash, scene_name
+from storyblender.memory.scene_context import Layout
+from storyblender.reflection import Critique, Fault, Outcome, Policy, reflect
+from storyblender.trace import Listener, silent
+
+_REACH = 0.55
+"""Metres before a target where somebody must be able to stand."""
+_RESERVED = (0.6, 0.5)
+
+
+@dataclass(frozen=True)
+class SpatialRules:
+    """The Spatial Planner without a model."""
+
+    def propose(self, view: LayoutBrief) -> Layout:
+        """Return a solved layout of the scene at its start."""
+        stage = Stage(view)
+        place_objects(stage)
+        place_people(stage)
+        return _solved(stage, view)
+
+    def refine(self, draft: Layout, critique: Critique, view: LayoutBrief) -> Layout:
+        """Apply the critic's exact fixes, then solve again from there."""
+        moved = {item.node_id: item for item in draft.objects}
+        for fault in critique.faults:
+            item = moved.get(fault.subject)
+            if item is None or item.fixed:
+                continue
+            move = [float(fault.fix.get(f"move_{axis}", 0.0)) for axis in "xyz"]
+            x, y, z = (value + step for value, step in zip(item.location, move, strict=True))
+            rx, ry, rz = item.rotation
+            turned = (rx, ry, rz + float(fault.fix.get("turn", 0.0)))
+            moved[fault.subject] = item.model_copy(update={"location": (x, y, z), "rotation": turned})
+        stage = Stage(view)
+        for item in moved.values():
+            if item.node_id not in stage.things:
+                stage.put(item, fixed=item.fixed)
+        return _solved(stage, view)
+
+
+def _solved(stage: Stage, view: LayoutBrief) -> Layout:
+    """Solve the stage twice: once as wished, then with the walkways that this leaves kept free."""
+    things = [*stage.things.values(), *stage.walls]
+    seed = int(content_hash("layout", view.scene_id, view.seed)[:8], 16)
+    solution = solve(things, stage.room, keep_free=_reserved(stage), seed=seed)
+    lanes = [*_reserved(stage), *_walkways(stage, solution.things)]
+    if lanes:
+        with_lanes = solve(solution.things, stage.room, keep_free=lanes, seed=seed)
+        if len(with_lanes.residual) <= len(solution.residual):
+            solution = with_lanes
+    known = {item.node_id: item for item in view.dressed}
+    objects = [
+        known.get(thing.name) or laid_out(thing, stage.assets[thing.name])
+        for thing in solution.things
+        if thing.name in stage.assets
+    ]
+    return Layout(scene_size=view.plan.size, objects=tuple(objects))
+
+
+def _reserved(stage: Stage) -> list[Box]:
+    """Return the floor before everything that somebody will go to."""
+    volumes = []
+    for asset_id in stage.brief.targets:
+        target = stage.find(asset_id)
+        if target is not None and target.box.z < 0.1 and not target.walks and target.fixed:
+            x, y = target.box.to_world(0.0, -target.box.depth / 2 - 0.1 - _RESERVED[1] / 2)
+            volumes.append(Box(x, y, 0.05, *_RESERVED, 1.8, target.box.yaw))
+    return volumes
+
+
+def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
+    """Return the lanes from the doors to the people, and from the people to what they will go to."""
+    people = [thing for thing in things if thing.walks and not rides(thing)]
+    if not people:
+        return []
+    by_name = {thing.name: thing for thing in things}
+    centre = (
+        sum(person.box.x for person in people) / len(people),
+        sum(person.box.y for person in people) / len(people),
+    )
+    ends = [mark.location[:2] for mark in stage.brief.plan.marks if "enter" in mark.tags][:2]
+    for asset_id in stage.brief.targets[:4]:
+        target = stage.find(asset_id)
+        target = by_name.get(target.name) if target is not None else None
+        if target is not None and not target.walks and target.relationship != "on_top_of":
+            ends.append(target.box.to_world(0.0, -target.box.depth / 2 - _REACH))
+    volumes: list[Box] = []
+    for end in ends:
+        open_way = way(end, centre, things, stage.room)
+        open_way = open_way or way(end, centre, things, stage.room, around_fixed_only=True)
+        volumes += lane(open_way) if open_way is not None and math.dist(end, centre) > 0.8 else []
+    return volumes
+
+
+@dataclass(frozen=True)
+class LayoutCritic:
+    """R of the Spatial Planner: the geometric checks, and everybody reachable from the doors."""
+
+    def judge(self, draft: Layout, view: LayoutBrief) -> Critique:
+        """Score ten less the severities of what is wrong."""
+        faults = layout_violations(draft, view.measures, view.plan)
+        return Critique.of((*faults, *_unreachable(draft, view), *_missing(draft, view)))
+
+
+def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
+    things = [thing for item in draft.objects if (thing := thing_of(item, view.measures, view.plan)) is not None]
+    things += walls_of(view.plan)
+    door = next((mark.location[:2] for mark in view.plan.marks if "enter" in mark.tags), None)
+    if door is None:
+        return []
+    room = room_of(draft.scene_size)
+    return [
+        Fault(
+            kind="walkway",
+            subject=person.name,
+            severity=1.0,
+            message=f"nobody can walk from the door to {person.name}: there is no way 0.7 m wide",
+        )
+        for person in things
+        if person.walks and not rides(person) and way(door, (person.box.x, person.box.y), things, room) is None
+    ]
+
+
+def _missing(draft: Layout, view: LayoutBrief) -> list[Fault]:
+    present = {item.asset_id for item in draft.objects}
+    wanted = [*view.pending, *(state.asset_id for state in view.states)]
+    return [
+        Fault(kind="missing", subject=asset_id, severity=3.0, message=f"{asset_id} has no place")
+        for asset_id in wanted
+        if asset_id not in present
+    ]
+
+
+def plan_layout(
+    brief: LayoutBrief, *, policy: Policy[LayoutBrief, Layout] | None = None, listener: Listener = silent
+) -> Outcome[Layout]:
+    """Return the scene's layout with its critique: no faults, or those that are left.
+
+    Args:
+        brief: The scene.
+        policy: Another policy than the rules; the rules take over where it does not converge.
+        listener: Receives the trace.
+    """
+    rules = SpatialRules()
+    return reflect(
+        "spatial_planner",
+        scene_name(brief.scene_id),
+        brief,
+        policy or rules,
+        LayoutCritic(),
+        threshold=9.9,
+        horizon=3,
+        fallback=rules if policy is not None else None,
+        listener=listener,
+    )
