@@ -1,0 +1,129 @@
+"""The Animator: who stands, sits and goes where in every shot of a scene, and what they do when. Rules policy.
+
+Continuity by construction: the end marks of a shot are the start marks of the next one, unless the script changes a
+state in between.
+"""
+
+from __future__ import annotations
+
+from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Frozen
+from storyblender.memory.outline import SceneOutline
+from storyblender.memory.scene_context import Layout
+from storyblender.memory.shot_context import Blocking, Cue, Mark, PropState, ShotContext
+from storyblender.reflection import Critique
+
+__all__ = ["AnimatorDraft", "AnimatorRules", "AnimatorView", "ShotStaging"]
+
+
+class AnimatorView(Frozen):
+    """The Animator's projection of the graph: one scene, laid out, its assets measured."""
+
+    scene_id: int
+    layout: Layout
+    plan: SetPlan
+    assets: tuple[Asset, ...]
+    """Everything in the scene, with ``canonical`` sizes and anchors."""
+    shots: tuple[ShotContext, ...]
+    """In order."""
+    outline: SceneOutline | None = None
+    """For the words of the speeches."""
+    fps: int = 24
+
+
+class ShotStaging(Frozen):
+    """What the Animator decides for one shot; fields of the ShotContext."""
+
+    shot_id: int
+    blocking: tuple[Blocking, ...] = ()
+    cues: tuple[Cue, ...] = ()
+    prop_states: tuple[PropState, ...] = ()
+    duration: int
+    """Frames; the Director's, or up to half as long again where the actions need it."""
+    cheats: tuple[str, ...] = ()
+    """What was cut short or moved so that it fits, one sentence each; for the report."""
+
+    def applied(self, shot: ShotContext) -> ShotContext:
+        """Return the shot with this staging."""
+        return shot.model_copy(
+            update={
+                "blocking": self.blocking,
+                "cues": self.cues,
+                "prop_states": self.prop_states,
+                "duration": self.duration,
+            }
+        )
+
+
+class AnimatorDraft(Frozen):
+    """The staging of all shots of a scene, in order."""
+
+    shots: tuple[ShotStaging, ...]
+
+    @property
+    def durations(self) -> dict[int, int]:
+        """Frames by shot id."""
+        return {shot.shot_id: shot.duration for shot in self.shots}
+
+
+class AnimatorRules:
+    """The Animator without a model."""
+
+    def propose(self, view: AnimatorView) -> AnimatorDraft:
+        """Stage every shot of the scene in order."""
+        floor = Floor(view.layout, view.assets, view.plan)
+        rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps)
+        lines = {shot.shot_id: shot.lines for shot in view.outline.shots} if view.outline else {}
+        stagings: list[ShotStaging] = []
+        for index, shot in enumerate(view.shots):
+            if "blocking" in shot.locked:
+                rehearsal.keep(shot)
+                stagings.append(
+                    ShotStaging(
+                        shot_id=shot.shot_id,
+                        blocking=shot.blocking,
+                        cues=shot.cues,
+                        prop_states=shot.prop_states,
+                        duration=shot.duration,
+                    )
+                )
+                continue
+            stay = view.shots[index + 1].on_stage if index + 1 < len(view.shots) else shot.on_stage
+            played = rehearsal.play(shot, lines.get(shot.shot_id, ()), stay)
+            stagings.append(
+                ShotStaging(
+                    shot_id=played.shot_id,
+                    blocking=played.blocking,
+                    cues=played.cues,
+                    prop_states=played.prop_states,
+                    duration=played.duration,
+                    cheats=played.cheats,
+                )
+            )
+        return AnimatorDraft(shots=tuple(stagings))
+
+    def refine(self, draft: AnimatorDraft, critique: Critique, view: AnimatorView) -> AnimatorDraft:
+        """Move every mark the critic names to the place it computed, wherever in the scene that mark is used."""
+        moves: dict[tuple[str, float, float], tuple[float, float]] = {}
+        for fault in critique.faults:
+            if {"x", "y", "to_x", "to_y"} <= set(fault.fix):
+                x, y, to_x, to_y = (float(fault.fix[key]) for key in ("x", "y", "to_x", "to_y"))
+                moves[fault.subject, x, y] = (to_x, to_y)
+
+        def moved(mark: Mark) -> Mark:
+            goal = moves.get((mark.asset_id, mark.location[0], mark.location[1]))
+            return mark if goal is None else mark.model_copy(update={"location": (*goal, mark.location[2])})
+
+        shots = []
+        for shot in draft.shots:
+            blocking = tuple(
+                each.model_copy(update={"start": moved(each.start), "end": moved(each.end)}) for each in shot.blocking
+            )
+            cues = tuple(
+                cue if cue.mark is None else cue.model_copy(update={"mark": moved(cue.mark)}) for cue in shot.cues
+            )
+            shots.append(shot.model_copy(update={"blocking": blocking, "cues": cues}))
+        return AnimatorDraft(shots=tuple(shots))

@@ -1,0 +1,115 @@
+"""The Animator's critic: marks that nobody can stand on, computed from the plan of the floor. Pure."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, ShotStaging
+from storyblender.agents.visual_effects_artist.floor import BODY, Floor
+from storyblender.geometry.paths import Vec2
+from storyblender.memory.base import shot_name
+from storyblender.memory.shot_context import Blocking, Mark
+from storyblender.reflection import Critique, Fault
+
+INSIDE = 0.6
+"""Share of a body's disc that must be free of furniture."""
+TOGETHER = 0.30
+"""Metres: two standing people nearer than this overlap, unless they embrace."""
+EMBRACES = frozenset({"hug", "kiss"})
+SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
+
+
+class AnimatorCritic:
+    """Finds marks inside furniture, people on one spot, marks off the set, ways that do not exist, seats in the air."""
+
+    def judge(self, draft: AnimatorDraft, view: AnimatorView) -> Critique:
+        """Return the critique; faults of place carry the move that mends them."""
+        floor = Floor(view.layout, view.assets, view.plan)
+        scale = {
+            asset.asset_id: (asset.canonical.dimensions[2] if asset.canonical else 1.7) / 1.7
+            for asset in view.assets
+            if asset.asset_type == "character"
+        }
+        faults: dict[tuple[str, str, Vec2], Fault] = {}
+        for shot in draft.shots:
+            name = shot_name(view.scene_id, shot.shot_id)
+            found = [
+                *(fault for each in shot.blocking for fault in _places(floor, scale, each, name)),
+                *_overlaps(floor, scale, shot, name),
+                *_ways(floor, scale, shot, name),
+            ]
+            for fault in found:
+                place = (float(fault.fix.get("x", 0.0)), float(fault.fix.get("y", 0.0)))
+                faults.setdefault((fault.kind, fault.subject, place), fault)
+        return Critique.of(tuple(faults.values()))
+
+
+def _places(floor: Floor, scale: dict[str, float], blocking: Blocking, name: str) -> list[Fault]:
+    faults = []
+    for mark in (blocking.start, blocking.end):
+        k, place = scale.get(mark.asset_id, 1.0), mark.location[:2]
+        if mark.posture in SUPPORTED:
+            if mark.support_id is not None and floor.thing(mark.support_id) is None:
+                faults.append(_fault("support", mark, f"{name}: {mark.asset_id} rests on {mark.support_id}, not there"))
+            elif mark.posture == "sit" and mark.support_id is None:
+                faults.append(_fault("support", mark, f"{name}: {mark.asset_id} sits on the ground", severity=0.2))
+            continue
+        if floor.room_at(place) < INSIDE * BODY * k and not _before_seat(floor, place):
+            goal = floor.free_near(place, k)
+            faults.append(_fault("inside", mark, f"{name}: {mark.asset_id} stands inside furniture", goal))
+        elif not floor.inside(place, -0.3) and not _named(floor, place):
+            goal = floor.free_near(place, k)
+            faults.append(_fault("off_set", mark, f"{name}: {mark.asset_id} stands outside the set", goal))
+    return faults
+
+
+def _before_seat(floor: Floor, place: Vec2) -> bool:
+    """Close to a seat one has just left or is about to take."""
+    seats = (seat for node in floor.things for seat in floor.seats(node))
+    return any(math.dist(seat.edge, place) < 0.3 for seat in seats)
+
+
+def _named(floor: Floor, place: Vec2) -> bool:
+    return any(math.dist(mark.location[:2], place) < 0.3 for mark in floor.marks)
+
+
+def _overlaps(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
+    embraced = {frozenset((cue.asset_id, cue.target_id)) for cue in shot.cues if cue.clip in EMBRACES}
+    faults = []
+    for which in ("start", "end"):
+        marks: list[Mark] = [getattr(each, which) for each in shot.blocking]
+        for one, two in itertools.combinations(marks, 2):
+            apart = math.dist(one.location[:2], two.location[:2])
+            if apart >= TOGETHER or frozenset((one.asset_id, two.asset_id)) in embraced:
+                continue
+            mover = two if two.posture == "stand" else one
+            others = [m.location[:2] for m in marks if m is not mover]
+            goal = floor.free_near(mover.location[:2], scale.get(mover.asset_id, 1.0), others)
+            message = f"{name}: {one.asset_id} and {two.asset_id} are on one spot ({apart:.2f} m)"
+            faults.append(_fault("overlap", mover, message, goal if mover.posture == "stand" else None))
+    return faults
+
+
+def _ways(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
+    """Check that every walk has a way, from mark to mark in the order of the cues."""
+    place = {each.start.asset_id: each.start for each in shot.blocking}
+    faults = []
+    for cue in shot.cues:
+        here = place.get(cue.asset_id)
+        if cue.mark is None or here is None or cue.clip == "put_down":
+            continue
+        start, goal = here.location[:2], cue.mark.location[:2]
+        moves = cue.mark.posture == "stand" and here.posture == "stand" and math.dist(start, goal) > 0.1
+        if moves and floor.path(start, goal, scale.get(cue.asset_id, 1.0)) is None:
+            faults.append(_fault("no_way", cue.mark, f"{name}: {cue.asset_id} cannot walk to its mark"))
+        place[cue.asset_id] = cue.mark
+    return faults
+
+
+def _fault(kind: str, mark: Mark, message: str, goal: Vec2 | None = None, severity: float = 1.5) -> Fault:
+    x, y, _ = mark.location
+    fix: dict[str, float | str] = {"x": x, "y": y}
+    if goal is not None:
+        fix |= {"to_x": round(goal[0], 3), "to_y": round(goal[1], 3)}
+    return Fault(kind=kind, message=message, subject=mark.asset_id, severity=severity, fix=fix)
