@@ -397,11 +397,13 @@ def _exterior(view: LightingView) -> Lighting:
     gloom = hour.lamps if air.level > 0.7 else max(hour.lamps, 0.5)
     level = hour.outside * air.level
     open_sky = open_sky_light(sky)
-    ambient = mix(open_sky, _scaled(ground, sum(open_sky) / 3 + hour.sun * air.sun * 0.12), 0.25)
+    gray = sum(open_sky) / 3
+    bounce = _scaled(ground, gray + hour.sun * air.sun * 0.15)
+    ambient = mix(mix(open_sky, (gray, gray, gray), 0.35), bounce, 0.3)
     return Lighting(
         lights=strongest((sun, *_lamps(view, gloom)), MOST_LIGHTS),
         sky=sky,
-        ambient=_scaled(ambient, 0.75 if night else 0.9),
+        ambient=_scaled(ambient, 0.75),
         fog=_air(view, hour, sky.horizon, where),
         rain=air.rain,
         face_luminance=round(max(0.15, hour.face * (0.6 + 0.4 * air.level)), 4),

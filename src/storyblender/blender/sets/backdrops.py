@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.sets.finish import finish, pane, view_outside
+from storyblender.blender.sets.finish import pane, view_outside
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.set_plan import Backdrop
 
@@ -26,6 +26,8 @@ Skin = Callable[[str, str], bpy.types.Material]
 
 
 _HOUSES = (("brick", "#6d4a3a"), ("plaster", "#a7a08f"), ("plaster", "#cbbfa4"), ("brick", "#7a3b28"))
+_WOODS = ("#6f8074", "#586c54", "#42563a")
+_HILLS = ("#93a2ac", "#7f9092", "#6c806f")
 _TOWERS = (("plaster", "#7c7f82"), ("plaster", "#96938c"), ("plaster", "#6a6460"), ("plaster", "#8b7d70"))
 
 
@@ -49,43 +51,50 @@ def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bp
     elif card.kind in ("treeline", "hills"):
         _land(builder, skin, left, right, height, trees=card.kind == "treeline")
     elif card.kind == "sea":
-        _sheet(builder, skin("water", "#3a5c68"), left, right, np.full(2, height))
+        _sheet(builder, skin("clay", "#55727e"), np.stack([left, right]), np.full(2, height))
     else:
         key = "card_stars" if card.kind == "stars" else "card_plain"
         builder.quad(key, *card.corners, uv=[(0, 0), (1, 0), (1, 1), (0, 1)])
     return builder.mesh()
 
 
-def _sheet(builder: MeshBuilder, skin: bpy.types.Material, left: Floats, right: Floats, tops: Floats) -> None:
-    """Raise a curtain from left to right with the given heights, its face towards the set."""
-    foot = left + np.linspace(0, 1, len(tops))[:, None] * (right - left)
-    head = foot + np.c_[np.zeros((len(tops), 2)), tops]
+def _sheet(builder: MeshBuilder, skin: bpy.types.Material, foot: Floats, tops: Floats) -> None:
+    """Raise a curtain on the points of its foot with the given heights, its face towards the set."""
+    head = foot + np.c_[np.zeros((len(tops), 2)), np.maximum(tops, 0.3)]
     builder.loft(skin, [foot, head], closed=False)
-
-
-def _azimuths(left: Floats, right: Floats, count: int) -> Floats:
-    points = left[:2] + np.linspace(0, 1, count)[:, None] * (right - left)[:2]
-    return np.arctan2(points[:, 1], points[:, 0])
 
 
 def _land(builder: MeshBuilder, skin_of: Skin, left: Floats, right: Floats, height: float, *, trees: bool) -> None:
     span = float(np.linalg.norm(right - left))
-    away = (left + right)[:2] / 2
-    outwards = away / max(float(np.linalg.norm(away)), 1e-6)
-    colors = ("#6f8074", "#5a6e58", "#465a3e") if trees else ("#8fa0ac", "#7d9093", "#6d8272")
-    for layer, (share, color) in enumerate(zip((1.0, 0.78, 0.55), colors, strict=True)):
-        offset = np.array([*(outwards * (4.0 - 2.0 * layer)), 0.0])
-        angle = _azimuths(left, right, max(12, int(span / (0.9 if trees else 2.0))))
+    share = np.linspace(0, 1, max(12, int(span / (0.7 if trees else 1.5))))
+    foot = left + share[:, None] * (right - left)
+    angle = np.arctan2(foot[:, 1], foot[:, 0])
+    outwards = np.c_[
+        foot[:, :2] / np.maximum(np.linalg.norm(foot[:, :2], axis=1, keepdims=True), 1e-6), np.zeros(len(foot))
+    ]
+    for layer, (part, code) in enumerate(zip((1.0, 0.8, 0.6), _WOODS if trees else _HILLS, strict=True)):
         phase = 2.3 * layer
-        swell = np.sin(5 * angle + phase) + 0.6 * np.sin(11 * angle + 2 * phase) + 0.35 * np.sin(23 * angle - phase)
-        if trees:
-            ragged = 0.5 * np.abs(np.sin(61 * angle + phase)) + 0.5 * np.abs(np.sin(143 * angle + 3 * phase))
-            tops = height * share * (0.78 + 0.07 * swell + 0.2 * ragged)
-            skin = skin_of("leaves_dark", color)
-        else:
-            tops = height * share * (0.62 + 0.19 * swell)
-            skin = skin_of("dirt", color)
-        _sheet(builder, skin, left + offset, right + offset, np.maximum(tops, 0.3))
+        outline = _crowns(angle, phase) if trees else _peaks(angle, phase) if height > 20 else _swells(angle, phase)
+        _sheet(builder, skin_of("clay", code), foot + outwards * (4.0 - 2.0 * layer), height * part * outline)
+
+
+def _swells(angle: Floats, phase: float) -> Floats:
+    return 0.62 + 0.19 * (
+        np.sin(5 * angle + phase) + 0.6 * np.sin(11 * angle + 2 * phase) + 0.35 * np.sin(23 * angle - phase)
+    )
+
+
+def _peaks(angle: Floats, phase: float) -> Floats:
+    ridges = sum(
+        weight * (1 - np.abs(np.sin(count * angle + shift * phase)))
+        for weight, count, shift in ((0.5, 4, 1), (0.28, 9, 2), (0.14, 21, -1), (0.08, 47, 3))
+    )
+    return 0.25 + 0.75 * ridges
+
+
+def _crowns(angle: Floats, phase: float) -> Floats:
+    crowns = np.maximum(np.abs(np.sin(47 * angle + phase)), 0.86 * np.abs(np.sin(71 * angle + 3 * phase)))
+    return 0.66 + 0.08 * np.sin(5 * angle + phase) + 0.05 * np.sin(13 * angle) + 0.2 * np.sqrt(crowns)
 
 
 def _town(
@@ -116,12 +125,19 @@ def _town(
                 key, code = walls[int(rng.integers(len(walls)))]
                 builder.box(skin_of(key, code), (0, 0, tall / 2), (width, 4.0, tall))
                 if near or row == 2 or span < 60:
-                    _windows(builder, scene, width, tall, rng, near=near)
+                    _windows(builder, scene, skin_of("glass_dark", "#39424b"), width, tall, rng, near=near)
             at += width + (0.0 if near else float(rng.uniform(-0.5, 1.5)))
 
 
 def _windows(
-    builder: MeshBuilder, scene: bpy.types.Scene, width: float, tall: float, rng: np.random.Generator, *, near: bool
+    builder: MeshBuilder,
+    scene: bpy.types.Scene,
+    glass_by_day: bpy.types.Material,
+    width: float,
+    tall: float,
+    rng: np.random.Generator,
+    *,
+    near: bool,
 ) -> None:
     storey, bay, wide, high = (3.1, 2.2, 0.95, 1.5) if near else (2.6, 1.6, 0.7, 1.1)
     columns = max(1, int(width / bay))
@@ -130,7 +146,7 @@ def _windows(
             x = (column + 0.5) * width / columns - width / 2
             z = 1.2 + storey * floor
             lit = rng.random() < 0.24
-            glass = pane(("pane_far", "pane_amber")[int(rng.integers(2))], scene) if lit else finish("glass_dark")
+            glass = pane(("pane_far", "pane_amber")[int(rng.integers(2))], scene) if lit else glass_by_day
             y = -2.02
             builder.quad(
                 glass,

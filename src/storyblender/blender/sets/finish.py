@@ -17,7 +17,7 @@ PANES: dict[str, tuple[Color, float]] = {
 }
 """Windows with somebody home: colour and emission at night."""
 
-DAYLIGHT = 1.25
+DAYLIGHT = 0.75
 """Emission by day, times its colour, of what is seen through the windows of a room that is exposed for its inside."""
 
 _GLASS = hex_color("#2a343d")

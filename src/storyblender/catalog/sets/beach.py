@@ -30,7 +30,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     beach.furnish("log", -x * 0.5, y * 0.3, yaw=20, required=False)
     beach.furnish("rowing_boat", x * 0.75, y * 0.35, yaw=-55, required=False)
     beach.mark("water", 0, y - 0.3, 180, "window", "water")
-    beach.ring("sea", 130, 7, bottom=-6, azimuths=(-95, 95), sides=8)
+    beach.ring("sea", 140, 1.6, bottom=-6, azimuths=(-95, 95), sides=8)
     beach.ring("hills", 84, 15, azimuths=(78, 282), sides=9)
     beach.ring("treeline", 60, 10, azimuths=(96, 264), sides=8)
     beach.entrances(back=False)

@@ -36,7 +36,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         dock.furnish("lamppost", px, edge - 0.5)
     dock.lamp("shed_lamp", (-x - 0.7, -1.0, 3.2), 120, SODIUM, size=0.12, glow=0.4)
     dock.mark("water_edge", 0, y - 0.3, 180, "window", "water")
-    dock.ring("sea", 120, 5, bottom=-6, azimuths=(-95, 95), sides=8)
+    dock.ring("sea", 140, 1.6, bottom=-6, azimuths=(-95, 95), sides=8)
     dock.ring("skyline", 110, 12, bottom=-3, azimuths=(20, 80), sides=3)
     dock.ring("facades", 40, 11, azimuths=(90, 270), sides=8)
     dock.entrances(back=False)

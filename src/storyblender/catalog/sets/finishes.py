@@ -61,12 +61,12 @@ lino_brown         linoleum   #7d6a54
 paving_light       paving     #a29b8c
 tarmac             concrete   #5d6063
 grass_dry          grass      #8f8548
-grass_lush         grass      #56742f
+grass_lush         grass      #5b6c36
 gravel             dirt       #8c8478
 mud                dirt       #55442f
 sand_desert        sand       #c79a63
 water_deep         water      #16303c
-leaf               leaves     #55702c
+leaf               leaves     #566b31
 leaf_yellow        leaves     #7f8434
 pine               leaves_dark #2f4a33
 hedge              leaves     #3d5a2b

@@ -36,7 +36,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         ship.furnish("barrel" if old else "crate", px, py, required=False)
     ship.mark("rail", 0, y - 0.15, 180, "window", "railing", "bar")
     ship.slab("ground", rectangle(-REACH * 1.8, -REACH * 1.8, REACH * 1.8, REACH * 1.8), "water_deep", z=-3.5, wet=True)
-    ship.ring("sea", 150, 4, bottom=-8, sides=14)
+    ship.ring("sea", 150, 1.6, bottom=-8, sides=14)
     ship.entrances(back=False)
     return ship.finish()
 

@@ -165,7 +165,7 @@ def palm_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
         spine = [head + along * length * t + (0, 0, 0.9 * t - droop * 1.5 * t * t) for t in np.linspace(0, 1, 9)]
         widths = (0.05, 0.2, 0.3, 0.34, 0.34, 0.3, 0.22, 0.12, 0.01)
         rows = [
-            [p - side * w - (0, 0, 0.5 * w), p, p + side * w - (0, 0, 0.5 * w)]
+            [p + side * w - (0, 0, 0.5 * w), p, p - side * w - (0, 0, 0.5 * w)]
             for p, w in zip(spine, widths, strict=True)
         ]
         builder.loft(leaf, rows, closed=False)
@@ -220,7 +220,7 @@ def _blades(
 @piece("grass_tuft", Surface.NO_INK)
 def grass_tuft(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a tuft of grass. Parameters: variant."""
-    key = ("grass_lush", "leaf_yellow", "grass_lush")[int(spec.number("variant", 0)) % 3]
+    key = ("hedge", "grass_dry", "leaf")[int(spec.number("variant", 0)) % 3]
     _blades(builder, finish(key), 16, 0.36, 0.14, 0.011, spec.rng)
 
 
@@ -240,7 +240,7 @@ def fern(builder: MeshBuilder, spec: PieceSpec) -> None:
         for t in np.linspace(0, 1, 7):
             spine = along * length * t + (0, 0, 0.45 * t - 0.42 * t * t)
             wide = 0.09 * math.sin(math.pi * (0.1 + 0.9 * t)) + 0.004
-            rows.append([spine - side * wide, spine + (0, 0, 0.012), spine + side * wide])
+            rows.append([spine + side * wide, spine + (0, 0, 0.012), spine - side * wide])
         builder.loft(finish("leaf"), rows, closed=False)
 
 
