@@ -96,6 +96,10 @@ def _cell(words: str) -> tuple[str, ...]:
 
 
 OVERRIDES = _overrides()
+OVERRIDDEN_PARTICLES = frozenset(
+    f"{verb} {particle}" for verb, rules in OVERRIDES.items() for rule in rules for particle in rule.particles
+)
+"""Verb and particle pairs that have a rule: ``pull off``."""
 """Verb -> its rules, in order."""
 
 # -- things ------------------------------------------------------------------------------------------------------
@@ -129,6 +133,9 @@ ANIMALS = frozenset(_people["animal"])
 PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS
 YOUNG_NOUNS = frozenset(_people["young"])
 CROWDS = frozenset(_people["crowd"])
+NEUTER_ROLES = frozenset(_people["neuter"])
+"""Somebody who may be called ``it``."""
+TITLE_SYNONYMS = _pairs(_people["title_synonym"])
 KIN = frozenset(_people["kin"])
 CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people["converse"]).items()}
 """Kin -> what they are to each other: the uncle of a niece or nephew."""
@@ -196,9 +203,10 @@ def noun_class(key: str) -> NounClass:
 
 def gender_of_word(word: str) -> Gender:
     """The gender a noun or first name carries."""
-    if word in MALE_NOUNS or word in MALE_NAMES:
-        return "male"
-    return "female" if word in FEMALE_NOUNS or word in FEMALE_NAMES else "unknown"
+    if word in FEMALE_NOUNS or word in FEMALE_NAMES or word.endswith("woman"):
+        return "female"
+    male = word in MALE_NOUNS or word in MALE_NAMES or (word.endswith("man") and len(word) > 5)
+    return "male" if male and word != "human" else "unknown"
 
 
 def relation_of(preposition: str) -> RelationKind | None:

@@ -141,7 +141,9 @@ def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
     if not roles.subjects or (clause.passive and clause.verb != "seat"):
         return None
     head = stage.inventory.head(roles.things[0]) if roles.things else "person" if roles.people else ""
-    if not head and any(noun.head == "it" for noun in clause.object):
+    if any(noun.kind == "pronoun" and noun.head.endswith(("self", "selves")) for noun in clause.object):
+        head = "self"
+    elif not head and any(noun.head == "it" for noun in clause.object):
         head = "it"
     posture = stage.scene.posture.get(roles.subjects[0].id, ("stand", None))[0]
     motion = motion_of(clause, head, posture)
@@ -193,7 +195,11 @@ def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
         discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
     things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
     if not things:
-        things = [thing for thing in roles.subject_things if inventory.class_of(thing) in _OBJECTLIKE]
+        things = [
+            thing
+            for thing in roles.subject_things
+            if inventory.class_of(thing) in _OBJECTLIKE and inventory.head(thing) not in lexicon.LIQUIDS
+        ]
         solid = ("set_piece", "prop")
         if not things and motion not in _TRAVEL:
             things = [t for place in roles.places for t in place.things if inventory.class_of(t) in solid]

@@ -26,6 +26,8 @@ _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _PLAIN = re.compile(r"[A-Za-z0-9À-ÿ#][A-Za-z0-9À-ÿ#'’-]*$")
+_SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
+_SUBJECT_PRONOUNS = frozenset({"he", "she", "they", "it", "i", "you", "we"})
 _HYPOTHETICAL = frozenset({"if", "unless"})
 
 
@@ -132,6 +134,8 @@ def _pronoun(words: list[Word], at: int) -> Phrase | None:
 
 def _small_word(words: list[Word], at: int) -> Phrase | None:
     word = words[at]
+    if word.low in _SUBORDINATING and _subject_follows(words, at):
+        return Phrase("link", at, at, word.low)
     for compound in lexicon.COMPOUND_PREPOSITIONS.get(word.low, ()):
         if tuple(w.low for w in words[at : at + len(compound)]) == compound:
             return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
@@ -144,6 +148,15 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
     if word.low in _MODALS:
         return Phrase("negation", at, at, "modal")
     return Phrase("mark", at, at, word.text) if not word.text[0].isalnum() else None
+
+
+def _subject_follows(words: list[Word], at: int) -> bool:
+    """``as she reads``, ``before you shoot``: the word links a clause."""
+    right = words[at + 1 : at + 3]
+    return bool(right) and (
+        right[0].low in _SUBJECT_PRONOUNS
+        or (len(right) > 1 and right[0].mention is not None and right[1].verb is not None)
+    )
 
 
 def _skipped(words: list[Word], at: int) -> bool:
@@ -324,7 +337,8 @@ def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     if clause and phrase.text in lexicon.PARTICLES and not clause.particle:
         noun_follows = following is not None and following.kind == "noun"
-        known = f"{clause.verb} {phrase.text}" in lexicon.MOTION_OF_VERB and not clause.object
+        pair = f"{clause.verb} {phrase.text}"
+        known = (pair in lexicon.MOTION_OF_VERB or pair in lexicon.OVERRIDDEN_PARTICLES) and not clause.object
         if not noun_follows or known:
             clause.particle, builder.preposition = phrase.text, ""
             return

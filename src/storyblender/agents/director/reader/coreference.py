@@ -162,7 +162,7 @@ def resolve_pronoun(
     """
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "plural":
-        return _they(stage, role, subjects)
+        return _they(stage, role, subjects, excluded)
     gender: Gender = "female" if kind == "female" else "male"
     pool = [
         person
@@ -179,7 +179,7 @@ def resolve_pronoun(
 
     def score(person: Person) -> tuple[float, int]:
         value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else 0.1)
-        value -= 0.6 * (person.kind == "animal" and person.gender != gender)
+        value -= 1.0 * (person.kind == "animal" and person.gender != gender)
         value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
         value += 0.8 * (role == "subject" and [person] == list(previous)) + 1.2 * (
             role == "possessor" and person in subjects
@@ -196,11 +196,11 @@ def resolve_pronoun(
     return [best]
 
 
-def _they(stage: Stage, role: Role, subjects: Sequence[Person]) -> list[Person]:
+def _they(stage: Stage, role: Role, subjects: Sequence[Person], excluded: Sequence[Person] = ()) -> list[Person]:
     if role == "possessor" and len(subjects) > 1:
         return list(subjects)
     discourse = stage.discourse
-    here = stage.on_stage()
+    here = [person for person in stage.on_stage() if person not in excluded]
     bands = [person for person in here if person.count > 1 and person not in subjects]
     last = discourse.last_named
     if bands:
@@ -211,7 +211,12 @@ def _they(stage: Stage, role: Role, subjects: Sequence[Person]) -> list[Person]:
     for sentence, group, _ in reversed(discourse.groups):
         shared = {person.id for person in group} & {person.id for person in subjects}
         overlaps = role in ("object", "possessor") and shared and len(shared) != len(group)
-        if group and discourse.sentence - sentence <= memory and not overlaps:
+        if (
+            group
+            and discourse.sentence - sentence <= memory
+            and not overlaps
+            and not set(_ids(group)) & set(_ids(excluded))
+        ):
             return group
     if role == "object":
         here = [person for person in here if person not in subjects]
@@ -223,6 +228,10 @@ def _they(stage: Stage, role: Role, subjects: Sequence[Person]) -> list[Person]:
         if len(recent) > 1:
             return recent
     return here
+
+
+def _ids(people: Sequence[Person]) -> list[str]:
+    return [person.id for person in people]
 
 
 # -- noun phrases ------------------------------------------------------------------------------------------------
@@ -254,11 +263,17 @@ def _resolve_pronoun_phrase(
     discourse = stage.discourse
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
-        return Referents([], _it(stage))
+        neuter = [person for person in previous if _is_neuter(person)]
+        return Referents(neuter) if neuter and len(previous) == 1 else Referents([], _it(stage))
     plural = discourse.last_plural
     if kind == "plural" and role == "object" and plural and plural[1] >= discourse.sentence - 1:
         return Referents([], plural[0])
     return Referents(resolve_pronoun(stage, pronoun, role, list(subjects), list(previous)))
+
+
+def _is_neuter(person: Person) -> bool:
+    """Whether somebody may be called ``it``: animals, robots."""
+    return person.kind == "animal" or person.role in lexicon.NEUTER_ROLES
 
 
 def _it(stage: Stage) -> str | None:
@@ -308,7 +323,12 @@ def resolve_owner(
             noun.owner = person.id
         return
     known = stage.sentence.pronouns.get(noun.possessor)
-    if known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":
+    if word.low == "its" and known is None:
+        neuter = [person for person in subjects or previous if _is_neuter(person)]
+        known = remember(
+            stage, noun.possessor, Referents(neuter) if neuter else Referents([], stage.discourse.last_thing)
+        )
+    elif known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":
         excluded = resolve_mention(stage, noun.mention) if noun.mention else []
         people = resolve_pronoun(stage, word.low, role, subjects, previous, excluded)
         known = remember(stage, noun.possessor, Referents(people))

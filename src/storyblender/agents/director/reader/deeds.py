@@ -13,7 +13,7 @@ from storyblender.agents.director.reading import Deed, Person
 
 _TOWARDS = (
     "to", "toward", "towards", "at", "into", "onto", "on", "over", "in", "against", "around", "by", "of", "for", "beside",
-    "across from", "down", "near", "next to", "past", "up", "from",
+    "across", "across from", "down", "near", "next to", "past", "up", "from",
 )  # fmt: skip
 _GOING = frozenset(
     {
@@ -34,6 +34,9 @@ _GOING = frozenset(
     }
 )
 """Motions whose target stands after a preposition even where there is an object."""
+_THROUGH = frozenset({"read", "search", "look", "crawl", "climb", "jump", "walk", "run"})
+_FOLLOWING = frozenset({"walk", "run", "sneak"})
+"""Motions that may be after somebody, wherever they lead."""
 _TO_PLACES = _GOING - {"aim", "shoot"} | {"look"}
 """Motions that may go to a piece of scenery."""
 _MUTUAL = frozenset({"hug", "kiss", "shake_hands", "fight", "dance"})
@@ -106,15 +109,17 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
     thing = roles.things[0] if roles.things else None
     if motion == "give":
         return _receiver(stage, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)
-    if motion == "touch" and not roles.people and thing and clause.object[0].owner:
-        if stage.inventory.class_of(thing) == "body":
-            return clause.object[0].owner, None
+    owner = _owner_of_part(stage, clause, roles)
+    if owner:
+        return owner, None
     people = roles.people + roles.recipients
     target = people[0].id if people else thing
     prop = thing
     if motion in ("eat", "drink", "read") and not thing:
         prop = target = _in_hand(stage, roles.subjects[0])
-    if not target or motion in _GOING:
+    if stage.inventory.class_of(target) == "body" and not people:
+        target = prop = None
+    if not target or (motion in _GOING and not (people and motion in _FOLLOWING)):
         target = _destination(stage, roles, motion, target)
     if motion == "sit" and stage.inventory.head(target) not in _SEATS:
         target = _seat_walked_to(stage, roles.subjects[0]) or target
@@ -123,6 +128,15 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
         target = owned if stage.inventory.class_of(target) == "body" else target
         prop = None
     return target, prop
+
+
+def _owner_of_part(stage: Stage, clause: Clause, roles: Roles) -> str | None:
+    """Whose body something is done to: ``grabs her arm``, ``kisses the top of her head``."""
+    if roles.people or not roles.things or stage.inventory.class_of(roles.things[0]) not in ("body", "abstract"):
+        return None
+    nouns = clause.object + [noun for place in roles.places if place.preposition == "of" for noun in place.nouns]
+    owners = [noun.owner for noun in nouns if noun.owner and noun.owner not in [p.id for p in roles.subjects]]
+    return owners[0] if owners else None
 
 
 def _receiver(stage: Stage, roles: Roles) -> str | None:
@@ -142,11 +156,18 @@ def _in_hand(stage: Stage, person: Person) -> str | None:
 
 def _destination(stage: Stage, roles: Roles, motion: str, target: str | None) -> str | None:
     """The person or thing after a preposition of direction."""
-    for place in roles.places:
+    for place in sorted(roles.places, key=lambda place: place.preposition != "at"):
         if motion == "look" and place.preposition in ("in", "from"):
             continue
         directed = place.preposition in _TOWARDS or " " in place.preposition or motion in ("climb", "kneel")
-        through = place.preposition == "through" and motion in ("read", "search", "look")
+        through = place.preposition == "through" and motion in _THROUGH
+        through |= place.preposition in ("behind", "after") and motion in _GOING | {
+            "hide",
+            "stand",
+            "kneel",
+            "crouch",
+            "stagger",
+        }
         if place.preposition == "from" and motion not in ("take", "drink", "eat"):
             continue
         if directed or through:

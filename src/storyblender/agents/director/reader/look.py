@@ -37,6 +37,8 @@ def describe(person: Person, phrase: str) -> None:
                 person.gender = _GENDER_WORDS[word]
             if not person.age and (word in lexicon.AGE_WORDS or word in lexicon.AGE_NOUNS):
                 person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
+            if not person.role and word in lexicon.NEUTER_ROLES:
+                person.role = word
             if word in lexicon.ANIMALS:
                 person.kind, person.role = "animal", word
                 person.aliases = (*person.aliases, word)

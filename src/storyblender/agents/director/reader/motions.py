@@ -29,7 +29,7 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
 
     Args:
         clause: An active clause with somebody as its subject.
-        object_head: Head noun of what it is done to, ``person``, or empty.
+        object_head: Head noun of what it is done to, ``person``, ``self``, or empty.
         posture: Posture of the subject before.
     """
     prepositions = frozenset(preposition.replace(" ", "_") for preposition, _ in clause.places)
@@ -65,9 +65,11 @@ def _matches(wanted: tuple[str, ...], word: str) -> bool:
             want in ("*", word)
             or (want == "-" and not word)
             or (want == "+" and word != "")
+            or (want == "THING" and word not in ("", "person", "self"))
             or (want == "BODY" and word in lexicon.BODY)
             or (want == "GARMENT" and word in _GARMENTS)
             or (want == "VEHICLE" and word in lexicon.VEHICLES)
+            or (want == "SEAT" and word in lexicon.SEATS)
         ):
             return True
     return False

@@ -26,12 +26,17 @@ _STATIVE = frozenset(
      "perch", "glitter", "lounge", "remain", "slouch", "spread", "linger", "squat", "recline", "sprawl", "seat", "pin",
      "mount", "huddle", "slump", "park", "loom", "tower", "hover"}
 )  # fmt: skip
-_ARRIVING = frozenset({"drop", "emerge", "step", "watch", "follow"})
+_AT_REST = frozenset(
+    {"balance", "pile", "stack", "scatter", "drape", "prop", "nail", "tie", "strap", "sling", "tuck", "wedge", "open", "spill",
+     "gleam", "glint", "burn", "glow", "tick", "stretch", "dangle", "cover", "leave", "place", "set"}
+)  # fmt: skip
+"""Verbs that tell where a thing is, not what somebody does."""
+_ARRIVING = frozenset({"drop", "emerge", "step", "watch", "follow", "appear", "stop", "pause"})
 """Verbs that place only relative to people: behind, before, beside."""
 _STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide", "crouch"})
 _PLACING = frozenset(
     {"put", "place", "set", "throw", "stuff", "toss", "lay", "rest", "stack", "hang", "drop", "leave", "pack", "tuck",
-     "slip", "drape", "load", "shove", "pin", "lean", "park", "mount"}
+     "slip", "drape", "load", "shove", "pin", "lean", "park", "mount", "sling", "wrap"}
 )  # fmt: skip
 _ANCHORS = frozenset({"prop", "set_piece", "worn", "unknown", "scenery"})
 _THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
@@ -58,7 +63,8 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         thing for thing in roles.subject_things if stage.inventory.class_of(thing) in _THINGS
     ]
     found: list[tuple[str, RelationKind, str]] = []
-    if located and (clause.verb in _STATIVE | _ARRIVING or motion in _STILL):
+    still = clause.verb in _STATIVE or clause.verb in _ARRIVING or motion in _STILL
+    if located and (still or (clause.verb in _AT_REST and not roles.subjects)):
         for place in roles.places:
             found += _placed(stage, clause, place, located)
         found += _between(stage, roles, located)
@@ -68,7 +74,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         ]
     if first and roles.subjects:
         _left_or_right(stage, roles.subjects)
-    if clause.verb in _PLACING and roles.things:
+    if roles.things and (clause.verb in _PLACING or roles.prepositions & {"into", "onto"}):
         found += _put(stage, roles)
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
@@ -78,7 +84,8 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
     kind = lexicon.relation_of(place.preposition)
     if kind is None or kind == "between" or place.preposition == "down":
         return []
-    if clause.verb in _ARRIVING and kind not in ("behind", "in_front_of", "next_to"):
+    doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
+    if clause.verb in _ARRIVING and kind not in ("behind", "in_front_of", "next_to") and not doorway:
         return []
     anchors = [person.id for person in place.people]
     anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]
@@ -145,6 +152,8 @@ def _put(stage: Stage, roles: Roles) -> list[tuple[str, RelationKind, str]]:
         kind = lexicon.relation_of(place.preposition)
         if kind not in ("on", "in", "under", "next_to", "behind", "against"):
             continue
+        if any(noun.kind == "thing" and noun.head in lexicon.BODY for noun in place.nouns) and kind == "on":
+            found += [(thing, "on", roles.subjects[0].id) for thing in roles.things if roles.subjects]
         for anchor in place.things:
             if stage.inventory.class_of(anchor) in _THINGS:
                 moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
@@ -204,7 +213,7 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
             or lexicon.noun_class(noun.key) not in ("prop", "set_piece")
         ):
             continue
-        if left and left.kind == "preposition" and kind != "on":
+        if left and left.kind == "preposition" and left.text != "with" and kind != "on":
             continue
         if anchor.head in lexicon.BODY and kind in ("in", "over"):
             kind = "on"

@@ -16,13 +16,39 @@ from storyblender.agents.director.reader.words import Word
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 _BEFORE_NOUN = _OPENERS | lexicon.PREPOSITIONS | {"'s"}
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
+_CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})
 _PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
-_OBJECT_OPENERS = _OPENERS | {"him", "her", "it", "them", "up", "to", "twice", "once", "again", "at"}
+_OBJECT_OPENERS = _OPENERS | {
+    "him",
+    "her",
+    "it",
+    "them",
+    "up",
+    "to",
+    "twice",
+    "once",
+    "again",
+    "at",
+    "back",
+    "away",
+    "forward",
+    "aside",
+    "into",
+    "toward",
+    "towards",
+    "out",
+    "through",
+    "past",
+    "from",
+    "onto",
+    "across",
+}
 _AFTER_VERB = _OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
 _SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
 _PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i"})
 _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = lexicon.WORN | lexicon.PROPS | lexicon.BODY | lexicon.SET_PIECES
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
 _BEFORE_INFINITIVE = frozenset(
@@ -39,6 +65,8 @@ class _Row:
 
     words: list[Word] = field(default_factory=list)
     verb_seen: bool = False
+    tail: list[Word] = field(default_factory=list)
+    """``with a canister on his back`` out of an apposition: it is told at the end."""
     last_kind: str = ""
     """``3sg`` or ``base``: the form of the last finite verb."""
 
@@ -79,8 +107,10 @@ def regularise(words: list[Word]) -> list[Word]:
     while at < len(words):
         word = words[at]
         if word.text == "," and row.words and row.words[-1].named and not any(w.inserted and w.verb for w in row.words):
-            at = _apposition_end(words, at) or at
-            word = words[at]
+            end = _apposition_end(words, at)
+            if end:
+                row.tail += _with_something(words[at + 1 : end - 1])
+                at, word = end, words[end]
         if _renames(row.words, words, at):
             at += 1 if word.mention else 2
             continue
@@ -89,6 +119,9 @@ def regularise(words: list[Word]) -> list[Word]:
         row.words.append(word)
         at += 1
     regular = row.words if row.verb_seen else _complete_fragment(row.words)
+    if row.tail:
+        stop = 1 if regular[-1].text in ".!?" else 0
+        regular = [*regular[: len(regular) - stop], *row.tail, *regular[len(regular) - stop :]]
     for index, word in enumerate(regular):
         if word.verb is None and word.mention is None and not word.inserted:
             word.verb = _written_verb(regular, index)
@@ -119,6 +152,13 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
         verb = any(form_kind(w.low) in ("3sg", "aux") for w in inside if not w.mention)
         return None if somebody or verb or any(w.low == "and" for w in inside) else at
     return None
+
+
+def _with_something(apposition: list[Word]) -> list[Word]:
+    """The part of an apposition that tells what somebody has with them."""
+    at = next((index for index, word in enumerate(apposition) if word.low == "with"), len(apposition))
+    belongs = any(word.low in lexicon.PREPOSITIONS for word in apposition[at + 1 :])
+    return apposition[at:] if belongs else []
 
 
 def _read_verb(words: list[Word], at: int, row: _Row) -> None:
@@ -203,8 +243,17 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
             and {word.low, singular(word.low)} & _NOUNS
             and right not in _OBJECT_OPENERS
             and not right.endswith("ly")
+            and not (word.low == "steps" and right != ".")
         )
-    return left.text.isalpha() and not row.verb_seen and _after_noun(form, left, right)
+    return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(form, left, right)
+
+
+def _new_clause(row: _Row) -> bool:
+    """Whether the noun before opens a clause of its own: ``Doyle falls and the lantern rolls off``."""
+    for index in range(len(row.words) - 2, max(len(row.words) - 5, -1), -1):
+        if row.words[index].low in _OPENERS:
+            return index > 0 and row.words[index - 1].low in _CLAUSE_LINKS
+    return False
 
 
 def _opens_clause(row: _Row) -> bool:
@@ -295,8 +344,19 @@ def _written_verb(words: list[Word], at: int) -> VerbForm | None:
     before = words[at - 1].low if at else ""
     if before in _OPENERS or before == "'s" or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
         return None
-    if form.kind == "past" and word.low in lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY:
+    if form.kind == "past" and word.low in _THINGS and not _does_something(words, at):
         return None
     after = words[at + 1].low if at + 1 < len(words) else ""
     modifies = form.kind == "ing" and after in lexicon.SET_PIECES | lexicon.PROPS and at > 0
     return None if modifies and before in lexicon.PREPOSITIONS else form
+
+
+def _does_something(words: list[Word], at: int) -> bool:
+    """Whether the word before a past tense that is also a noun is its subject: ``he saw``, ``the wind rose``."""
+    left = words[at - 1] if at else None
+    if left is None:
+        return False
+    if left.mention or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS:
+        return True
+    noun = lexicon.noun_class(singular(left.low)) not in ("unknown", "abstract")
+    return noun and any(word.low in _OPENERS for word in words[max(0, at - 4) : at - 1])

@@ -7,7 +7,14 @@ from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause, NounPhrase
-from storyblender.agents.director.reader.coreference import Referents, Role, remember, resolve, resolve_owner
+from storyblender.agents.director.reader.coreference import (
+    Referents,
+    Role,
+    remember,
+    resolve,
+    resolve_owner,
+    resolve_pronoun,
+)
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
 
@@ -74,12 +81,22 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
     for noun in clause.subject:
         resolve_owner(stage, noun, "possessor", stage.sentence.subjects, stage.sentence.subjects or previous)
         _victim_falls(stage, clause, noun)
-        found = resolve(stage, noun, "subject", (), previous)
+        found = _they_without_him(stage, clause, noun) or resolve(stage, noun, "subject", (), previous)
         roles.subjects += [person for person in found.people if person not in roles.subjects]
         roles.subject_things += [found.thing] if found.thing else []
     if follows and clause.elided and not roles.subject_things and not clause.passive:
         roles.subjects = roles.subjects or list(previous)
     return roles
+
+
+def _they_without_him(stage: Stage, clause: Clause, noun: NounPhrase) -> Referents | None:
+    """``They pull him in`` after a sentence about one person: that is him, and they are the others."""
+    alone = stage.discourse.subjects
+    singular = any(o.kind == "pronoun" and o.head in ("him", "her") for o in clause.object + clause.recipient)
+    if noun.kind != "pronoun" or noun.head != "they" or not singular or len(alone) != 1:
+        return None
+    people = resolve_pronoun(stage, "they", "subject", (), (), alone)
+    return remember(stage, noun.index, Referents(people)) if people else None
 
 
 def _victim_falls(stage: Stage, clause: Clause, noun: NounPhrase) -> None:

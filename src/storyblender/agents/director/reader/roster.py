@@ -99,8 +99,8 @@ class Roster:
             person.gender = lexicon.TITLE_GENDER.get(title) or lexicon.gender_of_word(title)
             person.role = title if is_person_noun(title) else ""
             self.call(person, " ".join(words[1:]))
-            if len(words) > 2:
-                self.call(person, words[-1])
+            for word in words[1:]:
+                self.call(person, word)
         elif len(words) > 1:
             for word in (words[0], words[-1]):
                 if word not in lexicon.VARIANT_WORDS:
@@ -125,6 +125,8 @@ class Roster:
                 base = first_of.setdefault(" ".join(words[1:]), person)
                 if base is not person:
                     person.variant_of = base.id
+                    if bare(base.name).split()[0] not in lexicon.VARIANT_WORDS:
+                        person.aliases = tuple(alias for alias in person.aliases if alias not in base.aliases)
                     if person.gender == "unknown":
                         person.gender = base.gender
 

@@ -53,9 +53,8 @@ def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[S
     body = without_quotations(without_brackets(paragraph.body))
     words = mark_mentions(tokenize(body, paragraph.start), roster)
     sentences: list[Sentence] = []
-    for run in split_sentences(words):
-        run, pictured = _without_screen(run)
-        if run:
+    for whole in split_sentences(words):
+        for run, pictured in _at_colon(whole):
             sentences.append(Sentence(paragraph, scene, run[0].start, run[-1].end, run, pictured=pictured))
     for at, camera in paragraph.cameras:
         _attach(sentences, camera, at, paragraph, scene)
@@ -88,12 +87,15 @@ def split_sentences(words: list[Word]) -> list[list[Word]]:
     return [sentence for sentence in sentences if sentence]
 
 
-def _without_screen(words: list[Word]) -> tuple[list[Word], bool]:
-    """``On the monitor: Pip pushes a mop`` -> the words after the colon, and that they are only pictured."""
-    colon = next((index for index, word in enumerate(words[:9]) if word.text == ":"), None)
+def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
+    """Cut at a colon. ``On the monitor: Pip pushes a mop`` leaves what comes after it, which is only pictured."""
+    colon = next((index for index, word in enumerate(words) if word.text == ":"), None)
     if colon is None:
-        return words, False
-    return words[colon + 1 :], _ON_A_SCREEN.search(joined(words[:colon])) is not None
+        return [(words, False)]
+    before, after = words[:colon], words[colon + 1 :]
+    if _ON_A_SCREEN.search(joined(before)) and not any(word.named for word in before):
+        return [(after, True)] if after else []
+    return [(part, False) for part in (before, after) if part]
 
 
 def speech_sentences(manuscript: Manuscript, index: int, scene: int, cue: Paragraph | None) -> list[Sentence]:

@@ -135,9 +135,9 @@ def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Per
         return listener
     if len(here) < 2:
         return here[0] if here else None
-    acting = _acted_since(stage, speaker)
-    if acting in here:
-        return acting
+    turned_to = _acted_on(stage, speaker) or _acted_since(stage, speaker)
+    if turned_to in here:
+        return turned_to
     if last and last is not speaker and last.id in stage.scene.on:
         return last
     guess = max(here, key=lambda person: stage.discourse.last_named.get(person.id, 0))
@@ -146,6 +146,18 @@ def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Per
     unit = stage.unit
     stage.flag("addressee", guess.id, f"{speaker.name} may speak to any of {len(here)} people", unit.start, unit.end)
     return guess
+
+
+def _acted_on(stage: Stage, speaker: Person) -> Person | None:
+    """Whom the speaker did something to last, since the last speech."""
+    for unit in reversed(stage.reading.units[:-1]):
+        if unit.kind == "dialogue" or unit.scene != stage.unit.scene:
+            break
+        for deed in reversed(unit.deeds):
+            target = stage.person(deed.target or "")
+            if deed.actor == speaker.id and target:
+                return target
+    return None
 
 
 def _acted_since(stage: Stage, speaker: Person) -> Person | None:
@@ -170,7 +182,7 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
     if address is None:
         return None
     word = address.group(1)
-    by_role = [person for person in here if person.role == word or bare_title(person) == word]
+    by_role = [person for person in here if lexicon.TITLE_SYNONYMS.get(word, word) in (person.role, _title(person))]
     gender = _GENDER_OF_ADDRESS.get(word, "unknown")
     fitting = [person for person in here if gender != "unknown" and person.gender in (gender, "unknown")]
     if word in _TO_THE_YOUNG and not by_role:
@@ -183,6 +195,7 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
     return next(iter(by_role + fitting), None)
 
 
-def bare_title(person: Person) -> str:
-    """The title somebody is called by, without its full stop, or their first word."""
-    return person.name.lower().split()[0].strip(".")
+def _title(person: Person) -> str:
+    """The title somebody is called by, in full: ``doctor`` for DR. OKORO."""
+    first = person.name.lower().split()[0].strip(".")
+    return lexicon.TITLE_SYNONYMS.get(first, first)
