@@ -26,7 +26,7 @@ _SET_ON_FACES, _LEAST_SET_LAMP = 0.8, 0.3
 face without any key is flat, so where the set just lights it enough, the trim takes the rest; in the sun it may go."""
 _TRIM = (-1.5, 0.8)
 """Stops by which a frame may be darkened or brightened as a whole; a burnt face is worse than a dark room."""
-_DARKER, _BRIGHTER = 0.85, 2.0
+_DARKER, _BRIGHTER = 0.85, 2.4
 """Faces between these multiples of the target are left alone: in the sun they may be brighter than in the shade."""
 _PASSES = 3
 

@@ -89,6 +89,7 @@ class GBuffer:
         albedo: float16 (h, w, 3) linear reflectance; 0 where sky.
         glow_color: float32 (materials, 3) light a material gives off, by ``material``.
         glow_gain: float32 (materials,) the same as a multiple of its albedo, for textured screens and cards.
+        roughness: float32 (materials,) 0 mirror to 1 matt.
     """
 
     view: View
@@ -100,6 +101,7 @@ class GBuffer:
     albedo: NDArray[np.float16]
     glow_color: NDArray[np.float32]
     glow_gain: NDArray[np.float32]
+    roughness: NDArray[np.float32]
 
     def reduced(self, step: int) -> GBuffer:
         """Return a point sample of every ``step``-th pixel, for light at low resolution."""
@@ -115,6 +117,7 @@ class GBuffer:
             every(self.albedo, step),
             self.glow_color,
             self.glow_gain,
+            self.roughness,
         )
 
     @property

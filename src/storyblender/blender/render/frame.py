@@ -38,6 +38,7 @@ from storyblender.look.pencil import draw_pencil
 from storyblender.look.raster import Image, Mask, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
 from storyblender.look.surface import FLESH
+from storyblender.look.wet_ground import add_wet_ground, wetness
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 
@@ -74,7 +75,7 @@ class FrameRequest:
 
     Attributes:
         look: Key of ``look.looks.LOOKS``.
-        width: Pixels, a multiple of 4.
+        width: Pixels, a multiple of 2.
         height: Pixels, a multiple of 2.
         frame: Timeline frame; None stays where the scene is.
         seed: Of path tracing and rain.
@@ -161,6 +162,8 @@ def render_frame(
     depth, rays, eye = gbuffer.depth, gbuffer.view.rays(), gbuffer.view.eye
     through = transmittance(plan.fog, depth, rays, eye)
     picture = add_halos(add_fog(picture, plan.fog, through, rays), lights, depth, rays, eye)
+    wet = wetness(plan, set_light.roofed)
+    picture = add_wet_ground(picture, gbuffer, plan.sky, wet, water=look.light == "numpy")
     faces = find_faces(gbuffer, [(head.asset_id, head.location, head.scale) for head in people if head.in_frame])
     stops = trim(picture, faces, plan.face_luminance, plan.set_luminance)
     picture *= 2.0**stops

@@ -75,7 +75,8 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
     glow_color, glow_gain = _glow_of(materials)
-    return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain), nodes)
+    roughness = np.array([1.0, *(m.roughness for m in materials)], np.float32)
+    return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness), nodes)
 
 
 def render_glow(session: RenderSession, width: int, height: int) -> NDArray[np.float32]:
