@@ -21,6 +21,8 @@ _SMALL = 0.6
 """Metres: what is smaller in all directions stands on furniture rather than on the floor."""
 _TABLE = (0.4, 1.15)
 """Heights in metres of surfaces that people use."""
+_ACTING = 1.6
+"""Metres around the middle of the playing area that are left to people."""
 _BESIDE = 0.12
 """Metres between things that are next to each other."""
 
@@ -156,9 +158,10 @@ def _stand_alone(stage: Stage, asset_id: str) -> None:
     if stage.brief.plan.indoor and max(width, height) > 0.9 and _against_wall(stage, asset_id):
         return
     middle = _middle(stage)
-    radius = math.hypot(width, depth) / 2
-    away = middle if max(width, depth) < 1.2 else (middle[0], middle[1] + 1.5)
-    x, y = stage.free_spot(away, radius + 0.35, lambda x, y: max(1.3 - math.dist((x, y), middle), 0.0))
+    wish = (middle[0] + 0.9, middle[1] + 1.5)
+    x, y = stage.free_spot(
+        wish, math.hypot(width, depth) / 2 + 0.3, lambda x, y: max(_ACTING - math.dist((x, y), middle), 0.0)
+    )
     _add(stage, asset_id, stage.box(asset_id, x, y))
 
 

@@ -17,9 +17,9 @@ from storyblender.agents.layout_artist.object_places import place_objects
 from storyblender.agents.layout_artist.people_places import place_people
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import lane, way
-from storyblender.geometry.relations import Thing, rides
+from storyblender.geometry.relations import Room, Thing, rides
 from storyblender.geometry.solver import solve
-from storyblender.memory.base import content_hash, scene_name
+from storyblender.memory.base import Vec2, content_hash, scene_name
 from storyblender.memory.scene_context import Layout
 from storyblender.reflection import Critique, Fault, Outcome, Policy, reflect
 from storyblender.trace import Listener, silent
@@ -90,27 +90,35 @@ def _reserved(stage: Stage) -> list[Box]:
 
 
 def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
-    """Return the lanes from the doors to the people, and from the people to what they will go to."""
+    """Return the lanes from a door to everybody, and from the people to what they will go to."""
     people = [thing for thing in things if thing.walks and not rides(thing)]
     if not people:
         return []
+    spots = [(person.box.x, person.box.y) for person in people]
+    doors = _doors(stage.brief)
+    trips = [(door, spots[0]) for door in doors[:2]]
+    trips += [(doors[0], spot) for spot in spots[1:] if doors and not _is_open(doors, spot, things, stage.room)]
     by_name = {thing.name: thing for thing in things}
-    centre = (
-        sum(person.box.x for person in people) / len(people),
-        sum(person.box.y for person in people) / len(people),
-    )
-    ends = [mark.location[:2] for mark in stage.brief.plan.marks if "enter" in mark.tags][:2]
     for asset_id in stage.brief.targets[:4]:
         target = stage.find(asset_id)
         target = by_name.get(target.name) if target is not None else None
         if target is not None and not target.walks and target.relationship != "on_top_of":
-            ends.append(target.box.to_world(0.0, -target.box.depth / 2 - _REACH))
+            trips.append((target.box.to_world(0.0, -target.box.depth / 2 - _REACH), spots[0]))
     volumes: list[Box] = []
-    for end in ends:
-        open_way = way(end, centre, things, stage.room)
-        open_way = open_way or way(end, centre, things, stage.room, around_fixed_only=True)
-        volumes += lane(open_way) if open_way is not None and math.dist(end, centre) > 0.8 else []
+    for start, end in trips:
+        points = way(start, end, things, stage.room) or way(start, end, things, stage.room, around_fixed_only=True)
+        volumes += lane(points) if points is not None and math.dist(start, end) > 0.8 else []
     return volumes
+
+
+def _doors(brief: LayoutBrief) -> list[tuple[float, float]]:
+    """Return the places where people enter the set."""
+    return [(mark.location[0], mark.location[1]) for mark in brief.plan.marks if "enter" in mark.tags]
+
+
+def _is_open(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:
+    """Return whether somebody can walk to a place from any door."""
+    return any(way(door, spot, things, room) is not None for door in doors)
 
 
 @dataclass(frozen=True)
@@ -126,19 +134,17 @@ class LayoutCritic:
 def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
     things = [thing for item in draft.objects if (thing := thing_of(item, view.measures, view.plan)) is not None]
     things += walls_of(view.plan)
-    door = next((mark.location[:2] for mark in view.plan.marks if "enter" in mark.tags), None)
-    if door is None:
-        return []
-    room = room_of(draft.scene_size)
+    doors, room = _doors(view), room_of(draft.scene_size)
     return [
         Fault(
             kind="walkway",
             subject=person.name,
             severity=1.0,
-            message=f"nobody can walk from the door to {person.name}: there is no way 0.7 m wide",
+            message=f"nobody can walk from a door to {person.name}: there is no way 0.7 m wide",
         )
         for person in things
-        if person.walks and not rides(person) and way(door, (person.box.x, person.box.y), things, room) is None
+        if doors and person.walks and not rides(person)
+        if not _is_open(doors, (person.box.x, person.box.y), things, room)
     ]
 
 
