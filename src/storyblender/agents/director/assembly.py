@@ -160,10 +160,11 @@ class Assembly:
             ends = {relation.asset_id, relation.anchor_asset_id}
             if self.reading.scenes[index].id != scene.id or len(ends) < 2 or not ends <= self.assets:
                 continue
-            moves_in = relation.asset_id in self.actors and (
-                relation.asset_id not in staging.opening or relation.anchor_asset_id in handled
-            )
-            if not moves_in and relation.asset_id not in placed:
+            if relation.asset_id in self.actors:
+                holds = relation.asset_id in staging.opening and relation.anchor_asset_id not in handled
+            else:
+                holds = relation.asset_id not in placed and relation.anchor_asset_id not in self.actors
+            if holds:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())
 

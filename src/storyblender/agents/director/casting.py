@@ -17,7 +17,7 @@ _Key = TypeVar("_Key", bound=str)
 FacialHair = Literal["none", "stubble", "moustache", "beard"]
 
 _INTRODUCTION: Final = re.compile(
-    r"[^\W\d_][\w.'’#-]*(?:\s[\w.'’#-]+){0,3}?"
+    r"[^\W\d_][\w.'’#-]*(?:\s[A-ZÀ-Ý\d#][\w.'’#-]*){0,3}?"
     r"(?:\s*\((?P<brackets>[^)]{3,200})\)|,\s+(?P<apposition>(?:an?|the|in|wearing)\s[^.;:!?]{3,120})"
     r"|\s+(?:dressed in|wearing|in)\s(?P<worn>[^.,;:!?]{3,60}))"
 )
@@ -189,7 +189,7 @@ def garments(words: str) -> tuple[Garment, ...]:
 def _named_garments(words: str) -> list[tuple[str, Color | None]]:
     """Return the garments behind every garment word, and the colour before it; the longest word wins a place."""
     named = [
-        (match, keys) for keys, pattern in _GARMENTS.items() for match in re.finditer(rf"\b(?:{pattern})\b", words)
+        (match, keys) for keys, pattern in _GARMENTS.items() for match in re.finditer(rf"\b(?:{pattern})s?\b", words)
     ]
     named.sort(key=lambda pair: (pair[0].start(), -len(pair[0][0])))
     found: list[tuple[str, Color | None]] = []
@@ -208,11 +208,12 @@ def describe(person: Person) -> str:
     noun = person.role or {"female": "woman", "male": "man"}.get(person.gender, "person")
     if years(person) < 14:
         noun = {"female": "girl", "male": "boy"}.get(person.gender, "child")
-    adjectives = [word for word in person.build if " " not in word]
+    build = [re.sub(r"\s*\b(?:man|woman|boy|girl|person|child)$", "", words) for words in person.build]
+    adjectives = [word for word in build if word and " " not in word]
     article = "An" if (adjectives or [noun])[0][:1].lower() in "aeiou" else "A"
     parts = [f"{article} {', '.join(adjectives)} {noun}".replace("  ", " ")]
     parts += [person.age] if person.age else []
-    parts += [*(word for word in person.build if " " in word), *person.hair, *person.face]
+    parts += [*(words for words in build if " " in words), *person.hair, *person.face]
     worn = [re.sub(r"^(?:.*\b(?:in|wearing)\s+)?(?:an?\s+)?", "", piece) for piece in person.outfit]
     parts += [f"in {', '.join(worn)}"] if worn else []
     return ", ".join(parts) + "."

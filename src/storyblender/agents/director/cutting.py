@@ -15,8 +15,8 @@ _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
     "group": ("WS", "MS"),
     "two_shot": ("FS", "MCU"),
     "ots": ("MS", "CU"),
-    "single": ("MWS", "ECU"),
-    "reaction": ("MS", "ECU"),
+    "single": ("MWS", "CU"),
+    "reaction": ("MWS", "CU"),
 }
 """Sizes a kind of shot may take."""
 _SLOW: Final = 9.0

@@ -130,10 +130,10 @@ class _Economy:
         a.on_stage = list(dict.fromkeys([*a.on_stage, *b.on_stage]))
         a.axis = a.axis or b.axis
         a.whole_body = a.whole_body or b.whole_body
-        a.movement = b.movement if a.movement == "static" else a.movement
-        a.angle = a.angle if a.angle == b.angle else "eye-level"
         if a.kind == "establishing":
             return
+        a.movement = b.movement if a.movement == "static" else a.movement
+        a.angle = a.angle if a.angle == b.angle else "eye-level"
         if a.over:
             a.look_at(a.over)
         a.over = None

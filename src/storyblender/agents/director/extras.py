@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeVar
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Person, Reading, Unit
 from storyblender.memory.scene_context import Relation
 
@@ -23,7 +24,7 @@ def expand_groups(reading: Reading) -> Reading:
     people: list[Person] = []
     members: dict[str, list[str]] = {}
     for person in reading.people:
-        count = min(MOST, person.count) if person.kind != "animal" else 1
+        count = min(MOST, _count(person, reading.screenplay.text)) if person.kind != "animal" else 1
         if count < 2:
             people.append(person)
             continue
@@ -40,6 +41,13 @@ def expand_groups(reading: Reading) -> Reading:
             (scene, single) for scene, relation in reading.relations for single in _expand_relation(relation, members)
         ],
     )
+
+
+def _count(group: Person, text: str) -> int:
+    """The number word before the group's first mention, else what the reader counted."""
+    before = text[: group.first].split()[-1:]
+    stated = lexicon.NUMBERS.get(before[0].lower(), 0) if before and group.count > 1 else 0
+    return stated if stated > 1 else group.count
 
 
 def _member(group: Person, number: int) -> Person:

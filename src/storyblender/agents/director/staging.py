@@ -49,7 +49,6 @@ class Staging:
                 if deed.prop and deed.prop not in seen and deed.motion in PARTING:
                     brought.setdefault(deed.actor, {})[deed.prop] = unit.start
                 seen.update(filter(None, (deed.prop, deed.target)))
-            seen.update(unit.things)
         return brought
 
     def already(self, deed: Deed, unit: Unit) -> bool:

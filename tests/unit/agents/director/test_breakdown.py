@@ -1,0 +1,229 @@
+"""The whole breakdown: budgets, states, the graph, and the promise that no word of a script is lost."""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from handmade import Script
+
+from storyblender.agents.director.breakdown import storyboard
+from storyblender.agents.director.durations import action_seconds, frames, speech_seconds, word_count
+from storyblender.agents.director.reader import read_script
+from storyblender.agents.director.reading import CameraNote, Person, Reading, StateChange
+from storyblender.agents.director.settings import DirectorSettings
+from storyblender.memory.graph import Storyboard
+from storyblender.memory.scene_context import Relation
+from storyblender.screenplay.source import load, read
+
+EXAMPLES = sorted((Path(__file__).parents[4] / "examples").glob("*.[ft]*"))
+FULL = DirectorSettings(shots_per_scene=None)
+
+
+def board_of(script: Script, settings: DirectorSettings = FULL) -> Storyboard:
+    return storyboard(script.read(), settings)
+
+
+def covered(board: Storyboard) -> list[tuple[int, int]]:
+    return [
+        (line.span.start, line.span.end)
+        for scene in board.storyboard_outline
+        for shot in scene.shots
+        for line in shot.lines
+    ]
+
+
+def assert_covers(board: Storyboard, reading: Reading) -> None:
+    """Every unit is covered in order, whole or in parts that meet at white space; lines are verbatim."""
+    spans = covered(board)
+    text = reading.screenplay.text
+    assert spans == sorted(spans)
+    for unit in reading.units:
+        parts = [span for span in spans if unit.start <= span[0] < max(unit.end, unit.start + 1)]
+        assert parts[0][0] == unit.start and parts[-1][1] == unit.end
+        assert all(not text[a[1] : b[0]].strip() for a, b in pairwise(parts))
+    for scene in board.storyboard_outline:
+        for line in (line for shot in scene.shots for line in shot.lines):
+            assert line.text == text[line.span.start : line.span.end]
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("budget", [None, 5, 1])
+def test_the_examples_lose_no_word(path: Path, budget: int | None) -> None:
+    reading = read_script(load(path))
+    board = storyboard(reading, DirectorSettings(shots_per_scene=budget))
+    assert_covers(board, reading)
+    assert board == storyboard(reading, DirectorSettings(shots_per_scene=budget))
+    known = {asset.asset_id for asset in board.asset_sheet}
+    assert len(known) == len(board.asset_sheet)
+    for shot in board.shot_details:
+        assert {*shot.on_stage, *shot.in_frame, *shot.camera_instruction.focus_on_ids} <= known
+        assert set(shot.in_frame) <= set(shot.on_stage)
+        assert {state.asset_id for state in shot.states} == set(shot.on_stage)
+        assert shot.duration >= frames(1.5, 24)
+        for action in shot.character_actions:
+            assert {action.asset_id, action.target_id or action.asset_id, action.prop_id or action.asset_id} <= known
+
+
+def test_a_budget_gives_fewer_and_longer_shots_without_touching_orders() -> None:
+    script = Script("Ann", "Bob", things=("letter",))
+    for number in range(4):
+        script.say("ann" if number % 2 else "bob", "Some words that are said.", "bob" if number % 2 else "ann")
+    script.action("Ann reads the letter.", ("ann", "read", "letter", "letter"))
+    script.action("Bob waits.", ("bob", "stand"), camera=CameraNote("CLOSE ON", size="CU", subject="Bob"))
+    script.action("Ann sits.", ("ann", "sit")).action("Ann stands up.", ("ann", "stand_up"))
+    full, tight = board_of(script), board_of(script, DirectorSettings(shots_per_scene=3))
+    assert len(tight.shot_details) < len(full.shot_details)
+    assert len(tight.shot_details) <= 5
+    assert [shot.camera_instruction.size for shot in tight.shot_details if shot.camera_instruction.explicit] == ["CU"]
+    assert_covers(tight, script.read())
+
+
+def test_inserts_go_before_anything_else() -> None:
+    script = Script("Ann", things=("letter",)).action("Ann reads the letter.", ("ann", "read", "letter", "letter"))
+    script.action("Ann runs.", ("ann", "run"), camera=CameraNote("WIDE", size="WS"))
+    kinds = [shot.camera_instruction.kind for shot in board_of(script).shot_details]
+    fewer = board_of(script, DirectorSettings(shots_per_scene=len(kinds) - 1)).shot_details
+    if "insert" in kinds:
+        assert "insert" not in [shot.camera_instruction.kind for shot in fewer]
+
+
+def test_talk_is_not_joined_beyond_its_limit() -> None:
+    script = Script("Ann", "Bob")
+    for number in range(40):
+        script.say(
+            "ann" if number % 2 else "bob",
+            "This is one line of about ten words in all.",
+            "bob" if number % 2 else "ann",
+        )
+    settings = DirectorSettings(shots_per_scene=1)
+    board = board_of(script, settings)
+    assert max(shot.duration for shot in board.shot_details) <= frames(settings.longest_talk, settings.fps)
+    assert len(board.shot_details) >= 10
+
+
+def test_states_are_carried_and_start_as_the_scene_finds_them() -> None:
+    script = Script("Ann", "Bob", things=("bench", "key"))
+    script.action(
+        "Ann sits on the bench.", ("ann", "sit", "bench"), posture={"ann": ("sit", "bench")}, entering=["ann"]
+    )
+    script.action("Ann stands up.", ("ann", "stand_up"), posture={"ann": ("stand", None)})
+    script.action("Bob gives Ann the key.", ("bob", "give", "ann", "key"), held={"ann": ["key"]})
+    script.action("Ann waves.", ("ann", "wave"), held={"ann": ["key"]})
+    board = board_of(script)
+    bodies = [{state.asset_id: state for state in shot.states} for shot in board.shot_details]
+    assert (bodies[0]["ann"].posture, bodies[0]["ann"].support_id) == ("sit", "bench")
+    assert board.shot_details[0].character_actions[0].motion == "idle"
+    assert bodies[0]["bob"].held == ("key",) and bodies[-1]["bob"].held == ()
+    assert (bodies[-1]["ann"].posture, bodies[-1]["ann"].held) == ("stand", ("key",))
+
+
+def test_sitting_down_later_is_an_action() -> None:
+    script = Script("Ann", things=("bench",)).action("Ann enters.", ("ann", "walk"), entering=["ann"])
+    script.action("Ann sits.", ("ann", "sit", "bench"), posture={"ann": ("sit", "bench")})
+    first, second = board_of(script).shot_details[0], board_of(script).shot_details[-1]
+    assert first.states[0].posture == "stand"
+    assert "sit" in [action.motion for action in second.character_actions]
+
+
+def test_changes_sounds_and_light_reach_the_shot() -> None:
+    script = Script("Ann", things=("door", "knife"))
+    script.action("Ann draws a knife.", ("ann", "pick_up", "knife", "knife"))
+    changes = [StateChange("door", "open"), StateChange("light", "the lamps go out")]
+    script.action("The door opens and the lamps go out.", changes=changes, sounds=["thunder"])
+    shots = board_of(script).shot_details
+    modifications = [m for shot in shots for m in shot.asset_modifications]
+    assert [(m.asset_id, m.modification_type, m.state) for m in modifications] == [
+        ("knife", "add", ""),
+        ("door", "transform", "open"),
+    ]
+    assert [shot.new_lighting_description for shot in shots if shot.new_lighting_description] == ["the lamps go out"]
+    assert "thunder" in [shot.sound_effect for shot in shots]
+
+
+def test_everybody_in_frame_has_something_to_do() -> None:
+    script = Script("Ann", "Bob").say("ann", "I have something to tell you.", "bob", parenthetical="angrily")
+    shot = board_of(script).shot_details[-1]
+    actions = {action.asset_id: action for action in shot.character_actions}
+    assert (actions["ann"].motion, actions["ann"].mood, actions["ann"].line_index) == ("talk", "angry", 0)
+    assert (actions["bob"].motion, actions["bob"].target_id) == ("listen", "ann")
+
+
+def test_people_who_never_appear_stay_off_the_sheet() -> None:
+    script = Script("Ann").say("ghost", "I am here, and you cannot see me.", off_screen=True)
+    script.reading.people.append(Person("ghost", "GHOST"))
+    board = board_of(script)
+    assert [asset.asset_id for asset in board.asset_sheet] == ["ann"]
+    line = next(line for shot in board.storyboard_outline[0].shots for line in shot.lines)
+    assert (line.speaker, line.speaker_name, line.off_screen) == (None, "GHOST", True)
+
+
+def test_animals_are_objects_unless_they_speak() -> None:
+    script = (
+        Script("Dog", "Fox").action("The dog runs after the fox.", ("dog", "run", "fox")).say("fox", "Never!", "dog")
+    )
+    for person in script.reading.people:
+        person.kind = "animal"
+        person.speaks = person.id == "fox"
+    sheet = {asset.asset_id: asset for asset in board_of(script).asset_sheet}
+    assert (sheet["dog"].asset_type, sheet["dog"].tags, sheet["dog"].look) == ("object", ("animal",), None)
+    assert sheet["fox"].asset_type == "character" and sheet["fox"].look is not None
+
+
+def test_a_group_is_as_many_bodies() -> None:
+    script = Script("Guards", things=("gate",)).action(
+        "The guards run.", ("guards", "run", "gate"), held={"guards": ["gate"]}
+    )
+    script.reading.people[0].kind, script.reading.people[0].count = "group", 3
+    board = board_of(script)
+    assert [asset.asset_id for asset in board.asset_sheet][:3] == ["guards_1", "guards_2", "guards_3"]
+    assert len([a for a in board.shot_details[0].character_actions if a.motion == "run"]) == 3
+
+
+def test_relations_hold_as_the_scene_opens() -> None:
+    script = Script("Ann", things=("cup", "table", "lamp"))
+    script.action("A lamp is on the table. Ann puts the cup on it.", ("ann", "put_down", "table", "cup"))
+    reading = script.read()
+    reading.relations = [
+        (0, Relation(asset_id="lamp", kind="on", anchor_asset_id="table")),
+        (0, Relation(asset_id="cup", kind="on", anchor_asset_id="table")),
+    ]
+    setup = storyboard(reading, FULL).scene_details[0].setup
+    assert [relation.asset_id for relation in setup.relations] == ["lamp"]
+    assert "lamp on table" in setup.layout_description
+    assert setup.wall_description and setup.lighting_description and setup.ground_description
+
+
+@pytest.mark.parametrize(
+    ("text", "words"), [("Don't go there, man-child.", 4), ("", 0), ("李走进房间。", 3), ("a b c", 3)]
+)
+def test_word_count(text: str, words: int) -> None:
+    assert word_count(text) == words
+
+
+def test_durations() -> None:
+    assert speech_seconds("Yes.") == 1.5
+    assert speech_seconds("a " * 25) == pytest.approx(10.4)
+    assert speech_seconds("a " * 25, "beat") == pytest.approx(11.4)
+    assert action_seconds("a " * 10) == pytest.approx(2.5)
+    assert action_seconds("a " * 100) == 8.0
+    assert action_seconds("ANN (40, tall, red hair, blue coat, boots) sits.") == 1.5
+
+
+def test_shot_notes_reach_the_next_unit_and_the_script_words_stay() -> None:
+    script = (
+        "INT. BAR - NIGHT\n\nANNA sits at the bar.\n\n[[SHOT: low angle, close-up on Anna]]\n\nANNA\n*Never* again.\n"
+    )
+    reading = read_script(read(script))
+    board = storyboard(reading)
+    last = board.shot_details[-1].camera_instruction
+    assert (last.explicit, last.angle, last.size) == (True, "low angle", "CU")
+    assert re.search(r"never", board.storyboard_outline[0].shots[-1].lines[0].text, re.IGNORECASE)
+
+
+def test_a_scene_without_words_is_still_one_shot() -> None:
+    reading = read_script(read("EXT. ROAD - DAY\n\nINT. BAR - NIGHT\n\nANNA sits at the bar.\n"))
+    board = storyboard(reading)
+    assert [len(scene.shots) for scene in board.storyboard_outline] == [1, 1]

@@ -1,0 +1,92 @@
+"""Casting: words of the script become years, hair, cloth."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.agents.director.casting import cast, describe, garments, introduction, years
+from storyblender.agents.director.reading import Person
+
+
+@pytest.mark.parametrize(
+    ("age", "number"),
+    [("35", 35), ("late 30s", 38), ("early 40s", 42), ("mid-50s", 55), ("20s", 25), ("child", 9), ("old", 72),
+     ("forties", 45), ("age 7", 7), ("young", 25)],
+)  # fmt: skip
+def test_years(age: str, number: float) -> None:
+    assert years(Person("x", "X", age=age)) == number
+
+
+def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
+    look = cast(Person("bob", "BOB"))
+    assert 30 <= look.age < 45 and look == cast(Person("bob", "BOB"))
+
+
+@pytest.mark.parametrize(
+    ("words", "keys"),
+    [
+        ("white dinner jacket", "shirt trousers bow_tie dinner_jacket"),
+        ("grey suit and a red tie", "shirt trousers tie jacket"),
+        ("navy uniform", "trousers uniform boots cap"),
+        ("trench coat over a black dress", "dress coat"),
+        ("red hoodie", "tee"),
+        ("jeans, white t-shirt, sneakers", "tee trousers shoes"),
+        ("yellow oilskins and boots", "coat boots"),
+        ("waistcoat", "vest"),
+        ("nothing at all", ""),
+    ],
+)
+def test_garments(words: str, keys: str) -> None:
+    assert " ".join(garment.key for garment in garments(words)) == keys
+
+
+def test_colours_belong_to_their_garment() -> None:
+    coat, dress = (
+        next(g for g in garments("dark green coat over a red dress") if g.key == key) for key in ("coat", "dress")
+    )
+    assert coat.color and coat.color[1] > coat.color[0]
+    assert dress.color and dress.color[0] > 5 * dress.color[1]
+    brown = garments("brown leather jacket")[0].color
+    assert brown and brown[0] > brown[2]
+
+
+def test_looks() -> None:
+    look = cast(
+        Person(
+            "x",
+            "X",
+            gender="male",
+            age="60s",
+            build=("tall", "burly"),
+            hair=("long grey hair", "black beard"),
+            face=("glasses",),
+        )
+    )
+    assert (look.build, look.hair, look.facial_hair, look.glasses) == ("stocky", "long", "beard", True)
+    assert look.stature and look.stature > 1.85
+    assert look.hair_color and max(look.hair_color) - min(look.hair_color) < 0.05
+
+
+def test_skin_only_where_it_is_said() -> None:
+    assert cast(Person("x", "X", hair=("dark hair",))).skin == "light"
+    assert cast(Person("x", "X"), "40s, broad, dark-skinned, blue suit").skin == "dark"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("SAM (40s, blue suit) sits.", "40s, blue suit"),
+        ("ANN, a young woman in a red dress, looks up.", "a young woman in a red dress, looks up"),
+        ("GUARDS in grey uniforms stand.", "grey uniforms stand"),
+        ("SAM sits. BOB (30, tie) waits.", ""),
+    ],
+)
+def test_introductions(text: str, words: str) -> None:
+    assert introduction(Person("x", "X"), text) == words
+
+
+def test_a_description_is_one_sentence() -> None:
+    person = Person(
+        "x", "X", gender="female", age="35", build=("lean",), hair=("short black hair",), outfit=("a grey coat",)
+    )
+    assert describe(person) == "A lean woman, 35, short black hair, in grey coat."
