@@ -23,7 +23,13 @@ _AT_ENDS = 0.45
 
 
 def way(
-    start: Vec2, goal: Vec2, things: Sequence[Thing], room: Room, *, around_fixed_only: bool = False
+    start: Vec2,
+    goal: Vec2,
+    things: Sequence[Thing],
+    room: Room,
+    *,
+    width: float = WIDTH,
+    around_fixed_only: bool = False,
 ) -> list[Vec2] | None:
     """Return the way points of a walk between two floor points, or None if it is blocked.
 
@@ -32,6 +38,7 @@ def way(
         goal: Metres.
         things: The layout; people are walked past, not around.
         room: The playing area.
+        width: Metres between things that it needs.
         around_fixed_only: Walk through what the solver may move: the way that should be opened.
     """
     obstacles = [
@@ -40,7 +47,7 @@ def way(
         if blocks(thing) and (thing.fixed or not around_fixed_only)
     ]
     bounds = (room.x_min, room.y_min, room.x_max, room.y_max)
-    return find_path(start, goal, obstacles, bounds, WIDTH / 2)
+    return find_path(start, goal, obstacles, bounds, width / 2)
 
 
 def blocks(thing: Thing) -> bool:

@@ -27,10 +27,18 @@ _BESIDE = 0.12
 """Metres between things that are next to each other."""
 
 
-def place_objects(stage: Stage) -> None:
-    """Stand every pending thing at its wished place: those that others relate to come first."""
+def place_objects(stage: Stage, beside_people: bool = False) -> None:
+    """Stand every pending thing at its wished place: those that others relate to come first.
+
+    Args:
+        stage: Changed.
+        beside_people: Place what relates to people, who stand already; else all the rest.
+    """
     relations = {relation.asset_id: relation for relation in reversed(stage.brief.setup.relations)}
+    people = {state.asset_id for state in stage.brief.states}
     waiting = [asset_id for asset_id in stage.brief.pending if stage.find(asset_id) is None]
+    if not beside_people:
+        waiting = [each for each in waiting if each not in relations or relations[each].anchor_asset_id not in people]
     waiting.sort(key=lambda asset_id: (_depth(asset_id, relations), -_bulk(stage, asset_id)))
     for asset_id in waiting:
         relation = relations.get(asset_id)
@@ -111,32 +119,42 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing) -> Perch | None:
     return chosen
 
 
-_SIDES = {"behind": "behind", "in_front_of": "in_front_of", "left_of": "on_the_left_of", "right_of": "on_the_right_of"}
+def angles_of(kind: str, anchor: Box) -> list[float]:
+    """Return the bearings in radians at which a relation lets something stand, the likeliest first.
+
+    ``behind`` and ``in_front_of`` mean the anchor's own back and front (behind the bar), left and right the picture's.
+    """
+    front = math.atan2(anchor.forward[1], anchor.forward[0])
+    if kind in ("in_front_of", "facing"):
+        return [front]
+    if kind == "behind":
+        return [front + math.pi]
+    if kind in ("left_of", "right_of"):
+        return [math.pi if kind == "left_of" else 0.0]
+    turns = (0.0, math.pi / 2, -math.pi / 2, math.pi)
+    if kind != "next_to":
+        return [front + turn for turn in turns]
+    sides = sorted((front + math.pi / 2, front - math.pi / 2), key=lambda angle: round(math.sin(angle), 3))
+    return [*sides, front, front + math.pi]
 
 
 def _stand_beside(stage: Stage, asset_id: str, kind: str, anchor: Thing) -> None:
-    """Choose the side (the stated one, else the one with most room), and stand there: touching for ``against``."""
-    sides = [_SIDES[kind]] if kind in _SIDES else list(BEARING)
-    if kind == "facing":
-        ahead = math.atan2(anchor.box.forward[1], anchor.box.forward[0])
-        sides.sort(key=lambda side: abs(wrapped(BEARING[side] - ahead)))
-        sides = sides[:1]
+    """Stand on the side with most room of those that the relation allows; touching for ``against``."""
     gap = {"against": 0.01, "facing": 0.9}.get(kind, _BESIDE)
-    places = [_beside(stage, asset_id, anchor, side, gap) for side in sides]
+    places = [_beside(stage, asset_id, anchor, angle, gap) for angle in angles_of(kind, anchor.box)]
     room = stage.clearance(np.array([(box.x, box.y) for box in places])) - [box.radius for box in places]
     best = max(range(len(places)), key=lambda index: (round(float(min(room[index], 0.3)), 3), -index))
     box = places[best]
-    contact = True if kind == "against" else None
+    bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
+    side = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
     direction = "facing" if kind == "facing" else None
     if direction is not None:
         box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
-    _add(
-        stage, asset_id, box, anchor=anchor.name, relationship=sides[best], contact=contact, direction=direction
-    )  # fmt: skip
+    contact = True if kind == "against" else None
+    _add(stage, asset_id, box, anchor=anchor.name, relationship=side, contact=contact, direction=direction)
 
 
-def _beside(stage: Stage, asset_id: str, anchor: Thing, side: str, gap: float) -> Box:
-    angle = BEARING[side]
+def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float) -> Box:
     box = stage.box(asset_id, anchor.box.x + math.cos(angle), anchor.box.y + math.sin(angle), 0.0, anchor.box.yaw)
     box.x, box.y = slid(box, anchor.box, gap, angle)
     return box
@@ -160,9 +178,10 @@ def _stand_alone(stage: Stage, asset_id: str) -> None:
     middle = _middle(stage)
     wish = (middle[0] + 0.9, middle[1] + 1.5)
     x, y = stage.free_spot(
-        wish, math.hypot(width, depth) / 2 + 0.3, lambda x, y: max(_ACTING - math.dist((x, y), middle), 0.0)
+        wish, min(width, depth) / 2 + 0.35, lambda x, y: max(_ACTING - math.dist((x, y), middle), 0.0)
     )
-    _add(stage, asset_id, stage.box(asset_id, x, y))
+    along = math.pi / 2 if depth > max(1.5 * width, 1.8) else 0.0
+    _add(stage, asset_id, stage.box(asset_id, x, y, 0.0, along))
 
 
 def _middle(stage: Stage) -> tuple[float, float]:

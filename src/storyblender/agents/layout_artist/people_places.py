@@ -8,6 +8,7 @@ import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
+from storyblender.agents.layout_artist.object_places import angles_of
 from storyblender.geometry.boxes import facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing, slid
 from storyblender.memory.asset_sheet import Anchor
@@ -99,17 +100,10 @@ def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
 
 
 def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | None) -> None:
-    """Stand at, behind, before or beside something, looking at it unless it is behind the back."""
+    """Stand at, behind, before or beside something, on the side that has room; beside it, turned to the audience."""
     kind = relation.kind if relation is not None else "at"
-    sides = {"behind": "behind", "in_front_of": "in_front_of", "left_of": "on_the_left_of",
-             "right_of": "on_the_right_of"}  # fmt: skip
-    ahead = math.atan2(anchor.box.forward[1], anchor.box.forward[0])
-    choices = sorted(BEARING, key=lambda side: abs(wrapped(BEARING[side] - ahead)))
-    if kind in sides:
-        choices = [sides[kind]]
     places = []
-    for side in choices:
-        angle = BEARING[side]
+    for angle in angles_of(kind, anchor.box):
         box = stage.box(asset_id, anchor.box.x + math.cos(angle), anchor.box.y + math.sin(angle), 0.0)
         box.turn_to(facing(-math.cos(angle), -math.sin(angle)))
         box.x, box.y = slid(box, anchor.box, 0.25, angle)
@@ -121,12 +115,12 @@ def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | N
         range(len(places)), key=lambda index: (not outside[index], min(round(float(room[index]), 2), 0.25), -index)
     )
     box = places[best]
-    if kind in ("behind", "over"):
+    bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
+    side = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
+    if kind in ("next_to", "left_of", "right_of", "against"):
         box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
-    facing_it = "facing" if kind in ("at", "facing", "in_front_of", "on") else None
-    stage.add(
-        Thing(asset_id, box, anchor=anchor.name, relationship=choices[best], direction=facing_it, walks=True), asset_id
-    )
+    looks = "facing" if kind in ("at", "facing", "in_front_of", "behind") else None
+    stage.add(Thing(asset_id, box, anchor=anchor.name, relationship=side, direction=looks, walks=True), asset_id)
 
 
 def _towards_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:
@@ -185,14 +179,14 @@ def _join(stage: Stage, member: str, placed: list[Thing]) -> None:
     first = placed[0]
     ahead = math.atan2(first.box.forward[1], first.box.forward[0])
     best: tuple[float, float, float] | None = None
-    for turn in range(-110, 111, 10):
-        for reach in (TALK, TALK + 0.2):
-            angle = ahead + math.radians(turn)
+    for turn in range(-120, 121, 10):
+        for more in (0.0, 0.2, 0.45, 0.8):
+            angle, reach = ahead + math.radians(turn), TALK + more
             x, y = first.box.x + reach * math.cos(angle), first.box.y + reach * math.sin(angle)
             free = float(stage.clearance(np.array([(x, y)]))[0])
             room = stage.room
             inside = room.x_min + 0.3 < x < room.x_max - 0.3 and room.y_min + 0.3 < y < room.y_max - 0.3
-            cost = abs(turn) / 90 + 4 * max(0.4 - free, 0) + 5 * (not inside)
+            cost = abs(turn) / 90 + more + 8 * max(0.42 - free, 0) + 5 * (not inside)
             cost += sum(max(0.45 - abs(x - other.box.x), 0.0) * 2 for other in placed)
             if best is None or cost < best[0] - 1e-9:
                 best = (cost, x, y)

@@ -26,6 +26,8 @@ from storyblender.trace import Listener, silent
 
 _REACH = 0.55
 """Metres before a target where somebody must be able to stand."""
+_SQUEEZE = 0.5
+"""Metres that a person gets through, behind a bar for example; lanes are wider."""
 _RESERVED = (0.6, 0.5)
 
 
@@ -38,6 +40,7 @@ class SpatialRules:
         stage = Stage(view)
         place_objects(stage)
         place_people(stage)
+        place_objects(stage, beside_people=True)
         return _solved(stage, view)
 
     def refine(self, draft: Layout, critique: Critique, view: LayoutBrief) -> Layout:
@@ -118,7 +121,7 @@ def _doors(brief: LayoutBrief) -> list[tuple[float, float]]:
 
 def _is_open(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:
     """Return whether somebody can walk to a place from any door."""
-    return any(way(door, spot, things, room) is not None for door in doors)
+    return any(way(door, spot, things, room, width=_SQUEEZE) is not None for door in doors)
 
 
 @dataclass(frozen=True)
@@ -140,7 +143,7 @@ def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
             kind="walkway",
             subject=person.name,
             severity=1.0,
-            message=f"nobody can walk from a door to {person.name}: there is no way 0.7 m wide",
+            message=f"nobody can walk from a door to {person.name}: there is no way {_SQUEEZE} m wide",
         )
         for person in things
         if doors and person.walks and not rides(person)
