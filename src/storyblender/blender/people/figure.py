@@ -162,8 +162,11 @@ class Figure:
         """Field of what lies beside a neckline's opening in front: a V, or a gap down to the hem."""
         bottom, top = self.height(opening.bottom), self.heights["neck"]
         z = sheet.skin[:, 2]
-        width = opening.width * np.clip((z - bottom) / (top - bottom), 0, 1.15) + opening.gap
-        width = np.where(z < bottom, opening.gap - (0 if opening.gap else 0.001), width) * self.k
+        width = (opening.width * np.clip((z - bottom) / (top - bottom), 0, 1.15) + opening.gap) * self.k
+        if not opening.gap:  # closed below, and the farther below the surer
+            width = width - np.maximum(bottom - z, 0)
         # Towards the shoulder's ridge the opening closes in a curve.
         depth = np.clip((self.joint("neck")[1] - 0.01 * self.k - sheet.skin[:, 1]) / (0.035 * self.k), 0, 1)
-        return np.where(self.is_front(sheet), np.abs(sheet.skin[:, 0]) - width * np.sqrt(depth), 0.05)
+        return np.where(
+            self.is_front(sheet), np.abs(sheet.skin[:, 0]) - width * np.where(width > 0, np.sqrt(depth), 1), 0.05
+        )

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.people import eyewear, face, hair, rig, skin, tailor, whiskers
+from storyblender.blender.people import eyewear, face, hair, mannequin, rig, skin, tailor, whiskers
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import PARTS, load_body_pack
@@ -20,7 +20,6 @@ from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.bodies import Complexion, complexion, mix, recipe, resolved_gender
 from storyblender.catalog.garments import dressed
 from storyblender.catalog.skeleton import SKELETON
-from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import CharacterLook
 
 HEM = 0.004
@@ -43,11 +42,13 @@ class PersonBuild:
         armature: Named like the asset, at the origin, soles at z = 0, facing -Y.
         meshes: Everything that hangs on it.
         body: What the motion solver needs.
+        stand_in: A plain mannequin, because the body data has not been fetched.
     """
 
     armature: bpy.types.Object
     meshes: list[bpy.types.Object]
     body: Body
+    stand_in: bool = False
 
 
 def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
@@ -60,7 +61,7 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     """
     pack = load_body_pack()
     if pack is None:
-        raise InputError("the body data is missing", mend="run python -m storyblender.library.body_data once")
+        return _build_stand_in(asset_id, look, seed)
     gender = resolved_gender(look, seed)
     colors = complexion(look, seed)
     figure = Figure(pack, pack.shape(recipe(look, seed)))
@@ -79,6 +80,19 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     bare = PARTS["skin"]
     body = rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, tuple(skin.EXPRESSIONS))
     return PersonBuild(armature, meshes, body)
+
+
+def _build_stand_in(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
+    """Build the mannequin of ``look``'s stature; its armature carries the custom property ``stand_in``."""
+    stature = recipe(look, seed).stature
+    armature = rig.build_armature(asset_id, mannequin.mannequin_joints(stature))
+    tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
+    armature["stand_in"] = True
+    sheet = mannequin.build_mannequin(stature)
+    paint = Paint(mannequin.CLAY, "cloth")
+    mesh = build_object(f"{asset_id}_mannequin", sheet, [paint], armature, surface=Surface.CLOTH)
+    body = rig.measure_body(armature, sheet.points, sheet.weights, stature, ())
+    return PersonBuild(armature, [mesh], body, stand_in=True)
 
 
 def _build_skin(
