@@ -9,6 +9,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
@@ -29,7 +30,6 @@ _INTRODUCED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?
 _LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])", re.DOTALL)
 _SOME = 3
 """Members of a group whose number is not told."""
-_SOMEBODY = re.compile(r"\b[Aa]n? ((?:[a-z-]+,? ){0,3}?)([a-z]+)\b")
 _NAMING = re.compile(
     r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)"
     r"(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)\s+([A-ZÀ-Ý][\w’'-]*(?: [A-ZÀ-Ý][\w’'-]*)*)"
@@ -74,6 +74,7 @@ def find_cast(script: Manuscript) -> Roster:
     for paragraph in script.paragraphs:
         if paragraph.kind == "action":
             _named_later(roster, paragraph.raw)
+    _add_animals(roster, script)
     roster.link_variants()
     return roster
 
@@ -158,6 +159,19 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
         describe(person, said.group(1) or said.group(2) or "")
 
 
+def _add_animals(roster: Roster, script: Manuscript) -> None:
+    """An animal in small letters is cast when it comes up again: the grey mare, not a dog that barks once."""
+    first: dict[str, int] = {}
+    for paragraph in script.paragraphs:
+        for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
+            known = any(phrase.noun in (person.role, *person.aliases) for person in roster.people)
+            if phrase.noun in lexicon.ANIMALS and not phrase.plural and not known:
+                if phrase.noun in first:
+                    roster.add(phrase.noun, first[phrase.noun])
+                first.setdefault(phrase.noun, paragraph.start + phrase.start)
+    roster.people.sort(key=lambda person: person.first)
+
+
 def _newcomer(roster: Roster, sighting: _Sighting, name: str) -> Person:
     """A new person, or a group for TWO GUARDS and SAILORS."""
     words = name.split()
@@ -180,15 +194,15 @@ def _named_later(roster: Roster, text: str) -> None:
     people = roster.find(naming.group(1).strip()) if naming else []
     if not naming or not people or people[0].role:
         return
-    for match in _SOMEBODY.finditer(text[: naming.start()]):
-        noun = match.group(2).lower()
-        if is_person_noun(noun):
-            person = people[0]
-            person.role = noun
+    person = people[0]
+    for phrase in find_person_nouns(text[: naming.start()]):
+        if phrase.determiner in ("a", "an") and not phrase.plural:
+            person.role = phrase.noun
             if person.gender == "unknown":
-                person.gender = lexicon.gender_of_word(noun)
-            roster.call(person, noun)
-            roster.call(person, bare(match.group(1).lower() + " " + noun))
+                person.gender = lexicon.gender_of_word(phrase.noun)
+            roster.call(person, phrase.noun)
+            if phrase.adjectives:
+                roster.call(person, " ".join((*phrase.adjectives, phrase.noun)))
             return
 
 

@@ -162,6 +162,9 @@ def _subject_follows(words: list[Word], at: int) -> bool:
 def _skipped(words: list[Word], at: int) -> bool:
     """Adverbs, and ``each other``."""
     word = words[at]
+    right = words[at + 1].low if at + 1 < len(words) else ""
+    if word.low in ("each", "one") and right in ("other", "another"):
+        return True
     if word.low in ("other", "another") and at and words[at - 1].low in ("each", "one"):
         return True
     return word.low.endswith("ly") or word.low in lexicon.ADVERBS

@@ -225,8 +225,9 @@ def _they(stage: Stage, role: Role, subjects: Sequence[Person], excluded: Sequen
     here = [person for person in here if stage.scene.posture.get(person.id, ("", None))[0] != "asleep"] or here
     for age in (2, 4, 6):
         recent = [p for p in here if discourse.sentence - discourse.last_sentence.get(p.id, -99) <= age]
+        humans = [person for person in recent if person.kind != "animal"]
         if len(recent) > 1:
-            return recent
+            return humans if len(humans) > 1 else recent
     return here
 
 
@@ -325,9 +326,8 @@ def resolve_owner(
     known = stage.sentence.pronouns.get(noun.possessor)
     if word.low == "its" and known is None:
         neuter = [person for person in subjects or previous if _is_neuter(person)]
-        known = remember(
-            stage, noun.possessor, Referents(neuter) if neuter else Referents([], stage.discourse.last_thing)
-        )
+        last = stage.sentence.object_thing or stage.discourse.last_thing
+        known = remember(stage, noun.possessor, Referents(neuter) if neuter else Referents([], last))
     elif known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":
         excluded = resolve_mention(stage, noun.mention) if noun.mention else []
         people = resolve_pronoun(stage, word.low, role, subjects, previous, excluded)

@@ -11,10 +11,23 @@ from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import SceneType
 
 _PLACE_PHRASE = re.compile(
-    r"(?=\b(?:in|at|into|to|inside|reached|entered|through|on|near|outside|of|across|aboard)\s+"
+    r"(?=\b(?:in|at|into|to|inside|reached|entered|through|on|near|outside|of|across|aboard|along|over|up|down|by|behind|above)\s+"
     r"(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))"
 )
 _SENTENCE_END = re.compile(r"(?<=[.!?])(?<!Mr\.)(?<!Dr\.)(?<!Ms\.)(?<!Mrs\.)\s")
+_NOUN_PHRASE = re.compile(r"(?=\b(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))")
+_TIME_JUMP = re.compile(
+    r"(?:(?:early |late )?(?:the next|next|that|one|on|by|at|in the|the following|some|years|weeks|days|hours|meanwhile|later|soon"
+    r" after|a (?:week|month|year|day|few)|when|after|before|towards?|two|three|four|five|six|seven|ten)\b)"
+    r"[^,.]*\b(?:morning|day|night|evening|noon|afternoon|dawn|dusk|sunset|sunrise|midnight|week|weeks|month|months|year|years|days|"
+    r"hours|later|winter|spring|summer|autumn|monday|tuesday|wednesday|thursday|friday|saturday|sunday|meanwhile)\b|meanwhile|later\b"
+)
+_PLACE_FIRST = re.compile(
+    r"(?:(?:deep|high|far|down|out|up|back|over|not far|just) )*(?:in|at|on|inside|outside|aboard|across|near|behind|under)\b"
+)
+_ARRIVAL = re.compile(
+    r"\b(?:reached|arrived|entered|returned|came home|got home|came back|went home|came to|went to|drove to|rode to|sailed)\b"
+)
 _HOME = re.compile(r"\b(?:came|went|returned|was|got) home\b")
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES
@@ -23,17 +36,27 @@ _THINGS = lexicon.PROPS | lexicon.SET_PIECES
 def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReading | None:
     """The scene a paragraph opens, or None where it goes on with the last.
 
+    A place in the middle of a sentence is only where somebody is (``They pulled him into the kitchen``); a new scene
+    is told by an opening: a place or a time at its start, or somebody who arrives.
+
     Args:
-        paragraph: A paragraph of prose; only its first sentence is searched.
+        paragraph: A paragraph of prose; its first sentence is searched, after a jump in time also the second.
         scenes: The scenes before.
     """
-    opening = _SENTENCE_END.split(without_quotations(paragraph.raw))[0].lower()
-    place = _place(opening, scenes)
-    if scenes and (not place or place == scenes[-1].place):
-        return None
-    place = place or "unknown"
+    told = _SENTENCE_END.split(without_quotations(paragraph.raw).lower())
+    opening = told[0]
+    if scenes:
+        later = _TIME_JUMP.match(opening) is not None
+        if not (later or _PLACE_FIRST.match(opening) or _ARRIVAL.search(opening)):
+            return None
+        place = _place(opening, scenes) or (_place(told[1], scenes) if later and len(told) > 1 else "")
+        if not place or place == scenes[-1].place:
+            return None
+    else:
+        whole = " ".join(told)
+        place = _place(opening, scenes) or _place(whole, scenes) or _any_place(whole) or "unknown"
+    time = time_of(opening) or (time_of(" ".join(told)) if not scenes else None)
     scene_type = _scene_type(place)
-    time = time_of(opening)
     return SceneReading(
         id=len(scenes) + 1,
         heading="",
@@ -43,8 +66,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> Scene
         time=time or (scenes[-1].time if scenes else "day"),
         time_written=time or "",
         weather=weather_of(opening),
-        reference=next((scene.id for scene in scenes if scene.place == place), None)
-        or same_place(place, scene_type, scenes),
+        reference=same_place(place, scene_type, scenes),
         start=paragraph.start,
         end=paragraph.end,
     )
@@ -54,13 +76,16 @@ def _place(opening: str, scenes: list[SceneReading]) -> str:
     """The place a sentence happens in; a known kind of place wins over others, else the first named."""
     if _HOME.search(opening) and scenes:
         return scenes[0].place
-    named: list[str] = []
-    for match in _PLACE_PHRASE.finditer(opening):
-        place = _leading_place(match.group(1).split())
-        if place and (place != "room" or " " in place):
-            named.append(place)
+    places = [_leading_place(match.group(1).split()) for match in _PLACE_PHRASE.finditer(opening)]
+    named = [place for place in places if place and place != "room"]
     known = [place for place in named if place in lexicon.PLACE_KINDS]
     return (known or named or [""])[0]
+
+
+def _any_place(text: str) -> str:
+    """The first place a text names at all: ``had kept the lighthouse for forty years``."""
+    places = [_leading_place(match.group(1).split()) for match in _NOUN_PHRASE.finditer(text)]
+    return next((place for place in places if place), "")
 
 
 def _leading_place(words: list[str]) -> str:
@@ -68,7 +93,7 @@ def _leading_place(words: list[str]) -> str:
     for index, word in enumerate(words):
         if word in _SMALL:
             return ""
-        compound = index + 1 < len(words) and words[index + 1] in lexicon.PLACES
+        compound = index + 1 < len(words) and words[index + 1] in lexicon.PLACES | _THINGS
         if word in lexicon.PLACES and not compound:
             before = words[index - 1] if index else ""
             pair = f"{before} {word}".strip()

@@ -78,19 +78,20 @@ def _sentences(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -
 
 
 def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:
-    """Where a sentence names one person only, its pronouns vote on their gender."""
+    """Where a sentence names one person only, the pronouns after the name vote on their gender."""
     votes: dict[str, Counter[str]] = {person.id: Counter() for person in roster.people}
     for sentence in sentences:
         if sentence.speech and not prose:
             continue
-        named = {
-            word.mention.candidates[0].id
-            for word in sentence.words
+        named = [
+            (index, word.mention.candidates[0].id)
+            for index, word in enumerate(sentence.words)
             if word.mention and word.named and len(word.mention.candidates) == 1
-        }
-        if len(named) == 1:
-            kinds = (lexicon.PRONOUNS.get(word.low) for word in sentence.words)
-            votes[named.pop()].update(kind for kind in kinds if kind in ("male", "female"))
+        ]
+        if len({person for _, person in named}) == 1:
+            first, person = named[0]
+            kinds = (lexicon.PRONOUNS.get(word.low) for word in sentence.words[first:])
+            votes[person].update(kind for kind in kinds if kind in ("male", "female"))
     for person in roster.people:
         count = votes[person.id]
         if person.gender == "unknown" and count:

@@ -17,6 +17,7 @@ from storyblender.agents.director.reader.coreference import (
 )
 from storyblender.agents.director.reader.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.states import hold
 from storyblender.agents.director.reader.words import Word, joined
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import RelationKind
@@ -44,6 +45,8 @@ _OPENINGS = frozenset({"door", "window", "gate"})
 _FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their|the) (left|right)\b")
 _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
+_GRIPS = frozenset({"hand", "fist", "arm", "paw", "grip"})
+"""What is in a hand or under an arm is held."""
 _OF_THE_NOUN: frozenset[RelationKind] = frozenset(
     {"on", "under", "in_front_of", "behind", "next_to", "in", "over", "against"}
 )
@@ -63,7 +66,8 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         thing for thing in roles.subject_things if stage.inventory.class_of(thing) in _THINGS
     ]
     found: list[tuple[str, RelationKind, str]] = []
-    still = clause.verb in _STATIVE or clause.verb in _ARRIVING or motion in _STILL
+    moved = clause.verb in _PLACING and bool(roles.things)
+    still = (clause.verb in _STATIVE and not moved) or clause.verb in _ARRIVING or motion in _STILL
     if located and (still or (clause.verb in _AT_REST and not roles.subjects)):
         for place in roles.places:
             found += _placed(stage, clause, place, located)
@@ -218,6 +222,11 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
         if anchor.head in lexicon.BODY and kind in ("in", "over"):
             kind = "on"
         thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+        if anchor.head in _GRIPS:
+            for holder in _anchors(stage, anchor, subjects, previous):
+                hold(stage, holder, thing)
+                stage.inventory.seen(thing, "handled")
+            continue
         for target in _anchors(stage, anchor, subjects, previous):
             stage.relate(thing, _exact_kind(stage, kind, target, ""), target)
 

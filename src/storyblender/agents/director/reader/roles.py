@@ -130,6 +130,8 @@ def _resolve_all(
         people += found.people
         if found.thing:
             things.append(found.thing)
+            if nouns is clause.object:
+                stage.sentence.object_thing = found.thing
             if noun.plural and stage.inventory.class_of(found.thing) in ("prop", "unknown"):
                 stage.sentence.plural_thing = found.thing
     return people, things

@@ -96,6 +96,8 @@ class SentenceState:
     verb: str = ""
     """Of the clause being read."""
     plural_thing: str | None = None
+    object_thing: str | None = None
+    """The last thing in object position."""
     pictured: bool = False
 
 
