@@ -1,0 +1,158 @@
+"""Finds where things can be put on a mesh: level faces with room above them, as rectangles (notes: engine, section 2).
+
+Rays fall on a grid and are peeled layer by layer, so a shelf has as many tops as boards, and a dressing table gives
+its desk, not the upper edge of its mirror.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+from mathutils.bvhtree import BVHTree
+from numpy.typing import NDArray
+
+from storyblender.memory.asset_sheet import Anchor
+
+Floats = NDArray[np.float64]
+
+LEVEL = 0.8
+"""Least z of the normal of a face that things stand on."""
+ROOM = 0.07
+"""Metres of free height under which nothing fits."""
+RAYS = 2600
+"""Rays over the footprint, whatever its size."""
+LAYERS = 24
+SPREAD = 0.035
+"""Metres of height that one top may vary: cushions and blankets are not flat."""
+LEAST_AREA = 0.006
+"""Square metres of the smallest top."""
+MOST_TOPS = 16
+
+
+@dataclass(frozen=True)
+class _Hits:
+    """Level, uncovered points: grid cell, height, free height above (inf if open)."""
+
+    row: NDArray[np.int64]
+    column: NDArray[np.int64]
+    z: Floats
+    room: Floats
+
+
+def find_tops(mesh: bpy.types.Mesh) -> tuple[Anchor, ...]:
+    """Return the tops of a mesh, the largest first, named ``top_1``, ``top_2``, ...
+
+    Args:
+        mesh: In the asset's own frame, metres, Z up.
+    """
+    if not mesh.polygons:
+        return ()
+    cell, origin, shape = _grid(mesh)
+    hits = _fall(mesh, cell, origin, shape)
+    rectangles = [found for level in _levels(hits.z) for found in _rectangles(hits, level, shape, cell)]
+    rectangles.sort(key=lambda found: (-found[0], found[1]))
+    tops = []
+    for _, (z, row, column, rows, columns, room) in rectangles[:MOST_TOPS]:
+        center = origin + cell * np.array([column + columns / 2, row + rows / 2])
+        tops.append(
+            Anchor(
+                kind="top",
+                name=f"top_{len(tops) + 1}",
+                location=(float(center[0]), float(center[1]), z),
+                direction=(0.0, -1.0, 0.0),
+                size=(float(columns * cell), float(rows * cell)),
+                clearance=None if np.isinf(room) else room,
+            )
+        )
+    return tuple(tops)
+
+
+def _grid(mesh: bpy.types.Mesh) -> tuple[float, Floats, tuple[int, int]]:
+    """Return the cell size, the lower corner in x, y, and the number of rows and columns."""
+    points = np.empty(len(mesh.vertices) * 3, np.float32)
+    mesh.vertices.foreach_get("co", points)
+    flat = points.reshape(-1, 3)[:, :2].astype(float)
+    low, extent = flat.min(axis=0), np.maximum(np.ptp(flat, axis=0), 1e-3)
+    cell = float(np.sqrt(extent[0] * extent[1] / RAYS))
+    columns, rows = (max(1, int(np.ceil(side / cell - 1e-6))) for side in extent)
+    return cell, low - (np.array([columns, rows]) * cell - extent) / 2, (rows, columns)
+
+
+def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, int]) -> _Hits:
+    """Drop one ray through every cell and keep the level faces that are entered from outside."""
+    solid = bmesh.new()
+    solid.from_mesh(mesh)
+    tree = BVHTree.FromBMesh(solid)
+    solid.free()
+    start = max(vertex.co.z for vertex in mesh.vertices) + 1.0
+    found: list[tuple[int, int, float, float]] = []
+    for row in range(shape[0]):
+        for column in range(shape[1]):
+            x, y = origin[0] + (column + 0.5) * cell, origin[1] + (row + 0.5) * cell
+            z, ceiling, inside = start, np.inf, 0
+            for _ in range(LAYERS):
+                point, normal, _, _ = tree.ray_cast((x, y, z), (0, 0, -1))
+                if point is None:
+                    break
+                if normal.z > 0:
+                    room = ceiling - point.z
+                    if inside == 0 and normal.z > LEVEL and room > ROOM:
+                        found.append((row, column, point.z, room))
+                    inside += 1
+                else:
+                    inside = max(0, inside - 1)
+                ceiling, z = point.z, point.z - 1e-4
+    table = np.array(found).reshape(-1, 4)
+    return _Hits(table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
+
+
+def _levels(heights: Floats) -> list[NDArray[np.int64]]:
+    """Return groups of hits that lie within ``SPREAD`` of each other: the fullest level first, then what is left."""
+    left = np.argsort(heights, kind="stable")
+    groups = []
+    while len(left):
+        z = heights[left]
+        last = np.searchsorted(z, z + SPREAD, side="right")
+        first = int(np.argmax(last - np.arange(len(z))))
+        groups.append(left[first : last[first]])
+        left = np.r_[left[:first], left[last[first] :]]
+    return groups
+
+
+def _rectangles(
+    hits: _Hits, level: NDArray[np.int64], shape: tuple[int, int], cell: float
+) -> list[tuple[float, tuple[float, int, int, int, int, float]]]:
+    """Return (area, (z, row, column, rows, columns, room)) of the largest free rectangles of one level."""
+    height, room = np.full(shape, np.nan), np.full(shape, np.inf)
+    height[hits.row[level], hits.column[level]] = hits.z[level]
+    room[hits.row[level], hits.column[level]] = hits.room[level]
+    free = ~np.isnan(height)
+    found = []
+    while True:
+        row, column, rows, columns = _largest_rectangle(free)
+        area = rows * columns * cell * cell
+        if area < LEAST_AREA or min(rows, columns) * cell < 0.06:
+            return found
+        part = np.s_[row : row + rows, column : column + columns]
+        found.append((area, (float(np.median(height[part])), row, column, rows, columns, float(room[part].min()))))
+        free[part] = False
+
+
+def _largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int]:
+    """Return row, column, rows, columns of the largest all-true rectangle (stack over column heights)."""
+    best = (0, 0, 0, 0)
+    heights = np.zeros(free.shape[1], int)
+    for row in range(free.shape[0]):
+        heights = np.where(free[row], heights + 1, 0)
+        stack: list[tuple[int, int]] = []
+        for column, tall in enumerate([*heights.tolist(), 0]):
+            start = column
+            while stack and stack[-1][1] >= tall:
+                start, height = stack.pop()
+                if height * (column - start) > best[2] * best[3]:
+                    best = (row - height + 1, start, height, column - start)
+            stack.append((start, tall))
+    return best

@@ -1,0 +1,211 @@
+"""Stand-ins: for what the library cannot make, an honest labelled shape of about the right size. Pure data.
+
+A class is found by the words of its list (exact head nouns first), or by likeness of meaning to them.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.catalog.registry import Catalog
+from storyblender.memory.base import Frozen, Identifier, Vec3
+
+Shape = Literal["box", "drum", "ball", "slab", "rod", "cone"]
+
+
+class StandIn(Frozen):
+    """One class of unknown things."""
+
+    key: Identifier
+    name: str
+    tags: tuple[str, ...]
+    """Head nouns of things like it."""
+    shape: Shape
+    size: Vec3
+    """Width, depth, height in metres of an average one."""
+    material: Identifier
+    holdable: bool = False
+
+
+def _class(key: str, shape: Shape, size: Vec3, material: str, words: str, holdable: bool = False) -> StandIn:
+    tags = tuple(word.strip() for word in words.split(","))
+    return StandIn(
+        key=key, name=key.replace("_", " "), tags=tags, shape=shape, size=size, material=material, holdable=holdable
+    )
+
+
+STAND_INS: Catalog[StandIn] = Catalog(
+    "stand-in",
+    (
+        _class(
+            "small_thing",
+            "box",
+            (0.12, 0.08, 0.08),
+            "plastic",
+            "thing, object, item, gadget, trinket, souvenir, token, artifact, relic, charm, gem, stone, chip",
+            True,
+        ),
+        _class(
+            "device",
+            "box",
+            (0.2, 0.14, 0.12),
+            "steel",
+            "device, machine part, instrument, apparatus, detector, recorder, transmitter, controller, drone, toy",
+            True,
+        ),
+        _class(
+            "tool",
+            "rod",
+            (0.05, 0.05, 0.45),
+            "iron",
+            "tool, wrench, saw, drill, wand, rod, club, bat, racket, paddle, oar, ladle, brush, crowbar",
+            True,
+        ),
+        _class(
+            "vessel",
+            "drum",
+            (0.12, 0.12, 0.18),
+            "porcelain",
+            "vessel, jar, can, tin, container, urn, canister, thermos, flask, potion, pot",
+            True,
+        ),
+        _class(
+            "sheet",
+            "slab",
+            (0.21, 0.3, 0.01),
+            "paper",
+            "sheet, certificate, poster, leaflet, blueprint, plan, chart, flag, banner, cloth, towel, blanket",
+            True,
+        ),
+        _class(
+            "round_thing",
+            "ball",
+            (0.25, 0.25, 0.25),
+            "leather",
+            "sphere, orb, globe, egg, balloon, melon, pumpkin, snowball, planet, moon, bubble, nut",
+            True,
+        ),
+        _class(
+            "food",
+            "drum",
+            (0.24, 0.24, 0.09),
+            "cardboard",
+            "food, pizza, sandwich, burger, cheese, ham, turkey, chicken, fish, salad, dessert, sushi, pudding",
+            True,
+        ),
+        _class(
+            "garment",
+            "box",
+            (0.4, 0.25, 0.12),
+            "fabric",
+            "garment, coat, jacket, dress, shirt, shoes, boots, gloves, scarf, uniform, cloak, costume, laundry",
+            True,
+        ),
+        _class(
+            "furnishing",
+            "box",
+            (1.0, 0.55, 0.9),
+            "wood",
+            "furniture, unit, console, altar, pedestal, kiosk, cage, crib, hutch, manger, ottoman, futon",
+        ),
+        _class(
+            "appliance",
+            "box",
+            (0.6, 0.6, 0.9),
+            "enamel",
+            "appliance, washing machine, dryer, dishwasher, heater, generator, printer, copier, robot, engine",
+        ),
+        _class(
+            "machine",
+            "box",
+            (1.8, 1.2, 1.7),
+            "paint",
+            "machine, press, loom, lathe, turbine, reactor, forklift, printing press, time machine, portal",
+        ),
+        _class(
+            "pillar",
+            "drum",
+            (0.6, 0.6, 2.6),
+            "concrete",
+            "pillar, column, post, totem, obelisk, chimney, pipe, tank, silo, boiler, fountain, well",
+        ),
+        _class(
+            "monument",
+            "cone",
+            (1.2, 1.2, 2.6),
+            "rock",
+            "monument, dragon statue, tomb, gravestone, tombstone, shrine, idol, pyramid, tent, teepee, pile, heap",
+        ),
+        _class(
+            "creature",
+            "box",
+            (0.7, 1.8, 1.2),
+            "leather",
+            "creature, beast, monster, dragon, lion, tiger, bear, cow, elephant, wolf, deer, camel, pig, goat, sheep",
+        ),
+        _class(
+            "small_creature",
+            "box",
+            (0.18, 0.35, 0.2),
+            "leather",
+            "rat, mouse, rabbit, snake, frog, turtle, squirrel, spider, insect, monkey, hamster, lizard, chicken",
+        ),
+        _class(
+            "vehicle",
+            "box",
+            (1.9, 4.6, 1.7),
+            "paint",
+            "vehicle, tractor, tank, ambulance, limousine, jeep, carriage, wagon, sled, sleigh, chariot, buggy",
+        ),
+        _class(
+            "large_vehicle",
+            "box",
+            (2.6, 10.0, 3.2),
+            "paint",
+            "bus, train, tram, locomotive, lorry, coach, submarine, fire engine, carriage car, trailer, hovercraft",
+        ),
+        _class(
+            "craft",
+            "cone",
+            (5.0, 8.0, 4.0),
+            "steel",
+            "spaceship, spacecraft, rocket, ufo, shuttle, helicopter, aircraft, airship, ship, yacht, satellite",
+        ),
+        _class(
+            "building",
+            "box",
+            (6.0, 5.0, 4.5),
+            "plaster",
+            "building, house, hut, cabin, shed, barn, church, tower, castle, lighthouse, windmill, temple, gate",
+        ),
+        _class(
+            "barrier",
+            "slab",
+            (2.4, 0.15, 1.1),
+            "sheet_metal",
+            "barrier, wall, fence, gate, railing, barricade, hedge, screen, net, goal, billboard",
+        ),
+    ),
+)
+"""From small to large; the order decides between equals."""
+
+DEFAULT = "small_thing"
+"""The class of what nothing is known about."""
+
+
+def head_words(name: str) -> tuple[str, ...]:
+    """Return the words of a name from its head outwards: ``old time machine`` -> time machine, machine, time, old."""
+    words = [word.strip(".,'\"").lower() for word in name.replace("_", " ").replace("-", " ").split()]
+    words = words[: words.index("of")] if "of" in words[1:] else words
+    pairs = [" ".join(words[-2:])] if len(words) > 1 else []
+    return (*pairs, *reversed(words))
+
+
+def guess_class(name: str) -> StandIn | None:
+    """Return the class whose words name the head of ``name``, or None where no list knows it."""
+    for word in head_words(name):
+        for singular in (word, word.removesuffix("s"), word.removesuffix("es")):
+            for entry in STAND_INS.values():
+                if singular in entry.tags:
+                    return entry
+    return None
