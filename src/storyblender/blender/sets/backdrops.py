@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
@@ -15,8 +16,10 @@ from numpy.typing import NDArray
 from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import pane, view_outside
+from storyblender.catalog.light_recipes import mix
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.set_plan import Backdrop
+from storyblender.memory.base import Color
 
 Floats = NDArray[np.float64]
 
@@ -25,6 +28,8 @@ Skin = Callable[[str, str], bpy.types.Material]
 """Gives the material of a catalog key in a hex colour."""
 
 
+_HAZE: Color = (0.62, 0.72, 0.82)
+"""What is bright outside a room that is exposed for its inside turns to this."""
 _HOUSES = (("brick", "#6d4a3a"), ("plaster", "#a7a08f"), ("plaster", "#cbbfa4"), ("brick", "#7a3b28"))
 _WOODS = ("#6f8074", "#586c54", "#42563a")
 _HILLS = ("#93a2ac", "#7f9092", "#6c806f")
@@ -41,13 +46,14 @@ def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bp
     """
 
     def skin(key: str, code: str) -> bpy.types.Material:
-        return view_outside(f"{key}_{code[1:]}", hex_color(code), scene) if indoor else material(key, hex_color(code))
+        color = hex_color(code)
+        return view_outside(f"{key}_{code[1:]}", mix(color, _HAZE, 0.35), scene) if indoor else material(key, color)
 
     builder = MeshBuilder(card.node_id)
     left, right = np.array(card.corners[0]), np.array(card.corners[1])
     height = card.corners[2][2] - card.corners[1][2]
     if card.kind in ("skyline", "facades"):
-        _town(builder, scene, skin, left, right, height, near=card.kind == "facades")
+        _Town(builder, scene, skin, card.kind == "facades", indoor).raise_between(left, right, height)
     elif card.kind in ("treeline", "hills"):
         _land(builder, skin, left, right, height, trees=card.kind == "treeline")
     elif card.kind == "sea":
@@ -97,61 +103,44 @@ def _crowns(angle: Floats, phase: float) -> Floats:
     return 0.66 + 0.08 * np.sin(5 * angle + phase) + 0.05 * np.sin(13 * angle) + 0.2 * np.sqrt(crowns)
 
 
-def _town(
-    builder: MeshBuilder,
-    scene: bpy.types.Scene,
-    skin_of: Skin,
-    left: Floats,
-    right: Floats,
-    height: float,
-    *,
-    near: bool,
-) -> None:
-    """Raise rows of houses or towers along a card, with windows, some of them lit at night."""
-    span = float(np.linalg.norm((right - left)[:2]))
-    along = (right - left) / max(span, 1e-6)
-    outwards = np.array([-along[1], along[0], 0.0])
-    yaw = math.degrees(math.atan2(along[1], along[0]))
-    seed = int(abs(left[0] * 13.7 + left[1] * 7.3 + height * 3.1)) % 997
-    rng = np.random.default_rng(seed)
-    walls = _HOUSES if near else _TOWERS
-    for row, share in enumerate((1.0,) if near else (1.0, 0.7, 0.45)):
-        at, depth = 0.0, 7.0 - 3.0 * row
-        while at < span:
-            width = float(rng.uniform(6.0, 10.0) if near else rng.uniform(4.0, 9.0))
-            tall = height * share * float(rng.uniform(0.72, 1.0) if near else rng.uniform(0.5, 1.0))
-            foot = left + along * (at + width / 2) + outwards * depth
-            with builder.at(foot, (0, 0, yaw)):
+@dataclass(frozen=True)
+class _Town:
+    """Rows of houses or towers along a card, with windows; some of them are lit at night."""
+
+    builder: MeshBuilder
+    scene: bpy.types.Scene
+    skin_of: Skin
+    near: bool
+    indoor: bool
+
+    def raise_between(self, left: Floats, right: Floats, height: float) -> None:
+        """Build the rows from the farthest and highest to the nearest."""
+        span = float(np.linalg.norm((right - left)[:2]))
+        along = (right - left) / max(span, 1e-6)
+        outwards = np.array([-along[1], along[0], 0.0])
+        yaw = math.degrees(math.atan2(along[1], along[0]))
+        rng = np.random.default_rng(int(abs(left[0] * 13.7 + left[1] * 7.3 + height * 3.1)) % 997)
+        widths, shares = ((6.0, 10.0), (0.72, 1.0)) if self.near else ((4.0, 9.0), (0.5, 1.0))
+        walls = _HOUSES if self.near else _TOWERS
+        for row, part in enumerate((1.0,) if self.near else (1.0, 0.7, 0.45)):
+            at, depth = 0.0, 7.0 - 3.0 * row
+            while at < span:
+                width, tall = float(rng.uniform(*widths)), height * part * float(rng.uniform(*shares))
                 key, code = walls[int(rng.integers(len(walls)))]
-                builder.box(skin_of(key, code), (0, 0, tall / 2), (width, 4.0, tall))
-                if near or row == 2 or span < 60:
-                    _windows(builder, scene, skin_of("glass_dark", "#39424b"), width, tall, rng, near=near)
-            at += width + (0.0 if near else float(rng.uniform(-0.5, 1.5)))
+                with self.builder.at(left + along * (at + width / 2) + outwards * depth, (0, 0, yaw)):
+                    self.builder.box(self.skin_of(key, code), (0, 0, tall / 2), (width, 4.0, tall))
+                    if self.near or row == 2 or span < 60:
+                        self._windows(width, tall, rng)
+                at += width + (0.0 if self.near else float(rng.uniform(-0.5, 1.5)))
 
-
-def _windows(
-    builder: MeshBuilder,
-    scene: bpy.types.Scene,
-    glass_by_day: bpy.types.Material,
-    width: float,
-    tall: float,
-    rng: np.random.Generator,
-    *,
-    near: bool,
-) -> None:
-    storey, bay, wide, high = (3.1, 2.2, 0.95, 1.5) if near else (2.6, 1.6, 0.7, 1.1)
-    columns = max(1, int(width / bay))
-    for floor in range(int((tall - 1.5) / storey)):
-        for column in range(columns):
-            x = (column + 0.5) * width / columns - width / 2
-            z = 1.2 + storey * floor
-            lit = rng.random() < 0.24
-            glass = pane(("pane_far", "pane_amber")[int(rng.integers(2))], scene) if lit else glass_by_day
-            y = -2.02
-            builder.quad(
-                glass,
-                (x - wide / 2, y, z),
-                (x + wide / 2, y, z),
-                (x + wide / 2, y, z + high),
-                (x - wide / 2, y, z + high),
-            )
+    def _windows(self, width: float, tall: float, rng: np.random.Generator) -> None:
+        storey, bay, wide, high = (3.1, 2.2, 0.95, 1.5) if self.near else (2.6, 1.6, 0.7, 1.1)
+        columns, dark = max(1, int(width / bay)), self.skin_of("glass_dark", "#39424b")
+        for floor in range(int((tall - 1.5) / storey)):
+            for column in range(columns):
+                x, z = (column + 0.5) * width / columns - width / 2, 1.2 + storey * floor
+                lit = rng.random() < 0.24
+                key = ("pane_far", "pane_amber")[int(rng.integers(2))]
+                glass = pane(key, self.scene, from_room=self.indoor) if lit else dark
+                x0, x1, y = x - wide / 2, x + wide / 2, -2.02
+                self.builder.quad(glass, (x0, y, z), (x1, y, z), (x1, y, z + high), (x0, y, z + high))

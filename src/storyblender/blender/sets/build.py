@@ -14,7 +14,6 @@ from storyblender.blender.sets.walls import leaf_meshes, wall_mesh
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.set_plan import SetPlan, Slab, Wall
-
 from storyblender.catalog.sets.finishes import finish_of
 
 

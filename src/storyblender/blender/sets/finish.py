@@ -5,6 +5,7 @@ from __future__ import annotations
 import bpy
 
 from storyblender.blender.materials import material
+from storyblender.catalog.light_recipes import mix
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.sets.finishes import finish_of
 from storyblender.memory.base import Color
@@ -21,7 +22,8 @@ DAYLIGHT = 0.75
 """Emission by day, times its colour, of what is seen through the windows of a room that is exposed for its inside."""
 
 _GLASS = hex_color("#2a343d")
-"""The same windows by day."""
+_FAR_GLASS = hex_color("#7d8c99")
+"""The same windows by day, near and across the street from a room."""
 
 
 def finish(key: str) -> bpy.types.Material:
@@ -35,20 +37,22 @@ def painted(code: str) -> bpy.types.Material:
     return material("paint", hex_color(code))
 
 
-def pane(key: str, scene: bpy.types.Scene) -> bpy.types.Material:
+def pane(key: str, scene: bpy.types.Scene, *, from_room: bool = False) -> bpy.types.Material:
     """Return the material of a lit window in one scene; ``light_windows`` switches it with the scene's daylight.
 
     Args:
         key: A key of ``PANES``.
         scene: Scenes of one file have different times of day, so each has its own.
+        from_room: It is seen out of a room, which is exposed for its inside.
     """
-    name = f"MT_{key}_{scene.name}"
+    name = f"MT_{key}_{scene.name}{'_far' if from_room else ''}"
     found = bpy.data.materials.get(name)
     if found is not None:
         return found
     block = bpy.data.materials.new(name)
     block.use_nodes = True
     block["key"], block["tile"], block["grain"], block["pane"] = key, 1.0, False, key
+    block["pane_of"], block["from_room"] = scene.name, from_room
     block.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.15
     _light(block, 1.0)
     return block
@@ -89,21 +93,20 @@ def light_windows(scene: bpy.types.Scene, night: float) -> None:
         scene: Whose panes to switch.
         night: 1 at night, 0 by day.
     """
-    for key in PANES:
-        block = bpy.data.materials.get(f"MT_{key}_{scene.name}")
-        if block is not None:
-            _light(block, night)
     for block in bpy.data.materials:
-        if block.get("outside") == scene.name:
+        if block.get("pane_of") == scene.name:
+            _light(block, night)
+        elif block.get("outside") == scene.name:
             _shine(block, DAYLIGHT * (1.0 - night))
 
 
 def _light(block: bpy.types.Material, night: float) -> None:
     color, strength = PANES[block["pane"]]
-    shown = tuple(glass + (lamp - glass) * night for glass, lamp in zip(_GLASS, color, strict=True))
+    glass = _FAR_GLASS if block["from_room"] else _GLASS
+    shown = mix(glass, color, night)
     shader = block.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (*shown, 1)
-    shader.inputs["Emission Color"].default_value = (*color, 1)
-    shader.inputs["Emission Strength"].default_value = strength * night
+    day = DAYLIGHT * (1 - night) if block["from_room"] else 0.0
+    shader.inputs["Emission Color"].default_value = (*shown, 1) if day else (*color, 1)
     block.diffuse_color = (*shown, 1)
-    block["emit"] = strength * night
+    _shine(block, day + strength * night)

@@ -54,7 +54,7 @@ flagstones         paving     #7a746a
 concrete_dark      concrete   #5a5b5b
 concrete_light     concrete   #a8a7a1
 tile_check         tile       #8d7a60
-tile_green         tile       #8fa698
+tile_green         tile       #b9b5a4
 tile_terracotta    paving     #96563a
 lino_grey          linoleum   #8f918a
 lino_brown         linoleum   #7d6a54

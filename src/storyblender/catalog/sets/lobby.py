@@ -13,7 +13,9 @@ from storyblender.catalog.sets.room import Finishes, Room
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw desk, columns and seating around a wide free floor."""
     modern = params.period == "modern"
-    look = Finishes("plaster_cream", "marble" if not modern else "lino_grey", dado="marble", dado_height=1.4, beams=0)
+    look = Finishes(
+        "plaster_cream", "tile_check" if not modern else "lino_grey", dado="marble", dado_height=1.4, beams=0
+    )
     room = Room("lobby", params, rng, look, view="skyline")
     x, y, h = room.half_x, room.half_y, params.height
     room.door("left", -y * 0.35, width=1.8, height=2.5, style="glass", name="street_door")

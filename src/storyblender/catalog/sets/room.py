@@ -24,6 +24,10 @@ YAW_OF_SIDE: dict[Side, float] = {"back": 0.0, "front": 180.0, "left": 90.0, "ri
 """The yaw of a thing that stands against the side and faces the room."""
 
 
+_VIEW_TOPS = {"skyline": 14.0, "facades": 10.0, "hills": 6.5, "treeline": 5.2, "sea": 1.6}
+"""Height of what stands outside, low enough to leave some sky in the windows."""
+
+
 @dataclass(frozen=True)
 class Finishes:
     """Finish keys of a room's shell."""
@@ -41,7 +45,6 @@ class Finishes:
 class _View:
     kind: View
     distance: float = 16.0
-    top: float = 12.0
     sides: set[Side] = field(default_factory=set)
 
 
@@ -224,5 +227,5 @@ class Room(Drawing):
             "left": ((-x - far, -y - spread), (-x - far, y + spread), (-x - far, -y - spread, -x - edge, y + spread)),
             "right": ((x + far, y + spread), (x + far, -y - spread), (x + edge, -y - spread, x + far, y + spread)),
         }[side]
-        self.card(kind, left, right, -1.0, view.top)
+        self.card(kind, left, right, -1.0, _VIEW_TOPS[kind])
         self.slab("patch", rectangle(*ground), self.finishes.outside, z=-0.18)
