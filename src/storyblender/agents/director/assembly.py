@@ -22,6 +22,7 @@ from storyblender.memory.shot_context import (
     AssetModification,
     CameraInstruction,
     CharacterAction,
+    Flag,
     ShotContext,
 )
 from storyblender.memory.vocabulary import DISTANCE_OF_SIZE
@@ -30,6 +31,7 @@ _OUT_OF = (
     r"(?:draws?|drew|produces?d?|fish(?:es|ed)?)\b|(?:pulls?|pulled|takes?|took)\b.*\b(?:out"
     r"|from (?:his|her|their|a|the) \w*\s?(?:jacket|coat|pocket|bag|purse|sleeve|belt|satchel))\b"
 )
+_UNSTAGED = ("intercut", "split_screen", "match_cut")
 _POV_LENS = 35.0
 """mm: about what an eye takes in."""
 
@@ -206,14 +208,23 @@ class Assembly:
                     sound_effect=", ".join(_unique(sound for unit in fresh for sound in unit.sounds)) or None,
                     camera_instruction=self._camera(draft, scene),
                     duration=frames(shot_seconds(draft, self.text), self.settings.fps),
-                    flags=tuple(
-                        flag
-                        for flag in self.reading.flags
-                        if any(unit.start <= flag.start < max(unit.end, unit.start + 1) for unit in fresh)
-                    ),
+                    flags=tuple(self._flags(draft, fresh)),
                 )
             )
         return tuple(shots)
+
+    def _flags(self, draft: ShotDraft, units: Sequence[Unit]) -> list[Flag]:
+        """What the reader was not sure of in these words, and what of a direction cannot be staged."""
+        found = [
+            flag
+            for flag in self.reading.flags
+            if any(unit.start <= flag.start < max(unit.end, unit.start + 1) for unit in units)
+        ]
+        if draft.note and draft.note.kind in _UNSTAGED and draft.beats:
+            unit, what = draft.beats[0].unit, draft.note.kind.replace("_", " ")
+            reason = f"{what} is recognised but not staged"
+            found.append(Flag(topic="camera", choice="plain shot", reason=reason, start=unit.start, end=unit.end))
+        return found
 
     def _in_frame(self, draft: ShotDraft, on_stage: Sequence[str]) -> list[str]:
         shown = [*draft.focus, *([draft.over] if draft.over else [])]
@@ -231,7 +242,7 @@ class Assembly:
             movement=draft.movement,
             direction=draft.direction,
             over_id=draft.over,
-            pov_id=draft.pov,
+            pov_id=draft.pov if draft.pov in self.actors else None,
             lens=_POV_LENS if draft.kind == "pov" else None,
             axis=draft.axis,
             description=camera_sentence(draft, self.names, capwords(scene.place)),

@@ -57,7 +57,7 @@ def _turn(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
     pair = draft.axis or ("", "")
     speakers = [speaker for speaker in _speakers(draft) if speaker in pair]
     turned = [speaker for speaker in speakers if before.kind != "ots" or speaker != before.focus[0]]
-    if turned:
+    if turned and set(pair) <= set(draft.on_stage):
         draft.kind, draft.size, draft.focus = "ots", size, turned[:1]
         draft.over = next(person for person in pair if person != turned[0])
 
@@ -103,7 +103,9 @@ def _jumps(before: ShotDraft, draft: ShotDraft) -> bool:
 
 def _turns(draft: ShotDraft, before: ShotDraft) -> bool:
     """Whether a small action of two people who talk can be told over a shoulder."""
-    talkers = before.axis is not None and set(draft.focus) == set(before.axis)
+    talkers = (
+        before.axis is not None and set(draft.focus) == set(before.axis) and set(draft.focus) <= set(draft.on_stage)
+    )
     return talkers and draft.kind == "action" and not draft.explicit and not draft.motions & (TRAVEL | WHOLE_BODY)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
@@ -17,6 +18,7 @@ _BRACKETS: Final = re.compile(r"\([^)]*\)")
 _UNSPACED: Final = re.compile(r"[\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]")
 
 
+@lru_cache(maxsize=8192)
 def word_count(text: str) -> int:
     """Count words; scripts without spaces between words count two characters as one."""
     unspaced = len(_UNSPACED.findall(text))

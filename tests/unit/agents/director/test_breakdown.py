@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 from pathlib import Path
+from xml.sax.saxutils import escape
 
 import pytest
 from handmade import Script
@@ -82,12 +83,13 @@ def test_a_budget_gives_fewer_and_longer_shots_without_touching_orders() -> None
 
 
 def test_inserts_go_before_anything_else() -> None:
-    script = Script("Ann", things=("letter",)).action("Ann reads the letter.", ("ann", "read", "letter", "letter"))
-    script.action("Ann runs.", ("ann", "run"), camera=CameraNote("WIDE", size="WS"))
+    script = Script("Ann", things=("letter",)).action("Ann enters.", ("ann", "walk"))
+    script.action("Ann reads the letter.", ("ann", "read", "letter", "letter")).action("Ann runs.", ("ann", "run"))
     kinds = [shot.camera_instruction.kind for shot in board_of(script).shot_details]
-    fewer = board_of(script, DirectorSettings(shots_per_scene=len(kinds) - 1)).shot_details
-    if "insert" in kinds:
-        assert "insert" not in [shot.camera_instruction.kind for shot in fewer]
+    assert kinds == ["establishing", "reaction", "insert", "action"]
+    fewer = board_of(script, DirectorSettings(shots_per_scene=3)).shot_details
+    assert [shot.camera_instruction.kind for shot in fewer] == ["establishing", "action", "action"]
+    assert fewer[1].camera_instruction.focus_on_ids == ("ann", "letter")
 
 
 def test_talk_is_not_joined_beyond_its_limit() -> None:
@@ -227,3 +229,32 @@ def test_a_scene_without_words_is_still_one_shot() -> None:
     reading = read_script(read("EXT. ROAD - DAY\n\nINT. BAR - NIGHT\n\nANNA sits at the bar.\n"))
     board = storyboard(reading)
     assert [len(scene.shots) for scene in board.storyboard_outline] == [1, 1]
+
+
+def test_final_draft_and_fountain_give_the_same_board() -> None:
+    fountain = load(next(path for path in EXAMPLES if path.stem == "casablanca"))
+    types = {"heading": "Scene Heading", "cue": "Character", "parenthetical": "Parenthetical", "dialogue": "Dialogue"}
+    paragraphs = [
+        f'<Paragraph Type="{types.get(element.kind, "Action")}"><Text>{escape(words)}</Text></Paragraph>'
+        for element in fountain.elements
+        if element.kind in types or element.kind == "action"
+        for words in [fountain.text[element.start : element.end]]
+    ]
+    fdx = read(f"<FinalDraft><Content>{''.join(paragraphs)}</Content></FinalDraft>")
+    without_notes = fountain.model_copy(update={"elements": tuple(e for e in fountain.elements if e.kind != "note")})
+    one, other = storyboard(read_script(fdx)), storyboard(read_script(without_notes))
+    assert [shot.camera_instruction for shot in one.shot_details] == [s.camera_instruction for s in other.shot_details]
+    assert one.asset_sheet == other.asset_sheet
+
+
+def test_names_in_any_alphabet_get_ids() -> None:
+    script = "INT. BAR - NIGHT\n\nÉLODIE\nBonsoir.\n\nŁUCJA\nDobry wieczór.\n\n李\n晚上好。\n\n王\n你好。\n"
+    sheet = storyboard(read_script(read(script))).asset_sheet
+    assert [asset.name for asset in sheet] == ["Élodie", "Łucja", "李", "王"]
+    assert len({asset.asset_id for asset in sheet}) == 4
+
+
+def test_what_cannot_be_staged_is_flagged() -> None:
+    script = Script("Ann").action("Ann waits.", ("ann", "stand"), camera=CameraNote("INTERCUT WITH", kind="intercut"))
+    (flag,) = board_of(script).shot_details[0].flags
+    assert (flag.topic, flag.start) == ("camera", 0) and "intercut" in flag.reason
