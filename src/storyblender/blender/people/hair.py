@@ -136,11 +136,14 @@ def _hairline_roots(scalp: Scalp) -> list[Floats]:
 
 def _flow(direction: Floats, spec: HairSpec, side: float) -> Floats:
     """Return the combing direction at a place on the head, a unit tangent of the sphere."""
-    _, y, z = direction
+    x, y, z = direction
     down = np.array((0.0, 0.0, -1.0))
     if spec.comb == "part":
         high = np.clip(z, 0, 1)
-        way = np.array((side * high * 1.1, spec.sweep * (0.4 + high), 0.0)) + down * (1.05 - high)
+        # Along the parting itself the hair is drawn back, so that no bare wedge opens at the forehead.
+        near = float(np.exp(-(((x - spec.parting) / 0.13) ** 2))) * high
+        way = np.array((side * high * 1.1 * (1 - 0.8 * near), spec.sweep * (0.4 + high) + 1.4 * near, 0.0))
+        way = way + down * (1.05 - high)
     elif spec.comb == "back":
         way = np.array((0.0, 1.0, 0.0)) + down * (0.35 + 0.5 * max(y, 0))
     elif spec.comb == "gather":
@@ -180,6 +183,9 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: Drape | No
         if spec.hang and grown < 0.25 and direction[1] < -0.2:
             # Off the face: long hair turns aside at the forehead.
             way = np.cross(direction, (0.0, -side, 0.35 * side)) + 0.4 * way
+        elif spec.comb == "part" and grown < 0.3 and direction[1] < -0.3:
+            # Off the forehead: short hair is brushed up and back there.
+            way = way + (1 - max(grown, 0.0) / 0.3) * np.array((0.0, 1.1, 0.9))
         way = way + stray * np.cross(direction, way)
         direction = direction + way / np.linalg.norm(way) * STEP
         direction = direction / np.linalg.norm(direction)

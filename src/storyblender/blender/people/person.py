@@ -14,11 +14,13 @@ from storyblender.blender.people.body import Body
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import PARTS, load_body_pack
 from storyblender.blender.people.parts import Paint, build_object
+from storyblender.blender.people.scalp import covered_scalp
 from storyblender.blender.people.sheet import hemmed, join
 from storyblender.blender.people.tailor import Worn
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.bodies import Complexion, complexion, mix, recipe, resolved_gender
 from storyblender.catalog.garments import dressed
+from storyblender.catalog.hair import hairstyle
 from storyblender.catalog.skeleton import SKELETON
 from storyblender.memory.asset_sheet import CharacterLook
 
@@ -62,17 +64,17 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     pack = load_body_pack()
     if pack is None:
         return _build_stand_in(asset_id, look, seed)
-    gender = resolved_gender(look, seed)
+    look = look.model_copy(update={"gender": resolved_gender(look, seed)})
     colors = complexion(look, seed)
     figure = Figure(pack, pack.shape(recipe(look, seed)))
     armature = rig.build_armature(asset_id, {n: figure.joint(n) for bone in SKELETON for n in (bone.head, bone.tail)})
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
-    wardrobe = tailor.dress(figure, dressed(look, gender, seed), seed)
+    wardrobe = tailor.dress(figure, dressed(look, look.gender, seed), seed)
     every = skin.expressions(pack)
     meshes = [
         _build_skin(figure, armature, look, colors, wardrobe, every),
         _build_eyes(figure, armature, colors),
-        *_build_hair(figure, armature, look, colors, wardrobe, float(gender == "male"), seed),
+        *_build_hair(figure, armature, look, colors, wardrobe, seed),
         *_build_whiskers(figure, armature, look, colors, every, seed),
         *_build_glasses(figure, armature, look),
         *(_build_garment(figure, armature, worn) for worn in wardrobe),
@@ -105,7 +107,9 @@ def _build_skin(
 ) -> bpy.types.Object:
     """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys."""
     bare = figure.part("skin")
-    bare = bare.keep_faces(~tailor.covered_skin(figure, bare, wardrobe))
+    hidden = tailor.covered_skin(figure, bare, wardrobe)
+    hidden |= covered_scalp(figure, bare, hairstyle(look.hair), float(look.gender == "male"))
+    bare = bare.keep_faces(~hidden)
     paint = skin.paint_skin(figure, bare, colors, look)
     sheets = [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
     keys = [skin.keys_for(sheet, every) for sheet in sheets]
@@ -152,12 +156,13 @@ def _build_hair(
     look: CharacterLook,
     colors: Complexion,
     wardrobe: Sequence[Worn],
-    masculine: float,
     seed: int,
 ) -> list[bpy.types.Object]:
     clothes = [bolt.sheet for worn in wardrobe for bolt in worn.bolts]
     hatted = any("head" in worn.spec.covers for worn in wardrobe)
-    grown = hair.build_hair(figure, look.hair, colors, masculine, seed, clothes=clothes, hatted=hatted)
+    grown = hair.build_hair(
+        figure, look.hair, colors, float(look.gender == "male"), seed, clothes=clothes, hatted=hatted
+    )
     if grown is None:
         return []
     group = f"{armature.name}_hair"

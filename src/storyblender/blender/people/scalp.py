@@ -38,6 +38,14 @@ def above_hairline(base: Floats, spec: HairSpec, masculine: float) -> Floats:
     return grown
 
 
+def covered_scalp(figure: Figure, skin: Sheet, spec: HairSpec, masculine: float) -> NDArray[np.bool_]:
+    """Return which faces of ``skin`` lie well under the hair."""
+    if not spec.top and not spec.side:
+        return np.zeros(len(skin.faces), bool)
+    deep = (above_hairline(skin.base, spec, masculine) > 0.25) & (skin.base[:, 1] > 6.8) & (skin.base[:, 2] < 1.6)
+    return deep[skin.faces].all(1) & ~figure.pack.ears[skin.source][skin.faces].any(1)
+
+
 @dataclass(frozen=True, eq=False)
 class Scalp:
     """A head with a hairstyle's growth and thickness.
@@ -93,8 +101,9 @@ class Scalp:
         if self.spec.comb == "part":
             groove = np.exp(-(((sheet.base[:, 0] / 0.8 - self.spec.parting) / 0.05) ** 2))
             thick *= 1 - 0.6 * groove * np.clip((sheet.base[:, 1] - 7.8) / 0.3, 0, 1)
-        lifted = smoothed(sheet, 2) + normals(sheet) * (0.8 * thick)[:, None]
-        return sheet.moved(lifted)
+        outward, lifted = normals(sheet), smoothed(sheet, 2)
+        clearance = ((lifted - sheet.points) * outward).sum(1)
+        return sheet.moved(lifted + outward * np.maximum(0.8 * thick - clearance, 0)[:, None])
 
     def surface(self, direction: Floats) -> tuple[Floats, float] | None:
         """Return the skull point in a direction from the centre and how far it lies above the hairline (dm)."""

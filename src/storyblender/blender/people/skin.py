@@ -78,7 +78,7 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: Character
     beard = (np.clip(whisker_growth(base) / 0.10 + 0.3, 0, 1) * (1 - lips) * shadow_of)[:, None]
     style = hairstyle(look.hair)
     if style.top or style.side:
-        over = above_hairline(base, style, float(look.gender != "female"))
+        over = above_hairline(base, style, float(look.gender == "male"))
         shadow = (0.55 * np.exp(np.minimum(over, 0) / 0.05) * ~figure.pack.ears[sheet.source] * (base[:, 1] > 6.5))[
             :, None
         ]
