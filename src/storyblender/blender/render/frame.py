@@ -330,8 +330,11 @@ def _relit(
         return traced + shot.albedo * shot.roof_light
     coarse = step * look.light_step
     low_sky = sky_light(shot.plan.sky, gbuffer.view.reduced(coarse).rays())
-    light = demodulate(traced, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light
-    return remodulate(upsample(light, gbuffer, look.light_step), mean_albedo(gbuffer, step, sky))
+    # What glows by itself is not light on a surface: left in, a lamp would ring what is behind it.
+    reflected = np.maximum(traced - gbuffer.emission(coarse), 0)
+    light = demodulate(reflected, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light
+    picture = remodulate(upsample(light, gbuffer, look.light_step), mean_albedo(gbuffer, step, sky))
+    return picture + gbuffer.emission(step)
 
 
 def _statistics(passes: Passes, picture: Image, display: Image, faces: Sequence[Face], stops: float) -> FrameStatistics:

@@ -1,0 +1,86 @@
+import dataclasses
+
+import numpy as np
+import pytest
+from traced_frame import PERSON, WALL, gbuffer
+
+from storyblender.look.moving_light import FlatFrame, MovingLight, normals_of
+from storyblender.look.occlusion import ambient_occlusion
+from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
+from storyblender.memory.scene_context import Light, Lighting, Sky
+
+FRAME = gbuffer(192, 108)
+DARK = Sky(zenith=(0, 0, 0), horizon=(0, 0, 0), ground=(0, 0, 0))
+
+
+def test_demodulation_is_undone_by_remodulation():
+    albedo = np.random.default_rng(1).random((8, 8, 3)).astype(np.float32)
+    light = np.random.default_rng(2).random((8, 8, 3)).astype(np.float32)
+    assert demodulate(remodulate(light, albedo), albedo) == pytest.approx(light, rel=1e-4)
+
+
+def test_light_does_not_bleed_over_an_edge():
+    low = FRAME.reduced(4)
+    light = np.where(low.ids == PERSON, 1.0, 0.0)[..., None].repeat(3, 2).astype(np.float32)
+    high = upsample(light, FRAME, 2)[..., 0]
+    ids = FRAME.reduced(2).ids
+    assert high[ids == PERSON].mean() > 0.95
+    assert high[ids == WALL].mean() < 0.02
+
+
+def test_even_light_stays_even():
+    light = np.full((27, 48, 3), 0.37, np.float32)
+    assert upsample(light, FRAME, 2) == pytest.approx(0.37, abs=1e-4)
+
+
+def test_the_sky_stands_in_for_albedo():
+    sky = np.full((54, 96, 3), 0.8, np.float32)
+    albedo = mean_albedo(FRAME, 2, sky)
+    assert albedo[0, 0] == pytest.approx(0.8, abs=1e-3)
+    assert mean_albedo(FRAME, 2)[0, 0] == pytest.approx(0)
+
+
+def test_corners_are_darker_than_open_floor():
+    low = FRAME.reduced(1)
+    openness = ambient_occlusion(low, low.positions(), low.normal.astype(np.float32))
+    rows = np.flatnonzero(low.ids[:, 5] == 1)
+    assert openness[rows[0], 5:40].mean() < 0.9 * openness[rows[-3], 5:40].mean()
+
+
+def test_positions_and_projection_agree():
+    column, row, depth = FRAME.view.project(FRAME.positions())
+    shown = ~FRAME.sky
+    rows, columns = np.mgrid[0:108, 0:192] + 0.5
+    assert np.abs(column - columns)[shown].max() < 1e-2
+    assert np.abs(row - rows)[shown].max() < 1e-2
+    assert depth[shown] == pytest.approx(FRAME.depth[shown], rel=1e-4)
+
+
+def test_normals_from_depth_point_at_the_eye():
+    rays = FRAME.view.rays()
+    normal = normals_of(FRAME.positions(), FRAME.depth, rays)
+    agree = np.einsum("hwc,hwc->hw", normal, FRAME.normal.astype(np.float32))[~FRAME.sky]
+    assert np.percentile(agree, 5) > 0.97
+
+
+def test_moving_light_reuses_what_stands_still_and_relights_what_moves():
+    plan = Lighting(sky=DARK, ambient=(0.1, 0.1, 0.1))
+    lamp = Light(name="lamp", kind="POINT", location=(1, 1, 2.5), power=80)
+    coverage = (~FRAME.sky).astype(np.float32)
+    albedo, glow = FRAME.albedo.astype(np.float32), np.zeros((108, 192, 3), np.float32)
+    first = FlatFrame(albedo, coverage, FRAME.depth, glow, FRAME.view)
+    nearer = np.where(FRAME.ids == PERSON, np.float32(2.5), FRAME.depth)
+    second = dataclasses.replace(first, depth=nearer)
+
+    mover = MovingLight(plan, 1.0)
+    mover.light(first, [lamp])
+    moved = mover.light(second, [lamp])
+    fresh = MovingLight(plan, 1.0)
+    fresh.light(first, [lamp])
+    fresh._held = None
+    whole = fresh.light(second, [lamp])
+
+    still = (FRAME.ids == WALL) & (np.abs(moved - whole).max(axis=2) < 0.02)
+    assert still.sum() > 0.95 * (FRAME.ids == WALL).sum()
+    body = FRAME.ids == PERSON
+    assert np.abs(moved - whole)[body].mean() < 0.1 * whole[body].mean()
