@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from storyblender.geometry.framing import project
-from storyblender.geometry.moves import eased, end_of_move, in_between
+from storyblender.geometry.moves import eased, followed, in_between, moved
 from storyblender.geometry.orbit import between, dolly, orbit, pan, roll, safe_distance, stand, swivel
 
 CAMERA = stand((0.3, 1.0, 1.5), 30, 10, 4, 50)
@@ -86,7 +86,7 @@ def test_between_looks_from_a_place_to_a_target() -> None:
     ],
 )
 def test_moves_end_where_their_name_says(movement, direction, check) -> None:
-    assert check(CAMERA, end_of_move(CAMERA, movement, direction))
+    assert check(CAMERA, moved(CAMERA, movement, direction))
 
 
 @pytest.mark.parametrize("movement", ["track", "pan"])
@@ -94,18 +94,18 @@ def test_following_keeps_the_walker_where_they_were(movement: str) -> None:
     walker = np.array([0.5, 1.1, 1.6])
     travel = (1.5, 0.4, 0.0)
     before, _ = project(CAMERA, walker)
-    after, _ = project(end_of_move(CAMERA, movement, None, travel), walker + travel)
+    after, _ = project(followed(CAMERA, movement, travel), walker + travel)
     assert after[0] == pytest.approx(before[0], abs=0.03)
 
 
 def test_a_panning_camera_stays_on_its_tripod_all_the_way() -> None:
-    end = end_of_move(CAMERA, "pan", "right")
+    end = moved(CAMERA, "pan", "right")
     for share in (0.25, 0.5, 0.75):
         assert in_between(CAMERA, end, share).position == pytest.approx(CAMERA.position)
 
 
 def test_in_between_meets_both_ends() -> None:
-    end = replace(end_of_move(CAMERA, "orbit", "left"), lens=70)
+    end = replace(moved(CAMERA, "orbit", "left"), lens=70)
     for share, wanted in ((0.0, CAMERA), (1.0, end)):
         got = in_between(CAMERA, end, share)
         assert got.position == pytest.approx(wanted.position)
@@ -115,3 +115,11 @@ def test_in_between_meets_both_ends() -> None:
 def test_easing_rests_at_both_ends() -> None:
     assert (eased(0), eased(0.5), eased(1)) == pytest.approx((0, 0.5, 1))
     assert eased(0.01) < 1e-4
+
+
+@pytest.mark.parametrize("movement", ["pan", "tilt", "orbit", "push in", "zoom out", "truck", "pedestal"])
+def test_half_a_move_back_and_a_whole_one_on_is_half_a_move_on(movement: str) -> None:
+    start, end = moved(CAMERA, movement, None, -0.5), moved(CAMERA, movement, None, 0.5)
+    middle = in_between(start, end, 0.5)
+    assert middle.position == pytest.approx(CAMERA.position, abs=0.15)
+    assert moved(start, movement).position == pytest.approx(end.position, abs=0.15)

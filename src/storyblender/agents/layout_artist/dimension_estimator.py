@@ -1,0 +1,175 @@
+"""The Dimension Estimator: for every asset the one dimension that is surest, in metres (paper, appendix).
+
+People are as tall as their age and gender; things are as large as the catalog's, or as their noun says; words of size
+in the description scale both.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from storyblender.catalog.bodies import typical_stature
+from storyblender.catalog.props import PROPS
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
+from storyblender.reflection import Critique, Fault
+
+Side = Literal["width", "depth", "height"]
+_SIDES: tuple[Side, Side, Side] = ("width", "depth", "height")
+
+_SCALES: dict[str, float] = {
+    **dict.fromkeys(("tiny", "minuscule", "miniature"), 0.5),
+    **dict.fromkeys(("small", "little", "low", "short", "narrow", "compact"), 0.75),
+    **dict.fromkeys(("big", "large", "tall", "wide", "long", "broad"), 1.25),
+    **dict.fromkeys(("huge", "enormous", "massive", "giant", "gigantic", "towering", "colossal"), 1.7),
+}
+_TALL_OR_SMALL = {"tall": 1.06, "towering": 1.1, "giant": 1.12, "huge": 1.08, "big": 1.03,
+                  "short": 0.94, "small": 0.94, "little": 0.94, "petite": 0.93, "tiny": 0.9}  # fmt: skip
+"""People vary less than things."""
+_MEASURE = re.compile(
+    r"(\d+(?:\.\d+)?)[ -]?(mm|millimet(?:er|re)s?|cm|centimet(?:er|re)s?|m|met(?:er|re)s?|feet|foot|ft|inch(?:es)?)\b"
+    r"[ -]?(tall|high|wide|long|deep)?",
+    re.IGNORECASE,
+)
+_UNITS = {"mm": 0.001, "mi": 0.001, "cm": 0.01, "ce": 0.01, "m": 1.0, "me": 1.0, "fe": 0.3048, "fo": 0.3048,
+          "ft": 0.3048, "in": 0.0254}  # fmt: skip
+
+NOUNS: dict[str, tuple[Side, float]] = {
+    # animals
+    "dog": ("height", 0.6), "cat": ("height", 0.3), "horse": ("height", 1.65), "bird": ("height", 0.15),
+    "cow": ("height", 1.45), "sheep": ("height", 0.85), "wolf": ("height", 0.8), "bear": ("height", 1.3),
+    "rat": ("height", 0.1), "snake": ("depth", 1.2), "crow": ("height", 0.3), "owl": ("height", 0.35),
+    # vehicles
+    "car": ("depth", 4.4), "taxi": ("depth", 4.5), "truck": ("depth", 7.0), "van": ("depth", 5.2),
+    "bus": ("depth", 11.0), "bicycle": ("depth", 1.75), "motorcycle": ("depth", 2.1), "boat": ("depth", 4.0),
+    "ship": ("depth", 30.0), "plane": ("width", 20.0), "airplane": ("width", 20.0), "helicopter": ("depth", 12.0),
+    "wagon": ("depth", 3.6), "carriage": ("depth", 3.4), "cart": ("depth", 2.2), "train": ("depth", 20.0),
+    # buildings and the street
+    "house": ("width", 9.0), "cottage": ("height", 5.0), "tower": ("height", 18.0), "tent": ("width", 3.0),
+    "door": ("height", 2.05), "gate": ("width", 3.0), "window": ("width", 1.2), "fence": ("height", 1.1),
+    "fountain": ("width", 3.0), "well": ("height", 1.0), "sign": ("width", 0.8), "lamppost": ("height", 4.0),
+    "tree": ("height", 6.0), "bush": ("height", 1.1), "rock": ("width", 0.9), "log": ("width", 1.6),
+    "gravestone": ("height", 0.9), "statue": ("height", 1.9), "ladder": ("height", 2.4), "flag": ("height", 1.5),
+    # things
+    "table": ("height", 0.75), "lamp": ("height", 0.5), "box": ("width", 0.4), "mirror": ("height", 1.0),
+    "painting": ("width", 0.8), "clock": ("height", 0.35), "pillow": ("width", 0.6), "blanket": ("width", 1.4),
+    "phone": ("height", 0.15), "card": ("width", 0.15), "paper": ("depth", 0.297), "bottle": ("height", 0.3),
+    "coat": ("height", 1.0), "shoe": ("depth", 0.29), "wallet": ("width", 0.11), "ticket": ("width", 0.15),
+    "doll": ("height", 0.35), "toy": ("height", 0.2), "drum": ("width", 0.4), "plant": ("height", 0.8),
+    "stick": ("height", 0.9), "stone": ("width", 0.2), "fruit": ("width", 0.08), "food": ("width", 0.2),
+}  # fmt: skip
+"""Head noun -> its surest side and metres, for what the catalog does not have."""
+_USUAL: tuple[Side, float] = ("height", 0.4)
+_PLAUSIBLE = (0.003, 60.0)
+
+
+@dataclass(frozen=True)
+class DimensionRules:
+    """The Dimension Estimator without a model; its draft is asset id -> dimension."""
+
+    def propose(self, view: Sequence[Asset]) -> dict[str, AssetDimension]:
+        """Return exactly one dimension for each asset."""
+        return {asset.asset_id: estimate(asset) for asset in view}
+
+    def refine(
+        self, draft: dict[str, AssetDimension], critique: Critique, view: Sequence[Asset]
+    ) -> dict[str, AssetDimension]:
+        """Replace what the critic minds by the rules' own estimate."""
+        wrong = {fault.subject for fault in critique.faults}
+        return {asset.asset_id: estimate(asset) if asset.asset_id in wrong else draft[asset.asset_id] for asset in view}
+
+
+@dataclass(frozen=True)
+class DimensionCritic:
+    """Exactly one plausible value for each asset, and people within human reach."""
+
+    def judge(self, draft: dict[str, AssetDimension], view: Sequence[Asset]) -> Critique:
+        """Score ten less two for each asset that is wrong."""
+        faults = [
+            Fault(kind="dimension", subject=asset.asset_id, severity=2.0, message=f"{asset.asset_id}: {problem}")
+            for asset in view
+            if (problem := _problem(asset, draft.get(asset.asset_id)))
+        ]
+        return Critique.of(tuple(faults))
+
+
+def _problem(asset: Asset, dimension: AssetDimension | None) -> str:
+    values = [] if dimension is None else [value for value in dimension.model_dump().values() if value is not None]
+    if len(values) != 1:
+        return f"{len(values)} dimensions are given, one is wanted"
+    if not _PLAUSIBLE[0] <= values[0] <= _PLAUSIBLE[1]:
+        return f"{values[0]} m is not plausible"
+    is_human = asset.asset_type == "character" and asset.look is not None
+    if is_human and not (dimension is not None and dimension.height is not None and 0.4 <= dimension.height <= 2.4):
+        return "a person is given by a height of 0.4 to 2.4 m"
+    return ""
+
+
+def estimate(asset: Asset) -> AssetDimension:
+    """Return the surest dimension of one asset: what the script measures, else what it is."""
+    text = f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
+    measured = _measured(text, asset.asset_type == "character")
+    if measured is not None:
+        return measured
+    if asset.asset_type == "character" and asset.look is not None:
+        return AssetDimension(height=round(min(max(_stature(asset.look, text), 0.4), 2.4), 2))
+    if asset.canonical is not None and asset.canonical.source == "catalog":
+        side, value = _largest(asset.canonical.dimensions)
+    else:
+        side, value = _usual(asset, text)
+    scale = next((factor for word, factor in _SCALES.items() if _says(word, text)), 1.0)
+    return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})
+
+
+def _stature(look: CharacterLook, text: str) -> float:
+    if look.stature is not None:
+        return look.stature
+    genders = ("female", "male") if look.gender == "unknown" else (look.gender,)
+    typical = sum(typical_stature(gender, look.age) for gender in genders) / len(genders)
+    return typical * next((scale for word, scale in _TALL_OR_SMALL.items() if _says(word, text)), 1.0)
+
+
+def _measured(text: str, is_character: bool) -> AssetDimension | None:
+    """Return a size the script states: ``two metres`` is not read, ``2 m tall`` and ``30 cm`` are."""
+    found = _MEASURE.search(text)
+    if found is None:
+        return None
+    unit = found.group(2).lower()
+    value = float(found.group(1)) * _UNITS["m" if unit == "m" else unit[:2]]
+    way = (found.group(3) or "").lower()
+    if not way and is_character:
+        return None
+    side: Side = "width" if way == "wide" else "depth" if way in ("long", "deep") else "height"
+    return AssetDimension(**{side: round(value, 3)}) if _PLAUSIBLE[0] <= value <= _PLAUSIBLE[1] else None
+
+
+def _says(word: str, text: str) -> bool:
+    return re.search(rf"\b{word}\b", text) is not None
+
+
+def _largest(size: tuple[float, float, float]) -> tuple[Side, float]:
+    value = max(size)
+    return _SIDES[size.index(value)], value
+
+
+def _usual(asset: Asset, text: str) -> tuple[Side, float]:
+    """Return the size of the catalog's prop of that name, or of the last known noun in the name."""
+    name = (asset.name or asset.asset_id.replace("_", " ")).lower()
+    words = re.findall(r"[a-z]+", name)
+    for start in range(len(words)):
+        for key in ("_".join(words[start:]), "_".join(words[start:]).removesuffix("s")):
+            if key in PROPS:
+                return _largest(PROPS[key].size)
+    by_tag = {tag: entry for entry in PROPS.values() for tag in entry.tags}
+    for start in range(len(words)):
+        if (entry := by_tag.get(" ".join(words[start:]))) is not None:
+            return _largest(entry.size)
+    for word in [*reversed(words), *re.findall(r"[a-z]+", text)]:
+        for noun in (word, word.removesuffix("s")):
+            if noun in NOUNS:
+                return NOUNS[noun]
+            if noun in PROPS:
+                return _largest(PROPS[noun].size)
+    return _USUAL

@@ -1,0 +1,69 @@
+import pytest
+
+from storyblender.agents.layout_artist.dimension_estimator import NOUNS, DimensionCritic, DimensionRules, estimate
+from storyblender.catalog.props import PROPS
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
+
+
+def thing(name: str, description: str = "") -> Asset:
+    return Asset(asset_id=name.replace(" ", "_"), asset_type="object", name=name, description=description or name)
+
+
+def person(description: str = "a person", **look) -> Asset:
+    return Asset(asset_id="someone", asset_type="character", description=description, look=CharacterLook(**look))
+
+
+def only(dimension: AssetDimension) -> tuple[str, float]:
+    ((side, value),) = [(side, value) for side, value in dimension.model_dump().items() if value is not None]
+    return side, value
+
+
+def test_people_follow_age_and_gender() -> None:
+    man, woman, girl = (
+        estimate(person(gender=gender, age=age)).height for gender, age in (("male", 35), ("female", 35), ("female", 6))
+    )
+    assert man is not None and woman is not None and girl is not None
+    assert 1.7 < man < 1.85
+    assert 1.55 < woman < man
+    assert 1.0 < girl < 1.3
+
+
+def test_a_stated_stature_and_a_written_measure_win() -> None:
+    assert estimate(person(stature=1.93)).height == 1.93
+    assert only(estimate(thing("statue", "a bronze statue, 3.5 m tall"))) == ("height", 3.5)
+    assert only(estimate(thing("knife", "a 30 cm long knife"))) == ("depth", 0.3)
+    assert only(estimate(thing("wall sign", "8 feet wide"))) == ("width", pytest.approx(2.438))
+
+
+def test_words_of_size_scale_things_more_than_people() -> None:
+    plain, huge = (only(estimate(thing("crate", words)))[1] for words in ("a crate", "a huge crate"))
+    assert huge == pytest.approx(plain * 1.7, rel=0.02)
+    plain, tall = (estimate(person(words)).height for words in ("a man", "a tall man"))
+    assert plain is not None and tall is not None
+    assert 1.03 < tall / plain < 1.1
+
+
+def test_the_head_noun_counts() -> None:
+    assert only(estimate(thing("dressing table")))[1] == pytest.approx(max(PROPS["dressing_table"].size), abs=0.01)
+    assert only(estimate(thing("old village well"))) == NOUNS["well"]
+    assert only(estimate(thing("red sports car"))) == ("depth", 4.4)
+
+
+def test_every_draft_of_the_rules_passes_the_critic() -> None:
+    assets = [
+        *(thing(name) for name in ("apple", "castle", "frobnicator", "tiny ring", "huge ship")),
+        person(age=3),
+        person(age=90).model_copy(update={"asset_id": "elder"}),
+        Asset(asset_id="dog", asset_type="character", description="a dog"),
+    ]
+    draft = DimensionRules().propose(assets)
+    assert DimensionCritic().judge(draft, assets).faults == ()
+
+
+def test_the_critic_wants_exactly_one_value_and_the_rules_repair_it() -> None:
+    assets = [thing("apple"), person()]
+    draft = {"apple": AssetDimension(width=0.1, height=0.1), "someone": AssetDimension(height=4.0)}
+    critique = DimensionCritic().judge(draft, assets)
+    assert {fault.subject for fault in critique.faults} == {"apple", "someone"}
+    repaired = DimensionRules().refine(draft, critique, assets)
+    assert DimensionCritic().judge(repaired, assets).score == 10

@@ -1,0 +1,168 @@
+import itertools
+import math
+
+import pytest
+
+from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.layout_things import layout_violations
+from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules, plan_layout
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.scene_context import Environment, Layout, LayoutObject, Relation, SceneSetup
+from storyblender.memory.shot_context import BodyState
+
+SEAT = Anchor(kind="seat", location=(0, -0.24, 0.46), size=(0.46, 0.45))
+DESK = Anchor(kind="top", location=(0, -0.05, 0.76), size=(1.2, 0.4))
+EDGE = Anchor(kind="top", location=(0, 0.22, 1.65), size=(0.8, 0.04))
+
+
+def measure(asset_id: str, *size: float, anchors=(), person: bool = False) -> AssetMeasure:
+    kind = "character" if person else "object"
+    return AssetMeasure(
+        asset_id=asset_id, digest="", geometry_hash="", dimensions=size, anchors=anchors, asset_type=kind
+    )
+
+
+MEASURES = {
+    each.asset_id: each
+    for each in (
+        *(measure(name, 1.1, 0.35, 1.75, person=True) for name in ("ana", "ben", "cal", "dee")),
+        measure("chair", 0.46, 0.52, 0.92, anchors=(SEAT,)),
+        measure("table", 1.4, 0.8, 0.75, anchors=(Anchor(kind="top", location=(0, 0, 0.75), size=(1.4, 0.8)),)),
+        measure("dresser", 1.2, 0.5, 1.65, anchors=(EDGE, DESK)),
+        measure("jewel_box", 0.2, 0.14, 0.1),
+        measure("painting", 0.8, 0.05, 0.6),
+        measure("cat", 0.2, 0.45, 0.3),
+        measure("wardrobe", 1.2, 0.6, 2.0),
+        measure("bar", 2.4, 0.6, 1.1),
+    )
+}
+
+
+def plan(kit: str = "plain_room") -> SetPlan:
+    bare = plan_of(Environment(kit=kit if kit in SETS else next(iter(SETS))))
+    return bare.model_copy(update={"furnishings": ()})
+
+
+def brief(pending=(), relations=(), people=(), **more) -> LayoutBrief:
+    states = tuple(who if isinstance(who, BodyState) else BodyState(asset_id=who) for who in people)
+    related = tuple(Relation(asset_id=a, kind=kind, anchor_asset_id=b) for a, kind, b in relations)
+    ids = (*pending, *(state.asset_id for state in states))
+    return LayoutBrief(
+        1, SceneSetup(asset_ids=ids, relations=related), MEASURES, plan(), pending=tuple(pending), states=states, **more
+    )
+
+
+def solved(view: LayoutBrief) -> dict[str, LayoutObject]:
+    outcome = plan_layout(view)
+    assert outcome.critique.faults == ()
+    return {item.node_id: item for item in outcome.draft.objects}
+
+
+def forward(item: LayoutObject) -> tuple[float, float]:
+    yaw = math.radians(item.rotation[2])
+    return math.sin(yaw), -math.cos(yaw)
+
+
+@pytest.mark.parametrize("kit", list(SETS))
+def test_every_set_takes_people_and_things_without_a_fault(kit: str) -> None:
+    view = brief(["table", "jewel_box", "painting"], [("jewel_box", "on", "table")], ["ana", "ben", "cal"])
+    view = LayoutBrief(**{**view.__dict__, "plan": plan(kit), "groups": (("ana", "ben"),)})
+    assert plan_layout(view).critique.faults == ()
+
+
+def test_two_who_talk_face_each_other_at_talking_distance_open_to_the_audience() -> None:
+    at = solved(brief(people=["ana", "ben"]))
+    ana, ben = at["ana"], at["ben"]
+    apart = math.dist(ana.location, ben.location)
+    assert 1.0 <= apart <= 1.4
+    assert abs(ana.location[0] - ben.location[0]) > 0.8, "side by side for the audience"
+    way = [(b - a) / apart for a, b in zip(ana.location, ben.location, strict=True)]
+    assert forward(ana)[0] * way[0] + forward(ana)[1] * way[1] > math.cos(math.radians(45))
+    assert forward(ana)[1] < -0.1 and forward(ben)[1] < -0.1, "cheated towards the audience"
+
+
+def test_a_group_is_open_to_the_audience_and_nobody_hides_another() -> None:
+    at = solved(brief(people=["ana", "ben", "cal"], groups=(("ana", "ben"), ("ben", "cal"))))
+    xs = sorted(at[name].location[0] for name in ("ana", "ben", "cal"))
+    assert all(right - left > 0.35 for left, right in itertools.pairwise(xs))
+
+
+def test_the_jewel_box_is_on_the_desk_not_on_the_mirror() -> None:
+    at = solved(brief(["dresser", "jewel_box"], [("jewel_box", "on", "dresser")]))
+    assert at["jewel_box"].location[2] == pytest.approx(0.76)
+    assert at["jewel_box"].relationship == "on_top_of"
+
+
+def test_whoever_sits_is_at_the_seats_front_edge_with_its_yaw() -> None:
+    at = solved(brief(["chair"], people=[BodyState(asset_id="ana", posture="sit", support_id="chair"), "ben"]))
+    chair, ana = at["chair"], at["ana"]
+    assert ana.anchor_asset_id == "chair"
+    assert ana.location[2] == pytest.approx(0.46)
+    assert math.dist(ana.location[:2], chair.location[:2]) == pytest.approx(0.24, abs=0.01)
+    assert ana.rotation[2] == pytest.approx(chair.rotation[2], abs=0.2)
+
+
+def test_relations_decide_sides() -> None:
+    at = solved(brief(["table", "cat", "wardrobe"], [("cat", "under", "table"), ("wardrobe", "left_of", "table")]))
+    assert math.dist(at["cat"].location[:2], at["table"].location[:2]) < 0.3
+    assert at["cat"].location[2] == 0
+    assert at["wardrobe"].location[0] < at["table"].location[0]
+
+
+def test_behind_the_bar_is_at_its_own_back() -> None:
+    counter = LayoutObject(node_id="bar", asset_id="bar", location=(-1.2, 0, 0), rotation=(0, 0, 90), fixed=True)
+    at = solved(brief(dressed=(counter,), relations=[("ana", "behind", "bar")], people=["ana", "ben"]))
+    assert at["ana"].location[0] < -1.5
+    assert at["bar"] == counter
+
+
+def test_a_picture_hangs_on_a_wall_facing_the_room() -> None:
+    view = brief(["painting"], placements={"painting": "wall"})
+    painting, size = solved(view)["painting"], view.plan.size
+    x, y, z = painting.location
+    assert z > 0.9
+    assert min(abs(x - size.x), abs(x - size.x_negative), abs(y - size.y), abs(y - size.y_negative)) < 0.1
+    assert forward(painting)[0] * x + forward(painting)[1] * y < 0
+
+
+def test_what_is_held_or_dressed_is_not_placed_again() -> None:
+    table = LayoutObject(node_id="set_table", asset_id="table", location=(0, 1, 0), fixed=True)
+    layout = plan_layout(brief(dressed=(table,), people=["ana"])).draft
+    assert [item.node_id for item in layout.objects] == ["set_table", "ana"]
+
+
+def test_an_earlier_scenes_furniture_stays_where_it_was() -> None:
+    first = plan_layout(brief(["table", "wardrobe"], people=["ana", "ben"])).draft
+    again = solved(brief(["table", "wardrobe"], people=["ana", "cal"], reference=first))
+    for item in first.objects:
+        if item.asset_id in ("table", "wardrobe"):
+            assert again[item.node_id].location == pytest.approx(item.location, abs=1e-3)
+
+
+def test_the_same_brief_gives_the_same_layout() -> None:
+    view = brief(["table", "jewel_box", "wardrobe"], people=["ana", "ben", "cal"], groups=(("ana", "cal"),))
+    assert plan_layout(view).draft == plan_layout(view).draft
+
+
+def test_every_fault_is_found_and_refine_mends_it() -> None:
+    view = brief(["table", "wardrobe"], people=["ana"])
+    good = SpatialRules().propose(view)
+    items = {item.node_id: item for item in good.objects}
+    x, y, _ = items["table"].location
+    items["wardrobe"] = items["wardrobe"].model_copy(update={"location": (x + 0.2, y, 0.4)})
+    broken = Layout(scene_size=good.scene_size, objects=tuple(items.values()))
+    faults = layout_violations(broken, MEASURES, view.plan)
+    assert {"penetration", "floor"} <= {fault.kind for fault in faults}
+    assert all(fault.fix for fault in faults)
+    critic = LayoutCritic()
+    mended = SpatialRules().refine(broken, critic.judge(broken, view), view)
+    assert critic.judge(mended, view).faults == ()
+
+
+def test_whoever_has_no_place_is_named() -> None:
+    view = brief(people=["ana"])
+    empty = Layout(scene_size=view.plan.size)
+    assert [(fault.kind, fault.subject) for fault in LayoutCritic().judge(empty, view).faults] == [("missing", "ana")]
