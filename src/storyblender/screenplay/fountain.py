@@ -7,10 +7,9 @@ characters (``. ! @ > ~``) lie outside an element's span; emphasis lies inside i
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import NamedTuple
 
-from storyblender.errors import InputError
+from storyblender.screenplay.comments import blank, find_comments
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _HEADING = re.compile(r"(?:INT|EXT|EST|INT\.?/EXT|EXT\.?/INT|I/E|E/I)(\.?)(?=[\s.]|$)", re.IGNORECASE)
@@ -89,19 +88,12 @@ def is_heading(line: str) -> bool:
     return bool(match) and len(line) > match.end() and (bool(match[1]) or line == line.upper())
 
 
-@dataclass
-class _Comment:
-    kind: ElementKind
-    start: int
-    end: int
-
-
 class _Reader:
     def __init__(self, text: str, path: str) -> None:
         self.text = text
         self.path = path
-        self.comments = self._find_comments()
-        self.shown = self._blank_comments()
+        self.comments = find_comments(text, path)
+        self.shown = blank(text, self.comments)
         self.lines = self._split_lines()
         self.elements: list[Element] = []
         self.at = 0
@@ -118,35 +110,6 @@ class _Reader:
             title_page=title_page,
             elements=tuple(sorted(self.elements, key=lambda element: element.start)),
         )
-
-    def _find_comments(self) -> list[_Comment]:
-        found: list[_Comment] = []
-        position = 0
-        while opening := re.compile(r"/\*|\[\[").search(self.text, position):
-            boneyard = opening[0] == "/*"
-            end = self.text.find("*/" if boneyard else "]]", opening.end())
-            another = -1 if boneyard else self.text.find("[[", opening.end())
-            if end < 0 or 0 <= another < end:
-                what, mark = ("boneyard", "*/") if boneyard else ("note", "]]")
-                raise InputError(
-                    f"a {what} is opened with {opening[0]} and never closed",
-                    mend=f"close it with {mark}",
-                    path=self.path or None,
-                    line=self.text.count("\n", 0, opening.start()) + 1,
-                )
-            position = end + 2
-            found.append(_Comment("boneyard" if boneyard else "note", opening.start(), position))
-        return found
-
-    def _blank_comments(self) -> str:
-        pieces, position = [], 0
-        for comment in self.comments:
-            pieces += [
-                self.text[position : comment.start],
-                re.sub(r"[^\n]", " ", self.text[comment.start : comment.end]),
-            ]
-            position = comment.end
-        return "".join([*pieces, self.text[position:]])
 
     def _split_lines(self) -> list[_Line]:
         lines, start = [], 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director.assembly import Assembly
+from storyblender.agents.director.company import Company
 from storyblender.agents.director.coverage import cover
 from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, breathe
 from storyblender.agents.director.directions import attach_notes
@@ -11,6 +12,7 @@ from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
+from storyblender.agents.director.shot_details import ShotDetails
 from storyblender.agents.director.wording import listed, one_line
 from storyblender.memory.graph import Storyboard
 
@@ -27,19 +29,23 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
     """
     settings = settings or DirectorSettings()
     reading = expand_groups(reading)
-    assembly = Assembly(reading, settings)
+    company = Company(reading)
+    assembly = Assembly(reading, company)
     notes = attach_notes(reading)
+    units_of: dict[int, list[int]] = {}
+    for number, unit in enumerate(reading.units):
+        units_of.setdefault(unit.scene, []).append(number)
     outline, details, shots = [], [], []
     for index, scene in enumerate(reading.scenes):
-        numbered = [(number, unit) for number, unit in enumerate(reading.units) if unit.scene == index]
-        units = [unit for _, unit in numbered]
-        own_notes = {place: notes[number] for place, (number, _) in enumerate(numbered) if number in notes}
+        numbers = units_of.get(index, [])
+        units = [reading.units[number] for number in numbers]
+        own_notes = {place: notes[number] for place, number in enumerate(numbers) if number in notes}
         drafts = cut(reading, cover(reading, scene, units, own_notes), settings)
         outline.append(assembly.scene_outline(scene, drafts))
         details.append(assembly.scene_context(scene, units))
-        shots += assembly.shot_contexts(scene, units, drafts)
+        shots += ShotDetails(reading, company, scene, units).write(drafts, settings.fps)
     return Storyboard(
-        story_summary=_summary(reading, assembly),
+        story_summary=_summary(reading, company),
         storyboard_outline=tuple(outline),
         asset_sheet=assembly.asset_sheet(),
         scene_details=tuple(details),
@@ -57,13 +63,13 @@ def cut(reading: Reading, drafts: list[ShotDraft], settings: DirectorSettings) -
     return kept
 
 
-def _summary(reading: Reading, assembly: Assembly) -> str:
+def _summary(reading: Reading, company: Company) -> str:
     """Return the writer's own synopses, or the title, the cast and the first sentence."""
     synopses = [one_line(element.text) for element in reading.screenplay.elements if element.kind == "synopsis"]
     if synopses:
         return " ".join(synopses[:6])
     title = one_line(reading.screenplay.title)
-    cast = listed([assembly.names[person.id] for person in assembly.people[:5] if person.id in assembly.actors])
+    cast = listed([company.names[person.id] for person in company.people[:5] if person.id in company.actors])
     first = next((one_line(unit.text) for unit in reading.units if unit.kind == "action"), "")
     places = len({scene.place for scene in reading.scenes})
     opening = f"{title}: " if title else ""

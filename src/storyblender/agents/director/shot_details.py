@@ -1,0 +1,221 @@
+"""The shots of a scene as the graph keeps them: bodies, actions, changes and the camera of each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from string import capwords
+
+from storyblender.agents.director.company import Company, unique
+from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.durations import frames, shot_seconds
+from storyblender.agents.director.motion_families import GETTING, SPOKEN
+from storyblender.agents.director.reading import Deed, Reading, SceneReading, Unit
+from storyblender.agents.director.staging import Staging
+from storyblender.agents.director.wording import camera_sentence, deed_words, mood_of
+from storyblender.memory.shot_context import (
+    AssetModification,
+    CameraInstruction,
+    CharacterAction,
+    Flag,
+    ShotContext,
+)
+from storyblender.memory.vocabulary import DISTANCE_OF_SIZE
+
+_OUT_OF = (
+    r"(?:draws?|drew|produces?d?|fish(?:es|ed)?)\b|(?:pulls?|pulled|takes?|took)\b.*\b(?:out"
+    r"|from (?:his|her|their|a|the) \w*\s?(?:jacket|coat|pocket|bag|purse|sleeve|belt|satchel))\b"
+)
+_UNSTAGED = ("intercut", "split_screen", "match_cut")
+_POV_LENS = 35.0
+"""mm: about what an eye takes in."""
+
+
+class ShotDetails:
+    """Writes the shots of one scene, in order.
+
+    Args:
+        reading: What the script says.
+        company: Who and what is on the sheet.
+        scene: The scene.
+        units: Its units.
+    """
+
+    def __init__(self, reading: Reading, company: Company, scene: SceneReading, units: Sequence[Unit]) -> None:
+        self.company = company
+        self.scene = scene
+        self.text = reading.screenplay.text
+        start, end = min((unit.start for unit in units), default=0), max((unit.end for unit in units), default=0)
+        self.flags = [flag for flag in reading.flags if start <= flag.start <= end]
+        self.staging = Staging(units, company.assets)
+        self.told: set[int] = set()
+        """Starts of the units that a shot has played."""
+        self.seen: set[str] = set()
+        """Things that have been in view."""
+
+    def write(self, drafts: Sequence[ShotDraft], fps: int) -> tuple[ShotContext, ...]:
+        """Return the shots; bodies and things are carried from one to the next.
+
+        Args:
+            drafts: The final cut.
+            fps: Frames per second of the project.
+        """
+        return tuple(self._shot(number, draft, fps) for number, draft in enumerate(drafts, 1))
+
+    def _shot(self, number: int, draft: ShotDraft, fps: int) -> ShotContext:
+        states = self.staging.states(draft)
+        fresh = [beat.unit for beat in draft.beats if beat.unit.start not in self.told]
+        self.told |= {unit.start for unit in fresh}
+        on_stage = [person for person in draft.on_stage if person in self.company.actors]
+        light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), None)
+        return ShotContext(
+            scene_id=self.scene.id,
+            shot_id=number,
+            on_stage=tuple(on_stage),
+            in_frame=tuple(self._in_frame(draft, on_stage)),
+            states=tuple(state for state in states if state.asset_id in self.company.actors),
+            asset_modifications=tuple(self._modifications(fresh)),
+            character_actions=tuple(self._actions(draft, on_stage)),
+            new_lighting_description=light,
+            sound_effect=", ".join(unique(sound for unit in fresh for sound in unit.sounds)) or None,
+            camera_instruction=self._camera(draft),
+            duration=frames(shot_seconds(draft, self.text), fps),
+            flags=tuple(self._flags(draft, fresh)),
+        )
+
+    def _flags(self, draft: ShotDraft, units: Sequence[Unit]) -> list[Flag]:
+        """What the reader was not sure of in these words, and what of a direction cannot be staged."""
+        found = [
+            flag
+            for flag in self.flags
+            if any(unit.start <= flag.start < max(unit.end, unit.start + 1) for unit in units)
+        ]
+        if draft.note and draft.note.kind in _UNSTAGED and draft.beats:
+            unit, what = draft.beats[0].unit, draft.note.kind.replace("_", " ")
+            reason = f"{what} is recognised but not staged"
+            found.append(Flag(topic="camera", choice="plain shot", reason=reason, start=unit.start, end=unit.end))
+        return found
+
+    def _in_frame(self, draft: ShotDraft, on_stage: Sequence[str]) -> list[str]:
+        shown = [*draft.focus, *([draft.over] if draft.over else [])]
+        if draft.kind == "establishing" and not draft.explicit:
+            shown += on_stage
+        return [person for person in unique(shown) if person in on_stage and person != draft.pov]
+
+    def _camera(self, draft: ShotDraft) -> CameraInstruction:
+        return CameraInstruction(
+            focus_on_ids=tuple(each for each in draft.focus if each in self.company.assets),
+            kind=draft.kind,
+            size=draft.size,
+            angle=draft.angle,
+            distance=DISTANCE_OF_SIZE[draft.size],
+            movement=draft.movement,
+            direction=draft.direction,
+            over_id=draft.over,
+            pov_id=draft.pov if draft.pov in self.company.actors else None,
+            lens=_POV_LENS if draft.kind == "pov" else None,
+            axis=draft.axis,
+            description=camera_sentence(draft, self.company.names, capwords(self.scene.place)),
+            explicit=draft.explicit,
+        )
+
+    def _modifications(self, units: Sequence[Unit]) -> list[AssetModification]:
+        """What changes: doors and lamps, things that break or go, things that are brought out of a pocket."""
+        found: list[AssetModification] = []
+        for unit in units:
+            for deed in unit.deeds:
+                if (
+                    deed.prop in self.company.assets
+                    and deed.prop not in self.seen
+                    and _brought_out(deed, unit, self.text)
+                ):
+                    hand = f"in the hand of {self.company.names.get(deed.actor, deed.actor)}"
+                    found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
+            for change in unit.changes:
+                if change.subject in self.company.assets:
+                    found.append(
+                        AssetModification(
+                            asset_id=change.subject,
+                            modification_type="remove" if change.state == "gone" else "transform",
+                            description=f"{self.company.names[change.subject]}: {change.state}",
+                            state=change.state,
+                        )
+                    )
+            self.seen.update(unit.things)
+            self.seen.update(deed.prop for deed in unit.deeds if deed.prop)
+        return found
+
+    def _actions(self, draft: ShotDraft, on_stage: Sequence[str]) -> list[CharacterAction]:
+        """What everybody in the shot does: deeds, speech, faces; whoever is seen and does nothing listens or waits."""
+        actions: list[CharacterAction] = []
+        for index, beat in enumerate(draft.beats):
+            actions += self._deeds(beat, index) if beat.start == beat.unit.start else []
+            if beat.unit.kind == "dialogue":
+                actions += self._speech(beat, index)
+        busy = {action.asset_id for action in actions}
+        speaker = next((b.unit.speaker for b in draft.beats if b.unit.kind == "dialogue" and b.unit.speaker), None)
+        for person in self._in_frame(draft, on_stage):
+            if person in busy:
+                continue
+            heard = speaker if speaker in self.company.names else None
+            actions.append(
+                CharacterAction(
+                    asset_id=person,
+                    action_description=f"listens to {self.company.names[heard]}" if heard else "waits",
+                    motion="listen" if heard else "idle",
+                    target_id=heard if heard in self.company.assets else None,
+                )
+            )
+        return actions
+
+    def _deeds(self, beat: Beat, index: int) -> list[CharacterAction]:
+        unit = beat.unit
+        found: list[CharacterAction] = []
+        for deed in unit.deeds:
+            if deed.actor not in self.company.actors or (unit.kind == "dialogue" and deed.motion in SPOKEN):
+                continue
+            face = unit.expressions.get(deed.actor, "")
+            found.append(
+                CharacterAction(
+                    asset_id=deed.actor,
+                    action_description=deed_words(deed, unit, self.text),
+                    motion="idle" if self.staging.already(deed, unit) else deed.motion,
+                    target_id=deed.target if deed.target in self.company.assets else None,
+                    prop_id=deed.prop if deed.prop in self.company.assets else None,
+                    distance=deed.distance,
+                    mood=deed.mood if deed.mood != "neutral" else mood_of(face),
+                    line_index=index,
+                )
+            )
+        acting = {action.asset_id for action in found}
+        for person, face in unit.expressions.items():
+            if person in self.company.actors and person not in acting and person != unit.speaker:
+                found.append(
+                    CharacterAction(asset_id=person, action_description=face, mood=mood_of(face), line_index=index)
+                )
+        return found
+
+    def _speech(self, beat: Beat, index: int) -> list[CharacterAction]:
+        unit = beat.unit
+        if unit.speaker not in self.company.actors or unit.speaker not in unit.on_stage or unit.off_screen:
+            return []
+        spoken = next((deed for deed in unit.deeds if deed.actor == unit.speaker and deed.motion in SPOKEN), None)
+        motion = spoken.motion if spoken else "talk"
+        to = unit.to if unit.to in self.company.assets else None
+        words = " ".join((unit.parenthetical, unit.expressions.get(unit.speaker, "")))
+        return [
+            CharacterAction(
+                asset_id=unit.speaker,
+                action_description=f"speaks to {self.company.names[to]}" if to else "speaks",
+                motion=motion,
+                target_id=to,
+                mood=spoken.mood if spoken and spoken.mood != "neutral" else mood_of(words),
+                line_index=index,
+            )
+        ]
+
+
+def _brought_out(deed: Deed, unit: Unit, text: str) -> bool:
+    """Whether a thing comes out of clothes or a bag, so that it was not to be seen before."""
+    words = deed_words(deed, unit, text).lower()
+    return deed.motion in GETTING and bool(re.match(_OUT_OF, words))
