@@ -49,6 +49,12 @@ class Motion:
     hands: int = 0
 
 
+TURN_IN_STRIDE = 50.0
+"""Degrees; larger turns are done on the spot."""
+TURN_STEP = 55.0
+"""Degrees; both feet step once per this much of a turn on the spot."""
+TURN_STEP_SECONDS = 0.26
+
 UPRIGHT: tuple[Posture, ...] = ("stand",)
 AWAKE: tuple[Posture, ...] = ("stand", "sit", "kneel", "crouch", "lean")
 
@@ -58,7 +64,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("idle", "stand at ease", ("wait", "stay", "stand"), 1.0, ("idle", "stand"), stretches=True),
         # travel
         Motion(
-            "walk", "walk", ("go", "enter", "leave", "cross"), 0.6, ("walk", "swim"), 1.25, True, UPRIGHT, "stand", "place"
+            "walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk", "swim"), 1.25, True, UPRIGHT, "stand", "place"
         ),
         Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
         Motion("sneak", "sneak", ("tiptoe", "creep"), 0.8, ("sneak",), 0.7, True, UPRIGHT, "stand", "place"),
@@ -162,18 +168,23 @@ def clip_of(motion: str) -> Motion:
     return MOTIONS[CLIP_OF.get(motion, motion if motion in MOTIONS else "idle")]
 
 
-def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1.7, turn: float = 0.0) -> float:
+def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1.7) -> float:
     """Return how long a motion takes.
 
     Args:
         motion: Which.
         distance: Metres of the way, for motions that travel.
-        stature: Metres; small people are quicker and slower on their feet at once: time and speed grow with its root.
-        turn: Degrees to turn before and after.
+        stature: Metres; small people step faster but travel slower: time and speed grow with its root.
     """
     root = math.sqrt(stature / 1.7)
     seconds = motion.seconds * (root if motion.speed or motion.after else 1.0)
     if motion.speed and distance > 0:
         seconds += distance / (motion.speed * root)
-    steps = math.ceil(abs(turn) / 55) if abs(turn) > 50 else 0
-    return seconds + (0.6 * steps * root + 0.1 if steps else 0.0)
+    return seconds
+
+
+def turning_seconds(degrees: float, stature: float = 1.7) -> float:
+    """Return how long a turn on the spot takes; small turns are done in the first or last step of a walk."""
+    if abs(degrees) <= TURN_IN_STRIDE:
+        return 0.0
+    return 2 * TURN_STEP_SECONDS * math.ceil(abs(degrees) / TURN_STEP) * math.sqrt(stature / 1.7) + 0.1

@@ -6,6 +6,7 @@ Plan view only: metres, world frame, X and Y (notes: motion, section 4).
 from __future__ import annotations
 
 import heapq
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -19,6 +20,11 @@ Bounds = tuple[float, float, float, float]
 Track = Callable[[float], Vec2]
 """Where somebody is at a time in seconds."""
 Floats = NDArray[np.float64]
+
+BEFORE_SEAT = 0.18
+"""Metres times k from a seat's edge to where one stands; nearer, clothes cut the chair while turning."""
+LEG_ROOM = 0.17
+"""Metres times k to the next thing, in front of a seat, from which one can stand up straight."""
 
 GRID = 0.10
 """Cell of the search grid in metres."""
@@ -168,7 +174,31 @@ def round_corners(points: Sequence[Vec2], radius: float = CORNER) -> list[Vec2]:
 
 def path_length(points: Sequence[Vec2]) -> float:
     """Return the length of a polyline in metres."""
-    return sum(math.dist(a, b) for a, b in zip(points, points[1:], strict=False))
+    return sum(math.dist(a, b) for a, b in itertools.pairwise(points))
+
+
+def seat_access(edge: Vec2, yaw: float, width: float, k: float, obstacles: Sequence[Footprint], seat: str) -> Vec2:
+    """Return where one stands before sitting down and after getting up.
+
+    In front of the seat; beside it where a table leaves no room in front.
+
+    Args:
+        edge: Middle of the seat's front edge.
+        yaw: Where the sitter faces, radians.
+        width: Of the furniture, metres.
+        k: Stature over 1.7 m.
+        obstacles: Furniture and walls.
+        seat: Name of the furniture among the obstacles.
+    """
+    forward, right = np.array([math.sin(yaw), -math.cos(yaw)]), np.array([math.cos(yaw), math.sin(yaw)])
+    before = np.asarray(edge) + BEFORE_SEAT * k * forward
+    others = [box for box in obstacles if box.name != seat]
+    if float(clearance(before[None], others)[0]) >= LEG_ROOM * k:
+        return float(before[0]), float(before[1])
+    aside = [np.asarray(edge) - 0.12 * k * forward + side * (width / 2 + 0.28 * k) * right for side in (1, -1)]
+    room = clearance(np.array(aside), obstacles)
+    spot = aside[int(room.argmax())] if float(room.max()) > LEG_ROOM * k else before
+    return float(spot[0]), float(spot[1])
 
 
 def waiting_time(

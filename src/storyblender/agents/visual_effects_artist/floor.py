@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan, Wall
-from storyblender.geometry.paths import Footprint, Vec2, clearance, find_path
+from storyblender.geometry.paths import Footprint, Vec2, clearance, find_path, seat_access
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout
@@ -159,7 +159,7 @@ class Floor:
             count = max(8, int(2 * math.pi * radius / 0.2))
             turns = np.linspace(0, 2 * math.pi, count, endpoint=False)
             rings += [(float(radius * math.sin(a)), float(-radius * math.cos(a))) for a in turns]
-        points = np.array(wish) + np.array(rings)
+        points = np.asarray(rings, float) + np.asarray(wish, float)
         fits = clearance(points, self.obstacles()) >= need
         for person in people:
             fits &= np.hypot(*(points - person).T) >= apart
@@ -201,6 +201,11 @@ class Floor:
                 edge = thing.world((x + right[0] * slide, y + right[1] * slide, z))
                 places.append(SeatPlace(thing.node_id, anchor.name, edge[:2], yaw))
         return places
+
+    def access(self, seat: SeatPlace, k: float) -> Vec2:
+        """Return where one stands before sitting down: in front, or beside a seat at a table."""
+        thing = self.things[seat.node_id]
+        return seat_access(seat.edge, seat.yaw, thing.size[0], k, self.obstacles(), seat.node_id)
 
     def beds(self, name: str | None) -> list[tuple[SeatPlace, float]]:
         """Return each long edge of a bed as a place to sit before lying down, and the yaw from head to feet."""

@@ -89,7 +89,7 @@ def by_chest(
     pole: Triple = ELBOW,
     curl: Triple = (18, 25, 0),
 ) -> TargetOf:
-    """A place in the chest's frame: outwards, forwards and up from the shoulder, in arm lengths; directions likewise."""
+    """A place in the chest's frame: outwards, forwards, up from the shoulder, in arm lengths; directions likewise."""
 
     def flip(v: Triple) -> Vector:
         return Vector((sign(side) * v[0], -v[1], v[2]))
@@ -130,7 +130,7 @@ def upright(
 def by_head(
     who: Performer, side: str, at: Triple, fingers: Triple, normal: Triple, *, pole: Triple, curl: Triple
 ) -> TargetOf:
-    """A place rigid to the head: outwards, forwards, up from the eyes in metres times k; elbow in the person's frame."""
+    """A place rigid to the head: outwards, forwards, up from the eyes, metres times k; elbow in the person's frame."""
 
     def flip(v: Triple) -> Vector:
         return Vector((sign(side) * v[0], -v[1], v[2]))

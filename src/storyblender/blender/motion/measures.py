@@ -1,4 +1,4 @@
-"""What the solver measures once of every body: limbs, extents, and the contact heights of sitting (notes: motion, 3)."""
+"""What the solver measures of every body: limbs, extents, and the contact heights of sitting (notes: motion, 3)."""
 
 from __future__ import annotations
 

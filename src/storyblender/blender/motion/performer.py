@@ -109,6 +109,8 @@ class Performer:
         self.glances = [(t, self.rng.normal(0, 2.2), self.rng.normal(0, 1.2)) for t in glances]
         self.position, self.yaw = Vector((0, 0)), 0.0
         self.posture, self.support = "stand", ""
+        self.bedside: object | None = None
+        """The seat from which they lay down, and where they get up again."""
         self.held: dict[str, str] = {}
         self.free = dict.fromkeys(("body", "head", "L", "R"), 0.0)
         self.place = Vector((0, 0, 0))

@@ -15,7 +15,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
 from storyblender.blender.motion.skeleton import SIDES
-from storyblender.geometry.paths import Footprint, Track, Vec2, clearance, find_path
+from storyblender.geometry.paths import Footprint, Track, Vec2, clearance, find_path, seat_access
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Mark
 from storyblender.memory.vocabulary import Mood
@@ -38,12 +38,21 @@ class Seat:
         height: Of the sitting surface.
         depth: From front edge to backrest.
         yaw: Where the sitter faces, radians.
+        node_id: Of the furniture; empty for the floor.
+        width: Of the furniture.
     """
 
     edge: Vector
     height: float
     depth: float
     yaw: float
+    node_id: str = ""
+    width: float = 0.5
+
+    @property
+    def before(self) -> Vector:
+        """Unit vector on the floor out of the seat."""
+        return Vector((math.sin(self.yaw), -math.cos(self.yaw)))
 
 
 @dataclass(frozen=True)
@@ -161,13 +170,15 @@ class Stage:
     def seat(self, node_id: str | None, mark: Mark | None) -> Seat | None:
         """Return the seat a mark means: the anchor's height, depth and facing at the mark's place along the edge."""
         furniture = self.furniture(node_id)
-        anchor = self.anchor(furniture, ("seat", "bed"), mark) if furniture else None
+        anchor = None
+        if furniture is not None:
+            anchor = self.anchor(furniture, ("seat",), mark) or self.anchor(furniture, ("bed",), mark)
         if furniture is None or anchor is None:
             return None
         world = Matrix(furniture.world.tolist())
         place = world @ Vector(anchor.location)
         if anchor.kind == "bed":
-            return self._bedside(world, anchor, mark)
+            return self._bedside(world, anchor, mark, node_id or "")
         yaw = facing_yaw(world.to_3x3() @ Vector(anchor.direction))
         edge = place.xy
         if mark is not None:
@@ -175,9 +186,9 @@ class Stage:
             slide = (Vector(mark.location).xy - edge).dot(along)
             room = max(0.0, anchor.size[0] / 2 - 0.22)
             edge = edge + along * max(-room, min(room, slide))
-        return Seat(edge, place.z, anchor.size[1] or 0.4, yaw)
+        return Seat(edge, place.z, anchor.size[1] or 0.4, yaw, self._name_of(furniture), furniture.dimensions[0])
 
-    def _bedside(self, world: Matrix, bed: Anchor, mark: Mark | None) -> Seat:
+    def _bedside(self, world: Matrix, bed: Anchor, mark: Mark | None, node_id: str) -> Seat:
         """Return the seat on a bed's long edge that is nearest to the mark."""
         middle = world @ Vector(bed.location)
         feet = (world.to_3x3() @ Vector(bed.direction)).xy.normalized()
@@ -185,7 +196,15 @@ class Stage:
         width = bed.size[0] or 0.9
         if mark is not None and (Vector(mark.location).xy - middle.xy).dot(side) < 0:
             side = -side
-        return Seat(middle.xy + side * (width / 2), middle.z, width, facing_yaw(Vector((*side, 0))))
+        return Seat(middle.xy + side * (width / 2), middle.z, width, facing_yaw(Vector((*side, 0))), node_id)
+
+    def _name_of(self, furniture: StageFurniture) -> str:
+        return next((name for name, each in self.plan.furniture.items() if each is furniture), "")
+
+    def access(self, who: Performer, seat: Seat) -> Vector:
+        """Return where a person stands before sitting down on a seat."""
+        boxes = [box for box in self.footprints(who) if box.name not in self.people]
+        return Vector(seat_access(tuple(seat.edge), seat.yaw, seat.width, who.m.k, boxes, seat.node_id))
 
     # --- ways -----------------------------------------------------------------------------------------------------
 

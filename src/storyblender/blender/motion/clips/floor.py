@@ -10,9 +10,9 @@ from mathutils import Matrix, Vector
 from storyblender.blender.motion.channel import Floats, TargetOf, turn_between
 from storyblender.blender.motion.clips.gaze import look_at, mood
 from storyblender.blender.motion.clips.handling import approach
-from storyblender.blender.motion.clips.locomotion import SNEAK, face, goal_of, step_to, travel
+from storyblender.blender.motion.clips.locomotion import SNEAK, goal_of, step_to, travel
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.clips.seat import refill_hands, seat_mark, seat_meant, settle, stand_up
+from storyblender.blender.motion.clips.seat import go_to_seat, refill_hands, seat_meant, settle, stand_up
 from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee, upright
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import standing
@@ -100,14 +100,13 @@ def lie_down(stage: Stage, who: Performer, beat: Beat) -> float:
     seat = seat_meant(stage, who, beat)
     t = beat.start
     if seat is not None and who.posture != "sit":
-        before = seat_mark(who, seat)
-        if t < 0:
-            who.put(before.x, before.y, seat.yaw)
-        else:
-            t = face(who, travel(stage, who, beat, (before.x, before.y), seat.yaw), seat.yaw)
-        t = settle(stage, who, seat, t)
+        reached = go_to_seat(stage, who, beat, seat)
+        if reached is None:
+            return t
+        t = settle(stage, who, seat, reached)
     head = middle.xy - feet * (bed.size[1] / 2 - 0.10)
     who.support = support or ""
+    who.bedside = seat
     return recline(stage, who, t, head, feet, middle.z)
 
 

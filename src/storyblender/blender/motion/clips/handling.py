@@ -34,7 +34,7 @@ def approach(stage: Stage, who: Performer, beat: Beat, place: Vector, reach: flo
     if who.posture in ("sit", "lie", "asleep", "kneel"):
         return beat.start
     if toward.length > reach:
-        spot = _standing_spot(stage, who, place, 0.75 * reach)
+        spot = _standing_spot(stage, who, place, 0.8 * reach)
         if spot is None:
             stage.report("unreachable", who, beat, f"{who.asset_id} finds no place to stand", toward.length - reach)
             return beat.start
@@ -50,7 +50,7 @@ def _standing_spot(stage: Stage, who: Performer, place: Vector, reach: float) ->
     """Return the free spot around a point that is nearest to the person."""
     around = [
         place.xy + Vector((math.sin(a), math.cos(a))) * r
-        for r in (0.8 * reach, reach, 1.25 * reach)
+        for r in (0.75 * reach, 0.9 * reach, 1.1 * reach, 1.25 * reach)
         for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)
     ]
     free = clearance(np.array(around), stage.footprints(who)) > who.m.radius + 0.5 * PADDING

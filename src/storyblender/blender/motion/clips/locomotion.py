@@ -14,14 +14,13 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.performer import Gait, Performer
 from storyblender.blender.motion.skeleton import SIDES, other
 from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.catalog.motions import TURN_IN_STRIDE, TURN_STEP, TURN_STEP_SECONDS
 from storyblender.geometry.paths import Vec2, waiting_time
 
 NEAR = 0.06
 """Metres; a mark that near is already reached."""
-TURN_FIRST = math.radians(50)
+TURN_FIRST = math.radians(TURN_IN_STRIDE)
 """Larger turns are done on the spot; smaller ones in the first or last steps."""
-TURN_STEP = math.radians(55)
-"""Both feet step once per this much of a turn on the spot."""
 
 
 @dataclass(frozen=True)
@@ -288,7 +287,7 @@ def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, 
     return t + duration
 
 
-def face(who: Performer, t: float, yaw: float, step: float = 0.30) -> float:
+def face(who: Performer, t: float, yaw: float) -> float:
     """Turn on the spot to a yaw with footsteps, and return the end."""
     turn = turn_between(who.yaw, yaw)
     x, y = who.position
@@ -297,8 +296,8 @@ def face(who: Performer, t: float, yaw: float, step: float = 0.30) -> float:
             who.root.set(t, 0.3, (x, y, who.yaw + turn))
             who.yaw += turn
         return t
-    count = max(1, math.ceil(abs(turn) / TURN_STEP))
-    beat = step * math.sqrt(who.m.k)
+    count = max(1, math.ceil(abs(turn) / math.radians(TURN_STEP)))
+    beat = TURN_STEP_SECONDS * math.sqrt(who.m.k)
     length = 2 * count * beat + 0.1
     who.root.set(t, 0.95 * length, (x, y, who.yaw + turn))
     lead = "L" if turn > 0 else "R"

@@ -13,20 +13,20 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import hanging, on_thigh
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import carried
-from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Seat, Stage
+from storyblender.geometry.paths import BEFORE_SEAT
 from storyblender.memory.shot_context import Mark
 
-BEFORE_SEAT = 0.18
-"""Metres times k from the seat's edge to where one stands; nearer, clothes cut the chair while turning."""
+ASIDE = 0.12
+"""Metres; who stands farther from the spot before a seat comes to it, or leaves it, sideways."""
 FLOOR_SEAT = 0.30
 """Seats lower than this are sat on with the feet stretched out."""
 
 
 def seat_mark(who: Performer, seat: Seat) -> Vector:
-    """Return where to stand before sitting down."""
-    forward = Vector((math.sin(seat.yaw), -math.cos(seat.yaw)))
-    return seat.edge + forward * (BEFORE_SEAT * who.m.k)
+    """Return where the feet of a sitter are: in front of the seat's edge."""
+    return seat.edge + seat.before * (BEFORE_SEAT * who.m.k)
 
 
 def seat_meant(stage: Stage, who: Performer, beat: Beat) -> Seat | None:
@@ -58,16 +58,22 @@ def sit(stage: Stage, who: Performer, beat: Beat) -> float:
         stage.report("no_support", who, beat, f"{who.asset_id} has nothing to sit on")
         return beat.start
     t = beat.start
-    before = seat_mark(who, seat)
-    if t < 0:
-        who.put(before.x, before.y, seat.yaw)
-    else:
-        t = travel(stage, who, beat, (before.x, before.y), seat.yaw)
-        t = face(who, t, seat.yaw)
-        if (who.position - before).length > 0.15:
-            return t
+    t = go_to_seat(stage, who, beat, seat)
+    if t is None:
+        return beat.start
     who.support = beat.mark.support_id or "" if beat.mark else ""
     return settle(stage, who, seat, t)
+
+
+def go_to_seat(stage: Stage, who: Performer, beat: Beat, seat: Seat) -> float | None:
+    """Walk to a seat and turn the back to it; before the shot, be there. Return the end, None where there is no way."""
+    if beat.start < 0:
+        before = seat_mark(who, seat)
+        who.put(before.x, before.y, seat.yaw)
+        return beat.start
+    place = stage.access(who, seat)
+    t = face(who, travel(stage, who, beat, (place.x, place.y), seat.yaw), seat.yaw)
+    return t if (who.position - place).length < 0.15 else None
 
 
 def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
@@ -75,9 +81,12 @@ def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
     m, k = who.m, who.m.k
     forward = who.forward
     depth = min(0.80 * m.thigh, max(0.08, seat.depth - m.seat_back - 0.02))
-    back = depth - (seat.edge - who.position).dot(forward)
+    before = seat_mark(who, seat)
+    back = depth - (seat.edge - before).dot(forward)
     dy, height = back - m.hip_y, seat.height + m.seat_drop
     whole = 1.15 * math.sqrt(k)
+    if (who.position - before).length > ASIDE:
+        t = _slide(who, t, before, (0, 0.55 * dy, 0.84 * m.hip_height, 24, 0, 0))
     half_way = (0, 0.42 * dy, 0.60 * m.hip_height + 0.40 * height, 30, 0, 0)
     who.hips.set(t, 0.5 * whole, half_way, ease=smoothstep)
     who.spine.set(t, 0.5 * whole, (16, 0, 0))
@@ -86,13 +95,29 @@ def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
     who.pinned.set(t, 0.9 * whole, 1.0)
     who.life.set(t, whole, 0.5)
     who.seated.set(t + 0.25 * whole, 0.70 * whole, 1.0)
-    hips = who.position - forward * (back)
+    hips = who.position - forward * back
     for side in SIDES:
         _seat_foot(who, side, t, whole, height, hips, forward)
         who.home[side] = on_thigh(who, side)
     refill_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
     who.posture = "sit"
     return t + 1.1 * whole
+
+
+def _slide(who: Performer, t: float, place: Vector, hips: tuple[float, ...]) -> float:
+    """Move sideways between chair and table, half up; return the end."""
+    k = who.m.k
+    way = place - who.position
+    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    lead = "R" if way.dot(right) < 0 else "L"
+    who.hips.set(t, 0.5, hips)
+    who.spine.set(t, 0.5, (16, 0, 0))
+    who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
+    step_to(who, lead, t + 0.1, 0.36, who.plant(lead, place.x, place.y, who.yaw), 0.04 * k)
+    rear = other(lead)
+    step_to(who, rear, t + 0.48, 0.36, who.plant(rear, place.x, place.y, who.yaw), 0.04 * k)
+    who.position = place
+    return t + 0.75
 
 
 def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float, hips: Vector, forward: Vector) -> None:
@@ -128,14 +153,20 @@ def stand_up(stage: Stage, who: Performer, t: float) -> float:
     if who.posture in ("lie", "asleep"):
         t = _sit_up(stage, who, t)
     if who.posture == "sit":
-        return _leave_seat(stage, who, t)
+        seat = stage.seat(who.support, _here(who)) if who.support else None
+        return _leave_seat(stage, who, t, stage.access(who, seat) if seat else who.position)
     return _straighten(stage, who, t)
 
 
-def _leave_seat(stage: Stage, who: Performer, t: float) -> float:
-    k, x, y = who.m.k, *who.position
+def _leave_seat(stage: Stage, who: Performer, t: float, place: Vector) -> float:
+    """Stand up in front of the seat, or, where there is no room, beside it."""
+    k = who.m.k
     whole = 1.1 * math.sqrt(k)
     now = who.hips(t)
+    if (who.position - place).length > ASIDE:
+        t = _slide(who, t, place, (0, 0.75 * now[1], 0.80 * who.standing_height, 24, 0, 0))
+        now = who.hips(t)
+    x, y = who.position
     for side in SIDES:
         pose = who.plant(side, x, y, who.yaw, back=0.04 * k)
         step_to(who, side, t + (0 if side == "L" else 0.12), 0.25, pose, 0.015 * k)
@@ -180,7 +211,7 @@ def _sit_up(stage: Stage, who: Performer, t: float) -> float:
     """From lying: on a bed to its edge, on the floor to a kneel."""
     k = who.m.k
     whole = 1.6 * math.sqrt(k)
-    seat = stage.seat(who.support, _here(who)) if who.support else None
+    seat = who.bedside if isinstance(who.bedside, Seat) else None
     who.look_freely(t + 0.3)
     if seat is None:
         x, y = who.position

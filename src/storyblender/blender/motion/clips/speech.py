@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from storyblender.blender.motion.channel import ease_out
+from storyblender.blender.motion.channel import clamp, ease_out
 from storyblender.blender.motion.clips.gaze import look_at_subject, mood
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head
@@ -78,13 +78,14 @@ def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
     gesturing = lead is not None and manner.size > 0 and end - t > 1.2 and who.posture not in ("lie", "asleep")
     if gesturing:
         who.lean_after.set(t, 0, 0.0)
+    room = _room(stage, who, beat)
     stroke = t + 0.15
     while stroke < end - 0.5:
         swing = rng.uniform(-6, 6) * manner.size
         if gesturing and lead is not None:
             active = lead if len(hands) < 2 or rng.random() < 0.75 else other(lead)
             for side in hands:
-                _gesture(who, side, stroke, manner, side == active, side == lead, rng)
+                _gesture(who, side, stroke, manner, side == active, side == lead, room, rng)
         depth = rng.uniform(3, 7) * manner.size + 2
         who.nod.set(stroke + 0.4 * manner.period, 0.14, (depth, rng.uniform(-4, 4) * manner.size, 0.8 * swing))
         who.nod.set(stroke + 0.75 * manner.period, 0.25, (0, rng.uniform(-2, 2), 0))
@@ -104,8 +105,23 @@ def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
     return end
 
 
+def _room(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Return the share of a full gesture there is room for before the listener."""
+    if beat.target is None:
+        return 1.0
+    gap = (stage.ground_of(beat.target) - who.position).length
+    return clamp((gap - 0.35) / (1.25 * who.m.arm), 0.55, 1.0)
+
+
 def _gesture(
-    who: Performer, side: str, t: float, manner: Manner, active: bool, lead: bool, rng: np.random.Generator
+    who: Performer,
+    side: str,
+    t: float,
+    manner: Manner,
+    active: bool,
+    lead: bool,
+    room: float,
+    rng: np.random.Generator,
 ) -> None:
     """One gesture: a preparation of half a period, then a fast stroke."""
     period = manner.period
@@ -121,9 +137,14 @@ def _gesture(
     if manner.chops:
         finger = (2, 80, 25)
         ready = by_chest(
-            who, side, (-0.02 + 0.5 * out, 0.62, 0.22 + raised), (-0.1, 0.75, 0.75), (-0.75, 0.3, -0.5), curl=finger
+            who,
+            side,
+            (-0.02 + 0.5 * out, 0.62 * room, 0.22 + raised),
+            (-0.1, 0.75, 0.75),
+            (-0.75, 0.3, -0.5),
+            curl=finger,
         )
-        struck = by_chest(who, side, (-0.10 + 0.5 * out, 1.0, -0.12), (-0.12, 1, -0.05), (-0.7, 0, -0.7), curl=finger)
+        struck = by_chest(who, side, (-0.10 + 0.5 * out, room, -0.12), (-0.12, 1, -0.05), (-0.7, 0, -0.7), curl=finger)
         who.hands[side].set(t, 0.45 * period, ready)
         who.hands[side].set(t + 0.5 * period, 0.13, struck, ease=ease_out)
         return

@@ -20,6 +20,8 @@ from storyblender.blender.motion.puppets import PropPuppet, carried
 from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
+WORKING = 1.2
+"""Arm lengths on the floor between a person and what their hands work on."""
 Offset = Callable[[float], Vector]
 """Movement of a hand over time, in the person's frame: aside, forwards, up."""
 
@@ -105,7 +107,7 @@ def close(stage: Stage, who: Performer, beat: Beat) -> float:
 
 def _handle(stage: Stage, who: Performer, beat: Beat, pull: float) -> float:
     place, surface = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    t = approach(stage, who, beat, place, WORKING * who.m.arm)
     place, surface = handle_of(stage, who, beat)
     look_at(who, t, tuple(place))
     lift = surface is not None
@@ -131,7 +133,7 @@ def _handle(stage: Stage, who: Performer, beat: Beat, pull: float) -> float:
 def knock(stage: Stage, who: Performer, beat: Beat) -> float:
     """Rap three times with the knuckles at head height."""
     place, _ = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    t = approach(stage, who, beat, place, WORKING * who.m.arm)
     place = place + who.facing_at(t) @ Vector((-0.12 * sign(beat.side), 0.06, 0))
     place.z = 0.97 * who.m.shoulder_height
     look_at(who, t, tuple(place))
@@ -149,7 +151,7 @@ def knock(stage: Stage, who: Performer, beat: Beat) -> float:
 def press(stage: Stage, who: Performer, beat: Beat) -> float:
     """Press a button or touch a thing with the forefinger."""
     place, _ = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
+    t = approach(stage, who, beat, place, WORKING * who.m.arm)
     look_at(who, t, tuple(place))
     back = 0.085 * who.m.k
 
@@ -177,7 +179,7 @@ def _shove(stage: Stage, who: Performer, beat: Beat, way: int) -> float:
     k = who.m.k
     partner = beat.target if isinstance(beat.target, Performer) else None
     place = partner.to_ground(0.95) if partner else handle_of(stage, who, beat)[0]
-    t = approach(stage, who, beat, place, 0.9 * who.m.arm)
+    t = approach(stage, who, beat, place, WORKING * who.m.arm)
     place = partner.to_ground(0.95) if partner else handle_of(stage, who, beat)[0]
     place = place.copy()
     place.z = min(place.z, 0.85 * who.m.shoulder_height) if not partner else 0.92 * partner.m.shoulder_height
@@ -270,9 +272,9 @@ def _labour(
     stage: Stage, who: Performer, beat: Beat, move: Callable[[float, str], Vector], sides: str, bend: float
 ) -> float:
     """Hands at work on a surface or a thing, for the duration."""
-    place, surface = handle_of(stage, who, beat)
-    t = approach(stage, who, beat, place, 0.95 * who.m.arm)
-    place, surface = handle_of(stage, who, beat)
+    place, _ = handle_of(stage, who, beat)
+    t = approach(stage, who, beat, place, WORKING * who.m.arm)
+    place, _ = handle_of(stage, who, beat)
     end = t + max(1.2, beat.duration or 2.6)
     bent = reach_down(who, t, 0.7, place.z)
     look_at(who, t, tuple(place))

@@ -1,0 +1,334 @@
+"""The company: people and props of a scene, where they are and what they hold, carried from shot to shot. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from storyblender.agents.visual_effects_artist.floor import Floor, SeatPlace, Thing, facing
+from storyblender.catalog.motions import clip_of
+from storyblender.geometry.paths import Vec2
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Vec3
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.shot_context import BodyState, CharacterAction, Mark, PropState, ShotContext
+from storyblender.memory.vocabulary import Hand, Posture
+
+SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
+HAND_SIZE = 0.6
+"""Metres; the second largest extent of what a person can carry."""
+
+
+@dataclass
+class Person:
+    """Somebody of the scene, as of the cue written last."""
+
+    asset_id: str
+    k: float
+    place: Vec2 = (0.0, 0.0)
+    yaw: float = 0.0
+    posture: Posture = "stand"
+    support: str | None = None
+    anchor: str = ""
+    held: dict[Hand, str] = field(default_factory=dict)
+    present: bool = False
+    busy: float = 0.0
+    """Second of the shot until which the body acts."""
+    acted: bool = False
+    """Has moved in this shot: the start mark stands."""
+
+    @property
+    def upright(self) -> bool:
+        """Can walk off without getting up."""
+        return self.posture == "stand"
+
+    def mark(self, **changes: object) -> Mark:
+        """Return where this person is."""
+        values: dict[str, object] = {
+            "asset_id": self.asset_id,
+            "location": (round(self.place[0], 3), round(self.place[1], 3), 0.0),
+            "yaw": round(math.degrees(self.yaw) % 360.0, 1),
+            "posture": self.posture,
+            "support_id": self.support,
+            "anchor_name": self.anchor,
+            "held": tuple(sorted(self.held.items())),
+        }
+        return Mark.model_validate({**values, **changes})
+
+    def hand_of(self, prop: str) -> Hand | None:
+        """Return the hand that holds a prop."""
+        return next((hand for hand, held in self.held.items() if held == prop), None)
+
+    def free_hand(self) -> Hand | None:
+        """Return an empty hand, the right one first."""
+        return "R" if "R" not in self.held else "L" if "L" not in self.held else None
+
+
+class Company:
+    """Everybody and everything that moves in a scene.
+
+    Args:
+        floor: Where things are.
+        assets: Characters with their statures, objects with their sizes.
+        objects: The layout, for the people's first places.
+
+    Attributes:
+        people: By asset id.
+        lying: Where every prop lies that nobody holds.
+        touched: Props that left their places, in order.
+        jumps: Places people are cut to before the next shot, because nobody can walk there.
+    """
+
+    def __init__(self, floor: Floor, assets: Sequence[Asset], objects: Sequence[LayoutObject]) -> None:
+        self.floor = floor
+        self.assets = {asset.asset_id: asset for asset in assets}
+        self.home: dict[str, tuple[Vec2, float]] = {
+            item.asset_id: (item.location[:2], math.radians(item.rotation[2])) for item in reversed(objects)
+        }
+        self.people = {
+            asset.asset_id: Person(asset.asset_id, _stature(asset) / 1.7)
+            for asset in assets
+            if asset.asset_type == "character"
+        }
+        self.lying: dict[str, Vec3] = {
+            thing.asset_id: thing.location for thing in reversed(list(floor.things.values()))
+        }
+        self.touched: dict[str, None] = {}
+        self.jumps: dict[str, tuple[Vec2, float]] = {}
+
+    def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
+        """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
+        for person in cast:
+            person.busy, person.acted = 0.0, False
+            if person.present:
+                continue
+            person.posture, person.support, person.anchor = "stand", None, ""
+            others = [p.place for p in cast if p.present]
+            first = next((a for a in shot.character_actions if a.asset_id == person.asset_id), None)
+            place, yaw = self.home.get(person.asset_id, (self.middle(), 0.0))
+            enters = first is not None and clip_of(first.motion).speed is not None and self.enter_marks()
+            if enters:
+                mark = min(self.enter_marks(), key=lambda spot: math.dist(spot, place))
+                person.place, person.yaw = mark, facing(mark, place)
+            else:
+                person.place = self.floor.free_near(place, person.k, others)
+                person.yaw = yaw
+            person.present = True
+
+    def leave(self, stay: Sequence[str]) -> None:
+        """End a shot: who is not needed is off, who could not walk is cut to where they belong."""
+        for person in self.people.values():
+            person.present = person.present and person.asset_id in stay
+            if person.asset_id in self.jumps:
+                person.place, person.yaw = self.jumps.pop(person.asset_id)
+
+    def enter_marks(self) -> list[Vec2]:
+        """Return where people come in."""
+        return [mark.location[:2] for mark in self.floor.marks if "enter" in mark.tags]
+
+    def exit_marks(self) -> list[Vec2]:
+        """Return where people go out."""
+        return [mark.location[:2] for mark in self.floor.marks if "exit" in mark.tags] or self.enter_marks()
+
+    def middle(self) -> Vec2:
+        """Return the middle of the playing area."""
+        x0, y0, x1, y1 = self.floor.bounds
+        return (x0 + x1) / 2, (y0 + y1) / 2
+
+    def apply_states(self, states: Sequence[BodyState]) -> None:
+        """Bring people into the postures and hands the script says they are in, between shots."""
+        for state in states:
+            person = self.people.get(state.asset_id)
+            if person is None or not person.present:
+                continue
+            self.apply_posture(person, state)
+            for hand, prop in list(person.held.items()):
+                if prop not in state.held:
+                    del person.held[hand]
+            for prop in state.held:
+                if prop in self.assets:
+                    self.hand_over(person, prop)
+
+    def apply_posture(self, person: Person, state: BodyState) -> None:
+        """Bring a person into a posture by a cut."""
+        support = self.floor.thing(state.support_id)
+        same_support = support is None or person.support == support.node_id
+        if state.posture == person.posture and (same_support or person.posture == "stand"):
+            return
+        if state.posture == "stand":
+            if not person.upright:
+                self.stand_beside(person)
+        elif state.posture == "sit":
+            seat = self.seat_for(person, state.support_id)
+            if seat is not None:
+                self.take_seat(person, seat)
+            else:
+                person.posture, person.support, person.anchor = "sit", None, ""
+        elif state.posture in ("lie", "asleep"):
+            self.go_to_bed(person, state.support_id, state.posture)
+        else:
+            if not person.upright:
+                self.stand_beside(person)
+            if state.posture == "lean" and support is not None:
+                self.go_to_rail(person, support)
+            person.posture = state.posture
+
+    def stand_beside(self, person: Person) -> None:
+        """Stand up by a cut: before the seat, or at the nearest free spot."""
+        seats = [s for s in self.floor.seats(person.support) if math.dist(s.edge, person.place) < 0.7]
+        wish = self.floor.access(seats[0], person.k) if seats else person.place
+        person.place = wish if seats else self.floor.free_near(wish, person.k, self.others(person))
+        person.posture, person.support, person.anchor = "stand", None, ""
+
+    def others(self, person: Person) -> list[Vec2]:
+        """Return where everybody else on stage is."""
+        return [p.place for p in self.people.values() if p.present and p is not person]
+
+    def seat_for(self, person: Person, name: str | None) -> SeatPlace | None:
+        """Return the free seat of a thing that is nearest, or the nearest free seat of the set if none is named."""
+        taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
+        names = [name] if name else [thing.node_id for thing in self.floor.things.values()]
+        same = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name]
+        seats = [seat for each in same or names for seat in self.floor.seats(each)]
+        free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
+        if not name:
+            free = [seat for seat in free if math.dist(seat.edge, person.place) < 4.0]
+        return min(free or (seats if name else []), key=lambda seat: math.dist(seat.edge, person.place), default=None)
+
+    def take_seat(self, person: Person, seat: SeatPlace) -> None:
+        """Sit on a seat by a cut."""
+        person.place, person.yaw, person.posture = seat.edge, seat.yaw, "sit"
+        person.support, person.anchor = seat.node_id, seat.anchor
+
+    def go_to_bed(self, person: Person, name: str | None, posture: Posture) -> None:
+        """Lie on a bed by a cut, on the side with more room; on the floor where there is none."""
+        beds = self.floor.beds(name)
+        if beds:
+            edge, _ = max(
+                beds, key=lambda bed: min(0.6, self.floor.room_at(bed[0].before(person.k), (bed[0].node_id,)))
+            )
+            person.place, person.yaw = edge.edge, edge.yaw
+            person.support, person.anchor, person.posture = edge.node_id, edge.anchor, posture
+            return
+        seat = self.seat_for(person, name) if name else None
+        if seat is not None and posture == "asleep":
+            self.take_seat(person, seat)
+        else:
+            person.support, person.anchor = None, ""
+        person.posture = posture
+
+    def go_to_rail(self, person: Person, thing: Thing) -> None:
+        """Stand close before a bar, a rail or a wall."""
+        point = self.rail(person, thing)
+        away = facing(point, person.place)
+        gap = 0.16 * person.k + 0.12
+        person.place = (point[0] + gap * math.sin(away), point[1] - gap * math.cos(away))
+        person.yaw, person.support = facing(person.place, point), thing.node_id
+
+    def rail(self, person: Person, thing: Thing) -> Vec2:
+        """Return the point of a thing's outline that is nearest to a person."""
+        lx, ly = thing.local(person.place)
+        half = thing.size[0] / 2, thing.size[1] / 2
+        x, y = max(-half[0], min(half[0], lx)), max(-half[1], min(half[1], ly))
+        if abs(x) < half[0] and abs(y) < half[1]:
+            y = -half[1]
+        return thing.world((x, y, 0.0))[:2]
+
+    def place_loose_props(self, shot: ShotContext) -> None:
+        """Props that somebody is about to take and that the layout forgot lie on the nearest table, or are in hand."""
+        for action in shot.character_actions:
+            prop, person = self.prop_of(action), self.people.get(action.asset_id)
+            if prop is None or person is None or not person.present or prop in self.lying or self.holder(prop):
+                continue
+            if clip_of(action.motion).key in ("pick_up", "take"):
+                top = self.floor.nearest_top(person.place, 6.0)
+                near = self.floor.top_of(top, person.place) if top else (*person.place, 0.0)
+                self.lying[prop] = near if top else (near[0] + 0.35 * math.sin(person.yaw), near[1] - 0.35, 0.0)
+                self.touched[prop] = None
+            else:
+                self.hand_over(person, prop)
+
+    def prop_of(self, action: CharacterAction) -> str | None:
+        """Return the thing an action handles, if it is one that can be carried."""
+        for name in (action.prop_id, action.target_id):
+            asset = self.assets.get(name or "")
+            if asset is None or asset.asset_type != "object":
+                continue
+            size = asset.canonical.dimensions if asset.canonical else (0.2, 0.2, 0.2)
+            if sorted(size)[1] <= HAND_SIZE:
+                thing = self.floor.thing(asset.asset_id)
+                if name == action.prop_id or (thing is None or not thing.of_kind("seat", "bed")):
+                    return asset.asset_id
+        return None
+
+    def holder(self, prop: str) -> Person | None:
+        """Return who holds a prop."""
+        return next((p for p in self.people.values() if p.hand_of(prop)), None)
+
+    def hand_over(self, person: Person, prop: str) -> Hand | None:
+        """Let a person hold a prop; whoever held it does not any more."""
+        already = person.hand_of(prop)
+        if already:
+            return already
+        hand = person.free_hand()
+        if hand is None:
+            return None
+        for other in self.people.values():
+            other.held = {h: held for h, held in other.held.items() if held != prop}
+        person.held[hand] = prop
+        self.lying.pop(prop, None)
+        self.touched[prop] = None
+        return hand
+
+    def clear_of_props(self, spot: Vec3) -> Vec3:
+        """Move a place on a top aside until nothing stands there."""
+        taken = [place for place in self.lying.values() if abs(place[2] - spot[2]) < 0.1]
+        for dx, dy in ((0.0, 0.0), (0.18, 0.0), (-0.18, 0.0), (0.0, 0.16), (0.0, -0.16), (0.3, 0.1), (-0.3, 0.1)):
+            moved = (spot[0] + dx, spot[1] + dy, spot[2])
+            if all(math.dist(moved[:2], place[:2]) > 0.15 for place in taken):
+                return moved
+        return spot
+
+    def lay(self, person: Person, prop: str, place: Vec3) -> None:
+        """Let a prop lie somewhere; nobody holds it any more."""
+        person.held = {hand: held for hand, held in person.held.items() if held != prop}
+        self.lying[prop] = place
+        self.touched[prop] = None
+
+    def keep(self, shot: ShotContext) -> None:
+        """Take over the ends of a shot whose blocking the user has locked."""
+        for blocking in shot.blocking:
+            person = self.people.get(blocking.end.asset_id)
+            if person is not None:
+                person.place, person.yaw = blocking.end.location[:2], math.radians(blocking.end.yaw)
+                person.posture, person.support = blocking.end.posture, blocking.end.support_id
+                person.anchor, person.held, person.present = blocking.end.anchor_name, dict(blocking.end.held), True
+
+    def prop_states(self, shot: ShotContext) -> tuple[PropState, ...]:
+        """Return where every prop that left its place is now."""
+        states = []
+        for prop in self.touched:
+            holder = self.holder(prop)
+            place = self.lying.get(prop)
+            if holder is not None:
+                seen = holder.asset_id in shot.on_stage
+                hand = holder.hand_of(prop)
+                states.append(
+                    PropState(asset_id=prop, visible=seen, held_by=holder.asset_id if seen else None, hand=hand)
+                )
+            else:
+                location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
+                states.append(PropState(asset_id=prop, visible=place is not None, location=location))
+        return tuple(states)
+
+
+def turn_between(a: float, b: float) -> float:
+    """Return the shortest turn from yaw ``a`` to ``b``, radians."""
+    return (b - a + math.pi) % (2 * math.pi) - math.pi
+
+
+def _stature(asset: Asset) -> float:
+    if asset.canonical is not None:
+        return asset.canonical.dimensions[2]
+    return (asset.look.stature if asset.look else None) or 1.7

@@ -1,0 +1,256 @@
+"""The cue sheet of one shot: cues on a clock, and where people go in the time there is. Pure."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+
+from storyblender.agents.visual_effects_artist.company import Company, Person, turn_between
+from storyblender.agents.visual_effects_artist.floor import BODY, facing
+from storyblender.catalog.motions import MOTIONS, natural_seconds, turning_seconds
+from storyblender.geometry.paths import Vec2, path_length
+from storyblender.memory.shot_context import CharacterAction, Cue, Mark, PropState
+
+TALK_DISTANCE = 1.15
+"""Metres between two people who talk; 1.0 to 1.4 reads as talking."""
+CHEAT = math.radians(20)
+"""Bodies turn this much from their partner towards the audience, so that faces read; the head makes up for it."""
+PROFILE = math.radians(48)
+"""Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
+STRETCH = 1.5
+"""A shot may grow to this many times the Director's length before ways are cut short."""
+SLIDE = 0.75
+"""Seconds to come between chair and table, or out."""
+REACH = 0.62
+"""Metres from which a standing person handles a thing."""
+
+
+class CueSheet:
+    """What happens in a shot, as it is being written.
+
+    Args:
+        company: People and props.
+        seconds: The Director's length of the shot.
+        fps: Frames per second.
+        leaving: Who is not on stage in the next shot.
+        starts: Everybody's start mark.
+        props: Where the props are when the shot begins.
+
+    Attributes:
+        clock: Second from which the next action may begin.
+        cheats: What was cut short or moved, one sentence each.
+    """
+
+    def __init__(
+        self,
+        company: Company,
+        seconds: float,
+        fps: int,
+        leaving: set[str],
+        starts: dict[str, Mark],
+        props: tuple[PropState, ...],
+    ) -> None:
+        self.company, self.length, self.fps, self.leaving = company, seconds, fps, leaving
+        self.starts, self.start_props = starts, props
+        self.cues: list[Cue] = []
+        self.cheats: list[str] = []
+        self.clock = 0.2
+
+    def cue(self, person: Person, clip: str, start: float, length: float, **fields: object) -> float:
+        """Write a cue and keep the body busy with it; return its end."""
+        motion = MOTIONS[clip]
+        duration = max(1, round(length * self.fps)) if motion.stretches else None
+        values = {
+            "asset_id": person.asset_id,
+            "clip": clip,
+            "start": max(0, round(start * self.fps)),
+            "duration": duration,
+        }
+        self.cues.append(Cue.model_validate({**values, **fields}))
+        return start + length
+
+    def start_of(self, person: Person, partner: Person | None = None) -> float:
+        """Return when a person, and the partner, may begin the next action."""
+        return max(self.clock, person.busy, partner.busy if partner else 0.0)
+
+    def done(self, person: Person, start: float, end: float, *, holds: bool = False) -> None:
+        """The next action of somebody else may begin soon after this one began, or when it is over."""
+        person.busy, person.acted = max(person.busy, end), True
+        self.clock = max(self.clock, end if holds else start + min(0.9, end - start))
+
+    def rise(self, person: Person, t: float) -> float:
+        """Stand up first, where needed; return the end."""
+        if person.upright:
+            return t
+        end = self.cue(person, "rise", t, natural_seconds(MOTIONS["rise"], stature=1.7 * person.k))
+        if person.posture in ("lie", "asleep"):
+            end += 1.6
+        seats = [s for s in self.company.floor.seats(person.support) if math.dist(s.edge, person.place) < 0.7]
+        if seats:
+            person.place = self.company.floor.access(seats[0], person.k)
+            end += SLIDE if math.dist(person.place, seats[0].before(person.k)) > 0.12 else 0.0
+        elif person.posture in ("lie", "asleep") and person.support:
+            x, y = person.place
+            person.place = (x + 0.18 * person.k * math.sin(person.yaw), y - 0.18 * person.k * math.cos(person.yaw))
+        person.posture, person.support, person.anchor, person.acted = "stand", None, "", True
+        return end
+
+    def go(
+        self, person: Person, goal: Vec2, yaw: float | None, t: float, clip: str = "walk", then: float = 0.0
+    ) -> float:
+        """Walk to a place within the time there is, starting nearer where the way is too long; return the end.
+
+        Args:
+            person: Who.
+            goal: Where to.
+            yaw: Facing on arrival, radians; None keeps the heading.
+            t: Second of the shot.
+            clip: How: a motion that travels.
+            then: Seconds that the person needs after arriving.
+        """
+        t = self.rise(person, t)
+        motion = MOTIONS[clip]
+        people = [p.place for p in self.company.people.values() if p.present and p is not person]
+        people = [spot for spot in people if math.dist(spot, goal) > 0.5 and math.dist(spot, person.place) > 0.3]
+        floor = self.company.floor
+        way = floor.path(person.place, goal, person.k, people) or floor.path(person.place, goal, person.k)
+        if way is None:
+            return self.cut_to(person, goal, yaw, t)
+        length = path_length(way)
+        if length < 0.12:
+            return self.face(person, yaw, t)
+        budget = max(1.8, STRETCH * self.length - t - then - 0.4)
+        seconds = natural_seconds(motion, distance=length, stature=1.7 * person.k)
+        if seconds > budget:
+            speed = (motion.speed or 1.25) * math.sqrt(person.k)
+            fits = max(0.8, (budget - motion.seconds) * speed)
+            if person.asset_id in self.leaving and person.acted:
+                way = cut_way(way, fits)
+            elif not person.acted:
+                way = cut_way(way[::-1], fits)[::-1]
+                self.start_at(person, way[0], facing(way[0], way[1]))
+                self.cheats.append(f"{person.asset_id} starts {length - path_length(way):.1f} m nearer")
+            length = path_length(way)
+            seconds = min(budget, natural_seconds(motion, distance=length, stature=1.7 * person.k))
+        first, last = facing(way[0], way[1]), facing(way[-2], way[-1])
+        turns = (turn_between(person.yaw, first), 0.0 if yaw is None else turn_between(last, yaw))
+        person.place, person.yaw = way[-1], last if yaw is None else yaw
+        whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.k) for turn in turns)
+        end = self.cue(person, clip, t, whole, mark=person.mark(), duration=None)
+        person.acted = True
+        return end
+
+    def cut_to(self, person: Person, goal: Vec2, yaw: float | None, t: float) -> float:
+        """Nobody can walk there: be there from the start of the shot, if the person has not been seen to move."""
+        if not person.acted:
+            self.start_at(person, goal, person.yaw if yaw is None else yaw)
+            self.cheats.append(f"{person.asset_id} is there when the shot begins: there is no way to walk")
+        else:
+            self.company.jumps[person.asset_id] = (goal, person.yaw if yaw is None else yaw)
+            self.cheats.append(f"{person.asset_id} is there when the next shot begins: there is no way to walk")
+        return t
+
+    def start_at(self, person: Person, place: Vec2, yaw: float) -> None:
+        """Move the start mark: the person begins the shot there."""
+        person.place, person.yaw = place, yaw
+        self.starts[person.asset_id] = person.mark(held=self.starts[person.asset_id].held)
+
+    def face(self, person: Person, yaw: float | None, t: float) -> float:
+        """Turn on the spot where the turn is worth it; return the end."""
+        if yaw is None or abs(turn_between(person.yaw, yaw)) < math.radians(30) or not person.upright:
+            return t
+        seconds = turning_seconds(math.degrees(turn_between(person.yaw, yaw)), 1.7 * person.k)
+        person.yaw = yaw
+        self.cue(person, "turn", t, seconds, mark=person.mark())
+        person.acted = True
+        return t + seconds
+
+    def face_person(self, person: Person, other: Person, t: float) -> float:
+        """Turn to somebody, cheated towards the audience; only if they are out of a comfortable look."""
+        yaw = facing(person.place, other.place)
+        if abs(turn_between(person.yaw, yaw)) < math.radians(55):
+            return t
+        return self.face(person, cheated(yaw), t)
+
+    def found_in_hand(self, person: Person, prop: str) -> None:
+        """Let a person hold a prop from the shot's first frame on: a cut nobody sees."""
+        hand = self.company.hand_over(person, prop)
+        if hand is None:
+            return
+        start = self.starts[person.asset_id]
+        if not any(held == prop for _, held in start.held):
+            self.starts[person.asset_id] = start.model_copy(update={"held": (*start.held, (hand, prop))})
+        kept = [state for state in self.start_props if state.asset_id != prop]
+        self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id, hand=hand))
+
+    def beside(self, person: Person, partner: Person, distance: float) -> tuple[Vec2, float]:
+        """Return the free spot at a distance from somebody that reads best: to their side as the audience sees it."""
+        others = [spot for spot in self.company.others(person) if spot != partner.place]
+        x, y = partner.place
+        best: tuple[float, Vec2] | None = None
+        for step in range(24):
+            angle = 2 * math.pi * step / 24
+            spot = (x + distance * math.sin(angle), y - distance * math.cos(angle))
+            room = self.company.floor.room_at(spot)
+            if (
+                room < BODY * person.k
+                or not self.company.floor.inside(spot)
+                or any(math.dist(spot, p) < 0.6 for p in others)
+            ):
+                continue
+            out_of_profile = max(0.0, abs(abs(turn_between(0.0, angle)) - math.pi / 2) - PROFILE)
+            behind = 0.0 if not partner.upright and abs(turn_between(partner.yaw, angle)) < math.radians(75) else 0.6
+            behind = behind if not partner.upright else 0.25 * abs(turn_between(partner.yaw, angle)) / math.pi
+            cost = math.dist(spot, person.place) + 1.5 * out_of_profile + 2.0 * behind
+            if best is None or cost < best[0] - 1e-9:
+                best = (cost, spot)
+        spot = (
+            best[1]
+            if best
+            else self.company.floor.free_near((x, y), person.k, [*others, partner.place], apart=distance)
+        )
+        return spot, cheated(facing(spot, partner.place))
+
+    def goal(self, action: CharacterAction, person: Person, partner: Person | None) -> tuple[Vec2, float | None]:
+        """Return where a way leads: to a person, a thing, out, some metres ahead, or to one's own place."""
+        others = self.company.others(person)
+        if partner is not None:
+            return self.beside(person, partner, TALK_DISTANCE)
+        thing = self.company.floor.thing(action.target_id)
+        if thing is not None:
+            point = self.company.rail(person, thing)
+            spot = self.company.floor.spot_at(point, person.place, person.k, others, REACH)
+            spot = spot or self.company.floor.free_near(point, person.k, others)
+            return spot, facing(spot, thing.location[:2])
+        if person.asset_id in self.leaving and self.company.exit_marks():
+            return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
+        if action.distance:
+            x, y = person.place
+            wish = (x + action.distance * math.sin(person.yaw), y - action.distance * math.cos(person.yaw))
+            return self.company.floor.free_near(wish, person.k, others), None
+        home, yaw = self.company.home.get(person.asset_id, (self.company.middle(), 0.0))
+        if math.dist(home, person.place) > 1.0:
+            return self.company.floor.free_near(home, person.k, others), yaw
+        across = (self.company.middle()[0] * 2 - person.place[0], person.place[1])
+        step = max(-2.5, min(2.5, across[0] - person.place[0])) or 2.0
+        return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.k, others), None
+
+
+def cheated(yaw: float) -> float:
+    """Return a facing turned some degrees towards the audience at -Y."""
+    away = turn_between(yaw, 0.0)
+    return yaw + max(-CHEAT, min(CHEAT, away))
+
+
+def cut_way(way: Sequence[Vec2], length: float) -> list[Vec2]:
+    """Return the first metres of a way."""
+    kept = [way[0]]
+    for a, b in itertools.pairwise(way):
+        step = math.dist(a, b)
+        if step >= length:
+            w = length / max(1e-9, step)
+            return [*kept, (a[0] + (b[0] - a[0]) * w, a[1] + (b[1] - a[1]) * w)]
+        kept.append(b)
+        length -= step
+    return kept

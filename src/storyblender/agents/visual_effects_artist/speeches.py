@@ -1,0 +1,120 @@
+"""Speeches and listening: how long words take, whom they are said to, who looks where meanwhile. Pure."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+
+from storyblender.agents.visual_effects_artist.company import Company, Person
+from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.memory.outline import ScriptLine
+from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
+from storyblender.memory.vocabulary import Mood
+
+SPOKEN = ("talk", "whisper", "shout")
+PARENTHETICALS: tuple[tuple[str, Mood], ...] = (
+    (r"angr|furious|shout|snap|cold|bitter|rage", "angry"),
+    (r"smil|laugh|happ|cheer|excit|grin|joke|bright|amus", "happy"),
+    (r"sad|tear|cry|sob|quiet|broken|weary|tired|mourn", "sad"),
+    (r"afraid|scared|nervous|panick|trembl|whisper|urgent|alarm", "afraid"),
+    (r"soft|tender|gentl|warm|lov|kind", "tender"),
+)
+
+
+class Speeches:
+    """Writes the speeches of one shot.
+
+    Args:
+        company: People and props.
+        sheet: Where the cues go.
+    """
+
+    def __init__(self, company: Company, sheet: CueSheet) -> None:
+        self.company, self.sheet = company, sheet
+
+    def seconds(self, shot: ShotContext, lines: Sequence[ScriptLine]) -> dict[int, float]:
+        """Return the length of every spoken action: its words, fitted into the shot."""
+        spoken: dict[int, float] = {}
+        for number, action in enumerate(shot.character_actions):
+            if clip_of(action.motion).key in SPOKEN:
+                line = _line(action, lines)
+                words = len(re.findall(r"[\w'’-]+", line.text)) if line else 0
+                spoken[number] = max(1.2, words / 2.5 + 0.4) if words else MOTIONS["talk"].seconds
+        total = sum(spoken.values())
+        fit = max(0.5, min(1.0, (self.sheet.length - 0.4) / total)) if total else 1.0
+        return {number: seconds * fit for number, seconds in spoken.items()}
+
+    def speak(
+        self,
+        action: CharacterAction,
+        person: Person,
+        seconds: float,
+        lines: Sequence[ScriptLine],
+        cast: Sequence[Person],
+    ) -> None:
+        """Write a speech, and what everybody else does meanwhile."""
+        line = _line(action, lines)
+        mood = action.mood if action.mood != "neutral" else mood_of(line.parenthetical if line else "")
+        partner = self.company.people.get(action.target_id or "")
+        others = [p for p in cast if p is not person and p.posture != "asleep"]
+        if partner is None or not partner.present or partner is person:
+            partner = min(others, key=lambda p: math.dist(p.place, person.place), default=None)
+        walking = person.busy
+        start = max(self.sheet.clock, walking - 0.8 if person.upright else walking)
+        if partner is not None and start >= walking:
+            start = self.sheet.face_person(person, partner, start)
+        target = partner.asset_id if partner else None
+        end = self.sheet.cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=mood)
+        for listener in others:
+            if listener.busy <= start + 0.3:
+                if math.dist(listener.place, person.place) < 6:
+                    self.sheet.face_person(listener, person, start + 0.1)
+                self.sheet.cue(listener, "listen", start + 0.15, seconds, target_id=person.asset_id)
+            else:
+                self.sheet.cue(listener, "look", max(start, listener.busy), 0.6, target_id=person.asset_id)
+        person.acted = True
+        person.busy = max(person.busy, end)
+        self.sheet.clock = end
+
+    def idle_looks(self, shot: ShotContext, cast: Sequence[Person]) -> None:
+        """Who has nothing to do at first looks where the script says, or at whoever acts."""
+        looks: Mapping[str, str | None] = {state.asset_id: state.looking_at for state in shot.states}
+        first = min(self.sheet.cues, key=lambda cue: cue.start, default=None)
+        for person in cast:
+            if person.posture == "asleep" or any(
+                c.asset_id == person.asset_id and c.start < 12 for c in self.sheet.cues
+            ):
+                continue
+            wanted = looks.get(person.asset_id)
+            thing = self.company.floor.thing(wanted)
+            target = (
+                wanted
+                if wanted in self.company.people and self.company.people[wanted].present
+                else thing and thing.node_id
+            )
+            if target is None and first is not None and first.asset_id != person.asset_id:
+                target = first.asset_id
+            if target is not None and target != person.asset_id:
+                self.sheet.cues.append(
+                    Cue(asset_id=person.asset_id, clip="look", start=0, duration=12, target_id=target)
+                )
+
+
+def mood_of(parenthetical: str) -> Mood:
+    """Return the mood a parenthetical asks for."""
+    words = parenthetical.lower()
+    for pattern, mood in PARENTHETICALS:
+        if re.search(pattern, words):
+            return mood
+    return "neutral"
+
+
+def _turn(a: float, b: float) -> float:
+    return (b - a + math.pi) % (2 * math.pi) - math.pi
+
+
+def _line(action: CharacterAction, lines: Sequence[ScriptLine]) -> ScriptLine | None:
+    index = action.line_index
+    return lines[index] if index is not None and 0 <= index < len(lines) else None
