@@ -95,3 +95,15 @@ def test_two_looks_at_the_same_thing_are_equal_and_leave_no_trace(scene) -> None
     assert first == second
     assert [len(block) for block in (bpy.data.cameras, bpy.data.images, bpy.data.objects, bpy.data.meshes)] == counts
     assert (scene.render.engine, tuple(scene.objects["table"].color)) == (engine, color)
+
+
+def test_a_hidden_person_is_out_of_the_picture_even_where_visibility_is_keyed() -> None:
+    scene = camera_stage.build({"anna": (0, 0, 0), "tom": (0, 1.0, 0)})
+    parts = [obj for obj in scene.objects if obj.get("node_id") == "anna" and obj.type == "MESH"]
+    for part in parts:
+        part.keyframe_insert("hide_render", frame=1)
+    camera = pose(between((0, -2.5, 1.5), (0, 0, 1.5), 50))
+    shown, hidden = look(scene, [Sighting(camera, 1), Sighting(camera, 1, hidden=("anna",))], 320, 180)
+    assert subject(shown, "tom").visible_fraction < 0.4
+    assert subject(hidden, "tom").visible_fraction > 0.5
+    assert not any(part.hide_render or part.animation_data.action.fcurves[0].mute for part in parts)

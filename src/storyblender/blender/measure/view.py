@@ -16,6 +16,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 from numpy.typing import NDArray
 
+from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.render.passes import flat_workbench
 from storyblender.blender.render.session import RenderSession, changed, temporary_camera
@@ -146,10 +147,7 @@ class _Stage:
         camera = self.session.camera
         camera.data.lens, camera.data.sensor_width = pose.lens, sighting.sensor_width
         camera.matrix_world = Matrix(orbit.world.tolist())
-        hidden = [obj for obj in self.objects if _node_id(obj) in sighting.hidden]
-        with ExitStack() as stack:
-            for obj in hidden:
-                stack.enter_context(changed(obj, {"hide_render": True}))
+        with out_of_picture(obj for obj in self.objects if _node_id(obj) in sighting.hidden):
             channels = self.session.exr(width, height, depth=True)
         red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
         ids, depth = red + 256 * green, channels["Depth.Z"]

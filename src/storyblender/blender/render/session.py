@@ -13,6 +13,7 @@ import numpy as np
 from mathutils import Matrix
 from numpy.typing import NDArray
 
+from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, read_channels
 from storyblender.look.gbuffer import View
 
@@ -92,7 +93,7 @@ class RenderSession:
             for obj in self.scene.objects:
                 if obj.get("node_id") in self._hidden and obj.type in _DRAWN and not obj.hide_render:
                     self.hidden_objects.append(obj)
-                    stack.enter_context(changed(obj, {"hide_render": True}))
+            stack.enter_context(out_of_picture(self.hidden_objects))
             self.scene.view_layers[0].update()
         except BaseException:
             stack.close()
