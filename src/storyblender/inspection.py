@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.layout_critic import layout_violations, spatial_error
+from storyblender.agents.layout_artist.layout_brief import measures_of
+from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line
@@ -17,11 +18,12 @@ from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, Collision, ViewRequest
 from storyblender.memory.shot_context import CameraPose, ShotContext
 from storyblender.pipeline.shooting import story_moment
-from storyblender.pipeline.staging import measures_of
 
 HIDDEN = 0.30
-SEEN = 0.004
-"""Share of the frame from which a person counts as seen."""
+SEEN = 0.0004
+"""Share of the frame from which a person counts as seen: a figure in the distance."""
+WIDE = ("EWS", "WS", "FS")
+"""Sizes in which people who are on stage may be seen without being what the shot is about."""
 OCCM_EPSILON = 1e-6
 
 
@@ -63,12 +65,15 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
     """
     sights: dict[str, ShotSight] = {}
     collisions: list[Collision] = []
+    drift = 0.0
     for pack in packs:
         sights |= _sights(graph, engine, pack)
         collisions += engine.find_collisions(pack).result()
+        drift = max(drift, engine.measure_drift(pack).result())
     findings: list[str] = []
     rows = [
-        *_layout_rows(graph, findings),
+        _layout_row(graph, findings),
+        CheckRow(name="SDE", value=f"{drift:g}", ok=drift == 0),
         _presence_row(graph, sights, findings),
         _hidden_row(graph, sights, findings),
         _inside_row(sights, findings),
@@ -106,24 +111,22 @@ def _request(shot: ShotContext) -> ViewRequest:
     )
 
 
-def _layout_rows(graph: ContinuityMemoryGraph, findings: list[str]) -> list[CheckRow]:
-    count, error = 0, 0.0
+def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
+    count = 0
     for scene in graph.scenes:
         if scene.layout is None or scene.environment is None:
             continue
-        measures, plan = measures_of(graph, scene.scene_id), plan_of(scene.environment)
-        faults = layout_violations(scene.layout, measures, plan)
+        faults = layout_violations(scene.layout, measures_of(graph.assets), plan_of(scene.environment))
         count += len(faults)
-        error += spatial_error(scene.layout, measures)
         findings += [f"scene {scene.scene_id}: {fault.message}" for fault in faults]
-    return [
-        CheckRow(name="layout violations", value=str(count), ok=count == 0),
-        CheckRow(name="SDE", value=f"{error:g}", ok=error == 0),
-    ]
+    return CheckRow(name="layout violations", value=str(count), ok=count == 0)
 
 
 def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
-    """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D from ID masks, E from the plan."""
+    """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D counted in the ID mask, E as planned.
+
+    A tight shot shows exactly whom it is meant to show. A wide one shows at least those, and anybody else on stage.
+    """
     scores = []
     for shot in graph.shots:
         name = shot_name(shot.scene_id, shot.shot_id)
@@ -131,9 +134,12 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
             continue
         cast = {figure.node_id for figure in sights[name].figures}
         seen = {item.node_id for item in sights[name].view.subjects if item.node_id in cast and item.pixels > SEEN}
-        expected = len(shot.in_frame)
-        scores.append(math.exp(-abs(len(seen) - expected) / (OCCM_EPSILON + expected)) if expected or seen else 1.0)
-        if len(seen) != expected:
+        least = len(shot.in_frame)
+        most = len(shot.on_stage) if shot.camera_instruction.size in WIDE else least
+        expected = min(max(len(seen), least), max(most, least))
+        off = abs(len(seen) - expected)
+        scores.append(math.exp(-off / (OCCM_EPSILON + expected)) if off else 1.0)
+        if off:
             findings.append(f"{name}: shows {sorted(seen)}, meant to show {sorted(shot.in_frame)}")
     mean = 100 * sum(scores) / max(1, len(scores))
     return CheckRow(name="on-stage count matching", value=f"{mean:.1f}", ok=mean >= 95)

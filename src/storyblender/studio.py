@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from storyblender.catalog.garments import GARMENTS
-from storyblender.catalog.hair import HAIR
+from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
@@ -23,7 +23,8 @@ from storyblender.edits import CameraEdit, apply_camera_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
-from storyblender.library.embedder import load_embedder
+
+load_embedder = lambda: None
 from storyblender.look.looks import LOOKS
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
 from storyblender.memory.base import scene_name, shot_name
@@ -45,7 +46,7 @@ CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,
     "sets": SETS,
     "garments": GARMENTS,
-    "hair": HAIR,
+    "hair": HAIRSTYLES,
     "materials": MATERIALS,
     "motions": MOTIONS,
     "looks": LOOKS,
@@ -130,7 +131,10 @@ class Studio:
 
     def check(self, folder: Path) -> Inspection:
         """Inspect a finished project: layout, framing, continuity, collisions, people in frame."""
-        return inspect(read_project_graph(folder), folder)
+        read_project_graph(folder)
+        with self._open(None, folder) as run:
+            pack_scenes(run)
+            return inspect(run.graph, run.engine, list(run.packs.values()))
 
     def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.
@@ -228,6 +232,6 @@ def _sample(key: str) -> Asset:
         return asset("catalog", key)
     if key in GARMENTS:
         return asset("person", key, CharacterLook(garments=(Garment(key=key),)))
-    if key in HAIR:
+    if key in HAIRSTYLES:
         return asset("person", key, CharacterLook(hair=key))
     raise InputError(f"nothing in the library is called {key!r}", mend="see `storyblender catalog`")

@@ -69,6 +69,11 @@ def make_server(session: Session, main_thread: MainThread) -> FastMCP:
         return await on_main(lambda: session.find_collisions(pack))
 
     @server.tool
+    async def measure_drift(pack: PackRef) -> float:
+        """Measure the Spatial Drift Error of a scene's static things."""
+        return await on_main(lambda: session.measure_drift(pack))
+
+    @server.tool
     async def render_frame(job: FrameJob) -> FrameReport:
         """Render the board frame of one shot."""
         return await on_main(lambda: session.render_frame(job))

@@ -12,6 +12,7 @@ from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.cameras import make_camera
 from storyblender.blender.export import export_scene
 from storyblender.blender.measure.collisions import find_collisions
+from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.measure.view import WIDTH, Sighting, look
 from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
@@ -19,7 +20,6 @@ from storyblender.blender.props.portrait import render_portrait
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import render_motion
 from storyblender.blender.render.picture import write_png
-from storyblender.blender.sets.world import set_world
 from storyblender.blender.story import compile_story
 from storyblender.errors import InputError
 from storyblender.geometry.framing import Figure
@@ -99,6 +99,10 @@ class Session:
         }
         return find_collisions(scene, bodies, frames)
 
+    def measure_drift(self, pack: PackRef) -> float:
+        """Return the Spatial Drift Error of a scene."""
+        return spatial_drift(self._open_pack(pack), [start for _, start in pack.starts])
+
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
         """Look through the viewfinder."""
         scene = self._open_pack(pack)
@@ -120,7 +124,6 @@ class Session:
         start = job.pack.start_of(job.shot.shot_id)
         camera = make_camera(scene, scene.collection, job.shot, start)
         assert job.shot.camera is not None, "make_camera has made sure"
-        set_world(scene, job.lighting.sky)
         request = FrameRequest(
             look=job.look,
             width=job.format.width,
@@ -150,7 +153,6 @@ class Session:
         start = job.pack.start_of(job.shot.shot_id)
         camera = make_camera(scene, scene.collection, job.shot, start)
         assert job.shot.camera is not None, "make_camera has made sure"
-        set_world(scene, job.lighting.sky)
         height = ProjectFormat(aspect=job.format.aspect, width=job.width).height
         frames = range(start, start + job.shot.duration, job.step)
         folder = self._path(job.folder)

@@ -72,6 +72,10 @@ class BlenderEngine:
             "find_collisions", {"pack": _plain(pack)}, _COLLISIONS.validate_python, affinity=f"scene{pack.scene_id}"
         )
 
+    def measure_drift(self, pack: PackRef) -> Future[float]:
+        """Measure the Spatial Drift Error of a scene's static things."""
+        return self._pool.submit("measure_drift", {"pack": _plain(pack)}, float, affinity=f"scene{pack.scene_id}")
+
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
         """Render the board frame of one shot."""
         return self._pool.submit(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from storyblender.agents.director.assembly import storyboard
+from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.memory.base import content_hash

@@ -1,0 +1,164 @@
+"""Spatial-temporal dynamics: set, dressing, layout, motion and light of every scene, then its pack (paper, 3.4)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from storyblender.agents.layout_artist.layout_brief import layout_brief
+from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
+from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
+from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
+from storyblender.agents.visual_effects_artist.environment_designer import (
+    EnvironmentCritic,
+    EnvironmentView,
+    RulesEnvironmentDesigner,
+)
+from storyblender.agents.visual_effects_artist.lighting_arranger import (
+    LightingCritic,
+    LightingView,
+    RulesLightingArranger,
+)
+from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.sets import plan_of
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Vec2, scene_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import SceneJob
+from storyblender.memory.scene_context import Environment, Lighting, SceneContext
+from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.materializing import materialize
+from storyblender.pipeline.run import Run
+
+
+def stage(run: Run) -> None:
+    """Stage every scene that is not staged yet, in story order; one commit a scene, so a kill loses one at most."""
+    scenes = [scene.scene_id for scene in run.graph.scenes]
+    for step, scene_id in enumerate(scenes):
+        run.progress("stage", step, len(scenes), scene_name(scene_id))
+        if run.graph.scene(scene_id).lighting is None:
+            _stage_scene(run, scene_id)
+    run.progress("stage", len(scenes), len(scenes))
+
+
+def pack_scenes(run: Run, scene_ids: Collection[int] | None = None) -> None:
+    """Build the packs, all at once over the pool; a pack that is there already is only looked up."""
+    staged = [scene for scene in run.graph.scenes if scene.layout is not None]
+    wanted = [scene for scene in staged if scene_ids is None or scene.scene_id in scene_ids]
+    waiting = {scene.scene_id: run.engine.pack_scene(scene_job(run.graph, scene.scene_id)) for scene in wanted}
+    for scene_id, future in waiting.items():
+        run.packs[scene_id] = future.result()
+
+
+def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
+    """Return what the engine needs to build a scene."""
+    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
+    return SceneJob(scene=scene, shots=shots, assets=scene_assets(graph, scene_id), fps=graph.format.fps)
+
+
+def scene_assets(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[Asset, ...]:
+    """Return every asset that a scene shows: the script's and the dressing."""
+    scene = graph.scene(scene_id)
+    placed = {item.asset_id for item in scene.layout.objects} if scene.layout else set()
+    wanted = placed | set(scene.setup.asset_ids)
+    return tuple(asset for asset in graph.assets if asset.asset_id in wanted)
+
+
+def _stage_scene(run: Run, scene_id: int) -> None:
+    name = scene_name(scene_id)
+    environment = _design(run, scene_id)
+    plan = plan_of(environment)
+    scene = run.graph.scene(scene_id).model_copy(update={"environment": environment})
+    own = tuple(asset for asset in scene_assets(run.graph, scene_id) if asset.asset_type == "object")
+    dressing = run.reflect(
+        "set_dresser",
+        name,
+        DressingView(scene.setup, plan, own, _crowd(run.graph, scene_id)),
+        RulesSetDresser(),
+        DressingCritic(),
+    ).draft
+    known = {asset.asset_id for asset in run.graph.assets}
+    run.commit(
+        "set_dresser", f"set and dressing of {name}", scene, *(a for a in dressing.assets if a.asset_id not in known)
+    )
+    materialize(run)
+    placements = {
+        asset.asset_id: PROPS[asset.canonical.key].placement
+        for asset in run.graph.assets
+        if asset.canonical is not None and asset.canonical.key in PROPS
+    }
+    brief = layout_brief(run.graph, scene_id, plan, dressing.objects, dressing.pending, placements=placements)
+    layout = run.reflect("spatial_planner", name, brief, SpatialRules(), LayoutCritic()).draft
+    scene = scene.model_copy(update={"layout": layout})
+    run.commit("spatial_planner", f"layout of {name}", scene)
+    shots = _animate(run, scene_id)
+    scene, shots = _light(run, scene, shots)
+    run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def _design(run: Run, scene_id: int) -> Environment:
+    graph, scene = run.graph, run.graph.scene(scene_id)
+    reference = scene.setup.reference_scene_id
+    footprints: list[Vec2] = []
+    for asset in scene_assets(graph, scene_id):
+        if asset.asset_type == "object" and asset.canonical is not None:
+            footprints.append(asset.canonical.dimensions[:2])
+    walks = [action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions]
+    view = EnvironmentView(
+        setup=scene.setup,
+        footprints=tuple(footprints),
+        people=_crowd(graph, scene_id),
+        travel=max(walks, default=0.0),
+        reference=graph.scene(reference).environment if reference is not None else None,
+        story=graph.story_summary,
+    )
+    designer = RulesEnvironmentDesigner()
+    return run.reflect("environment_designer", scene_name(scene_id), view, designer, EnvironmentCritic()).draft
+
+
+def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
+    graph = run.graph
+    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
+    assert scene.layout is not None and scene.environment is not None, "set and layout come before motion"
+    view = AnimatorView(
+        scene_id=scene_id,
+        layout=scene.layout,
+        plan=plan_of(scene.environment),
+        assets=scene_assets(graph, scene_id),
+        shots=shots,
+        outline=next((outline for outline in graph.outline if outline.scene_id == scene_id), None),
+        fps=graph.format.fps,
+    )
+    draft = run.reflect("animator", scene_name(scene_id), view, AnimatorRules(), AnimatorCritic()).draft
+    staged = {staging.shot_id: staging for staging in draft.shots}
+    return tuple(staged[shot.shot_id].applied(shot) for shot in shots)
+
+
+def _light(
+    run: Run, scene: SceneContext, shots: tuple[ShotContext, ...]
+) -> tuple[SceneContext, tuple[ShotContext, ...]]:
+    """Light the scene, and every shot from which on the script changes the light."""
+    assert scene.environment is not None, "the set comes before its light"
+    view = LightingView(
+        scene.setup,
+        plan_of(scene.environment),
+        scene.environment,
+        scene.layout,
+        scene_assets(run.graph, scene.scene_id),
+    )
+    arranger = RulesLightingArranger()
+    lighting = run.reflect("lighting_arranger", scene_name(scene.scene_id), view, arranger, LightingCritic()).draft
+    current: Lighting = lighting
+    lit: list[ShotContext] = []
+    for shot in shots:
+        if shot.new_lighting_description:
+            changed = arranger.change(current, shot.new_lighting_description, view)
+            if changed != current:
+                current = changed
+                shot = shot.model_copy(update={"lighting": changed})
+        lit.append(shot)
+    return scene.model_copy(update={"lighting": lighting}), tuple(lit)
+
+
+def _crowd(graph: ContinuityMemoryGraph, scene_id: int) -> int:
+    return max((len(shot.on_stage) for shot in graph.shots_of(scene_id)), default=0)

@@ -1,0 +1,94 @@
+"""The story's .blend, opened as an artist opens it: names, cameras on markers, the EDIT, assets, nothing missing."""
+
+from __future__ import annotations
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytestmark = [pytest.mark.blender, pytest.mark.timeout(600)]
+
+READ = """
+import bpy, json, os, sys
+bpy.ops.wm.open_mainfile(filepath=sys.argv[1], use_scripts=False)
+scenes = {}
+for scene in bpy.data.scenes:
+    strips = scene.sequence_editor.strips if scene.sequence_editor else []
+    scenes[scene.name] = {
+        "collections": [c.name for c in scene.collection.children],
+        "markers": [[m.name, m.frame, m.camera.name if m.camera else ""] for m in scene.timeline_markers],
+        "strips": [[s.name, s.scene.name, s.scene_camera.name, s.frame_final_duration] for s in strips],
+        "objects": [[o.name, o.type, o.get("kind"), o.get("node_id"), o.get("asset_id"), o.data.name if o.data else ""]
+                    for o in scene.objects],
+        "nla": {o.name: [t.name for t in o.animation_data.nla_tracks]
+                for o in scene.objects if o.type == "ARMATURE" and o.animation_data},
+    }
+facts = {
+    "scenes": scenes,
+    "assets": [c.name for c in bpy.data.collections if c.asset_data],
+    "missing": [i.name for i in bpy.data.images if i.source == "FILE" and not i.packed_file],
+    "libraries": len(bpy.data.libraries),
+}
+print("FACTS" + json.dumps(facts), flush=True)
+os._exit(0)
+"""
+
+
+@pytest.fixture(scope="module")
+def facts(project: Path) -> dict[str, Any]:
+    command = [sys.executable, "-c", READ, str(project / "story.blend")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    line = next((line for line in done.stdout.splitlines() if line.startswith("FACTS")), "")
+    assert line, done.stderr[-2000:]
+    return json.loads(line[5:])
+
+
+def rows(project: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader((project / "shots.csv").open(encoding="utf-8-sig")))
+
+
+def test_every_shot_has_a_camera_on_a_marker(project: Path, facts: dict[str, Any]) -> None:
+    markers = facts["scenes"]["SC010"]["markers"]
+    assert [name for name, _, _ in markers] == [row["shot"] for row in rows(project)]
+    assert all(name == camera for name, _, camera in markers)
+
+
+def test_the_edit_has_one_strip_a_shot_with_its_camera_and_length(project: Path, facts: dict[str, Any]) -> None:
+    strips = facts["scenes"]["EDIT"]["strips"]
+    expected = [[row["shot"], "SC010", row["shot"], int(row["frames"])] for row in rows(project)]
+    assert strips == expected
+
+
+def test_every_object_says_what_it_is(facts: dict[str, Any]) -> None:
+    objects = facts["scenes"]["SC010"]["objects"]
+    assert not [name for name, _, kind, node, _, _ in objects if not kind or not node]
+    kinds = {kind for _, _, kind, _, _, _ in objects}
+    assert {"character", "prop", "set", "camera", "light"} <= kinds
+
+
+def test_parts_of_a_person_share_the_asset(facts: dict[str, Any]) -> None:
+    parts = [name for name, _, kind, _, asset, _ in facts["scenes"]["SC010"]["objects"] if asset == "ada"]
+    assert len(parts) >= 4
+
+
+def test_people_have_one_strip_a_shot(project: Path, facts: dict[str, Any]) -> None:
+    tracks = facts["scenes"]["SC010"]["nla"]["SC010.ada"]
+    assert sorted(tracks) == sorted(row["shot"] for row in rows(project))
+
+
+def test_equal_assets_share_their_mesh(facts: dict[str, Any]) -> None:
+    by_asset: dict[str, set[str]] = {}
+    for _, kind, node, _, asset, data in facts["scenes"]["SC010"]["objects"]:
+        if node == "prop" and kind == "MESH":
+            by_asset.setdefault(asset, set()).add(data)
+    assert by_asset and all(len(meshes) == 1 for meshes in by_asset.values()), by_asset
+
+
+def test_assets_are_marked_and_nothing_is_missing(facts: dict[str, Any]) -> None:
+    assert {"AST_ada", "AST_tom"} <= set(facts["assets"])
+    assert facts["missing"] == [] and facts["libraries"] == 0
