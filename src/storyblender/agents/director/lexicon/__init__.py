@@ -47,6 +47,7 @@ def _inverse(classes: dict[str, tuple[str, ...]]) -> dict[str, str]:
 
 _nouns, _people, _places, _verbs = _read("nouns.tsv"), _read("people.tsv"), _read("places.tsv"), _read("verbs.tsv")
 _motions, _time = _read("motions.tsv"), _read("times.tsv")
+_rules = _read("rules.tsv")
 _names, _function = _read("names.tsv"), _read("function_words.tsv")
 
 # -- motions -----------------------------------------------------------------------------------------------------
@@ -199,6 +200,11 @@ def noun_class(key: str) -> NounClass:
     if head in SET_PIECES:
         return "set_piece"
     return "scenery" if head in SCENERY or head in PLACES else "unknown"
+
+
+def words(rule: str) -> frozenset[str]:
+    """A closed set of words that one rule asks for, from ``rules.tsv``."""
+    return frozenset(_rules[rule])
 
 
 def gender_of_word(word: str) -> Gender:

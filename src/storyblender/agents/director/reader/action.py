@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader import deeds, entrances, relations, states
+from storyblender.agents.director.reader import changes, deeds, entrances, relations, states
 from storyblender.agents.director.reader.clauses import Clause, Phrase, find_clauses, find_phrases
 from storyblender.agents.director.reader.coreference import Referents, remember, resolve_mention, resolve_pronoun
 from storyblender.agents.director.reader.morphology import singular
@@ -46,7 +46,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     _leftover_pronouns(stage, subjects, previous)
     relations.relate_noun_phrases(stage, phrases, subjects, previous)
     states.drawn_weapons(stage, subjects or previous)
-    states.sounds(stage, clauses)
+    changes.note_sounds(stage, clauses)
     if subjects:
         stage.discourse.subjects = subjects
 
@@ -109,14 +109,14 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         stage.sentence.subjects = roles.subjects
     resolve_objects(stage, clause, roles, previous)
     _dress(stage, roles)
-    states.changes(stage, clause, roles)
+    changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return
     motion = _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
     _notice_things(stage, clause, roles, motion)
     entrances.objects_enter(stage, clause, roles, motion)
-    states.expressions(stage, clause, roles.subjects)
+    changes.note_faces(stage, clause, roles.subjects)
     motion = motion or _pose(stage, clause, roles)
     if roles.subjects and motion:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)

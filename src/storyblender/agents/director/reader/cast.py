@@ -31,8 +31,9 @@ _LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|
 _SOME = 3
 """Members of a group whose number is not told."""
 _NAMING = re.compile(
-    r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)"
-    r"(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)\s+([A-ZÀ-Ý][\w’'-]*(?: [A-ZÀ-Ý][\w’'-]*)*)"
+    r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
+    r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
+    r"\s+([A-ZÀ-Ý][\w’'-]*(?: [A-ZÀ-Ý][\w’'-]*)*)"
 )
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY

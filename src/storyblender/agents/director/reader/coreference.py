@@ -21,10 +21,7 @@ _CLOSE_CALL = 0.3
 _GROUP_MEMORY = 15
 """Sentences for which ``they`` can mean people who acted together; four for ``them``."""
 _GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
-_PAIRS = frozenset(
-    {"brother", "sister", "friend", "twin", "child", "kid", "man", "woman", "boy", "girl", "couple", "companion",
-     "lover", "partner", "guy"}
-)  # fmt: skip
+_PAIRS = lexicon.words("pairs")
 
 
 class Referents(NamedTuple):

@@ -11,28 +11,8 @@ from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import joined
 from storyblender.agents.director.reading import Deed, Person
 
-_TOWARDS = (
-    "to", "toward", "towards", "at", "into", "onto", "on", "over", "in", "against", "around", "by", "of", "for", "beside",
-    "across", "across from", "down", "near", "next to", "past", "up", "from",
-)  # fmt: skip
-_GOING = frozenset(
-    {
-        "throw",
-        "walk",
-        "run",
-        "sit",
-        "lie_down",
-        "aim",
-        "shoot",
-        "point",
-        "sneak",
-        "climb",
-        "jump",
-        "crawl",
-        "ride",
-        "drive",
-    }
-)
+_TOWARDS = lexicon.words("towards")
+_GOING = lexicon.words("going")
 """Motions whose target stands after a preposition even where there is an object."""
 _THROUGH = frozenset({"read", "search", "look", "crawl", "climb", "jump", "walk", "run"})
 _FOLLOWING = frozenset({"walk", "run", "sneak"})
@@ -45,15 +25,10 @@ _EACH_OTHER = re.compile(r"each other|one another")
 _TRAVEL = frozenset({"walk", "run", "sneak", "crawl", "stagger", "climb"})
 _SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
 _METRES = {
-    "metre": 1.0,
-    "meter": 1.0,
-    "foot": 0.3048,
-    "feet": 0.3048,
-    "step": 0.75,
-    "pace": 0.75,
-    "yard": 0.9144,
+    "metre": 1.0, "meter": 1.0, "foot": 0.3048, "feet": 0.3048, "step": 0.75, "pace": 0.75, "yard": 0.9144,
     "block": 80.0,
-}
+}  # fmt: skip
+"""Length of a unit in metres."""
 _DISTANCE = re.compile(
     rf"\b(\d+|{'|'.join(word for word in lexicon.NUMBERS)}|few|several)\s+(?:more |quick |slow |small |big |careful )?"
     r"(metre|meter|foot|feet|step|pace|yard|block)s?\b"
@@ -213,10 +188,10 @@ def _mutual(stage: Stage, roles: Roles, deeds: list[Deed], motion: str) -> list[
 def _pair_up(stage: Stage, roles: Roles, motion: str) -> None:
     """Somebody who walks to somebody or hugs them makes a pair with them: ``they`` may follow."""
     others = roles.people + roles.recipients + roles.people_after("to", "toward")
-    if len(roles.subjects) == 1 and motion in _PAIRING and len({person.id for person in others}) == 1:
-        if others[0] is not roles.subjects[0]:
-            discourse = stage.discourse
-            discourse.groups.append((discourse.sentence, [roles.subjects[0], others[0]], discourse.clock))
+    pair = {person.id: person for person in roles.subjects + others}
+    if len(roles.subjects) == 1 and motion in _PAIRING and len(pair) == 2:
+        discourse = stage.discourse
+        discourse.groups.append((discourse.sentence, list(pair.values()), discourse.clock))
 
 
 def _distance(stage: Stage) -> float | None:

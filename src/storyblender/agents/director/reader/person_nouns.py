@@ -1,4 +1,4 @@
-"""Nouns for people and animals with a determiner before them: ``a tall man``, ``his little brother``, ``two guards``."""
+"""Nouns for people and animals with a determiner: ``a tall man``, ``his little brother``, ``two guards``."""
 
 from __future__ import annotations
 

@@ -11,7 +11,10 @@ from storyblender.agents.director.reader.manuscript import Manuscript, without_q
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
 
-_TITLE = r"(?:Mr|Mrs|Ms|Miss|Dr|Prof|Prince|Princess|King|Queen|Captain|Sergeant|Officer|Doctor|Uncle|Aunt|Lady|Lord|Sir|Sheriff)"
+_TITLE = (
+    r"(?:Mr|Mrs|Ms|Miss|Dr|Prof|Prince|Princess|King|Queen|Captain|Sergeant|Officer|Doctor|Uncle|Aunt|Lady|Lord|Sir"
+    r"|Sheriff|Father|Sister|Brother|Professor)"
+)
 _NAME = re.compile(
     r"(?<![.!?]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[A-ZÀ-Ý][a-zà-ÿ]+(?:[ ][A-ZÀ-Ý][a-zà-ÿ]+)*"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+"
@@ -21,12 +24,7 @@ _NAME = re.compile(
 )
 _APPOSED = re.compile(r"\s+([A-ZÀ-Ý][a-zà-ÿ]+)")
 _NAMED = re.compile(r"\s+(?:named|called)\s+([A-ZÀ-Ý][\w’'-]+)")
-_NOT_NAMES = frozenset(
-    {"once", "deep", "but", "and", "when", "then", "i", "monday", "tuesday", "wednesday", "thursday", "friday", "saturday",
-     "sunday", "christmas", "there", "what", "nobody", "everyone", "somebody", "someone", "god", "english", "french",
-     "january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november", "december",
-     "inside", "outside", "suddenly", "behind", "nothing", "something", "everything", "chapter", "yes", "no"}
-)  # fmt: skip
+_NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple"})
 _LATER = frozenset({"man", "woman", "boy", "girl", "child"})

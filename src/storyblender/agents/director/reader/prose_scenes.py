@@ -11,22 +11,24 @@ from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import SceneType
 
 _PLACE_PHRASE = re.compile(
-    r"(?=\b(?:in|at|into|to|inside|reached|entered|through|on|near|outside|of|across|aboard|along|over|up|down|by|behind|above)\s+"
+    r"(?=\b(?:in|at|into|to|inside|reached|entered|through|on|near|outside|of|across|aboard|along|over|up|down|by|behind"
+    r"|above)\s+"
     r"(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))"
 )
 _SENTENCE_END = re.compile(r"(?<=[.!?])(?<!Mr\.)(?<!Dr\.)(?<!Ms\.)(?<!Mrs\.)\s")
 _NOUN_PHRASE = re.compile(r"(?=\b(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))")
 _TIME_JUMP = re.compile(
-    r"(?:(?:early |late )?(?:the next|next|that|one|on|by|at|in the|the following|some|years|weeks|days|hours|meanwhile|later|soon"
-    r" after|a (?:week|month|year|day|few)|when|after|before|towards?|two|three|four|five|six|seven|ten)\b)"
-    r"[^,.]*\b(?:morning|day|night|evening|noon|afternoon|dawn|dusk|sunset|sunrise|midnight|week|weeks|month|months|year|years|days|"
-    r"hours|later|winter|spring|summer|autumn|monday|tuesday|wednesday|thursday|friday|saturday|sunday|meanwhile)\b|meanwhile|later\b"
+    r"(?:(?:early |late )?(?:the next|next|that|one|on|by|at|in the|the following|some|years|weeks|days|hours|later"
+    r"|soon after|a (?:week|month|year|day|few)|when|after|before|towards?|two|three|four|five|six|seven|ten)\b)[^,.]*"
+    r"\b(?:morning|day|night|evening|noon|afternoon|dawn|dusk|sunset|sunrise|midnight|weeks?|months?|years?|days|hours"
+    r"|later|winter|spring|summer|autumn|(?:mon|tues|wednes|thurs|fri|satur|sun)day)\b|meanwhile|later\b"
 )
 _PLACE_FIRST = re.compile(
-    r"(?:(?:deep|high|far|down|out|up|back|over|not far|just) )*(?:in|at|on|inside|outside|aboard|across|near|behind|under)\b"
+    r"(?:(?:deep|high|far|down|out|up|back|over|not far|just) )*"
+    r"(?:in|at|on|inside|outside|aboard|across|near|behind|under)\b"
 )
 _ARRIVAL = re.compile(
-    r"\b(?:reached|arrived|entered|returned|came home|got home|came back|went home|came to|went to|drove to|rode to|sailed)\b"
+    r"\b(?:reached|arrived|entered|returned|sailed|came back|(?:came|got|went) home|(?:came|went|drove|rode) to)\b"
 )
 _HOME = re.compile(r"\b(?:came|went|returned|was|got) home\b")
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS

@@ -22,23 +22,15 @@ from storyblender.agents.director.reader.words import Word, joined
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import RelationKind
 
-_STATIVE = frozenset(
-    {"be", "sit", "stand", "lie", "lay", "kneel", "rest", "hang", "wait", "sleep", "lean", "crouch", "hide", "stay",
-     "perch", "glitter", "lounge", "remain", "slouch", "spread", "linger", "squat", "recline", "sprawl", "seat", "pin",
-     "mount", "huddle", "slump", "park", "loom", "tower", "hover"}
-)  # fmt: skip
-_AT_REST = frozenset(
-    {"balance", "pile", "stack", "scatter", "drape", "prop", "nail", "tie", "strap", "sling", "tuck", "wedge", "open", "spill",
-     "gleam", "glint", "burn", "glow", "tick", "stretch", "dangle", "cover", "leave", "place", "set"}
-)  # fmt: skip
+_Stated = tuple[str, RelationKind, str]
+"""Who or what, the relation, to whom or what."""
+_STATIVE = lexicon.words("stative")
+_AT_REST = lexicon.words("at_rest")
 """Verbs that tell where a thing is, not what somebody does."""
 _ARRIVING = frozenset({"drop", "emerge", "step", "watch", "follow", "appear", "stop", "pause"})
 """Verbs that place only relative to people: behind, before, beside."""
 _STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide", "crouch"})
-_PLACING = frozenset(
-    {"put", "place", "set", "throw", "stuff", "toss", "lay", "rest", "stack", "hang", "drop", "leave", "pack", "tuck",
-     "slip", "drape", "load", "shove", "pin", "lean", "park", "mount", "sling", "wrap"}
-)  # fmt: skip
+_PLACING = lexicon.words("placing")
 _ANCHORS = frozenset({"prop", "set_piece", "worn", "unknown", "scenery"})
 _THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
 _OPENINGS = frozenset({"door", "window", "gate"})
@@ -65,7 +57,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     located = [person.id for person in roles.subjects] or [
         thing for thing in roles.subject_things if stage.inventory.class_of(thing) in _THINGS
     ]
-    found: list[tuple[str, RelationKind, str]] = []
+    found: list[_Stated] = []
     moved = clause.verb in _PLACING and bool(roles.things)
     still = (clause.verb in _STATIVE and not moved) or clause.verb in _ARRIVING or motion in _STILL
     if located and (still or (clause.verb in _AT_REST and not roles.subjects)):
@@ -73,9 +65,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             found += _placed(stage, clause, place, located)
         found += _between(stage, roles, located)
     elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
-        found += [
-            (s, "on", t) for s in located for place in roles.places if place.preposition == "onto" for t in place.things
-        ]
+        found += _onto(roles, located)
     if first and roles.subjects:
         _left_or_right(stage, roles.subjects)
     if roles.things and (clause.verb in _PLACING or roles.prepositions & {"into", "onto"}):
@@ -84,7 +74,13 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         stage.relate(subject, kind, anchor)
 
 
-def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> list[tuple[str, RelationKind, str]]:
+def _onto(roles: Roles, located: list[str]) -> list[_Stated]:
+    """``climbs onto a chair``."""
+    chairs = [thing for place in roles.places if place.preposition == "onto" for thing in place.things]
+    return [(subject, "on", chair) for chair in chairs for subject in located]
+
+
+def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> list[_Stated]:
     kind = lexicon.relation_of(place.preposition)
     if kind is None or kind == "between" or place.preposition == "down":
         return []
@@ -123,9 +119,9 @@ def _is_the_place(stage: Stage, anchor: str) -> bool:
     return bool(head) and head in stage.place.place.lower().split()
 
 
-def _between(stage: Stage, roles: Roles, located: list[str]) -> list[tuple[str, RelationKind, str]]:
+def _between(stage: Stage, roles: Roles, located: list[str]) -> list[_Stated]:
     """Between two anchors; a group counts as its members."""
-    found: list[tuple[str, RelationKind, str]] = []
+    found: list[_Stated] = []
     for place in roles.places:
         anchors = [person.id for person in place.people] + place.things
         if place.preposition == "between" and len(anchors) > 1:
@@ -149,27 +145,25 @@ def _left_or_right(stage: Stage, subjects: list[Person]) -> None:
             stage.relate(subject.id, kind, other.id)
 
 
-def _put(stage: Stage, roles: Roles) -> list[tuple[str, RelationKind, str]]:
-    """Puts the tray on the table, the ring into the pocket."""
-    found: list[tuple[str, RelationKind, str]] = []
+def _put(stage: Stage, roles: Roles) -> list[_Stated]:
+    """Puts the tray on the table, the ring into the pocket, the bag over one shoulder."""
+    found: list[_Stated] = []
+    moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
     for place in roles.places:
         kind = lexicon.relation_of(place.preposition)
         if kind not in ("on", "in", "under", "next_to", "behind", "against"):
             continue
-        if any(noun.kind == "thing" and noun.head in lexicon.BODY for noun in place.nouns) and kind == "on":
-            found += [(thing, "on", roles.subjects[0].id) for thing in roles.things if roles.subjects]
-        for anchor in place.things:
-            if stage.inventory.class_of(anchor) in _THINGS:
-                moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
-                found += [
-                    (thing, _exact_kind(stage, kind, anchor, "put"), anchor) for thing in moved if thing != anchor
-                ]
+        anchors = [thing for thing in place.things if stage.inventory.class_of(thing) in _THINGS]
+        if kind == "on" and roles.subjects and any(noun.head in lexicon.BODY for noun in place.nouns):
+            anchors.append(roles.subjects[0].id)
+        for anchor in anchors:
+            for thing in moved:
+                if thing != anchor:
+                    found.append((thing, _exact_kind(stage, kind, anchor, "put"), anchor))
     return found
 
 
-def _seat_beside(
-    stage: Stage, roles: Roles, motion: str | None, found: list[tuple[str, RelationKind, str]]
-) -> list[tuple[str, RelationKind, str]]:
+def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[_Stated]) -> list[_Stated]:
     """``Sits in the armchair by the window``: it is the armchair that is by the window."""
     if motion not in ("sit", "lie_down", "sleep"):
         return found

@@ -21,9 +21,7 @@ from storyblender.agents.director.reading import Person
 _FALLING = frozenset(
     {"fall", "collapse", "drop", "die", "stagger", "stumble", "crumple", "faint", "slump", "tumble", "crash"}
 )
-_STRIKING = frozenset(
-    {"hit", "punch", "slap", "kick", "shoot", "strike", "tackle", "push", "shove", "stab", "beat", "smack", "trip", "attack"}
-)  # fmt: skip
+_STRIKING = lexicon.words("striking")
 _INVERTED = frozenset({"sit", "stand", "live", "lie", "come", "appear", "be", "emerge", "hang"})
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""
 _CONTACT = frozenset({"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"})

@@ -14,8 +14,9 @@ _NUMBER = re.compile(r"^\s*[A-Z]?\d+[A-Z]?[.)]?\s+(?=INT|EXT|I/E)|\s*#[^#]*#\s*$
 _DASH = re.compile(r"\s+[-–—]+\s*|\s*[–—]+\s*|\s+--\s*")
 _SAME_TIME = re.compile(
     r"^\(?(CONTINUOUS|CONTINUED|CONT['’]D|CONTINUING|SAME( TIME| DAY)?|MEANWHILE|SIMULTANEOUS|INTERCUT|"
-    r"((A|AN|ONE|TWO|THREE|FEW|SOME|SEVERAL|MUCH|A FEW) )?((BIT|LITTLE( WHILE)?|WHILE|MOMENTS?|MINUTES?|SECONDS?|HOURS?|DAYS?|"
-    r"WEEKS?|MONTHS?|YEARS?|TIME) )?(LATER|EARLIER)|THE NEXT DAY|FLASHBACK|PRESENT( DAY)?|ESTABLISHING)\)?\.?$"
+    r"((A|AN|ONE|TWO|THREE|FEW|SOME|SEVERAL|MUCH|A FEW) )?"
+    r"((BIT|LITTLE( WHILE)?|WHILE|MOMENTS?|MINUTES?|SECONDS?|HOURS?|DAYS?|WEEKS?|MONTHS?|YEARS?|TIME) )?"
+    r"(LATER|EARLIER)|THE NEXT DAY|FLASHBACK|PRESENT( DAY)?|ESTABLISHING)\)?\.?$"
 )
 _BACK = re.compile(r"^back (?:in|at|to) (?:the )?|^(?:the|a) ")
 _BRACKETS = re.compile(r"\s*\([^)]*\)\s*")

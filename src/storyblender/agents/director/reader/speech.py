@@ -18,7 +18,8 @@ _OFF = re.compile(
 _QUIET = re.compile(r"whisper|quiet|soft|under (?:his|her) breath|low|sotto|hush|murmur|mutter")
 _LOUD = re.compile(r"shout|scream|yell|loud|calling|bellow|roar")
 _INTO = re.compile(
-    r"(?:in)?to (?:the |his |her |a )?(phone|telephone|radio|walkie-talkie|microphone|camera|intercom|receiver|headset|cell)"
+    r"(?:in)?to (?:the |his |her |a )?"
+    r"(phone|telephone|radio|walkie-talkie|microphone|camera|intercom|receiver|headset|cell)"
 )
 _TO = re.compile(r"\bto ([a-z .#0-9'’-]+)")
 _POSES = frozenset({"hold", "stand", "sit", "lie_down", "sleep", "listen", "look"})
