@@ -30,10 +30,10 @@ Skin = Callable[[str, str], bpy.types.Material]
 
 _HAZE: Color = (0.62, 0.72, 0.82)
 """What is bright outside a room that is exposed for its inside turns to this."""
-_HOUSES = (("brick", "#6d4a3a"), ("plaster", "#a7a08f"), ("plaster", "#cbbfa4"), ("brick", "#7a3b28"))
+_HOUSES = ("#6d4a3a", "#a7a08f", "#cbbfa4", "#7a4636", "#8c8272")
+_TOWERS = ("#7c7f82", "#96938c", "#6a6460", "#8b7d70")
 _WOODS = ("#6f8074", "#586c54", "#42563a")
 _HILLS = ("#93a2ac", "#7f9092", "#6c806f")
-_TOWERS = (("plaster", "#7c7f82"), ("plaster", "#96938c"), ("plaster", "#6a6460"), ("plaster", "#8b7d70"))
 
 
 def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bpy.types.Mesh:
@@ -57,7 +57,7 @@ def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bp
     elif card.kind in ("treeline", "hills"):
         _land(builder, skin, left, right, height, trees=card.kind == "treeline")
     elif card.kind == "sea":
-        _sheet(builder, skin("clay", "#55727e"), np.stack([left, right]), np.full(2, height))
+        _sheet(builder, skin("clay", "#86a0ab"), np.stack([left, right]), np.full(2, height))
     else:
         key = "card_stars" if card.kind == "stars" else "card_plain"
         builder.quad(key, *card.corners, uv=[(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -126,9 +126,9 @@ class _Town:
             at, depth = 0.0, 7.0 - 3.0 * row
             while at < span:
                 width, tall = float(rng.uniform(*widths)), height * part * float(rng.uniform(*shares))
-                key, code = walls[int(rng.integers(len(walls)))]
+                code = walls[int(rng.integers(len(walls)))]
                 with self.builder.at(left + along * (at + width / 2) + outwards * depth, (0, 0, yaw)):
-                    self.builder.box(self.skin_of(key, code), (0, 0, tall / 2), (width, 4.0, tall))
+                    self.builder.box(self.skin_of("clay", code), (0, 0, tall / 2), (width, 4.0, tall))
                     if self.near or row == 2 or span < 60:
                         self._windows(width, tall, rng)
                 at += width + (0.0 if self.near else float(rng.uniform(-0.5, 1.5)))

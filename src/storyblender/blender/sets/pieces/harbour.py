@@ -94,9 +94,8 @@ def mast(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.cylinder(
             finish("canvas"), (-half + 0.3, 0.25, z - 0.22), (half - 0.3, 0.25, z - 0.22), 0.2, segments=10
         )
-    for side in (-1, 1):
-        for x in (-1.2, -0.4, 0.4, 1.2):
-            builder.cylinder(finish("wood_black"), (x, side * 3.0, 0.9), (0, 0, height * 0.7), 0.018, segments=5)
+    for x in (-1.2, -0.4, 0.4, 1.2):
+        builder.cylinder(finish("wood_black"), (x, 1.8, 0.9), (0, 0, height * 0.7), 0.014, segments=5)
     for k in range(4):
         ring = [
             (0.32 * math.cos(a), 0.32 * math.sin(a), 0.06 + 0.05 * k)

@@ -1,0 +1,61 @@
+"""The arranger's own exposure: lamps scaled so that the stage comes out near the level the recipe asks for."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.look.illumination import light_field
+from storyblender.look.raster import luminance
+from storyblender.memory.base import Color
+from storyblender.memory.scene_context import Light, Lighting
+
+_GREY = 0.18
+_MEAN_OVER_GEOMETRIC = 1.6
+"""How much pools of light raise the mean over the geometric mean that the renderer's meter takes."""
+_LEAST_SHARE = 0.3
+"""Of the wanted level that burning lamps give at least, so that they are seen to burn."""
+
+
+def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool) -> Lighting:
+    """Return the plan with its lamps scaled so that grey shows near ``set_luminance`` where people act.
+
+    The renderer's meter then finds little to correct, and sky and air keep the brightness they were given.
+
+    Args:
+        lighting: As drawn from the recipe.
+        plan: For its playing area.
+        all_lights: Scale window light and ambient too; else only the practical lamps.
+    """
+    size = plan.size
+    xs, ys = np.linspace(size.x_negative, size.x, 5), np.linspace(size.y_negative, size.y, 5)
+    normals = np.array([(0, 0, 1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0)], np.float32)
+    places = np.array([(x, y, z) for x in xs for y in ys for z in (0.02, 1.3)], np.float32)
+    positions = np.repeat(places, len(normals), axis=0)[None]
+    facing = np.tile(normals, (len(places), 1))[None]
+
+    def level(lights: tuple[Light, ...]) -> float:
+        fields = (light_field(light, positions, facing) for light in lights)
+        return sum(float(field.amount.mean() * luminance(np.asarray(field.light.color))) for field in fields)
+
+    scaling: tuple[Light, ...] = tuple(light for light in lighting.lights if all_lights or light.role == "practical")
+    fixed = tuple(light for light in lighting.lights if light not in scaling)
+    ambient = float(luminance(np.asarray(lighting.ambient, np.float32)))
+    rest = level(fixed) + (0.0 if all_lights else 0.8 * ambient)
+    given = level(scaling) + (0.8 * ambient if all_lights else 0.0)
+    if given < 1e-6:
+        return lighting
+    wanted = lighting.set_luminance / _GREY * _MEAN_OVER_GEOMETRIC
+    gain = min(max((wanted - rest) / given, _LEAST_SHARE * wanted / given), 30.0)
+    lights = tuple(
+        light.model_copy(update={"power": round(light.power * gain, 3)}) if light in scaling else light
+        for light in lighting.lights
+    )
+    return lighting.model_copy(
+        update={"lights": lights, "ambient": scaled(lighting.ambient, gain) if all_lights else lighting.ambient}
+    )
+
+
+def scaled(color: Color, gain: float) -> Color:
+    """Return a colour ``gain`` times as bright."""
+    return (color[0] * gain, color[1] * gain, color[2] * gain)
