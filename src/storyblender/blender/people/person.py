@@ -212,4 +212,6 @@ def _build_garment(figure: Figure, armature: bpy.types.Object, worn: Worn) -> bp
         sheet.slot[:] = paints.index(paint)
         sheets.append(sheet)
     name = f"{armature.name}_{worn.spec.key}"
-    return build_object(name, join(sheets), paints, armature, surface=Surface.CLOTH)
+    garment = build_object(name, join(sheets), paints, armature, surface=Surface.CLOTH)
+    garment["drapes"] = tailor.hangs_below_hips(worn.spec)
+    return garment

@@ -116,6 +116,14 @@ def _hidden(sheet: Sheet, fields: Sequence[Callable[[Sheet], Floats]], margin: f
     return (inside[sheet.faces] | (sheet.faces < 0)).all(1)
 
 
+def hangs_below_hips(spec: GarmentSpec) -> bool:
+    """Return whether a garment lies on the lap of someone who sits."""
+    return any(
+        isinstance(piece, cuts.Skirt | cuts.Bib) or (isinstance(piece, cuts.Top) and piece.hem[0] == "crotch")
+        for piece in spec.pieces
+    )
+
+
 def tinted(color: Color, tint: str) -> Color:
     """Return the colour of a piece: ``main``, ``dark``, ``light`` or a hex code."""
     if tint.startswith("#"):

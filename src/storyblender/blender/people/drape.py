@@ -1,0 +1,224 @@
+"""Seated clothes: skirts, coats and jackets are draped once over the seated body and kept as the shape key ``sit``.
+
+Position-based cloth at rest (notes on motion, section 5): gravity, stiff edges, the skinned body and the seat as
+obstacles. The result is carried back through the skinning to the rest pose, so the key is an ordinary shape key whose
+value follows the sitting clip.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+from numpy.typing import NDArray
+
+from storyblender.blender.people.body import Body
+from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
+from storyblender.blender.people.person import PersonBuild
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+KEY = "sit"
+ROUNDS = 70
+GRAVITY = 0.0012
+"""Metres a round."""
+STRETCH, SQUEEZE = 0.5, 0.28
+"""How stiff an edge is when longer and when shorter than at rest."""
+GAP = 0.012
+"""Cloth to skin on a person of 1.70 m."""
+REACH = 0.09
+THIGH, SHIN = (0.10, -1.0, -0.03), (0.02, 0.06, -1.0)
+"""Directions of the left leg of someone who sits."""
+
+
+@dataclass
+class SeatedPose:
+    """Where the bones are when seated, hips in place.
+
+    Attributes:
+        turns: (B, 3, 3) rotation of each bone from rest, armature space.
+        shifts: (B, 3) so that x becomes turn x + shift.
+    """
+
+    turns: Floats
+    shifts: Floats
+
+    def blended(self, weights: Floats) -> tuple[Floats, Floats]:
+        """Return the matrix (V, 3, 3) and the shift (V, 3) of each vertex, by linear skinning."""
+        count = len(self.turns)
+        return (weights @ self.turns.reshape(count, 9)).reshape(-1, 3, 3), weights @ self.shifts
+
+
+def seated_pose(body: Body) -> SeatedPose:
+    """Return the pose of someone on a chair: thighs forward, shins down, feet flat."""
+    turns = np.repeat(np.eye(3)[None], len(body.bone_names), axis=0)
+    places = body.heads.copy()
+    for index, (name, parent) in enumerate(zip(body.bone_names, body.parents, strict=True)):
+        if parent < 0:
+            continue
+        places[index] = places[parent] + turns[parent] @ (body.heads[index] - body.heads[parent])
+        stem, _, side = name.partition(".")
+        mirrored = np.array((1.0 if side == "L" else -1.0, 1.0, 1.0))
+        if stem in ("thigh", "shin"):
+            rest = Vector(body.tails[index] - body.heads[index])
+            aim = Vector(np.array(THIGH if stem == "thigh" else SHIN) * mirrored)
+            turns[index] = np.array(rest.rotation_difference(aim).to_matrix())
+        elif stem not in ("foot", "toe"):
+            turns[index] = turns[parent]
+    return SeatedPose(turns, places - np.einsum("bij,bj->bi", turns, body.heads))
+
+
+def drape_seated(build: PersonBuild) -> list[bpy.types.Object]:
+    """Give every garment that lies on the lap the shape key ``sit`` (value 0) and return those garments.
+
+    Args:
+        build: A finished person; the custom property ``drapes`` marks the garments.
+    """
+    pack = load_body_pack()
+    if pack is None or build.stand_in:
+        return []
+    pose = seated_pose(build.body)
+    skin, seat = _seated_skin(build.body, pose, pack)
+    obstacles = [skin]
+    draped = []
+    for garment in (mesh for mesh in build.meshes if "drapes" in mesh):
+        cloth = _Cloth(garment, build.body, pose)
+        if garment["drapes"]:
+            cloth.settle(obstacles, seat)
+            _write_key(garment, cloth.at_rest())
+            draped.append(garment)
+        if cloth.reaches_the_legs():
+            faces = [list(polygon.vertices) for polygon in garment.data.polygons]
+            obstacles.append(BVHTree.FromPolygons(cloth.points.tolist(), faces))
+    return draped
+
+
+def _seated_skin(body: Body, pose: SeatedPose, pack: BodyPack) -> tuple[BVHTree, float]:
+    """Return the seated trunk and legs as an obstacle, and the height of the seat below them."""
+    matrices, shifts = pose.blended(body.weights)
+    points = np.einsum("vij,vj->vi", matrices, body.vertices) + shifts
+    trunk = [
+        i for i, name in enumerate(body.bone_names) if name.split(".")[0] in ("hips", "spine", "chest", "thigh", "shin")
+    ]
+    near = body.weights[:, trunk].sum(1) > 0.5
+    faces = pack.faces[pack.faces[:, 0] < PARTS["skin"].stop]
+    tree = BVHTree.FromPolygons(points.tolist(), faces[near[faces].all(1)].tolist())
+    thighs = [i for i, name in enumerate(body.bone_names) if name.startswith(("hips", "thigh"))]
+    seat = float(np.percentile(points[body.weights[:, thighs].sum(1) > 0.8][:, 2], 1))
+    return tree, seat
+
+
+class _Cloth:
+    """A garment on its way down."""
+
+    def __init__(self, garment: bpy.types.Object, body: Body, pose: SeatedPose) -> None:
+        mesh = garment.data
+        flat = np.empty(len(mesh.vertices) * 3, np.float32)
+        mesh.vertices.foreach_get("co", flat)
+        self.rest = flat.reshape(-1, 3).astype(float)
+        pairs = np.empty(len(mesh.edges) * 2, np.int32)
+        mesh.edges.foreach_get("vertices", pairs)
+        self.edges: Ints = pairs.reshape(-1, 2).astype(np.int64)
+        self.lengths = np.linalg.norm(self.rest[self.edges[:, 0]] - self.rest[self.edges[:, 1]], axis=1)
+        self.valence = np.maximum(np.bincount(self.edges.ravel(), minlength=len(self.rest)), 1)[:, None]
+        weights = _vertex_weights(garment, body)
+        self.matrices, self.shifts = pose.blended(weights)
+        self.points = np.einsum("vij,vj->vi", self.matrices, self.rest) + self.shifts
+        self.k = body.stature / 1.7
+        self.hips = float(body.heads[body.bone_names.index("hips")][2])
+        waist = self.hips + 0.10 * self.k
+        arms = [i for i, name in enumerate(body.bone_names) if name.split(".")[0] in ("upper_arm", "forearm", "hand")]
+        below = np.clip((waist - self.rest[:, 2]) / (0.06 * self.k), 0, 1)
+        self.free = (below * (weights[:, arms].sum(1) < 0.3))[:, None]
+        thigh = body.bone_names.index("thigh.L")
+        length = float(np.linalg.norm(body.tails[thigh] - body.heads[thigh]))
+        self.edge_of_seat = float(body.heads[thigh][1]) - 0.8 * length
+
+    def reaches_the_legs(self) -> bool:
+        """Return whether other clothes can lie on it in the lap."""
+        return float(self.rest[:, 2].max()) > 0.45 * self.hips > float(self.rest[:, 2].min())
+
+    def settle(self, obstacles: Sequence[BVHTree], seat: float) -> None:
+        """Let the cloth fall until it lies."""
+        for turn in range(ROUNDS):
+            self.points[:, 2] -= GRAVITY * self.free[:, 0]
+            for _ in range(3):
+                self._hold_edges()
+            if turn % 5 == 4:
+                self._flatten()
+            if turn % 2 or turn == ROUNDS - 1:
+                for obstacle in obstacles:
+                    self._push_vertices(obstacle)
+                self._push_edges(obstacles[0])
+            on_seat = (
+                (self.points[:, 1] > self.edge_of_seat) & (self.points[:, 2] < seat - 0.002) & (self.free[:, 0] > 0)
+            )
+            self.points[on_seat, 2] = seat - 0.002
+
+    def at_rest(self) -> Floats:
+        """Return the draped points carried back to the rest pose."""
+        carried = np.einsum("vij,vj->vi", np.linalg.inv(self.matrices), self.points - self.shifts)
+        return np.where(self.free > 0, carried, self.rest)
+
+    def _spread(self, pairs: Ints, moves: Floats) -> Floats:
+        total = np.zeros_like(self.points)
+        for axis in range(3):
+            total[:, axis] += np.bincount(pairs[:, 0], moves[:, axis], len(self.points))
+            total[:, axis] -= np.bincount(pairs[:, 1], moves[:, axis], len(self.points))
+        return total
+
+    def _hold_edges(self) -> None:
+        span = self.points[self.edges[:, 1]] - self.points[self.edges[:, 0]]
+        length = np.linalg.norm(span, axis=1)
+        pull = np.where(length > self.lengths, STRETCH, SQUEEZE) * (length - self.lengths) / np.maximum(length, 1e-6)
+        self.points += self._spread(self.edges, span * pull[:, None]) / self.valence * 1.6 * self.free
+
+    def _flatten(self) -> None:
+        span = self.points[self.edges[:, 1]] - self.points[self.edges[:, 0]]
+        self.points += self._spread(self.edges, span) / self.valence * 0.12 * self.free
+
+    def _depth(self, obstacle: BVHTree, point: Floats, gap: float) -> Floats | None:
+        nearest, normal, _, _ = obstacle.find_nearest(Vector(point), REACH)
+        if nearest is None:
+            return None
+        depth = gap - (Vector(point) - nearest).dot(normal)
+        return np.array(normal) * depth if depth > 0 else None
+
+    def _push_vertices(self, obstacle: BVHTree) -> None:
+        for row in np.flatnonzero(self.free[:, 0] > 0):
+            push = self._depth(obstacle, self.points[row], GAP * self.k)
+            if push is not None:
+                self.points[row] += 0.8 * push
+
+    def _push_edges(self, obstacle: BVHTree) -> None:
+        """Push the middles of edges too: vertices alone let a thigh cut through a coarse skirt."""
+        loose = np.flatnonzero(self.free[self.edges, 0].max(1) > 0)
+        middles = self.points[self.edges[loose]].mean(1)
+        for row, middle in zip(loose, middles, strict=True):
+            push = self._depth(obstacle, middle, 0.6 * GAP * self.k)
+            if push is not None:
+                for vertex in self.edges[row]:
+                    self.points[vertex] += push * self.free[vertex]
+
+
+def _vertex_weights(garment: bpy.types.Object, body: Body) -> Floats:
+    """Return the skin weights in the order of the body's bones; groups are matched by name."""
+    column = {group.index: body.bone_names.index(group.name) for group in garment.vertex_groups}
+    weights = np.zeros((len(garment.data.vertices), len(body.bone_names)))
+    for vertex in garment.data.vertices:
+        for entry in vertex.groups:
+            weights[vertex.index, column[entry.group]] += entry.weight
+    return weights / weights.sum(1, keepdims=True)
+
+
+def _write_key(garment: bpy.types.Object, points: Floats) -> None:
+    if garment.data.shape_keys is None:
+        garment.shape_key_add(name="Basis", from_mix=False)
+    block = garment.shape_key_add(name=KEY, from_mix=False)
+    block.data.foreach_set("co", points.astype(np.float32).ravel())
+    block.value = 0.0
