@@ -64,7 +64,8 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("idle", "stand at ease", ("wait", "stay", "stand"), 1.0, ("idle", "stand"), stretches=True),
         # travel
         Motion(
-            "walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk", "swim"), 1.25, True, UPRIGHT, "stand", "place"
+            "walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk", "swim"), 1.25, True, UPRIGHT, "stand",
+            "place",
         ),
         Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
         Motion("sneak", "sneak", ("tiptoe", "creep"), 0.8, ("sneak",), 0.7, True, UPRIGHT, "stand", "place"),
@@ -73,10 +74,12 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("turn", "turn around", ("spin", "face"), 1.3, ("turn",), before=AWAKE),
         Motion("jump", "jump", ("leap", "hop"), 1.6, ("jump",), before=UPRIGHT, after="stand"),
         Motion(
-            "climb", "climb", ("clamber", "scale"), 3.5, ("climb",), None, True, UPRIGHT, "stand", "thing", 0.55, hands=2
+            "climb", "climb", ("clamber", "scale"), 3.5, ("climb",), None, True, UPRIGHT, "stand", "thing", 0.55, 2
         ),
         # seats, beds, floor
-        Motion("sit", "sit down", ("take a seat",), 1.4, ("sit", "ride", "drive"), None, False, UPRIGHT, "sit", "thing"),
+        Motion(
+            "sit", "sit down", ("take a seat",), 1.4, ("sit", "ride", "drive"), None, False, UPRIGHT, "sit", "thing"
+        ),
         Motion("rise", "stand up", ("get up", "rise"), 1.7, ("stand_up",), after="stand"),
         Motion("get_up", "get up", ("from the floor", "out of bed"), 3.2, (), after="stand"),
         Motion("kneel", "kneel down", ("on one knee",), 1.1, ("kneel",), None, False, UPRIGHT, "kneel"),

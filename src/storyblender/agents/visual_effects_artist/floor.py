@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.paths import Footprint, Vec2, clearance, find_path, seat_access
@@ -159,7 +160,7 @@ class Floor:
             count = max(8, int(2 * math.pi * radius / 0.2))
             turns = np.linspace(0, 2 * math.pi, count, endpoint=False)
             rings += [(float(radius * math.sin(a)), float(-radius * math.cos(a))) for a in turns]
-        points = np.asarray(rings, float) + np.asarray(wish, float)
+        points: NDArray[np.float64] = np.array([(wish[0] + dx, wish[1] + dy) for dx, dy in rings])
         fits = clearance(points, self.obstacles()) >= need
         for person in people:
             fits &= np.hypot(*(points - person).T) >= apart

@@ -97,8 +97,8 @@ def by_chest(
     def target(t: float) -> Floats:
         orient = who.bones.orient["upper_chest"]
         place = shoulder_rest(who, side) + orient @ (flip(at) * who.m.arm)
-        directions = (who.facing @ (orient @ flip(v)) for v in (fingers, normal, pole))
-        return hand(who.to_world(place), *directions, curl)
+        along, out, elbow = [who.facing @ (orient @ flip(v)) for v in (fingers, normal, pole)]
+        return hand(who.to_world(place), along, out, elbow, curl)
 
     return target
 
@@ -121,8 +121,8 @@ def upright(
     def target(t: float) -> Floats:
         turn = Matrix.Rotation(chest_yaw(who), 3, "Z")
         place = shoulder_rest(who, side) + turn @ (flip(at) * who.m.arm)
-        directions = (who.facing @ (turn @ flip(v)) for v in (fingers, normal, pole))
-        return hand(who.to_world(place), *directions, curl)
+        along, out, elbow = [who.facing @ (turn @ flip(v)) for v in (fingers, normal, pole)]
+        return hand(who.to_world(place), along, out, elbow, curl)
 
     return target
 

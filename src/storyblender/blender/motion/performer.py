@@ -112,7 +112,7 @@ class Performer:
         self.bedside: object | None = None
         """The seat from which they lay down, and where they get up again."""
         self.held: dict[str, str] = {}
-        self.free = dict.fromkeys(("body", "head", "L", "R"), 0.0)
+        self.free: dict[str, float] = dict.fromkeys(("body", "head", "L", "R"), 0.0)
         self.place = Vector((0, 0, 0))
         self.facing, self.facing_back = IDENTITY, IDENTITY
         self.heading = 0.0
@@ -168,6 +168,12 @@ class Performer:
         turned = yaw + sign(side) * math.radians(splay)
         ankle = (x + cos * aside - sin * behind, y + sin * aside + cos * behind, self.m.ankle)
         return np.array([*ankle, turned, 0, 0, math.sin(turned), -math.cos(turned), 0])
+
+    def plant_at(
+        self, side: str, place: Vector, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
+    ) -> Floats:
+        """Return the foot target of standing at a place on the floor; see ``plant``."""
+        return self.plant(side, place.x, place.y, yaw, width=width, splay=splay, back=back)
 
     def rolled(self, side: str, ankle: Floats, yaw: float, pitch: float) -> Vector:
         """Return where the ankle goes when a planted foot pitches about its heel (> 0) or its toe joint (< 0)."""

@@ -151,7 +151,7 @@ class Skeleton:
 
     def _untwisted(self, bone: str, rest: Vector, direction: Vector, exact: Matrix) -> Matrix:
         """Blend the exact hinge with the mere swing from the parent."""
-        parent = self.orient[self.parent[bone]]
+        parent = self.orient[self.parent[bone] or "hips"]
         plain, full = (swing(parent @ rest, direction) @ parent).to_quaternion(), exact.to_quaternion()
         if plain.dot(full) < 0:
             full = -full

@@ -8,9 +8,10 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.clips import CLIPS, play
-from storyblender.blender.motion.clips.floor import crouch, kneel, lean, lie_down, sleep
+from storyblender.blender.motion.clips.floor import crouch, kneel, lie_down, sleep
 from storyblender.blender.motion.clips.handling import take_in_hand
 from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
+from storyblender.blender.motion.clips.support import lean
 from storyblender.blender.motion.performer import FACE, Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
 from storyblender.blender.motion.stage import Beat, Stage

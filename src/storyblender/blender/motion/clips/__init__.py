@@ -12,12 +12,13 @@ from storyblender.blender.motion.clips import (
     pairs,
     seat,
     speech,
+    support,
     using,
     work,
 )
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
 
-FAMILIES = (arms, floor, gaze, gesture, handling, locomotion, pairs, seat, speech, using, work)
+FAMILIES = (arms, floor, gaze, gesture, handling, locomotion, pairs, seat, speech, support, using, work)
 """Importing a family registers its clips."""
 
 __all__ = ["CLIPS", "FAMILIES", "Clip", "play"]

@@ -1,4 +1,4 @@
-"""Down to the floor and onto beds: kneeling, crouching, lying, falling, leaning, crawling."""
+"""Down to the floor and onto beds: kneeling, crouching, lying, falling."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, turn_between
 from storyblender.blender.motion.clips.gaze import look_at, mood
-from storyblender.blender.motion.clips.handling import approach
-from storyblender.blender.motion.clips.locomotion import SNEAK, goal_of, step_to, travel
+from storyblender.blender.motion.clips.locomotion import step_to, travel
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import go_to_seat, refill_hands, seat_meant, settle, stand_up
 from storyblender.blender.motion.hands import beside_body, by_chest, hand, on_knee, upright
@@ -20,7 +19,7 @@ from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
 
-def _to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
+def to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
     """Go to the beat's mark if it has one; before the shot starts, stand there already."""
     if beat.mark is None:
         return beat.start
@@ -35,7 +34,7 @@ def _to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
 @clip("kneel", "body", "hands")
 def kneel(stage: Stage, who: Performer, beat: Beat) -> float:
     """One knee on the floor, the other foot flat in front."""
-    t = _to_mark(stage, who, beat)
+    t = to_mark(stage, who, beat)
     m, k = who.m, who.m.k
     knee, front = beat.side, other(beat.side)
     whole, radius, ankle = 1.0 * math.sqrt(k), 0.075 * k, 0.125 * k
@@ -60,12 +59,12 @@ def kneel(stage: Stage, who: Performer, beat: Beat) -> float:
 @clip("crouch", "body", "hands")
 def crouch(stage: Stage, who: Performer, beat: Beat) -> float:
     """Squat with knees apart, arms on them."""
-    t = _to_mark(stage, who, beat)
+    t = to_mark(stage, who, beat)
     m, k = who.m, who.m.k
     whole = 0.8 * math.sqrt(k)
     for index, side in enumerate(SIDES):
         behind = 0.16 * k if side == beat.side else -0.04 * k
-        pose = who.plant(side, *who.position, who.yaw, width=1.35, splay=18, back=behind)
+        pose = who.plant_at(side, who.position, who.yaw, width=1.35, splay=18, back=behind)
         if side == beat.side:
             pose[:3], pose[4], pose[5] = who.rolled(side, pose, pose[3], -38), -38, 38
         step_to(who, side, t + 0.15 * index * whole, 0.5 * whole, pose, 0.03 * k)
@@ -112,7 +111,7 @@ def lie_down(stage: Stage, who: Performer, beat: Beat) -> float:
 
 def _lie_on_floor(stage: Stage, who: Performer, beat: Beat) -> float:
     """Sit down on the ground and lie back, head where the mark's back is."""
-    t = _to_mark(stage, who, beat)
+    t = to_mark(stage, who, beat)
     if t < 0:
         t = min(t, -8.0)
     toward = who.forward
@@ -284,133 +283,3 @@ def _flung_out(who: Performer, side: str) -> TargetOf:
         return hand(palm, out, Vector((0, 0, 1 if side == "R" else -1)), who.facing @ Vector((0, 1, 0.3)), (28, 34, 5))
 
     return target
-
-
-@clip("lean", "body", "hands")
-def lean(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Lean on a bar or a rail with both forearms, or with the back against a wall."""
-    support = (beat.mark.support_id if beat.mark else None) or getattr(beat.target, "asset_id", None)
-    furniture = stage.furniture(support)
-    anchor = stage.anchor(furniture, ("lean",), beat.mark) if furniture is not None else None
-    if anchor is None and furniture is not None and 0.8 < furniture.dimensions[2] < 1.35:
-        anchor = stage.anchor(furniture, ("top",), beat.mark)
-    t = _to_mark(stage, who, beat) if beat.mark is not None or beat.start < 0 else beat.start
-    if furniture is None or anchor is None:
-        return _lean_back(stage, who, t)
-    world = Matrix(furniture.world.tolist())
-    height = (world @ Vector(anchor.location)).z
-    if beat.mark is None and beat.start >= 0:
-        t = approach(stage, who, beat, world @ Vector(anchor.location), 0.5 * who.m.k)
-    edge = _edge_distance(who, world, furniture.dimensions)
-    who.support = support or ""
-    return _lean_on(stage, who, t, height, edge, beat.side)
-
-
-def _edge_distance(who: Performer, world: Matrix, size: tuple[float, float, float]) -> float:
-    """Return how far before a person the edge of a box is."""
-    origin = world.inverted() @ Vector((*who.position, 0.5))
-    ahead = world.inverted().to_3x3() @ Vector((*who.forward, 0))
-    best = 0.35 * who.m.k
-    for axis in (0, 1):
-        if abs(ahead[axis]) > 0.3:
-            near = (-math.copysign(size[axis] / 2, ahead[axis]) - origin[axis]) / ahead[axis]
-            if 0 < near < 1.2:
-                best = near
-    return min(best, 0.45 * who.m.k)
-
-
-def _lean_on(stage: Stage, who: Performer, t: float, height: float, edge: float, side: str) -> float:
-    """Forearms on a top: the least lean that brings the elbows to it."""
-    m, k = who.m, who.m.k
-    top, torso, whole = height + 0.035 * k, m.shoulder_height - m.hip_height, 0.9
-    degrees = 28
-    for degrees in range(4, 30, 2):
-        above = m.hip_height - 0.05 * k + torso * math.cos(math.radians(0.8 * degrees)) - top
-        if 0 < above < 0.97 * m.upper_arm:
-            break
-    who.hips.set(t, whole, (0, 0.05 * k, m.hip_height - 0.05 * k, 0.4 * degrees, 0, 0))
-    who.spine.set(t, whole, (0.65 * degrees, 0, 0))
-    who.lean_after.set(t, 0, 0.0)
-    who.life.set(t, 0.4, 0.4)
-    behind = other(side)
-    spot = who.position - who.forward * (0.20 * k)
-    step_to(who, behind, t + 0.1, 0.35, who.plant(behind, spot.x, spot.y, who.yaw, width=0.5, splay=10))
-    for each in SIDES:
-        inward = -0.03 * k if each == side else 0.02 * k
-        ahead = edge + (0.15 if each == side else 0.18) * k
-
-        def target(now: float, s: int = sign(each), inward: float = inward, ahead: float = ahead) -> Floats:
-            palm = who.to_world(Vector((s * inward, -ahead, top - 0.012 * k)))
-            turn = who.facing
-            return hand(
-                palm,
-                turn @ Vector((-s * 0.85, -0.35, 0)),
-                Vector((0, 0, -1)),
-                turn @ Vector((s, 0.25, -0.35)),
-                (14, 20, 0),
-            )
-
-        who.home[each] = target
-    refill_hands(stage, who, t + 0.15, whole)
-    who.posture = "lean"
-    return t + 1.1
-
-
-def _lean_back(stage: Stage, who: Performer, t: float) -> float:
-    """Back against a wall: hips forward, one knee bent, arms folded low."""
-    k = who.m.k
-    who.hips.set(t, 0.9, (0, -0.10 * k, who.standing_height - 0.03 * k, -9, 0, 0))
-    who.spine.set(t, 0.9, (3, 0, 0))
-    spot = who.position + who.forward * (0.12 * k)
-    for index, side in enumerate(SIDES):
-        pose = who.plant(side, spot.x, spot.y, who.yaw, width=0.9 if side == "L" else 0.4, splay=12)
-        step_to(who, side, t + 0.1 + 0.25 * index, 0.35, pose)
-        low = (-0.30, 0.42, -0.52) if side == "R" else (-0.26, 0.46, -0.46)
-        who.home[side] = by_chest(who, side, low, (-1, 0.15, 0.1), (0, -1, 0.2), pole=(0.9, -0.3, -0.6))
-    who.lean_after.set(t, 0, 0.0)
-    refill_hands(stage, who, t + 0.1, 0.9)
-    who.posture = "lean"
-    return t + 1.1
-
-
-@clip("climb", "body", "hands")
-def climb(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Climb on the spot: hands reach up in turn, knees follow."""
-    t, k = beat.start, who.m.k
-    if beat.target is not None:
-        place = Vector((*stage.ground_of(beat.target), who.m.shoulder_height))
-        t = approach(stage, who, beat, place, 0.9 * who.m.arm)
-    end = t + max(2.0, beat.duration or 3.0)
-    pulse, index = 0.55, 0
-    while t < end - pulse:
-        side = SIDES[index % 2]
-        for each, high in ((side, 0.75), (other(side), 0.15)):
-            rung = upright(
-                who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25)
-            )
-            who.hands[each].set(t, 0.9 * pulse, rung)
-        foot = other(side)
-        lifted = who.plant(foot, *(who.position + who.forward * 0.12 * k), who.yaw)
-        lifted[2] += 0.28 * k
-        who.feet[foot].set(t, 0.9 * pulse, lifted)
-        who.feet[side].set(t, 0.9 * pulse, who.plant(side, *who.position, who.yaw))
-        t, index = t + pulse, index + 1
-    for side in SIDES:
-        who.feet[side].set(t, 0.5, who.plant(side, *who.position, who.yaw))
-        who.hands[side].set(t, 0.7, who.home[side])
-    return t + 0.8
-
-
-@clip("crawl", "body")
-def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Move on hands and knees; shown as a deep, slow creep."""
-    goal, yaw = goal_of(stage, who, beat)
-    k = who.m.k
-    t = beat.start
-    low = who.standing_height - 0.34 * k
-    who.hips.set(t, 0.6, (0, 0.16 * k, low, 34, 0, 0))
-    who.spine.set(t, 0.6, (34, 0, 0))
-    end = travel(stage, who, beat, goal, yaw, style=SNEAK)
-    who.hips.set(end, 0.8, (0, 0, who.standing_height, 0, 0, 0))
-    who.spine.set(end, 0.8, (0, 0, 0))
-    return end + 0.8

@@ -217,13 +217,13 @@ def dress(stage: Stage, who: Performer, beat: Beat) -> float:
 def kick(stage: Stage, who: Performer, beat: Beat) -> float:
     """Swing one foot against what is in front."""
     t, k, foot = beat.start, who.m.k, beat.side
-    behind = who.plant(foot, *(who.position - who.forward * 0.28 * k), who.yaw)
+    behind = who.plant_at(foot, (who.position - who.forward * 0.28 * k), who.yaw)
     behind[2], behind[4] = behind[2] + 0.14 * k, -50
-    struck = who.plant(foot, *(who.position + who.forward * 0.52 * k), who.yaw)
+    struck = who.plant_at(foot, (who.position + who.forward * 0.52 * k), who.yaw)
     struck[2], struck[4] = struck[2] + 0.30 * k, -12
     who.feet[foot].set(t, 0.35, behind)
     who.feet[foot].set(t + 0.35, 0.16, struck)
-    who.feet[foot].set(t + 0.6, 0.4, who.plant(foot, *who.position, who.yaw))
+    who.feet[foot].set(t + 0.6, 0.4, who.plant_at(foot, who.position, who.yaw))
     who.hips.set(t, 0.3, (-0.06 * k * sign(foot), 0.02, who.standing_height - 0.04 * k, -6, 0, 0))
     who.hips.set(t + 0.6, 0.5, (0, 0, who.standing_height, 0, 0, 0))
     return t + 1.1

@@ -345,7 +345,7 @@ def hit(stage: Stage, who: Performer, beat: Beat) -> float:
     if partner.posture == "stand":
         behind = partner.position - partner.forward * (0.2 * partner.m.k)
         step_to(partner, "L", t + 0.5, 0.3, partner.plant("L", behind.x, behind.y, partner.yaw))
-        step_to(partner, "L", t + 1.2, 0.35, partner.plant("L", *partner.position, partner.yaw))
+        step_to(partner, "L", t + 1.2, 0.35, partner.plant_at("L", partner.position, partner.yaw))
     who.hands[side].set(t + 0.6, 0.6, who.home[side])
     who.accent.set(t + 0.6, 0.5, (0, 0, 0))
     partner.accent.set(t + 1.5, 0.6, (0, 0, 0))

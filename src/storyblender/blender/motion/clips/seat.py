@@ -133,7 +133,7 @@ def _seat_foot(who: Performer, side: str, t: float, whole: float, height: float,
     if height < FLOOR_SEAT:
         reach = math.sqrt(max(0.01, (0.72 * m.leg) ** 2 - (height - m.ankle) ** 2))
         spot = hips + forward * (reach + m.foot_y)
-        step_to(who, side, t + whole * (0.3 if side == "R" else 0.5), 0.4, who.plant(side, *spot, who.yaw), 0.05 * k)
+        step_to(who, side, t + whole * (0.3 if side == "R" else 0.5), 0.4, who.plant_at(side, spot, who.yaw), 0.05 * k)
         return
     spot = who.position + forward * (0.05 * k)
     pose = who.plant(side, spot.x, spot.y, who.yaw, width=1.05, splay=9)

@@ -200,13 +200,13 @@ def _shove(stage: Stage, who: Performer, beat: Beat, way: int) -> float:
     who.spine.set(t + 0.3, 0.7, (16 * way, 0, 0))
     who.hips.set(end - 0.2, 0.7, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(end - 0.2, 0.7, (0, 0, 0))
-    step_to(who, lead, end, 0.4, who.plant(lead, *who.position, who.yaw))
+    step_to(who, lead, end, 0.4, who.plant_at(lead, who.position, who.yaw))
     if partner is not None and way > 0:
         partner.accent.set(t + 0.9, 0.25, (-14, 0, 6))
         behind = partner.position - partner.forward * (0.3 * partner.m.k)
         step_to(partner, "R", t + 0.95, 0.3, partner.plant("R", behind.x, behind.y, partner.yaw))
         partner.accent.set(t + 1.5, 0.6, (0, 0, 0))
-        step_to(partner, "R", t + 1.6, 0.4, partner.plant("R", *partner.position, partner.yaw))
+        step_to(partner, "R", t + 1.6, 0.4, partner.plant_at("R", partner.position, partner.yaw))
     return end + 0.5
 
 
