@@ -60,6 +60,9 @@ ELEVATION_BAND: dict[str, tuple[float, float]] = {
     "worm's-eye": (-60.0, -18.0),
     "dutch": (-9.0, 14.0),
 }
+FILL: dict[str, float] = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}
+"""How much of the picture's height or width a thing fills; wider sizes take ``FILL_WIDE``."""
+FILL_WIDE = 0.2
 DUTCH_ROLL = 12.0
 """Degrees."""
 THIRD = 1 / 6

@@ -9,14 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, orbit_of, pose_of
-from storyblender.geometry import framing
-from storyblender.geometry.continuity import THIRTY, crosses_line, looks_meet, view_change
-from storyblender.geometry.framing import Figure
-from storyblender.geometry.orbit import DOLLY, Orbit
-from storyblender.memory.base import shot_name
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of
+from storyblender.agents.layout_artist.camera_composition import composition, fault
+from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.ports import Viewfinder, ViewRequest
 from storyblender.reflection import Critique, Fault
@@ -26,8 +21,6 @@ _FACE_SHOWN = 0.60
 _VOID = 0.015
 _FOREGROUND = 0.22
 _FOREGROUND_OTS = 0.38
-_STRAY = 0.09
-"""How far in widths or heights of the picture a face may be from its place."""
 _CLOSE = ("MS", "MCU", "CU", "ECU")
 _WHOLE = ("FS", "WS", "EWS")
 _FACE_ANGLE = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "two_shot": 112.0, "group": 125.0}
@@ -111,15 +104,11 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
         camera = take.at(share_of(brief, moment.frame))
         found = [*_visibility(brief, moment, view), *_place(view), *_void(view)]
         if index == main:
-            found += [*_composition(brief, camera, moment, view), *_surroundings(brief, view)]
+            found += [*composition(brief, camera, moment, view), *_surroundings(brief, view)]
         known = {(fault.kind, fault.subject) for fault in told}
         told += [fault for fault in found if (fault.kind, fault.subject) not in known]
-    told += _cuts(brief, take)
+    told += cuts(brief, take)
     return tuple(told)
-
-
-def _fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
-    return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
 
 
 def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fault]:
@@ -131,28 +120,30 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
         subject = subjects.get(node)
         if subject is None:
             continue
-        if subject.in_frame_fraction < 0.02:
-            found.append(_fault("out_of_frame", node, 5.0, f"{node} is not in the picture", ops="zoom_out"))
+        shows_face = subject.face is not None and all(0 < value < 1 for value in subject.face)
+        if subject.in_frame_fraction < 0.02 and not shows_face:
+            text = f"{node} is not in the picture"
+            found.append(fault("out_of_frame", node, 5.0, text, ops="zoom_out", dolly=-4.0))
             continue
-        hidden = 1 - subject.visible_fraction / subject.in_frame_fraction
-        if hidden > _HIDDEN:
+        hidden = 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
+        if hidden > _HIDDEN and subject.in_frame_fraction >= 0.02:
             text = f"{node} is {hidden:.0%} hidden"
-            found.append(_fault("hidden", node, 1 + 4 * (hidden - _HIDDEN), text, ops=f"{_AROUND} orbit_up"))
+            found.append(fault("hidden", node, 1 + 4 * (hidden - _HIDDEN), text, ops=f"{_AROUND} orbit_up"))
         is_person = moment.figure(node) is not None
         whole = size in _WHOLE if is_person else kind == "insert"
         if whole and kind != "establishing" and subject.in_frame_fraction < 0.96:
             cut = 1 - subject.in_frame_fraction
-            found.append(_fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
+            found.append(fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
         if is_person and kind != "establishing":
             found += _face(brief, subject)
     over_node = brief.node(brief.instruction.over_id or "")
     for node in () if size in ("MCU", "CU", "ECU") else brief.in_frame:
         other = subjects.get(node)
         if other is not None and other.visible_fraction < 0.05 and node not in (*brief.focus, over_node):
-            found.append(_fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
+            found.append(fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
     over = subjects.get(over_node)
     if kind == "ots" and over is not None and over.pixels < 0.02:
-        found.append(_fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
+        found.append(fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
     return found
 
 
@@ -160,26 +151,26 @@ def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
     limit = _FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.instruction.size in _WHOLE else 105.0)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
-        return [_fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
+        return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
     found: list[Fault] = []
     if subject.face_angle > limit:
         over = (subject.face_angle - limit) / 45
         text = f"the face of {node} is turned {subject.face_angle:.0f} degrees away"
-        found.append(_fault("face_away", node, min(0.6 + 1.5 * over, 2.5), text, ops=_AROUND))
+        found.append(fault("face_away", node, min(0.6 + 1.5 * over, 2.5), text, ops=_AROUND))
     elif subject.face_visible < _FACE_SHOWN and subject.face_angle < 100 and brief.instruction.size != "ECU":
         short = _FACE_SHOWN - subject.face_visible
         ops = f"{_AROUND} orbit_up"
-        found.append(_fault("face_hidden", node, 1 + 3 * short, f"the face of {node} is hidden", ops=ops))
+        found.append(fault("face_hidden", node, 1 + 3 * short, f"the face of {node} is hidden", ops=ops))
     return found
 
 
 def _place(view: CameraView) -> list[Fault]:
     found = [
-        _fault("inside", node, 5.0, f"the camera is in {node}", ops="zoom_in zoom_out orbit_left orbit_right")
+        fault("inside", node, 5.0, f"the camera is in {node}", ops="zoom_in zoom_out orbit_left orbit_right")
         for node in view.inside
     ]
     if view.below_floor:
-        found.append(_fault("below_floor", "", 5.0, "the camera is below the floor", ops="orbit_up"))
+        found.append(fault("below_floor", "", 5.0, "the camera is below the floor", ops="orbit_up"))
     return found
 
 
@@ -188,85 +179,7 @@ def _void(view: CameraView) -> list[Fault]:
         return []
     text = f"{view.void:.0%} of the picture shows nothing"
     ops = "orbit_left orbit_right orbit_down zoom_in"
-    return [_fault("void", "", min(0.5 + 6 * view.void, 3.0), text, ops=ops)]
-
-
-def _composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
-    """Size, headroom, place in the picture, angle."""
-    kind = brief.instruction.kind
-    found: list[Fault] = []
-    if kind not in ("pov", "establishing"):
-        found += _angle(brief, camera)
-    subjects = {subject.node_id: subject for subject in view.subjects}
-    faces = [(moment.figure(node), subjects[node]) for node in brief.focus if node in subjects]
-    heads = [(figure, subject) for figure, subject in faces if figure is not None and subject.face is not None]
-    if not heads or kind in ("establishing", "insert", "pov"):
-        return found
-    found += _size(brief, [subject for _, subject in heads])
-    if len(heads) == 1 or kind == "ots":
-        figure, subject = heads[0]
-        assert figure is not None and subject.face is not None
-        found += _lone_place(brief, camera, figure, subject)
-    else:
-        xs = [subject.face[0] for _, subject in heads if subject.face is not None]
-        off = (min(xs) + max(xs)) / 2 - 0.5
-        if abs(off) > _STRAY:
-            text = f"the group is {off:+.2f} of the width off the middle"
-            found.append(_fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
-    found += _headroom(brief, [subject for _, subject in heads])
-    return found
-
-
-def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
-    low, high = framing.ELEVATION_BAND[brief.instruction.angle]
-    if brief.things and not brief.people:
-        high = max(high, 45.0)
-    elevation = camera.elevation
-    if low <= elevation <= high:
-        return []
-    by = (low - elevation) if elevation < low else (high - elevation)
-    text = f"{elevation:.0f} degrees is not {brief.instruction.angle}"
-    return [_fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
-
-
-def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
-    scale = framing.SCALES[brief.instruction.size]
-    low, high = scale.band
-    if len(heads) > 1:
-        low *= 0.5
-    largest = max(subject.head_height for subject in heads)
-    if low <= largest <= high or largest <= 0:
-        return []
-    steps = math.log(scale.head / largest, DOLLY)
-    text = f"the head fills {largest:.2f} of the height, {brief.instruction.size} wants {scale.head:.2f}"
-    return [_fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
-
-
-def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
-    """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
-    assert subject.face is not None
-    wanted = framing.lead_room(camera, figure)
-    if brief.instruction.kind == "ots":
-        wanted = 0.5 + math.copysign(0.13, subject.face[0] - 0.5)
-    off = subject.face[0] - wanted
-    if abs(off) <= _STRAY:
-        return []
-    text = f"the face of {subject.node_id} is {off:+.2f} of the width off its place"
-    return [_fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
-
-
-def _headroom(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
-    tops = [subject.head_top for subject in heads if subject.head_top is not None]
-    if not tops or brief.instruction.size in ("ECU", "EWS"):
-        return []
-    crown, top = framing.SCALES[brief.instruction.size].crown, min(tops)
-    low = -0.04 if brief.instruction.size == "CU" else 0.01
-    high = crown + (0.24 if len(heads) > 1 or brief.instruction.size == "WS" else 0.14)
-    if low <= top <= high:
-        return []
-    off = crown - top
-    text = f"headroom is {top:.2f} of the height"
-    return [_fault("headroom", heads[0].node_id, 0.5 + 2 * abs(off), text, pan_y=off)]
+    return [fault("void", "", min(0.5 + 6 * view.void, 3.0), text, ops=ops)]
 
 
 def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
@@ -277,11 +190,11 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
     if view.foreground > allowed and kind != "pov":
         text = f"{view.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
-        found.append(_fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
+        found.append(fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
     own = {*brief.focus, brief.node(brief.instruction.over_id or "")}
     covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
     if covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
-        found.append(_fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
+        found.append(fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
     if kind != "pov":
         main = set() if kind == "establishing" else own
         found += _bystanders(view, main, {*brief.in_frame, *own})
@@ -297,53 +210,15 @@ def _bystanders(view: CameraView, own: set[str], meant: set[str]) -> list[Fault]
             continue
         if subject.pixels > 0.012 and not 0.0 < subject.face[1] < 1.0:
             text = f"the frame takes the head off {subject.node_id}"
-            found.append(_fault("beheaded", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in zoom_out"))
+            found.append(fault("beheaded", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in zoom_out"))
         left, _, right, _ = subject.box
         if (left < 0.004) != (right > 0.996) or (left < 0.004 and right > 0.996):
             x = right if left < 0.004 else 1 - left
             away = x + 0.02 if left < 0.004 else -(x + 0.02)
             text = f"the frame cuts {subject.node_id}"
-            found.append(_fault("bystander", subject.node_id, 0.4 + min(3 * subject.pixels, 0.8), text,
+            found.append(fault("bystander", subject.node_id, 0.4 + min(3 * subject.pixels, 0.8), text,
                                 azimuth=math.copysign(8, -away), ops=_AROUND))  # fmt: skip
         if subject.node_id not in meant and subject.pixels > max(1.2 * largest, 0.1):
             text = f"{subject.node_id} steals the picture"
-            found.append(_fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
+            found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
     return found
-
-
-def _cuts(brief: CameraBrief, take: Take) -> list[Fault]:
-    """The 180-degree line, the 30-degree rule, and eyelines that meet."""
-    found: list[Fault] = []
-    name = shot_name(brief.scene_id, brief.shot_id)
-    kind, axis = brief.instruction.kind, brief.axis
-    if axis is not None and kind not in ("pov", "establishing", "insert"):
-        crossed = [crosses_line(end, axis[0].face, axis[1].face, brief.side) for end in (take.start, take.end)]
-        if any(crossed):
-            found.append(_fault("line", name, 3.5, f"{name} crosses the line", ops=_AROUND))
-    before = brief.previous
-    if before is not None and set(before.instruction.focus_on_ids) & set(brief.instruction.focus_on_ids):
-        found += _jump(brief, take, name)
-    reverse = brief.reverse
-    if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and brief.people:
-        partner = next((figure for figure in axis if figure.node_id != brief.people[0].node_id), None)
-        other = orbit_of(reverse.state.poses[0], brief.film)
-        if partner is not None and not looks_meet(take.camera, brief.people[0].forward, other, partner.forward):
-            found.append(_fault("eyeline", name, 1.5, "both singles look to one side of the picture", ops=_AROUND))
-    return found
-
-
-def _jump(brief: CameraBrief, take: Take, name: str) -> list[Fault]:
-    before = brief.previous
-    if before is None or "pov" in (brief.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
-        return []
-    if set(before.instruction.focus_on_ids) != set(brief.instruction.focus_on_ids):
-        return []
-    last = orbit_of(before.state.poses[-1], brief.film)
-    subject = brief.people[0].face if brief.people else take.camera.pivot
-    change, steps = view_change(last, take.start, subject), brief.size_steps(before.instruction.size)
-    if steps >= 2 or change >= THIRTY:
-        return []
-    short = THIRTY - change + 3
-    way = np.sign(take.start.azimuth - last.azimuth) or 1.0
-    text = f"the cut moves only {change:.0f} degrees on the same subject"
-    return [_fault("jump", name, 0.6 + short / 40, text, azimuth=float(way * short))]

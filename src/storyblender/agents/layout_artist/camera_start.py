@@ -139,7 +139,7 @@ def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orb
     angle = framing.ELEVATION[brief.instruction.angle]
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
     azimuth = _towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
-    fill = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}.get(brief.instruction.size, 0.2)
+    fill = framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
     return framing.insert(brief.film, points, azimuth, elevation, lens, fill)
 
 

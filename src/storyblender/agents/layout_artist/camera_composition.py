@@ -1,0 +1,123 @@
+"""Judges the picture itself: angle, size, headroom, place. Every fault comes with the numbers that mend it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
+from storyblender.geometry import framing
+from storyblender.geometry.framing import Figure
+from storyblender.geometry.orbit import DOLLY, Orbit
+from storyblender.memory.measure import CameraView, SubjectView
+from storyblender.reflection import Fault
+
+_STRAY = 0.09
+"""How far in widths or heights of the picture a face may be from its place."""
+_THING_STRAY = 0.14
+
+
+def fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
+    """Return a fault with its fix; severity in points of ten."""
+    return Fault(kind=kind, subject=subject, severity=round(severity, 3), message=message, fix=fix)
+
+
+def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraView) -> list[Fault]:
+    """Size, headroom, place in the picture, angle."""
+    kind = brief.instruction.kind
+    found: list[Fault] = []
+    if kind not in ("pov", "establishing"):
+        found += _angle(brief, camera)
+    subjects = {subject.node_id: subject for subject in view.subjects}
+    faces = [(moment.figure(node), subjects[node]) for node in brief.focus if node in subjects]
+    heads = [(figure, subject) for figure, subject in faces if figure is not None and subject.face is not None]
+    if kind == "insert" or (not faces and kind not in ("establishing", "pov")):
+        return found + _thing(brief, camera, [subjects[node] for node in brief.focus if node in subjects])
+    if not heads or kind in ("establishing", "pov"):
+        return found
+    found += _size(brief, [subject for _, subject in heads])
+    if len(heads) == 1 or kind == "ots":
+        figure, subject = heads[0]
+        assert figure is not None and subject.face is not None
+        found += _lone_place(brief, camera, figure, subject)
+    else:
+        xs = [subject.face[0] for _, subject in heads if subject.face is not None]
+        off = (min(xs) + max(xs)) / 2 - 0.5
+        if abs(off) > _STRAY:
+            text = f"the group is {off:+.2f} of the width off the middle"
+            found.append(fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
+    found += _headroom(brief, [subject for _, subject in heads])
+    return found
+
+
+def _thing(brief: CameraBrief, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:
+    """A thing is in the middle and fills the picture as its size wants; hands may hold it anywhere."""
+    boxes = [subject.box for subject in subjects if subject.box is not None]
+    if not boxes or not brief.things:
+        return []
+    left, top = min(box[0] for box in boxes), min(box[1] for box in boxes)
+    right, bottom = max(box[2] for box in boxes), max(box[3] for box in boxes)
+    x, y, node = (left + right) / 2 - 0.5, (top + bottom) / 2 - 0.5, subjects[0].node_id
+    found = []
+    if max(abs(x), abs(y)) > _THING_STRAY:
+        text = f"{node} is off the middle by {x:+.2f} of the width and {y:+.2f} of the height"
+        found.append(fault("placement", node, 0.8 + 2 * max(abs(x), abs(y)), text, pan_x=x * camera.aspect, pan_y=-y))
+    wanted = framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
+    extent = max(right - left, bottom - top)
+    if not 0.55 * wanted < extent < min(1.7 * wanted, 0.97):
+        steps = math.log(wanted / max(extent, 0.01), DOLLY)
+        text = f"{node} fills {extent:.2f} of the picture, {brief.instruction.size} wants {wanted:.2f}"
+        found.append(fault("size", node, min(0.5 + 0.2 * abs(steps), 3.0), text, dolly=steps))
+    return found
+
+
+def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
+    low, high = framing.ELEVATION_BAND[brief.instruction.angle]
+    if brief.things and not brief.people:
+        high = max(high, 45.0)
+    elevation = camera.elevation
+    if low <= elevation <= high:
+        return []
+    by = (low - elevation) if elevation < low else (high - elevation)
+    text = f"{elevation:.0f} degrees is not {brief.instruction.angle}"
+    return [fault("angle", "", min(0.4 + abs(by) / 25, 1.5), text, elevation=by + math.copysign(2, by))]
+
+
+def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
+    scale = framing.SCALES[brief.instruction.size]
+    low, high = scale.band
+    if len(heads) > 1:
+        low *= 0.5
+    largest = max(subject.head_height for subject in heads)
+    if low <= largest <= high or largest <= 0:
+        return []
+    steps = math.log(scale.head / largest, DOLLY)
+    text = f"the head fills {largest:.2f} of the height, {brief.instruction.size} wants {scale.head:.2f}"
+    return [fault("size", heads[0].node_id, min(0.5 + 0.25 * abs(steps), 3.0), text, dolly=steps)]
+
+
+def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
+    """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
+    assert subject.face is not None
+    wanted = framing.lead_room(camera, figure)
+    if brief.instruction.kind == "ots":
+        wanted = 0.5 + math.copysign(0.13, subject.face[0] - 0.5)
+    off = subject.face[0] - wanted
+    if abs(off) <= _STRAY:
+        return []
+    text = f"the face of {subject.node_id} is {off:+.2f} of the width off its place"
+    return [fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
+
+
+def _headroom(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
+    tops = [subject.head_top for subject in heads if subject.head_top is not None]
+    if not tops or brief.instruction.size in ("ECU", "EWS"):
+        return []
+    crown, top = framing.SCALES[brief.instruction.size].crown, min(tops)
+    low = -0.04 if brief.instruction.size == "CU" else 0.01
+    high = crown + (0.24 if len(heads) > 1 or brief.instruction.size == "WS" else 0.14)
+    if low <= top <= high:
+        return []
+    off = crown - top
+    text = f"headroom is {top:.2f} of the height"
+    return [fault("headroom", heads[0].node_id, 0.5 + 2 * abs(off), text, pan_y=off)]

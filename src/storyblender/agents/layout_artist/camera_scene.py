@@ -1,0 +1,134 @@
+"""Shoots a scene in order: every camera knows the cuts before it, its reverse, and the side of the line."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
+from storyblender.agents.layout_artist.camera_operator import operate, side_used
+from storyblender.agents.layout_artist.layout_things import size_of
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.geometry.boxes import Box
+from storyblender.geometry.framing import Film
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.shot_context import CameraState, ShotContext
+from storyblender.ports import Viewfinder
+from storyblender.trace import Listener, silent
+
+_ANSWERS = ("single", "reaction", "ots")
+"""Kinds of shots that have a reverse."""
+Moments = Callable[[ShotContext], Sequence[Moment]]
+"""Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
+
+
+def telling_frames(shot: ShotContext) -> tuple[int, ...]:
+    """Return the frames at which a shot's faces are wanted: start, middle and end."""
+    last = max(shot.duration - 1, 0)
+    return tuple(dict.fromkeys((0, last // 2, last)))
+
+
+def shoot_scene(
+    graph: ContinuityMemoryGraph,
+    scene_id: int,
+    plan: SetPlan,
+    measures: Mapping[str, AssetMeasure],
+    moments: Moments,
+    viewfinder: Viewfinder,
+    *,
+    listener: Listener = silent,
+) -> dict[int, CameraState]:
+    """Return the camera of every shot of a scene by shot id; locked cameras stay, and the others match them.
+
+    Args:
+        graph: With layout and blocking of the scene.
+        scene_id: Of the scene.
+        plan: Its set.
+        measures: By asset id.
+        moments: Faces of a shot.
+        viewfinder: The engine's eye.
+        listener: Receives the trace.
+    """
+    cameras: dict[int, CameraState] = {}
+    previous: Cut | None = None
+    sides: dict[tuple[str, str], int] = {}
+    answered: dict[tuple[str, str], Cut] = {}
+    for shot in graph.shots_of(scene_id):
+        instruction = shot.camera_instruction
+        axis = instruction.axis
+        brief = replace(
+            camera_brief(graph, shot, plan, measures, moments(shot)),
+            previous=previous,
+            side=sides.get(axis, 0) if axis is not None else 0,
+            reverse=_reverse(instruction.focus_on_ids, answered.get(axis)) if axis is not None else None,
+        )
+        locked = shot.camera if "camera" in shot.locked else None
+        state = locked or operate(brief, viewfinder, listener=listener)
+        cameras[shot.shot_id] = state
+        previous = Cut(instruction, state)
+        if axis is not None:
+            sides[axis] = sides.get(axis) or side_used(brief, state)
+            if instruction.kind in _ANSWERS:
+                answered[axis] = previous
+    return cameras
+
+
+def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:
+    """Return the partner's latest single, if the partner had the last word."""
+    return last if last is not None and last.instruction.focus_on_ids != focus else None
+
+
+def camera_brief(
+    graph: ContinuityMemoryGraph,
+    shot: ShotContext,
+    plan: SetPlan,
+    measures: Mapping[str, AssetMeasure],
+    moments: Sequence[Moment],
+) -> CameraBrief:
+    """Return the Camera Operator's projection of the graph for one shot, without its cuts."""
+    layout = graph.scene(shot.scene_id).layout
+    props: dict[str, Box] = {}
+    nodes: dict[str, str] = {}
+    away = {state.asset_id: state for state in shot.prop_states}
+    for item in layout.objects if layout is not None else ():
+        measure, state = measures.get(item.asset_id), away.get(item.asset_id)
+        if measure is None or measure.asset_type == "character" or (state is not None and not state.visible):
+            continue
+        location, yaw = item.location, item.rotation[2]
+        if state is not None and state.location is not None:
+            location, yaw = state.location, state.rotation[2]
+        if state is None or state.held_by is None:
+            props[item.node_id] = Box(*location, *size_of(measure), math.radians(yaw))
+        nodes.setdefault(item.asset_id, item.node_id)
+    for state in shot.prop_states:
+        held = _held(state.asset_id, state.held_by, measures, moments) if state.visible else None
+        if held is not None:
+            props[nodes.get(state.asset_id, state.asset_id)] = held
+    return CameraBrief(
+        scene_id=shot.scene_id,
+        shot_id=shot.shot_id,
+        instruction=shot.camera_instruction,
+        duration=shot.duration,
+        moments=tuple(moments),
+        plan=plan,
+        props=props,
+        in_frame=shot.in_frame,
+        film=Film(graph.format.sensor_width, graph.format.aspect),
+        nodes=nodes,
+    )
+
+
+def _held(
+    asset_id: str, holder: str | None, measures: Mapping[str, AssetMeasure], moments: Sequence[Moment]
+) -> Box | None:
+    """Return about where a thing in somebody's hands is: before the chest, half an arm ahead."""
+    figure = moments[len(moments) // 2].figure(holder) if moments else None
+    measure = measures.get(asset_id)
+    if figure is None or measure is None:
+        return None
+    x, y, z = figure.face
+    ahead, below = 1.4 * figure.head, 2.0 * figure.head
+    yaw = math.radians(figure.yaw)
+    return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size_of(measure), yaw)
