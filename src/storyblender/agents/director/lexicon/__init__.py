@@ -222,7 +222,7 @@ def relation_of(preposition: str) -> RelationKind | None:
 
 
 def place_kind(place: str) -> str:
-    """The place kind of a heading or phrase: the longest known words in it, or an empty string."""
-    padded = f" {place.lower()} "
+    """The place kind of a heading or phrase: the last known words in it, or an empty string."""
+    padded = f" {place.lower().replace(',', ' ')} "
     known = [word for word in PLACE_KINDS if f" {word} " in padded]
-    return PLACE_KINDS[max(known, key=lambda word: (len(word), padded.rfind(word)))] if known else ""
+    return PLACE_KINDS[max(known, key=lambda word: (padded.rfind(f" {word} ") + len(word), len(word)))] if known else ""

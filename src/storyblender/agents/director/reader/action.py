@@ -21,6 +21,7 @@ _WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
 _RECENT = 7
 """Things ``it`` can mean."""
+_BEFORE_LOOK = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _ADJECTIVES = 4
 """Words before a garment that may describe it."""
 _USING = frozenset({"on", "with", "into", "at", "through"})
@@ -133,7 +134,7 @@ def _dress(stage: Stage, roles: Roles) -> None:
                     words = stage.sentence.words
                     start = max(0, place.nouns[0].index - _ADJECTIVES)
                     described = [w.text for w in words[start : place.nouns[0].index + 1] if w.text.islower()]
-                    cut = max((i for i, w in enumerate(described) if w in lexicon.PREPOSITIONS), default=-1)
+                    cut = max((i for i, w in enumerate(described) if w in _BEFORE_LOOK), default=-1)
                     person.outfit = (" ".join(described[cut + 1 :]),)
 
 

@@ -84,7 +84,8 @@ def _in_action(script: Manuscript, text: str, start: int, cues: set[str]) -> lis
     found: list[_Sighting] = []
     for match in _RUN.finditer(text):
         name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
-        if len(name) > 1 and _is_person(name, text[match.end() : match.end() + 40], cues, script.text):
+        before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + 40]
+        if len(name) > 1 and _is_person(name, before, after, cues, script.text):
             found.append(_Sighting(start + match.start(), name, text[match.end() :]))
     for match in _TITLED.finditer(text):
         found.append(_Sighting(start + match.start(), match.group(0).upper(), ""))
@@ -102,19 +103,20 @@ def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
         for name in (camera.subject, camera.who):
             at = paragraph.raw.find(name)
             name_alone = name.upper() == name and at >= 0 and len(name) > 1
-            if name_alone and _is_person(name, paragraph.raw[at + len(name) :][:40], cues, ""):
+            if name_alone and _is_person(name, "the ", paragraph.raw[at + len(name) :][:40], cues, ""):
                 found.append(_Sighting(paragraph.start + at, name, paragraph.raw[at + len(name) :]))
     return found
 
 
-def _is_person(name: str, after: str, cues: set[str], text: str) -> bool:
+def _is_person(name: str, before: str, after: str, cues: set[str], text: str) -> bool:
     """Whether words in capitals name somebody, and not a noise, a thing or a camera."""
     base = _ARTICLE_OR_COUNT.sub("", name)
     if base in cues or name in cues:
         return True
     unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"
     head = singular(unnumbered.split()[-1])
-    if is_person_noun(head):
+    title = base.split()[0].strip(".").lower()
+    if is_person_noun(head) or (title in lexicon.TITLES and " " in base):
         return True
     if head in lexicon.PROPS | lexicon.SET_PIECES:
         return False
@@ -122,18 +124,16 @@ def _is_person(name: str, after: str, cues: set[str], text: str) -> bool:
         return True
     if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
         return False
-    return _acts_like_a_person(base, after, text)
+    return _acts_like_a_person(base, before, after, text)
 
 
-def _acts_like_a_person(base: str, after: str, text: str) -> bool:
-    """A third-person verb follows, and elsewhere the name is written like a name."""
+def _acts_like_a_person(base: str, before: str, after: str, text: str) -> bool:
+    """A third-person verb follows, and there is no article, or elsewhere the name is written like a name."""
     verb = re.match(r"\s+([a-z]+)", after)
-    return (
-        verb is not None
-        and form_kind(verb.group(1)) in ("3sg", "aux")
-        and not form_kind(base.lower())
-        and re.search(rf"\b{re.escape(base.title())}\b(?!['’])", text) is not None
-    )
+    if verb is None or form_kind(verb.group(1)) not in ("3sg", "aux") or form_kind(base.lower()):
+        return False
+    bare_name = not re.search(r"\b(?:the|a|an|his|her|their|its)\s(?:[a-z-]+\s){0,2}$", before, re.IGNORECASE)
+    return bare_name or re.search(rf"\b{re.escape(base.title())}\b(?!['’])", text) is not None
 
 
 def _split(sighting: _Sighting) -> list[_Sighting]:

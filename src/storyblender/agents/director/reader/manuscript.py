@@ -87,12 +87,26 @@ def without_quotations(text: str) -> str:
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
     """Lay out a screenplay for reading."""
-    paragraphs = [
-        _paragraph(screenplay, index, element, kind)
-        for index, element in enumerate(screenplay.elements)
-        if (kind := _KINDS.get(element.kind))
-    ]
+    paragraphs: list[Paragraph] = []
+    for index, element in enumerate(screenplay.elements):
+        kind = _KINDS.get(element.kind)
+        last = paragraphs[-1] if paragraphs else None
+        if (
+            kind == "action"
+            and last
+            and last.kind == "action"
+            and _only_comment(screenplay.text[last.end : element.start])
+        ):
+            joined = element.model_copy(update={"start": last.start, "text": f"{last.text} {element.text}"})
+            paragraphs[-1] = _paragraph(screenplay, last.element, joined, kind)
+        elif kind:
+            paragraphs.append(_paragraph(screenplay, index, element, kind))
     return Manuscript(screenplay, paragraphs)
+
+
+def _only_comment(between: str) -> bool:
+    """Whether a note or cut text, and no blank line, divides two pieces of one paragraph."""
+    return between.strip() != "" and not blanked(_MARKUP, between).strip() and not re.search(r"\n\s*\n", between)
 
 
 def _paragraph(screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind) -> Paragraph:

@@ -126,6 +126,7 @@ def _resolve_all(
         resolve_owner(stage, noun, _owner_role(stage, clause, noun, subjects), subjects, previous)
         found = resolve(stage, noun, "object", subjects, previous)
         people += found.people
+        stage.scene.named |= {person.id for person in found.people}
         if found.thing:
             things.append(found.thing)
             if nouns is clause.object:

@@ -1,0 +1,68 @@
+from storyblender.agents.director.reader.clauses import Clause, find_clauses, find_phrases
+from storyblender.agents.director.reader.mentions import mark_mentions
+from storyblender.agents.director.reader.rewrite import regularise
+from storyblender.agents.director.reader.roster import Roster
+from storyblender.agents.director.reader.words import Word, tokenize
+
+
+def words_of(sentence: str) -> list[Word]:
+    roster = Roster()
+    for name in ("KIRA", "TOM", "MIA", "MAN #2", "SERGEANT ROOK"):
+        roster.add(name)
+    roster.index()
+    return regularise(mark_mentions(tokenize(sentence, 0), roster))
+
+
+def clauses_of(sentence: str) -> list[Clause]:
+    words = words_of(sentence)
+    return find_clauses(words, find_phrases(words))
+
+
+def test_verbs_are_told_from_nouns() -> None:
+    assert [clause.verb for clause in clauses_of("Kira sprints down the alley and drops the keys.")] == [
+        "sprint",
+        "drop",
+    ]
+    assert [clause.verb for clause in clauses_of("Sparks.")] == []
+    assert clauses_of("Tom steps back, boots on, gun drawn.")[0].verb == "step"
+
+
+def test_what_is_left_out_is_put_in() -> None:
+    grabs, man, watching = (clauses_of(s)[0] for s in ("Grabs a shovel.", "MAN #2 on the bed.", "Watching."))
+    assert (grabs.verb, grabs.subject[0].head, grabs.object[0].head) == ("grab", "", "shovel")
+    assert (man.verb, man.places[0][0]) == ("be", "on")
+    assert watching.verb == "watch"
+
+
+def test_the_recipient_stands_before_the_thing() -> None:
+    clause = clauses_of("Tom hands Mia the coffee cup.")[0]
+    assert clause.recipient[0].mention and clause.recipient[0].mention.candidates[0].id == "mia"
+    assert clause.object[0].key == "coffee cup"
+
+
+def test_lists_of_names_are_all_subjects() -> None:
+    run, climb = clauses_of("Kira, Tom and Mia run out of the building and climb into the van.")
+    assert len(run.subject) == len(climb.subject) == 3
+
+
+def test_an_apposition_is_taken_out_but_what_it_carries_is_kept() -> None:
+    clause = clauses_of("SERGEANT ROOK, a broad man with a canister on his back, pushes through the crowd.")[0]
+    assert clause.verb == "push"
+    assert "with" in [preposition for preposition, _ in clause.places]
+
+
+def test_what_does_not_happen_is_marked() -> None:
+    assert clauses_of("Tom doesn't move.")[0].negated
+    assert clauses_of("Tom leaves without looking back.")[1].unreal
+    assert clauses_of("Tom wants to leave.")[1].unreal
+
+
+def test_a_new_subject_after_a_conjunction() -> None:
+    falls, rolls = clauses_of("Tom falls and the lantern rolls off the table.")[:2]
+    assert falls.subject[0].mention
+    assert rolls.subject[0].head == "lantern"
+
+
+def test_offsets_point_at_the_verb() -> None:
+    sentence = "Slowly, Kira climbs the fence."
+    assert sentence[clauses_of(sentence)[0].at :].startswith("climbs")

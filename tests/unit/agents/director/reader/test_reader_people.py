@@ -1,0 +1,64 @@
+from collections.abc import Callable
+
+from storyblender.agents.director.reader import read_script
+from storyblender.agents.director.reading import Reading
+from storyblender.screenplay.source import read
+
+Read = Callable[[str], Reading]
+
+
+def ids(text: str) -> list[str]:
+    return [person.id for person in read_script(read(text)).people]
+
+
+def test_a_short_cue_belongs_to_the_long_name() -> None:
+    script = "EXT. PORCH - DAY\n\nOFFICER HALE climbs the steps. JO and JOANNA watch.\n\nHALE\nMorning.\n"
+    assert ids(script) == ["officer_hale", "jo", "joanna"]
+
+
+def test_noises_and_things_in_capitals_are_not_people(read_scene: Read) -> None:
+    reading = read_scene("BANG! TOM (30s) drops a LANTERN. CRASH.")
+    assert [person.id for person in reading.people] == ["tom"]
+
+
+def test_the_look_is_sorted(read_scene: Read) -> None:
+    nora = read_scene("NORA VANCE (35, lean, short black hair, grey trench coat) waits.").people[0]
+    assert (nora.age, nora.build, nora.hair) == ("35", ("lean",), ("short black hair",))
+    assert nora.outfit == ("grey trench coat",)
+    assert nora.gender == "female"
+
+
+def test_the_same_person_at_another_age_is_a_variant(read_scene: Read) -> None:
+    reading = read_scene("EDWARD (40) sleeps. YOUNG EDWARD (12) climbs a tree.\n\nEdward wakes.")
+    young = next(person for person in reading.people if person.id == "young_edward")
+    assert young.variant_of == "edward"
+    assert reading.units[-1].deeds[0].actor == "edward"
+
+
+def test_a_name_told_later_is_not_a_second_person(read_scene: Read) -> None:
+    reading = read_scene("A woman in a grey suit sits at a desk. Her name is NANCY. She smiles.")
+    assert [person.id for person in reading.people] == ["nancy"]
+    assert reading.units[0].on_stage == ["nancy"]
+    assert reading.people[0].outfit == ("grey suit",)
+
+
+def test_several_in_one_name_are_a_group(read_scene: Read) -> None:
+    reading = read_scene("TWO SAILORS wait by the door. VERA AND DUTCH enter.")
+    assert next((p.id, p.kind, p.count) for p in reading.people) == ("sailor", "group", 2)
+    assert {"vera", "dutch"} <= {person.id for person in reading.people}
+
+
+def test_ids_are_unique_between_people_and_things(read_scene: Read) -> None:
+    reading = read_scene("ROSE (20s) picks up a rose. She gives the rose to the WAITER.")
+    every = [person.id for person in reading.people] + [thing.id for thing in reading.things]
+    assert len(every) == len(set(every))
+
+
+def test_kin_in_a_story_are_the_people_known() -> None:
+    story = (
+        "Mr. Hobbs sat at his bench in the little shop.\n\nHis niece Clara ran down with her little brother Milo. "
+        "Clara read the letter, and her uncle turned away."
+    )
+    reading = read_script(read(story))
+    assert [person.id for person in reading.people] == ["mr_hobbs", "clara", "milo"]
+    assert any(deed.actor == "mr_hobbs" and deed.motion == "turn" for unit in reading.units for deed in unit.deeds)

@@ -1,0 +1,44 @@
+"""The reader may not fall below what was measured; ``fresh`` scripts were annotated before they were first read."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[5]
+sys.path.insert(0, str(ROOT / "benchmarks" / "director"))
+
+from score import MEASURES, Count, score_file  # noqa: E402
+
+GOLD = ROOT / "tests" / "data" / "director"
+FLOORS = {
+    "t?_*.gold": {
+        "cast": 0.98, "scene": 0.98, "on-stage": 0.98, "objects": 0.92, "props": 0.94, "action": 0.96,
+        "action+target": 0.94, "relation": 0.92, "pronoun": 0.93,
+    },
+    "prose*.gold": {
+        "cast": 0.98, "scene": 0.98, "on-stage": 0.96, "objects": 0.76, "props": 0.8, "action": 0.93,
+        "action+target": 0.78, "relation": 0.85, "pronoun": 0.93,
+    },
+    "fresh_*.gold": {
+        "cast": 0.97, "scene": 0.98, "on-stage": 0.96, "objects": 0.74, "props": 0.8, "action": 0.92,
+        "action+target": 0.87, "relation": 0.82, "pronoun": 0.88,
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("pattern", FLOORS)
+def test_scores_stay_above_their_floor(pattern: str) -> None:
+    total = {measure: Count() for measure in MEASURES}
+    for path in sorted(GOLD.glob(pattern)):
+        for measure, count in score_file(path).items():
+            total[measure].merge(count)
+    below = {m: round(total[m].f1, 3) for m, floor in FLOORS[pattern].items() if total[m].f1 < floor}
+    assert not below
+
+
+def test_a_wrong_answer_lowers_the_score(tmp_path: Path) -> None:
+    gold = (GOLD / "t1_twohander.gold").read_text(encoding="utf-8")
+    wrong = tmp_path / "wrong.gold"
+    wrong.write_text(gold.replace("act: nora sit booth", "act: nora run booth"), encoding="utf-8")
+    assert score_file(wrong)["action"].f1 < score_file(GOLD / "t1_twohander.gold")["action"].f1
