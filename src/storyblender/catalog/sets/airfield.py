@@ -39,7 +39,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             field.furnish("crate", px, py, yaw=10.0 + 30 * index, required=False, width=size, depth=size, height=size)
     for px, py in ((-x + 1.9, y - 0.3), (-x + 2.4, y + 0.2)):
         field.furnish("barrel", px, py, required=False)
-    field.mark("stairs", 5.4, y - 0.2, 190, "door", "enter", "exit")
+    field.mark("stairs", min(5.4, x - 0.6), y - 0.2, 190, "door", "enter", "exit")
     field.ring("hills", 86, 8)
     field.ring("treeline", 82, 5, azimuths=(90, 270), sides=8)
     field.entrances()

@@ -19,7 +19,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         at = -y - 5
         while at < y + 1:
             alley.piece(
-                "facade", side * (x + 0.1), at + 5.0, yaw=90.0 * -side, footprint=(10.0, 1.0), width=10.0,
+                "facade", side * (x + 0.1), at + 5.0, yaw=90.0 * -side, footprint=(10.0, 0.1), width=10.0,
                 floors=4.0, material=wall, shop=False, plain=True, seed=float(rng.integers(1000)),
             )  # fmt: skip
             at += 10.0

@@ -47,6 +47,6 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(4.0, 4.4, 7.0),
-    depth=Span(3.8, 4.2, 6.0),
+    depth=Span(4.3, 4.5, 6.0),
     height=Span(2.4, 2.7, 3.2),
 )

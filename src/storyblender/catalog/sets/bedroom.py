@@ -16,15 +16,15 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the bed at the left of the back wall, the floor before it free."""
     room = Room("bedroom", params, rng, Finishes(_WALLS[params.period], "boards"), view="treeline")
     x, y = room.half_x, room.half_y
-    bed = -x + 1.75
+    bed = -x + 1.35
     light = "candle_holder" if params.period == "past" else "table_lamp"
     room.door("left", -y * 0.55)
     room.window("right", y * 0.25, width=1.4, style="curtains", mark=True)
     room.window("back", x * 0.42, width=1.2, style="curtains")
     room.against("back", "bed", bed, 1.12)
-    room.against("back", "nightstand", bed - 1.15, 0.3)
-    room.against("back", "nightstand", bed + 1.15, 0.3)
-    room.against("back", light, bed + 1.15, 0.3, z=0.56)
+    room.against("back", "nightstand", bed - 1.02, 0.3)
+    room.against("back", "nightstand", bed + 1.02, 0.3)
+    room.against("back", light, bed + 1.02, 0.3, z=0.56)
     room.against("right", "dressing_table", -y * 0.35, 0.35)
     room.against("right", "stool", -y * 0.35, 0.95, required=False)
     room.on_wall("right", "wall_mirror", -y * 0.35, 1.05)
@@ -42,6 +42,6 @@ KIT = SetKit(
     tags=("bedroom", "bed chamber", "bedchamber", "hotel room", "motel room", "guest room", "nursery", "dormitory"),
     indoor=True,
     draw=draw,
-    width=Span(5.0, 5.8, 9.0),
+    width=Span(6.8, 7.0, 9.0),
     depth=Span(5.0, 5.6, 8.0),
 )

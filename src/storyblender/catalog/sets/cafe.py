@@ -89,6 +89,6 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(8.6, 10.0, 13.0),
-    depth=Span(8.0, 9.4, 12.0),
+    depth=Span(9.4, 9.8, 12.0),
     height=Span(3.2, 3.5, 4.2),
 )  # fmt: skip

@@ -52,6 +52,6 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(4.0, 4.4, 7.0),
-    depth=Span(4.2, 4.6, 7.0),
+    depth=Span(4.9, 5.1, 7.0),
     height=Span(2.6, 2.8, 3.6),
 )

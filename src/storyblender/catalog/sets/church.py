@@ -40,7 +40,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for row in range(rows):
         py = -y + 0.9 + 1.15 * row
         for side in (-1, 1):
-            room.furnish("pew", side * (x + 0.9) / 2, py, yaw=180, width=round(x - 1.9, 2))
+            room.furnish("pew", side * (x + 0.55) / 2, py, yaw=180, width=round(x - 2.3, 2))
     for side in (-1, 1):
         for py in (-y * 0.3, y * 0.35):
             room.piece(

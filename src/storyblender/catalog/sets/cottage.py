@@ -24,14 +24,14 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.window("right", -y * 0.35, width=1.0, height=1.0, sill=1.0, style="grid")
     room.against("back", "fireplace", -x * 0.1, 0.3)
     room.mark("hearth", -x * 0.1 + 0.2, y - 1.2, 180, "fireplace")
-    room.furnish("armchair", -x * 0.1 + 1.25, y - 1.35, yaw=-60, required=False)
+    room.furnish("armchair", -x * 0.1 + 1.3, y - 0.95, yaw=-60, required=False)
     room.furnish("dining_table", -x + 1.15, y - 1.25, yaw=90)
     room.furnish("chair", -x + 1.9, y - 1.0, yaw=-90)
     room.furnish("stool", -x + 1.15, y - 2.5, yaw=180, required=False)
     room.furnish(
         "candle_holder" if params.period != "modern" else "table_lamp", -x + 1.15, y - 1.2, 0.76, required=False
     )
-    room.against("right", "bed", y - 1.15, 0.8)
+    room.against("right", "bed", y - 0.85, 1.1)
     room.mark("bed", x - 1.9, y - 1.5, 270, "bed")
     room.furnish("chest", x - 0.55, -y * 0.0 - 0.35, yaw=-90, required=False)
     room.furnish("barrel", -x + 0.5, -y + 0.5, required=False)
@@ -59,8 +59,8 @@ KIT = SetKit(
     ),
     indoor=True,
     draw=draw,
-    width=Span(5.8, 6.4, 9.0),
-    depth=Span(5.4, 5.8, 8.0),
+    width=Span(7.4, 7.6, 10.0),
+    depth=Span(6.0, 6.4, 8.0),
     height=Span(2.4, 2.6, 3.2),
     period="past",
     options={"log": False},

@@ -33,7 +33,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for px, py in ((-x + 0.6, -y * 0.2), (-x + 0.7, -y * 0.2 + 0.75), (x - 0.6, -y * 0.4)):
         dock.furnish("barrel", px, py, required=False)
     for px in (-x * 0.62, x * 0.62):
-        dock.furnish("lamppost", px, edge - 0.5)
+        dock.furnish("lamppost", px, edge - 1.2)
     dock.lamp("shed_lamp", (-x - 0.7, -1.0, 3.2), 120, SODIUM, size=0.12, glow=0.4)
     dock.mark("water_edge", 0, y - 0.3, 180, "window", "water")
     dock.ring("sea", 140, 1.6, bottom=-6, azimuths=(-95, 95), sides=8)

@@ -44,8 +44,8 @@ KIT = SetKit(
           "emergency room", "intensive care", "sickbay", "examination room", "morgue", "asylum"),
     indoor=True,
     draw=draw,
-    width=Span(6.0, 7.0, 12.0),
-    depth=Span(5.6, 6.2, 9.0),
+    width=Span(7.4, 7.8, 12.0),
+    depth=Span(6.8, 7.2, 9.0),
     height=Span(2.7, 3.0, 3.6),
     period="modern",
 )  # fmt: skip

@@ -17,10 +17,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     x, y = room.half_x, room.half_y
     room.door("right", -y * 0.35, style="panel")
     room.piece("dark_mirror", 0, y - 0.02, 1.05, width=2.2, height=1.0)
-    table_y = y - 1.35
+    table_y = y - 1.05
     room.furnish("dining_table", 0, table_y)
-    room.furnish("chair", 0, table_y + 0.72, yaw=0)
-    room.furnish("chair", -0.4, table_y - 0.75, yaw=180)
+    room.furnish("chair", -1.15, table_y, yaw=90)
+    room.furnish("chair", 1.15, table_y, yaw=-90)
     room.mark("table", 0.9, table_y - 0.8, 200, "table")
     room.mark("wall", -x + 0.6, -y * 0.2, 90, "wall")
     room.against("left", "filing_cabinet", -y * 0.5, 0.34, required=False)
@@ -38,5 +38,5 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(4.8, 5.2, 8.0),
-    depth=Span(5.0, 5.4, 8.0),
+    depth=Span(5.6, 5.8, 8.0),
 )  # fmt: skip

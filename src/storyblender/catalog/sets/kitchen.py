@@ -23,12 +23,14 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.door("left", -y * 0.3)
     room.window("back", -0.2, width=1.5, height=1.1, sill=1.15, style="curtains", mark=False)
     room.mark("sink", -0.2, y - 0.95, 180, "sink", "window")
-    room.against("back", "sink", -0.2, 0.33)
-    room.against("back", "counter", -1.4, 0.33)
-    room.against("back", "stove", 0.75, 0.34)
-    room.against("back", "counter", 1.85, 0.33, required=False)
+    room.against("back", "cabinet" if past else "fridge", -x + 0.62, 0.4)
+    start = -x + 1.25
+    left = -0.7 - start
+    room.against("back", "counter", start + left / 2, 0.34, width=round(left, 2))
+    room.against("back", "sink", -0.2, 0.33, width=1.0)
+    room.against("back", "stove", 0.75, 0.36)
+    room.against("back", "counter", (1.2 + x - 0.05) / 2, 0.34, required=False, width=round(x - 1.25, 2))
     room.mark("stove", 0.75, y - 0.95, 180, "stove")
-    room.against("back", "cabinet" if past else "fridge", -x + 0.45, 0.38)
     table_x, table_y = x - 0.95, -y * 0.2
     room.furnish("dining_table", table_x, table_y, yaw=90)
     for dy in (-0.45, 0.45):
@@ -48,6 +50,6 @@ KIT = SetKit(
     tags=("kitchen", "scullery", "pantry", "dining room", "galley", "kitchenette"),
     indoor=True,
     draw=draw,
-    width=Span(5.6, 6.2, 9.0),
+    width=Span(6.8, 7.0, 9.0),
     depth=Span(4.6, 5.2, 8.0),
 )

@@ -51,6 +51,6 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(6.8, 8.0, 12.0),
-    depth=Span(6.0, 7.0, 10.0),
+    depth=Span(6.6, 7.2, 10.0),
     height=Span(2.9, 3.3, 4.2),
 )

@@ -22,9 +22,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.window("back", -x * 0.32, width=1.7, style="curtains", mark=True)
     room.window("right", y * 0.3, width=1.3, style="curtains")
     room.furnish("rug", -x * 0.1, y * 0.35, required=False)
-    room.furnish("sofa", -x * 0.32, y - 0.95)
-    room.furnish("coffee_table", -x * 0.32, y - 2.0)
-    room.furnish("armchair", -x + 0.75, y - 1.95, yaw=90)
+    room.furnish("sofa", -x * 0.32, y - 0.6)
+    room.furnish("coffee_table", -x * 0.32, y - 1.5)
+    room.furnish("armchair", -x + 0.85, y - 1.6, yaw=90)
     if period == "modern":
         room.against("right", "cabinet", -y * 0.25, 0.35)
         room.against("right", "television", -y * 0.25, 0.35, z=0.9, required=False)
@@ -49,5 +49,5 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(5.6, 6.8, 11.0),
-    depth=Span(5.2, 6.0, 9.0),
+    depth=Span(6.2, 6.6, 9.0),
 )

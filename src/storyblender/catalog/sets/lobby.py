@@ -23,12 +23,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for at in (y * 0.15, y * 0.6):
         room.window("left", at, width=1.8, height=2.2, sill=0.7, style="shop", mark=at < y * 0.3)
     room.window("right", -y * 0.4, width=1.8, height=2.2, sill=0.7, style="shop")
-    for at in (-x * 0.55, -x * 0.55 + 1.22, -x * 0.55 + 2.44):
+    for at in (-x * 0.55, -x * 0.55 + 1.82, -x * 0.55 + 3.64):
         room.against("back", "counter", at, 1.7)
-    room.mark("behind_desk", -x * 0.55 + 1.2, y - 0.95, 0, "bar", "staff")
-    room.mark("desk", -x * 0.55 + 1.2, y - 2.55, 180, "bar", "desk")
-    room.against("back", "cabinet", -x * 0.55 + 1.2, 0.3, required=False)
-    room.on_wall("back", "wall_clock", -x * 0.55 + 1.2, 2.3)
+    room.mark("behind_desk", -x * 0.55 + 1.82, y - 0.95, 0, "bar", "staff")
+    room.mark("desk", -x * 0.55 + 1.82, y - 2.55, 180, "bar", "desk")
+    room.against("back", "cabinet", -x * 0.55 + 1.82, 0.3, required=False)
+    room.on_wall("back", "wall_clock", -x * 0.55 + 1.82, 2.3)
     for px in (-x * 0.58, x * 0.58):
         for py in (-y * 0.55, y * 0.3):
             room.piece("column", px, py, footprint=(0.7, 0.7), height=h, width=0.5, material="marble", style="round")

@@ -55,5 +55,5 @@ KIT = SetKit(
     indoor=True,
     draw=draw,
     width=Span(5.8, 6.4, 10.0),
-    depth=Span(5.4, 6.2, 9.0),
+    depth=Span(6.4, 6.8, 9.0),
 )  # fmt: skip

@@ -49,7 +49,6 @@ KIT = SetKit(
         "battlements",
         "ramparts",
         "fire escape",
-        "ledge",
     ),
     indoor=False,
     draw=draw,

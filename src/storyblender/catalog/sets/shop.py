@@ -24,8 +24,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.door("back", -x * 0.55, name="back_door", tags=("enter", "exit", "door", "staff"))
     room.window("right", y * 0.35, width=2.0, height=1.7, sill=0.6, style="shop", mark=True)
     room.window("front", 0, width=2.6, height=1.7, sill=0.6, style="shop")
-    room.against("left", "counter", -0.9, 1.5)
-    room.against("left", "counter", 0.4, 1.5)
+    room.against("left", "counter", -1.15, 1.5)
+    room.against("left", "counter", 0.67, 1.5)
     room.mark("behind_counter", -x + 0.8, -0.2, 90, "bar", "counter", "staff")
     room.mark("counter", -x + 2.3, -0.2, 270, "bar", "counter")
     for at in (-1.4, -0.2, 1.0):
@@ -51,7 +51,7 @@ KIT = SetKit(
           "bookshop", "barber shop", "gas station", "post office", "butcher", "tailor", "mall", "showroom"),
     indoor=True,
     draw=draw,
-    width=Span(6.4, 7.2, 11.0),
+    width=Span(7.0, 7.6, 11.0),
     depth=Span(5.6, 6.4, 9.0),
     height=Span(2.8, 3.1, 3.8),
 )  # fmt: skip

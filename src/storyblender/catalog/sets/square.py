@@ -21,7 +21,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     row_of_facades(square, -y - 14, 180, start=-x - 22, end=x + 22, floors=floors)
     for side in (-1, 1):
         square.piece(
-            "facade", side * (x + 6.5), 1.0, yaw=90.0 * -side, footprint=(9.6, 1.0), width=9.6, floors=float(floors[1]),
+            "facade", side * (x + 6.5), 1.0, yaw=90.0 * -side, footprint=(9.6, 0.1), width=9.6, floors=float(floors[1]),
             material="limewash", shop=not old, seed=float(rng.integers(1000)),
         )  # fmt: skip
         square.card("facades", (side * (x + 24), side * 30.0), (side * (x + 24), side * -30.0), -1.0, 12.0)

@@ -28,7 +28,7 @@ def row_of_facades(
             at + width / 2,
             y,
             yaw=yaw,
-            footprint=(width, 1.0),
+            footprint=(width, 0.1),
             width=width,
             floors=float(floors[int(drawing.rng.integers(len(floors)))]),
             material=_WALLS[index % len(_WALLS)],

@@ -1,0 +1,54 @@
+"""Headings of scripts and the kits they get."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.places import find_kit
+
+
+@pytest.mark.parametrize(
+    ("words", "where", "kit"),
+    [
+        ("RICK'S CAFE AMERICAIN", "indoor", "cafe"),
+        ("HOSPITAL CORRIDOR", "indoor", "corridor"),
+        ("KITCHEN OF THE RESTAURANT", "indoor", "kitchen"),
+        ("RESTAURANT KITCHEN", "indoor", "kitchen"),
+        ("CASTLE - THRONE ROOM", "indoor", "great_hall"),
+        ("TOM'S HOUSE - LIVING ROOM", "indoor", "living_room"),
+        ("TOM'S HOUSE", "indoor", "room"),
+        ("PALACE HOTEL RM 412", "indoor", "lobby"),
+        ("HOTEL ROOM 412", "indoor", "bedroom"),
+        ("POLICE STATION", "indoor", "office"),
+        ("INTERROGATION ROOM", "indoor", "interrogation"),
+        ("AIRPORT", "indoor", "lobby"),
+        ("AIRPORT RUNWAY", "outdoor", "airfield"),
+        ("WOODS", "outdoor", "forest"),
+        ("HARBOUR", "outdoor", "dock"),
+        ("MARKET SQUARE", "outdoor", "square"),
+        ("PIRATE SHIP - DECK", "outdoor", "ship_deck"),
+        ("SNOWY MOUNTAIN PASS", "outdoor", "mountain"),
+    ],
+)
+def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:
+    assert find_kit("", words, where) == kit  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("words", "kit"), [("CAFE", "street"), ("COTTAGE", "park"), ("ZORG NEBULA", "open_ground")])
+def test_outside_of_a_place_is_under_the_sky(words: str, kit: str) -> None:
+    assert find_kit("", words, "outdoor") == kit
+
+
+@pytest.mark.parametrize("words", ["FOREST", "CAVE", "BEACH", "STREET", "QWERTY"])
+def test_an_indoor_scene_always_has_a_ceiling(words: str) -> None:
+    assert SETS[find_kit("", words, "indoor")].indoor
+
+
+def test_the_directors_key_counts_more_than_other_words() -> None:
+    assert find_kit("bar", "THE BLUE PARROT OFFICE", "indoor") == "bar"
+
+
+def test_no_word_means_two_kits_alike() -> None:
+    words = [tag for kit in SETS.values() for tag in kit.tags]
+    assert sorted({word for word in words if words.count(word) > 1}) == []

@@ -1,0 +1,144 @@
+"""Every kit, at every size and period, gives a plan people can act in."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+import pytest
+
+from storyblender.agents.visual_effects_artist.set_dresser import prop_size
+from storyblender.catalog.materials import MATERIALS
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.catalog.sets.finishes import FINISHES, finish_of
+from storyblender.errors import InputError
+from storyblender.geometry.boxes import Box, penetration
+from storyblender.memory.scene_context import Environment
+
+PERIODS = ("past", "classic", "modern")
+SIZES = ("least", "usual", "most")
+STAGE = Box(0.0, 0.0, 0.0, 2.5, 2.5, 2.0)
+
+
+def plans() -> list[tuple[str, SetPlan]]:
+    result = []
+    for key, kit in SETS.items():
+        for size in SIZES:
+            for period in PERIODS:
+                params = {"width": getattr(kit.width, size), "depth": getattr(kit.depth, size), "period": period}
+                result.append((f"{key}-{size}-{period}", plan_of(Environment(kit=key, params=params, seed=3))))
+    return result
+
+
+PLANS = plans()
+
+
+def boxes(plan: SetPlan, *, required_only: bool = False) -> list[tuple[str, Box]]:
+    found = []
+    for item in plan.furnishings:
+        size = prop_size(item.prop, item.params)
+        flat, hung = size[2] <= 0.05, item.location[2] >= 1.6
+        if flat or hung or (required_only and not item.required):
+            continue
+        found.append((item.node_id, Box(*item.location, *size, math.radians(item.yaw))))
+    for piece in plan.pieces:
+        if piece.solid and piece.footprint is not None and piece.location[2] < 1.6:
+            width, depth = (piece.scale * extent for extent in piece.footprint)
+            found.append((piece.node_id, Box(*piece.location, width, depth, 2.0, math.radians(piece.yaw))))
+    return found
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_the_middle_is_free(name: str, plan: SetPlan) -> None:
+    inside = [node for node, box in boxes(plan) if box.z < 1.5 and penetration(box, STAGE)[0] > 0.05]
+    kit = SETS[plan.kit]
+    if min(kit.width.usual, kit.depth.usual) > 4:  # corridors and carriages are narrow by nature
+        assert not inside
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_required_furniture_does_not_collide(name: str, plan: SetPlan) -> None:
+    standing = boxes(plan, required_only=True)
+    clashes = [
+        (a, b)
+        for index, (a, first) in enumerate(standing)
+        for b, second in standing[:index]
+        if "set_" in a + b
+        and penetration(first, second, 0.05)[0] > (0.25 if "chair" in a + b or "stool" in a + b else 0.06)
+    ]
+    assert not clashes
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_ids_are_unique_and_marks_are_on_stage(name: str, plan: SetPlan) -> None:
+    ids = [
+        item.node_id
+        for part in (plan.walls, plan.slabs, plan.pieces, plan.backdrops, plan.furnishings)
+        for item in part
+    ]
+    assert [node for node, count in Counter(ids).items() if count > 1] == []
+    tags = {tag for mark in plan.marks for tag in mark.tags}
+    assert {"enter", "exit", "centre"} <= tags
+    for mark in plan.marks:
+        if "road" not in mark.tags:
+            assert plan.size.x_negative <= mark.location[0] <= plan.size.x
+            assert plan.size.y_negative <= mark.location[1] <= plan.size.y
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_a_plan_is_closed_to_the_void(name: str, plan: SetPlan) -> None:
+    if plan.indoor:
+        assert {wall.node_id for wall in plan.walls} == {"wall_front", "wall_right", "wall_back", "wall_left"}
+        assert {slab.role for slab in plan.slabs} >= {"floor", "ceiling"}
+        windows = [wall for wall in plan.walls if any(opening.kind == "window" for opening in wall.openings)]
+        assert len(plan.backdrops) >= len(windows)
+    else:
+        seen = {round(math.degrees(math.atan2(*_middle(card.corners)))) // 45 for card in plan.backdrops}
+        facades = sum(piece.part == "facade" for piece in plan.pieces)
+        assert len(seen) >= 6 or facades >= 4
+
+
+def _middle(corners: tuple[tuple[float, float, float], ...]) -> tuple[float, float]:
+    return (corners[0][0] + corners[1][0]) / 2, (corners[0][1] + corners[1][1]) / 2
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_openings_lie_in_their_walls_and_apart(name: str, plan: SetPlan) -> None:
+    for wall in plan.walls:
+        length, at = math.dist(wall.start, wall.end), 0.0
+        for opening in wall.openings:
+            assert opening.x >= at, f"{opening.name} of {wall.node_id} overlaps its neighbour"
+            assert opening.sill + opening.height < wall.height
+            at = opening.x + opening.width
+        assert at <= length
+
+
+def test_every_furnishing_is_in_the_catalog() -> None:
+    wanted = {item.prop for _, plan in PLANS for item in plan.furnishings}
+    assert sorted(wanted - set(PROPS)) == []
+
+
+def test_finishes_name_materials_that_exist() -> None:
+    used = {wall.material for _, plan in PLANS for wall in plan.walls}
+    used |= {wall.dado for _, plan in PLANS for wall in plan.walls if wall.dado}
+    used |= {slab.material for _, plan in PLANS for slab in plan.slabs}
+    assert {finish_of(key).material for key in (*used, *FINISHES)} <= set(MATERIALS)
+
+
+def test_same_environment_same_plan_other_seed_other_plan() -> None:
+    wood = Environment(kit="forest", seed=1)
+    assert plan_of(wood) == plan_of(wood.model_copy())
+    assert plan_of(wood) != plan_of(wood.model_copy(update={"seed": 2}))
+
+
+def test_a_larger_room_is_larger() -> None:
+    small, large = (plan_of(Environment(kit="office", params={"width": width})) for width in (6.0, 9.0))
+    assert (large.size.x, small.size.x) == (4.5, 3.0)
+
+
+@pytest.mark.parametrize("bad", [Environment(kit="nowhere"), Environment(kit="cafe", params={"colour": "red"})])
+def test_unknown_kits_and_parameters_are_refused(bad: Environment) -> None:
+    with pytest.raises(InputError):
+        plan_of(bad)
