@@ -24,7 +24,7 @@ _SPEECH: Final = 25
 """A longer speech leaves room to cut to the listener."""
 _JOINED: Final = 7.0
 """Sentences of one paragraph share a shot up to this many seconds."""
-_ESTABLISHED: Final = 6.0
+_ESTABLISHED: Final = 7.0
 """An establishing shot takes in what follows in its paragraph up to this many seconds."""
 _TOGETHER: Final = 5
 """No more faces than this in one group."""

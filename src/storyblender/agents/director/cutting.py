@@ -29,37 +29,38 @@ def step(tighter: ShotSize, wider: ShotSize) -> int:
 
 
 def alternate(drafts: list[ShotDraft]) -> None:
-    """Let a long conversation turn from face to face: after the two-shot, over the shoulder on who speaks most.
+    """Let a long conversation turn from face to face: after the master, who speaks most; the last word is close.
 
-    When somebody has moved, the two-shot comes back: the audience must see the new geography.
+    When somebody has moved, the master comes back: the audience must see the new geography.
     """
     before: ShotDraft | None = None
     turns = 0
     for draft in drafts:
         if draft.whole_body or draft.kind == "establishing":
             before, turns = None, 0
-        if not draft.speech or draft.axis is None or draft.kind not in ("two_shot", "ots"):
+        if not draft.speech or draft.kind not in ("two_shot", "ots", "group", "single"):
             continue
-        if (
-            before
-            and before.axis
-            and set(before.axis) == set(draft.axis)
-            and draft.kind == "two_shot"
-            and not draft.explicit
-        ):
+        if before and not draft.explicit:
             turns += 1
             _turn(draft, before, "MS" if turns < 3 else "MCU")
         before = draft
+    last_word = before and turns and not before.explicit and before.kind in ("ots", "single")
+    if before and last_word and step(before.size, "MCU") < 0:
+        before.size = "MCU"
 
 
 def _turn(draft: ShotDraft, before: ShotDraft, size: ShotSize) -> None:
-    """Make a two-shot an over-the-shoulder shot on whoever the shot before did not favour."""
-    pair = draft.axis or ("", "")
-    speakers = [speaker for speaker in _speakers(draft) if speaker in pair]
-    turned = [speaker for speaker in speakers if before.kind != "ots" or speaker != before.focus[0]]
-    if turned and set(pair) <= set(draft.on_stage):
-        draft.kind, draft.size, draft.focus = "ots", size, turned[:1]
-        draft.over = next(person for person in pair if person != turned[0])
+    """Make a master narrower: a group becomes its speakers, a two-shot the one the shot before did not favour."""
+    speakers = [speaker for speaker in _speakers(draft) if speaker in draft.on_stage]
+    if draft.kind == "group" and 0 < len(speakers) < 3:
+        draft.focus = speakers
+        draft.axis = draft.axis if draft.axis and set(draft.axis) == set(speakers) else None
+        draft.kind, draft.size = ("single", "MCU") if len(speakers) == 1 else ("two_shot", "MS")
+    elif draft.kind == "two_shot" and draft.axis and set(draft.axis) <= set(draft.on_stage):
+        turned = [each for each in speakers if each in draft.axis and (before.kind != "ots" or each != before.focus[0])]
+        if turned:
+            draft.kind, draft.size, draft.focus = "ots", size, turned[:1]
+            draft.over = next(person for person in draft.axis if person != turned[0])
 
 
 def avoid_jump_cuts(drafts: list[ShotDraft]) -> None:

@@ -103,11 +103,13 @@ class _Economy:
         return shot_seconds(a, self.text) + shot_seconds(b, self.text)
 
     def _distance(self, a: ShotDraft, b: ShotDraft) -> float:
-        """How much a join costs: seconds, sizes apart, and more for a place or a thing that is to be seen alone."""
+        """How much a join costs: seconds, sizes apart, more for what is to be seen alone, for talk in a wide."""
         apart = 0.0 if a.beats[-1].unit.element == b.beats[0].unit.element else 2.0
         alone = sum(4.0 for draft in (a, b) if draft.kind in ("establishing", "insert"))
         strangers = 0.0 if set(a.focus) & set(b.focus) else 2.0
-        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers
+        strangers += 4.0 if len({*self._faces(a), *self._faces(b)}) > 2 else 0.0
+        mixed = 4.0 if a.speech != b.speech and (a.whole_body or b.whole_body) else 0.0
+        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed
 
     def _join_best(self, pairs: list[Pair], cost: Callable[[ShotDraft, ShotDraft], float]) -> bool:
         if not pairs:
@@ -144,7 +146,7 @@ class _Economy:
             a.kind, a.size, a.focus = "group", _wider(a.size, "MWS"), faces
         else:
             a.kind = "single" if talk else "action"
-            a.size = _wider(a.size, "MS") if len(a.focus) > 1 else a.size
+            a.size = _wider(a.size, "MS") if len(faces) > 1 else a.size
 
 
 def _wider(*sizes: ShotSize) -> ShotSize:
