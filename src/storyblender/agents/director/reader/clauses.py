@@ -243,6 +243,8 @@ class _Builder:
     pending: list[NounPhrase] = field(default_factory=list)
     """A noun read before its verb."""
     preposition: str = ""
+    aside: bool = False
+    """Within ``, a book in her lap``: its places are the book's, not the clause's."""
     leading: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Places told before the first clause: ``On top of the stone sat a fox``."""
     negated: bool = False
@@ -273,7 +275,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         elif phrase.kind == "noun" and phrase.noun:
             _take_noun(builder, index, phrase.noun)
         elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
-            builder.preposition = ""
+            builder.preposition, builder.aside = "", False
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
     if builder.clauses:
@@ -309,7 +311,7 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         builder.subject = builder.pending
     elif builder.current and not clause.subject:
         clause.subject = builder.current.subject
-    builder.pending, builder.preposition = [], ""
+    builder.pending, builder.preposition, builder.aside = [], "", False
     builder.clauses.append(clause)
 
 
@@ -358,14 +360,14 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
         return
     if builder.preposition:
-        if clause:
-            clause.places.append((builder.preposition, [noun]))
-        else:
-            builder.leading.append((builder.preposition, [noun]))
+        if not builder.aside:
+            places = clause.places if clause else builder.leading
+            places.append((builder.preposition, [noun]))
         builder.preposition = ""
         return
     if clause is None:
         return
+    builder.aside = noun.kind == "thing" and left is not None and left.text == ","
     if left and left.kind == "link" and left.text == "and" and clause.places and not clause.object:
         clause.places[-1][1].append(noun)
     elif linked and clause.object and noun.kind == "person":
