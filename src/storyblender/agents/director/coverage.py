@@ -7,9 +7,10 @@ when a thing changes hands; a master, then over the shoulder, then singles that 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
+from storyblender.agents.director.company import unique
 from storyblender.agents.director.cutting import step
 from storyblender.agents.director.directions import Names, directed_shot
 from storyblender.agents.director.draft import Beat, ShotDraft
@@ -124,7 +125,7 @@ class _Coverage:
             self.drafts += drafts
 
     def _action_shots(self, index: int, unit: Unit, motions: set[str]) -> list[ShotDraft]:
-        actors = _unique(deed.actor for deed in unit.deeds)
+        actors = unique(deed.actor for deed in unit.deeds)
         if not unit.deeds:
             return [self._still(unit)]
         seen = self._seen_thing(unit.deeds)
@@ -133,7 +134,7 @@ class _Coverage:
             return [looker, ShotDraft("insert", "CU", [seen], on_stage=list(unit.on_stage))]
         partners = [deed.target for deed in unit.deeds if deed.target in unit.on_stage and deed.target not in actors]
         hands = bool(motions & HANDS) and not motions & (TRAVEL | WHOLE_BODY)
-        props = _unique(deed.prop for deed in unit.deeds if deed.prop in self.props)
+        props = unique(deed.prop for deed in unit.deeds if deed.prop in self.props)
         size = self._size_of(motions)
         kind: ShotKind = "action" if motions & (TRAVEL | WHOLE_BODY | HANDS) or len(actors) > 1 else "reaction"
         if len(actors) > 2:
@@ -209,7 +210,7 @@ class _Coverage:
     def _join(self, new: ShotDraft) -> None:
         last = self.drafts[-1]
         last.beats += new.beats
-        last.on_stage = _unique([*last.on_stage, *new.on_stage])
+        last.on_stage = unique([*last.on_stage, *new.on_stage])
         last.look_at(*new.focus)
         last.focus.sort(key=lambda each: each not in self.names.people)
         if last.kind == "establishing":
@@ -298,7 +299,7 @@ class _Coverage:
             last.look_at(unit.speaker)
             last.axis = self._axis(last.focus[0], unit.speaker)
         last.beats.append(Beat.whole(unit))
-        last.on_stage = _unique([*last.on_stage, *unit.on_stage])
+        last.on_stage = unique([*last.on_stage, *unit.on_stage])
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
@@ -329,7 +330,3 @@ def _is_new(reading: Reading, scene: SceneReading) -> bool:
     """Whether the audience has not seen this place at this hour."""
     earlier = next((other for other in reading.scenes if other.id == scene.reference), None)
     return earlier is None or earlier.time != scene.time
-
-
-def _unique(items: Iterable[str | None]) -> list[str]:
-    return list(dict.fromkeys(item for item in items if item))
