@@ -118,7 +118,8 @@ LAMPS: dict[str, LampKind] = {
     "wood_stove": LampKind(8, FIRE, size=0.1, glow=0.1, offset=(0, -0.3, 0)),
     "television": LampKind(6, (0.6, 0.75, 1.0), "AREA", 0.4, 0.05, (0, -0.35, 0)),
     "lamppost": LampKind(150, SODIUM, size=0.18, glow=0.55),
-    "street_lamp": LampKind(150, SODIUM, size=0.18, glow=0.55),
+    "neon_sign": LampKind(12, (1.0, 0.28, 0.22), size=0.3, glow=0.3),
+    "control_console": LampKind(4, (0.5, 0.9, 0.7), size=0.4, glow=0.05),
 }
 """Watts at night, by prop. Sizes and strengths of the prototype's cafe, office, street (notes: sets and light, 1.4)."""
 

@@ -17,8 +17,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     field.level("tarmac", wet=True)
     field.piece("runway_paint", 0, -1.6, length=120.0, color="#b8912c")
     field.piece("runway_paint", 0, 2.3, length=120.0, color="#d9d5ca")
-    field.furnish("airliner", 3.0, y + 9.5, yaw=108)
-    field.piece("air_stairs", 6.0, y + 5.4, yaw=188, footprint=(1.2, 3.2))
+    field.furnish("airliner", 2.5, y + 17.5, yaw=98)
+    field.piece("air_stairs", -2.4, y + 14.0, yaw=8)
     field.piece("hangar", -26, y + 34, yaw=-14, footprint=(34, 30), width=34.0, depth=30.0, height=11.0)
     field.lamp("hangar", (-23, y + 32, 4.5), 1500, WARM, kind="AREA", size=12, target=(-18, y + 14, 0), glow=0.1)
     field.piece("control_tower", 26, y + 44, footprint=(6, 6))
@@ -31,7 +31,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         field.piece("flood_mast", px, py, yaw=yaw, footprint=(0.5, 0.5))
         field.lamp("flood", (px, py - 0.3, 9.0), 2400, COOL, kind="SPOT", target=(px * 0.1, 2, 0), cone=80, size=0.5,
                    glow=0.12)  # fmt: skip
-    field.furnish("car", x - 0.5, y * 0.35, yaw=-100, required=False)
+    field.vehicle(x - 0.5, y * 0.35, -100, "#1c2024")
     for index, (px, py, size) in enumerate(
         ((-x + 0.9, y - 0.6, 0.8), (-x + 0.1, y - 0.4, 0.7), (-x + 0.8, y - 0.6, 0.0))
     ):

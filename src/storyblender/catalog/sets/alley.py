@@ -31,8 +31,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         alley.card("facades", (side * 16, -end + side * 8 - 12), (side * 16, -end - side * 8 - 12), -1.0, 14.0)
     if not old:
         alley.piece("fire_escape", -x + 0.05, 0.8, yaw=90, floors=3.0)
-        alley.furnish("dumpster", x - 0.75, y * 0.35, yaw=-90)
-        alley.furnish("trash_can", x - 0.45, y * 0.35 + 1.5, required=False)
+        alley.furnish("dumpster", x - 0.75, y * 0.55, yaw=-90)
+        alley.furnish("trash_can", x - 0.45, y * 0.55 + 1.5, required=False)
     for index, (dx, py, size) in enumerate(
         ((0.5, -y * 0.45, 0.7), (0.55, -y * 0.45 + 0.85, 0.6), (0.5, y * 0.62, 0.75))
     ):

@@ -43,8 +43,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.furnish("barrel", x - 0.5, y - 0.6, required=False)
         room.against("right", "piano", -y * 0.12 + 0.9, 0.42, required=False)
     else:
-        room.on_wall("right", "sign", -y * 0.05 + 1.6, 1.7)
-        room.lamp("neon", (x - 0.35, 1.6, 1.9), 9, (1.0, 0.28, 0.22), glow=0.3, size=0.3)
+        room.on_wall("right", "neon_sign", 1.6, 1.75, off=0.1)
     room.on_wall("left", "picture", -y * 0.1, 1.5)
     room.on_wall("left", "wall_mirror", -y * 0.6, 1.5)
     lamp = "lantern" if past else "pendant_lamp"

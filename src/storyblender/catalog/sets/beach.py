@@ -27,8 +27,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             ("palm_tree",), 9, inner=x + 1.5, outer=20, gap=3.2, sector=(-125, -75), scale=(0.8, 1.2), solid=0.4
         )
         beach.scatter(("palm_tree",), 6, inner=x + 2, outer=20, gap=3.2, sector=(75, 125), scale=(0.8, 1.2), solid=0.4)
-    beach.furnish("log", -x * 0.5, y * 0.3, yaw=20, required=False)
-    beach.furnish("rowing_boat", x * 0.75, y * 0.35, yaw=-55, required=False)
+    beach.furnish("log", -x * 0.74, y * 0.5, yaw=20, required=False)
+    beach.furnish("rowing_boat", x * 0.82, y * 0.5, yaw=-55, required=False)
     beach.mark("water", 0, y - 0.3, 180, "window", "water")
     beach.ring("sea", 140, 1.6, bottom=-6, azimuths=(-95, 95), sides=8)
     beach.ring("hills", 84, 15, azimuths=(78, 282), sides=9)

@@ -38,7 +38,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     bridge.ring("treeline", 62, 3, bottom=-7, azimuths=(-80, -35), sides=3)
     bridge.ring("facades", 70, 10, bottom=-7, azimuths=(78, 102), sides=1)
     bridge.ring("facades", 70, 10, bottom=-7, azimuths=(258, 282), sides=1)
-    bridge.furnish("car" if not old else "cart", -x - 1.0, -y - 2.2, yaw=90, required=False)
+    bridge.vehicle(-x - 1.0, -y - 2.2, 90)
     bridge.mark("railing", 0, y - 0.2, 180, "window", "railing", "bar")
     bridge.entrances(back=False)
     return bridge.finish()

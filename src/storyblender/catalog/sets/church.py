@@ -32,7 +32,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             "block", rectangle(-x + 0.02, y - 2.9 + 0.4 * step, x - 0.02, y - 0.02), "stone_light",
             z=0.14 * (step + 1), thickness=0.14,
         )  # fmt: skip
-    room.piece("altar", 0, y - 1.2, 0.28, footprint=(2.0, 0.8))
+    room.furnish("altar", 0, y - 1.2, 0.28)
     for px in (-0.7, 0.7):
         room.furnish("candle_holder", px, y - 1.2, 0.28 + 1.02, required=False)
     room.mark("altar", 0, y - 2.2, 0, "altar", "bar")

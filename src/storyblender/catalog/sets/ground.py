@@ -111,6 +111,14 @@ class Ground(Drawing):
                 variant=float(self.rng.integers(variants)),
             )
 
+    def vehicle(self, x: float, y: float, yaw: float, color: str = "#2c3f4c") -> None:
+        """Park what people drove in the plan's period: a cart, an old car, a car; dressing."""
+        if self.params.period == "past":
+            self.furnish("cart", x, y, yaw=yaw, required=False)
+        else:
+            make = "modern" if self.params.period == "modern" else "1940s"
+            self.furnish("car", x, y, yaw=yaw, required=False, period=make, color=color)
+
     def entrances(self, *, back: bool = True) -> None:
         """Mark the middle and the places where people come in from the wings."""
         self.mark("centre", 0.0, 0.0, 0.0, "centre")

@@ -30,12 +30,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for index in range(int((y - 0.2) // 1.02)):
         room.against("left", "bookshelf", y - 1.0 - 1.02 * index, 0.22, required=False)
         room.against("right", "bookshelf", y - 1.0 - 1.02 * index, 0.22, required=False)
-    room.furnish("dining_table", -x + 2.0, y - 1.75)
+    room.furnish("dining_table", -x + 1.7, y - 1.75)
     for px, py, yaw in ((-0.4, 0.75, 0), (0.4, -0.75, 180)):
-        room.furnish("chair", -x + 2.0 + px, y - 1.75 + py, yaw=yaw)
+        room.furnish("chair", -x + 1.7 + px, y - 1.75 + py, yaw=yaw)
     lamp = "candle_holder" if params.period == "past" else "table_lamp"
-    room.furnish(lamp, -x + 2.0, y - 1.75, 0.76)
-    room.mark("table", -x + 2.0, y - 2.7, 180, "table")
+    room.furnish(lamp, -x + 1.7, y - 1.75, 0.76)
+    room.mark("table", -x + 1.7, y - 2.7, 180, "table")
     room.furnish("armchair", x - 1.3, y - 1.3, yaw=-40)
     room.furnish("floor_lamp" if params.period != "past" else "globe", x - 0.65, y - 0.75, required=False)
     room.furnish("globe", -x + 0.6, -y + 0.55, required=False)
@@ -50,7 +50,7 @@ KIT = SetKit(
     tags=("library", "archive", "reading room", "records room", "bookstore", "gallery"),
     indoor=True,
     draw=draw,
-    width=Span(6.8, 8.0, 12.0),
+    width=Span(7.7, 8.2, 12.0),
     depth=Span(6.6, 7.2, 10.0),
     height=Span(2.9, 3.3, 4.2),
 )

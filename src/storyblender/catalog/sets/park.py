@@ -17,7 +17,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     park.level("grass_lush")
     park.slab("patch", rectangle(-REACH, -1.6, REACH, 1.3), "gravel", z=0.008)
     for px in (-x * 0.55, x * 0.55):
-        park.furnish("bench", px, 1.95, required=px < 0)
+        park.furnish("park_bench", px, 2.0, required=px < 0)
         park.mark(f"bench_{'left' if px < 0 else 'right'}", px, 1.1, 0, "table", "seat")
     for px in (-x - 1.5, 0.0, x + 1.5):
         park.furnish("lamppost", px, 2.4, required=px == 0.0)

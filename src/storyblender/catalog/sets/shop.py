@@ -36,7 +36,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("barrel", x - 0.55, y - 0.55, required=False)
     room.furnish("crate", x - 1.2, y - 0.5, required=False)
     room.on_wall("back", "wall_clock", -0.6, 2.1)
-    room.on_wall("right", "sign", -y * 0.05 + 0.05, 1.9)
     lamp = "lantern" if params.period == "past" else "pendant_lamp"
     for px, py in ((-x + 1.4, -0.3), (0.2, 0.5), (x * 0.5, -y * 0.45)):
         room.hang(lamp, px, py)

@@ -65,9 +65,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for index in range(-3, 4):
         for px, py in ((index * 11.0 + 5.5, PAVEMENT[0] + 0.5), (index * 11.0, FAR_PAVEMENT[1] - 0.5)):
             street.furnish("lamppost", px, py, required=abs(index) < 2)
-    street.furnish("car" if not old else "cart", -6.2, ROAD[1] - 1.25, yaw=90, required=False)
-    street.furnish("car" if not old else "cart", 8.4, ROAD[0] + 1.3, yaw=-90, required=False)
-    street.furnish("bench", -x + 1.2, PAVEMENT[1] - 0.5, required=False)
+    street.vehicle(-6.2, ROAD[1] - 1.25, 90)
+    street.vehicle(8.4, ROAD[0] + 1.3, -90, "#5c2422")
+    street.furnish("park_bench", -x + 1.2, PAVEMENT[1] - 0.6, required=False)
     street.furnish("trash_can" if not old else "barrel", x - 1.6, PAVEMENT[1] - 0.5, required=False)
     street.furnish("hydrant" if not old else "crate", 3.1, PAVEMENT[0] + 0.6, required=False)
     for px in (-x * 0.55, x * 0.6):

@@ -122,18 +122,6 @@ def banner(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(gold, (0, -0.062, -length * 0.38), (width * 0.28, 0.012, width * 0.09))
 
 
-@piece("altar")
-def altar(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build an altar under a white cloth, a cross behind it."""
-    builder.box(finish("stone_light"), (0, 0, 0.48), (1.9, 0.75, 0.96), bevel=0.02)
-    builder.box(finish("linen"), (0, 0, 0.99), (2.0, 0.82, 0.05))
-    builder.box(finish("linen"), (0, -0.405, 0.75), (1.0, 0.02, 0.5))
-    gold = finish("gold")
-    builder.box(gold, (0, 0.2, 1.6), (0.06, 0.05, 1.2))
-    builder.box(gold, (0, 0.2, 1.85), (0.55, 0.05, 0.06))
-    builder.lathe(gold, [(0.16, 1.01), (0.05, 1.05)], origin=(0, 0.2, 0))
-
-
 @piece("bench_seat")
 def bench_seat(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build the upholstered bench of a carriage, facing -Y. Parameters: width, color."""
