@@ -64,7 +64,9 @@ class CameraCritic:
 
 
 def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
-    """Return the moments worth a look: the middle alone if neither people nor cameras move, else all of them."""
+    """Return the moments worth a look: the ends of a walk, the middle if nothing moves, else all of them."""
+    if brief.walks and len(brief.moments) > 1:
+        return [brief.moments[0], brief.moments[-1]]
     middle = brief.moments[len(brief.moments) // 2]
     if any(take.moves for take in takes) or len(brief.moments) == 1:
         return list(brief.moments)

@@ -15,6 +15,7 @@ from storyblender.geometry.framing import Film
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.shot_context import CameraState, ShotContext
+from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
@@ -38,9 +39,10 @@ def shoot_scene(
     moments: Moments,
     viewfinder: Viewfinder,
     *,
+    lens_kit: Mapping[ShotSize, float] = LENS_OF_SIZE,
     listener: Listener = silent,
 ) -> dict[int, CameraState]:
-    """Return the camera of every shot of a scene by shot id; locked cameras stay, and the others match them.
+    """Return the camera of every shot of a scene by shot id; cameras that are set stay, and the others match them.
 
     Args:
         graph: With layout and blocking of the scene.
@@ -49,6 +51,7 @@ def shoot_scene(
         measures: By asset id.
         moments: Faces of a shot.
         viewfinder: The engine's eye.
+        lens_kit: mm by shot size.
         listener: Receives the trace.
     """
     cameras: dict[int, CameraState] = {}
@@ -60,12 +63,12 @@ def shoot_scene(
         axis = instruction.axis
         brief = replace(
             camera_brief(graph, shot, plan, measures, moments(shot)),
+            lens_kit=lens_kit,
             previous=previous,
             side=sides.get(axis, 0) if axis is not None else 0,
             reverse=_reverse(instruction.focus_on_ids, answered.get(axis)) if axis is not None else None,
         )
-        locked = shot.camera if "camera" in shot.locked else None
-        state = locked or operate(brief, viewfinder, listener=listener)
+        state = shot.camera or operate(brief, viewfinder, listener=listener)
         cameras[shot.shot_id] = state
         previous = Cut(instruction, state)
         if axis is not None:

@@ -64,12 +64,16 @@ class NumberFinder:
         )
 
     def _subject(self, node: str, solids: dict[str, Box], face: Figure | None, camera: Orbit) -> SubjectView:
-        points = corners(solids[node])
-        points = np.concatenate([points * s + points.mean(0) * (1 - s) for s in (1.0, 0.6, 0.2)])
+        box = solids[node]
+        across, up = np.linspace(-0.5, 0.5, 3), np.linspace(0, 1, 25)
+        points = np.array(
+            [(*box.to_world(u * box.width, v * box.depth), box.z + w * box.height)
+             for u in across for v in across for w in up]
+        )  # fmt: skip
         screen, depth = project(camera, points)
         framed = ((screen > 0) & (screen < 1)).all(1) & (depth > 0)
         others = [box for name, box in solids.items() if name != node]
-        free = np.array([not _cut(camera.position, point, others) for point in points])
+        free = _free(camera.position, points, others)
         low, high = screen.min(0).clip(0, 1), screen.max(0).clip(0, 1)
         view = SubjectView(
             node_id=node,
@@ -84,7 +88,7 @@ class NumberFinder:
         ends, near = project(camera, [centre + np.array([0, 0, up * face.head]) for up in (0.0, 0.55, -0.5)])
         way = camera.position - centre
         turned = float(np.dot(face.forward, way) / np.linalg.norm(way))
-        shown = float(not _cut(camera.position, centre, others))
+        shown = float(_free(camera.position, centre[None], others)[0])
         return view.model_copy(
             update={
                 "face": tuple(ends[0]) if near[0] > 0 else None,
@@ -96,12 +100,17 @@ class NumberFinder:
         )
 
 
-def _cut(eye: np.ndarray, point: np.ndarray, boxes: list[Box]) -> bool:
-    for share in np.linspace(0.02, 0.97, 60):
-        x, y, z = eye + (point - eye) * share
-        if any(box.z < z < box.top and distance_to_point(box, float(x), float(y)) < 0 for box in boxes):
-            return True
-    return False
+def _free(eye: np.ndarray, points: np.ndarray, boxes: list[Box]) -> np.ndarray:
+    """Return which points are seen from the eye past the boxes."""
+    share = np.linspace(0.02, 0.97, 60)[:, None, None]
+    rays = eye + (points - eye) * share
+    cut = np.zeros(rays.shape[:2], bool)
+    for box in boxes:
+        dx, dy = rays[..., 0] - box.x, rays[..., 1] - box.y
+        u, v = box.cos * dx + box.sin * dy, box.cos * dy - box.sin * dx
+        within = (np.abs(u) < box.width / 2) & (np.abs(v) < box.depth / 2)
+        cut |= within & (rays[..., 2] > box.z) & (rays[..., 2] < box.top)
+    return ~cut.any(0)
 
 
 def brief(figures=(ANNA, TOM), props=None, moments=None, **more) -> CameraBrief:
