@@ -80,6 +80,8 @@ class Clause:
     """What somebody or something is said to be: ``The shop is a ruin``, ``Hale is asleep``."""
     places: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Prepositions with their nouns."""
+    opening: int = 0
+    """How many of the last places open the sentence: ``Behind the curtain Lena tunes her violin``."""
     participle: bool = False
     """An -ing form."""
     passive: bool = False
@@ -145,7 +147,7 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
         return Phrase("link", at, at, word.low)
     if word.low in _NEGATIONS:
         return Phrase("negation", at, at, word.low)
-    if word.low in _MODALS:
+    if word.low in _MODALS or word.low in ("nearly", "almost"):
         return Phrase("negation", at, at, "modal")
     return Phrase("mark", at, at, word.text) if not word.text[0].isalnum() else None
 
@@ -212,6 +214,7 @@ def _in_noun_phrase(word: Word) -> bool:
         and word.mention is None
         and word.verb is None
         and word.low not in _SMALL
+        and word.low not in lexicon.ADVERBS
         and word.low not in lexicon.PRONOUNS
         and not word.low.endswith("ly")
     )
@@ -280,6 +283,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
             builder.unreal = True
     if builder.clauses:
         builder.clauses[0].places += builder.leading
+        builder.clauses[0].opening = len(builder.leading)
     for clause in builder.clauses:
         if clause.verb == "be":
             clause.complement, clause.object = clause.object, []

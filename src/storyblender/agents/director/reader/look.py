@@ -11,6 +11,7 @@ from storyblender.memory.vocabulary import Gender
 
 _AGE = re.compile(r"^(?:(?:early|mid|late|age|aged|about|around)[- ]+)?(\d{1,3})(?:['’]?s)?(?: years old)?$")
 _GENDER_WORDS: dict[str, Gender] = {
+    "moustache": "male", "mustache": "male", "moustached": "male", "beard": "male", "bearded": "male", "goatee": "male",
     "woman": "female", "female": "female", "girl": "female", "lady": "female",
     "man": "male", "male": "male", "boy": "male", "gentleman": "male",
 }  # fmt: skip

@@ -27,7 +27,9 @@ _NAMED = re.compile(r"\s+(?:named|called)\s+([A-ZÀ-Ý][\w’'-]+)")
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple"})
-_LATER = frozenset({"man", "woman", "boy", "girl", "child"})
+_LATER = frozenset(
+    {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
+)
 """``the man`` is somebody known, to be found by looking who is there."""
 
 

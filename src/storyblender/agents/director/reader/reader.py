@@ -78,20 +78,28 @@ def _sentences(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -
 
 
 def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:
-    """Where a sentence names one person only, the pronouns after the name vote on their gender."""
+    """Where a sentence names one person only, the pronouns after the name, or at the start of the next, vote."""
     votes: dict[str, Counter[str]] = {person.id: Counter() for person in roster.people}
+    last: str | None = None
     for sentence in sentences:
-        if sentence.speech and not prose:
-            continue
         named = [
             (index, word.mention.candidates[0].id)
             for index, word in enumerate(sentence.words)
             if word.mention and word.named and len(word.mention.candidates) == 1
         ]
-        if len({person for _, person in named}) == 1:
-            first, person = named[0]
-            kinds = (lexicon.PRONOUNS.get(word.low) for word in sentence.words[first:])
+        if sentence.speech and not prose:
+            last = None
+            continue
+        first = lexicon.PRONOUNS.get(sentence.words[0].low) if sentence.words else None
+        if last and first in ("male", "female"):
+            votes[last][first] += 1
+        alone = len({person for _, person in named}) == 1
+        if alone:
+            start, person = named[0]
+            kinds = (lexicon.PRONOUNS.get(word.low) for word in sentence.words[start:])
             votes[person].update(kind for kind in kinds if kind in ("male", "female"))
+        gendered = any(lexicon.PRONOUNS.get(word.low) in ("male", "female") for word in sentence.words)
+        last = named[0][1] if alone and not gendered else None
     for person in roster.people:
         count = votes[person.id]
         if person.gender == "unknown" and count:

@@ -64,6 +64,9 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         for place in roles.places:
             found += _placed(stage, clause, place, located)
         found += _between(stage, roles, located)
+    elif located and clause.opening:
+        for place in roles.places[-clause.opening :]:
+            found += _placed(stage, clause, place, located)
     elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
         found += _onto(roles, located)
     if first and roles.subjects:
@@ -172,6 +175,7 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[_St
         for place in roles.places
         if place.things
         and lexicon.relation_of(place.preposition) in ("on", "in")
+        and stage.inventory.class_of(place.things[0]) != "body"
         and stage.inventory.head(place.things[0]) in lexicon.SEATS
     ]
     beside = [
