@@ -21,7 +21,7 @@ from storyblender.catalog.skeleton import columns
 
 Floats = NDArray[np.float64]
 _LEGS = columns("thigh", "shin", "foot", "toe")
-SKIRT_MARGIN = 0.12
+SKIRT_MARGIN = 0.06
 """Below a skirt the legs stay for this length above its hem, because one looks in there."""
 
 
@@ -185,10 +185,22 @@ def build_skirt(cut: Skirt, figure: Figure, under: Under) -> list[Bolt]:
     points[:, 0] *= grow
     points[:, 1] = middle + (points[:, 1] - middle) * grow
     sheet = under.push_out(sheet.moved(points), 0.012 * figure.k)
+    sheet.weights = _parted_between_the_legs(sheet, figure)
     if cut.opening:
         front = sheet.skin[:, 1] < middle
         sheet = clip(sheet, np.where(front, np.abs(sheet.skin[:, 0]) - cut.opening * figure.k, FAR))
     return one(cut, sheet)
+
+
+def _parted_between_the_legs(sheet: Sheet, figure: Figure) -> Floats:
+    """Return weights in which each half of a skirt follows the leg below it, so that a striding thigh stays inside."""
+    weights = sheet.weights.copy()
+    left = np.clip(0.5 + sheet.skin[:, 0] / (0.14 * figure.k), 0, 1)
+    for stem in ("thigh", "shin"):
+        pair = columns(stem)
+        both = weights[:, pair].sum(1)
+        weights[:, pair[0]], weights[:, pair[1]] = both * left, both * (1 - left)
+    return weights
 
 
 def build_band(cut: Band, figure: Figure, under: Under) -> list[Bolt]:

@@ -82,7 +82,7 @@ def dress(figure: Figure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
         for piece in spec.pieces:
             bolts = BUILDERS[type(piece)](piece, figure, under)
             worn.bolts += bolts
-            if type(piece) in SOLID:
+            if type(piece) in SOLID or _lies_flat(piece):
                 for bolt in bolts:
                     under.add(bolt.sheet)
         wardrobe.append(worn)
@@ -92,6 +92,11 @@ def dress(figure: Figure, outfit: Sequence[Garment], seed: int) -> list[Worn]:
             bolt.sheet = bolt.sheet.keep_faces(~_hidden(bolt.sheet, fields, CLOTH_MARGIN * figure.k))
         worn.bolts = [bolt for bolt in worn.bolts if len(bolt.sheet.faces)]
     return [worn for worn in wardrobe if worn.bolts]
+
+
+def _lies_flat(piece: cuts.AnyPiece) -> bool:
+    """A collar that lies on the shoulders goes under a jacket; one that stands comes out of it."""
+    return isinstance(piece, cuts.Collar) and piece.low < 0
 
 
 def covered_skin(figure: Figure, skin: Sheet, wardrobe: Sequence[Worn]) -> NDArray[np.bool_]:
