@@ -135,6 +135,7 @@ def rowing_boat(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), hull, inside, oar = spec.size, spec.material("hull"), spec.material("inside"), spec.material("oar")
     shape = np.linspace(0, 1, 15)
     beam = (w / 2 - 0.02) * np.clip(np.sin(np.pi * (0.06 + 0.86 * shape)) ** 0.7, 0.03, 1)
+    beam = beam * np.clip(shape / 0.3, 0.03, 1) ** 0.6
     sheer = h * (0.72 + 0.28 * (1 - shape) ** 2 + 0.1 * shape**3)
     keel = h * 0.3 * np.clip(1 - shape / 0.25, 0, 1) ** 2
 
@@ -322,7 +323,7 @@ def pram(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for a in np.linspace(-10, 95, 8):
         c, s = math.cos(math.radians(a)), math.sin(math.radians(a))
         arc = [
-            (w * 0.4 * math.cos(t), -0.02 - d * 0.34 * c * math.sin(t), 0.72 + d * 0.34 * s * math.sin(t))
+            (w * 0.4 * math.cos(t), -0.04 + d * 0.32 * c * math.sin(t), 0.7 + d * 0.32 * s * math.sin(t))
             for t in np.linspace(0, math.pi, 11)
         ]
         hood.append(np.array(arc))
