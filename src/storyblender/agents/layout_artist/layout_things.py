@@ -24,7 +24,8 @@ _TRUNK = (0.42, 0.3, 0.8)
 _FLAT = 0.05
 _HUNG = 0.12
 """Metres from a wall or a ceiling at which a thing hangs on it."""
-_SEVERITY = {"penetration": 2.5, "bounds": 2.5, "support": 2.5, "floor": 2.0, "overhang": 2.0, "lane": 1.5}
+_SEVERITY = 2.5
+"""Points for each violation: validity is binary, so one is enough to be refined at the usual threshold of 8."""
 
 
 def room_of(size: SceneSize) -> Room:
@@ -197,7 +198,7 @@ def fault_of(violation: Violation, things: Sequence[Thing], room: Room) -> Fault
     return Fault(
         kind=violation.kind,
         subject=violation.subject,
-        severity=_SEVERITY.get(violation.kind, 1.0),
+        severity=_SEVERITY,
         message=f"{violation.kind} of {violation.subject}{towards}: {size} too much; fix: {mend}",
         fix=dict(fix),
     )

@@ -142,7 +142,7 @@ def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
         Fault(
             kind="walkway",
             subject=person.name,
-            severity=1.0,
+            severity=2.1,
             message=f"nobody can walk from a door to {person.name}: there is no way {_SQUEEZE} m wide",
         )
         for person in things

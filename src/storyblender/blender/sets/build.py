@@ -21,7 +21,8 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
     """Build all of a plan but its furnishings and lamps.
 
     Every object carries ``kind = "set"`` and the ``node_id`` of its part of the plan: a wall, its joinery and its door
-    leaves share one, so hiding that node takes the whole wall away. Pieces that look alike share a mesh.
+    leaves share one, so hiding that node takes the whole wall away. Pieces that look alike share a mesh. The scene's
+    custom property ``open_sky`` tells the viewfinder whether emptiness above the horizon is sky.
 
     Args:
         plan: What to build.
@@ -45,6 +46,7 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
         obj.name = f"{scene.name}.{obj.name}"
         obj.display.show_shadows = False
         collection.objects.link(obj)
+    scene["open_sky"] = not plan.indoor
     return objects
 
 

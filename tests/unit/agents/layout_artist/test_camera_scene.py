@@ -1,0 +1,82 @@
+from test_camera_operator import ANNA, FILM, TOM, NumberFinder
+
+from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of
+from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
+from storyblender.catalog.sets import plan_of
+from storyblender.geometry.continuity import side_of_line
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.scene_context import Environment, Layout, LayoutObject, SceneContext, SceneSetup
+from storyblender.memory.shot_context import CameraInstruction, PropState, ShotContext
+
+PLAN = plan_of(Environment(kit="street"))
+AXIS = ("anna", "tom")
+CUP = AssetMeasure(asset_id="cup", digest="", geometry_hash="", dimensions=(0.08, 0.08, 0.1))
+
+
+def graph(*instructions: dict, **shot) -> ContinuityMemoryGraph:
+    layout = Layout(
+        scene_size=PLAN.size, objects=(LayoutObject(node_id="cup_1", asset_id="cup", location=(1, 1, 0.8)),)
+    )
+    shots = tuple(
+        ShotContext(scene_id=1, shot_id=index, camera_instruction=CameraInstruction(**instruction), **shot)
+        for index, instruction in enumerate(instructions, 1)
+    )
+    return ContinuityMemoryGraph(scenes=(SceneContext(scene_id=1, setup=SceneSetup(), layout=layout),), shots=shots)
+
+
+def moments(shot: ShotContext) -> list[Moment]:
+    return [Moment(frame, (ANNA, TOM)) for frame in telling_frames(shot)]
+
+
+def shoot(story: ContinuityMemoryGraph):
+    finder = NumberFinder(moments(story.shots[0]), {})
+    return shoot_scene(story, 1, PLAN, {"cup": CUP}, moments, finder)
+
+
+DIALOGUE = (
+    {"kind": "two_shot", "size": "MS", "focus_on_ids": AXIS, "axis": AXIS},
+    {"kind": "ots", "size": "MS", "focus_on_ids": ("anna",), "over_id": "tom", "axis": AXIS},
+    {"kind": "ots", "size": "MS", "focus_on_ids": ("tom",), "over_id": "anna", "axis": AXIS},
+    {"kind": "single", "size": "CU", "focus_on_ids": ("anna",), "axis": AXIS},
+    {"kind": "single", "size": "CU", "focus_on_ids": ("tom",), "axis": AXIS},
+)
+
+
+def test_a_conversation_is_shot_from_one_side_with_matching_reverses() -> None:
+    cameras = shoot(graph(*DIALOGUE))
+    orbits = [orbit_of(cameras[shot].poses[0], FILM) for shot in sorted(cameras)]
+    assert {side_of_line(camera.position, ANNA.face, TOM.face) for camera in orbits} == {-1}
+    assert orbits[3].azimuth * orbits[4].azimuth < 0
+    assert abs(orbits[3].distance / orbits[4].distance - 1) < 0.25
+
+
+def test_a_camera_that_is_set_stays_and_the_others_keep_to_its_side() -> None:
+    story = graph(*DIALOGUE)
+    first = shoot(story)[1]
+    across = orbit_of(first.poses[0], FILM)
+    pose = first.poses[0].model_copy(update={"rotation": _turned(across)})
+    set_by_hand = first.model_copy(update={"poses": (pose,)})
+    shots = (story.shots[0].model_copy(update={"camera": set_by_hand}), *story.shots[1:])
+    cameras = shoot(story.model_copy(update={"shots": shots}))
+    assert cameras[1] == set_by_hand
+    assert side_of_line(orbit_of(cameras[3].poses[0], FILM).position, ANNA.face, TOM.face) == 1
+
+
+def _turned(camera):
+    from storyblender.geometry.orbit import orbit
+
+    return orbit(camera, 180).rotation
+
+
+def test_props_are_where_the_shot_has_them() -> None:
+    shown = {"kind": "insert", "size": "CU", "focus_on_ids": ("cup",)}
+    story = graph(shown)
+    brief = camera_brief(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
+    assert brief.focus == ("cup_1",)
+    assert (brief.props["cup_1"].x, brief.props["cup_1"].z) == (1, 0.8)
+    held = graph(shown, prop_states=(PropState(asset_id="cup", held_by="anna", hand="R"),))
+    box = camera_brief(held, held.shots[0], PLAN, {"cup": CUP}, moments(held.shots[0])).props["cup_1"]
+    assert 0.1 < box.x - ANNA.base[0] < 0.6, "before her, who looks to +X"
+    gone = graph(shown, prop_states=(PropState(asset_id="cup", visible=False),))
+    assert camera_brief(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
