@@ -21,6 +21,8 @@ Track = Callable[[float], Vec2]
 """Where somebody is at a time in seconds."""
 Floats = NDArray[np.float64]
 
+SQUEEZE = 0.19
+"""Metres times k: the clearance of somebody who edges between a table and a chair."""
 BEFORE_SEAT = 0.18
 """Metres times k from a seat's edge to where one stands; nearer, clothes cut the chair while turning."""
 LEG_ROOM = 0.17

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.catalog.set_plan import SetPlan, Wall
-from storyblender.geometry.paths import Footprint, Vec2, clearance, find_path, seat_access
+from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, seat_access
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout
@@ -148,13 +148,17 @@ class Floor:
         """Return the way for a person of scale ``k`` past furniture and people who stand."""
         others = [Footprint(point, (0.0, 0.0), 0.0, 0.8 * BODY) for point in people]
         obstacles = [box for box in self.obstacles() if float(clearance(np.array([start]), [box])[0]) > -0.02]
-        return find_path(start, goal, obstacles + others, self.bounds, BODY * k + PADDING)
+        boxes = obstacles + others
+        wide = find_path(start, goal, boxes, self.bounds, BODY * k + PADDING)
+        return wide or find_path(start, goal, boxes, self.bounds, SQUEEZE * k)
 
     def free_near(
         self, wish: Vec2, k: float, people: Sequence[Vec2] = (), *, room: float | None = None, apart: float = PERSONAL
     ) -> Vec2:
         """Return the spot nearest to a wish where a person fits; the wish itself where nothing is better."""
         need = BODY * k + 0.04 if room is None else room
+        x0, y0, x1, y1 = self.bounds
+        wish = (max(x0 + 0.2, min(x1 - 0.2, wish[0])), max(y0 + 0.2, min(y1 - 0.2, wish[1])))
         rings = [(0.0, 0.0)]
         for radius in np.arange(0.15, 2.6, 0.15):
             count = max(8, int(2 * math.pi * radius / 0.2))
@@ -173,7 +177,7 @@ class Floor:
         """Return the free spot around a point, within reach of it, that is easiest to come to."""
         around = [
             (point[0] + r * math.sin(a), point[1] - r * math.cos(a))
-            for r in (0.7 * reach, 0.85 * reach, reach)
+            for r in (0.75 * reach, 0.9 * reach, 1.05 * reach, 1.2 * reach)
             for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)
         ]
         room = clearance(np.array(around), self.obstacles())

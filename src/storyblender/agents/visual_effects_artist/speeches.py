@@ -43,7 +43,7 @@ class Speeches:
                 words = len(re.findall(r"[\w'’-]+", line.text)) if line else 0
                 spoken[number] = max(1.2, words / 2.5 + 0.4) if words else MOTIONS["talk"].seconds
         total = sum(spoken.values())
-        fit = max(0.5, min(1.0, (self.sheet.length - 0.4) / total)) if total else 1.0
+        fit = max(0.5, min(1.0, (1.15 * self.sheet.length - 0.4) / total)) if total else 1.0
         return {number: seconds * fit for number, seconds in spoken.items()}
 
     def speak(

@@ -15,7 +15,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
 from storyblender.blender.motion.skeleton import SIDES
-from storyblender.geometry.paths import Footprint, Track, Vec2, clearance, find_path, seat_access
+from storyblender.geometry.paths import SQUEEZE, Footprint, Track, Vec2, clearance, find_path, seat_access
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Mark
 from storyblender.memory.vocabulary import Mood
@@ -231,7 +231,8 @@ class Stage:
         ends = np.array([start, goal])
         # Whoever already stands inside something (a bed, a bench with arms) may step out of it.
         obstacles = [box for box in obstacles if float(clearance(ends[:1], [box])[0]) > -0.02]
-        return find_path(start, goal, obstacles, self.plan.bounds, who.m.radius + PADDING)
+        wide = find_path(start, goal, obstacles, self.plan.bounds, who.m.radius + PADDING)
+        return wide or find_path(start, goal, obstacles, self.plan.bounds, SQUEEZE * who.m.k)
 
     def others_tracks(self, who: Performer, partner: Performer | None) -> list[tuple[Track, float]]:
         """Return where everybody else goes, and how far to stay from them."""

@@ -19,7 +19,7 @@ from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import PADDING, Beat, Stage
 from storyblender.geometry.paths import clearance
 
-ARM_AND_LEAN = 1.25
+ARM_AND_LEAN = 1.45
 """Arm lengths on the floor that a standing person can reach, leaning."""
 
 
@@ -50,7 +50,7 @@ def _standing_spot(stage: Stage, who: Performer, place: Vector, reach: float) ->
     """Return the free spot around a point that is nearest to the person."""
     around = [
         place.xy + Vector((math.sin(a), math.cos(a))) * r
-        for r in (0.75 * reach, 0.9 * reach, 1.1 * reach, 1.25 * reach)
+        for r in (0.75 * reach, 0.9 * reach, 1.05 * reach, 1.2 * reach)
         for a in np.linspace(0, 2 * math.pi, 16, endpoint=False)
     ]
     free = clearance(np.array(around), stage.footprints(who)) > who.m.radius + 0.5 * PADDING

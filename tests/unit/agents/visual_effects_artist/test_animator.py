@@ -1,0 +1,265 @@
+"""The Animator stages a small cafe: entrances, seats, speeches, props, continuity; and its critic."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import pytest
+
+from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
+from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
+from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.set_plan import PlanMark, SetPlan
+from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
+from storyblender.memory.base import Vec3
+from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
+from storyblender.memory.scene_context import Layout, LayoutObject, SceneSize
+from storyblender.memory.shot_context import (
+    Blocking,
+    BodyState,
+    CameraInstruction,
+    CharacterAction,
+    Cue,
+    Mark,
+    ShotContext,
+)
+
+SIZE = SceneSize(x=4, x_negative=-4, y=3.5, y_negative=-3)
+DOOR = PlanMark(name="door", location=(-3.6, -1.5, 0), yaw=90, tags=("enter", "exit", "door"))
+PLAN = SetPlan(kit="cafe", indoor=True, size=SIZE, marks=(DOOR,))
+SEAT = Anchor(kind="seat", name="seat", location=(0, -0.24, 0.45), size=(0.46, 0.42))
+TOP = Anchor(kind="top", name="top", location=(0, 0, 0.75), size=(1.1, 0.8))
+
+
+def _thing(asset_id: str, size: Vec3, *anchors: Anchor) -> Asset:
+    canonical = CanonicalAsset(source="catalog", key=asset_id, dimensions=size, anchors=anchors, digest="d")
+    return Asset(asset_id=asset_id, asset_type="object", description=asset_id, canonical=canonical)
+
+
+def _person(asset_id: str, stature: float = 1.75) -> Asset:
+    canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.3, stature), digest="d")
+    return Asset(asset_id=asset_id, asset_type="character", description=asset_id, canonical=canonical)
+
+
+def _at(node_id: str, x: float, y: float, yaw: float = 0.0, z: float = 0.0, asset_id: str = "") -> LayoutObject:
+    return LayoutObject(node_id=node_id, asset_id=asset_id or node_id, location=(x, y, z), rotation=(0, 0, yaw))
+
+
+ASSETS = (
+    _thing("chair", (0.46, 0.48, 0.9), SEAT),
+    _thing("table", (1.1, 0.8, 0.75), TOP),
+    _thing("letter", (0.11, 0.22, 0.01)),
+    _thing("cup", (0.08, 0.08, 0.1)),
+    _person("rick"),
+    _person("ilsa", 1.7),
+)
+LAYOUT = Layout(
+    scene_size=SIZE,
+    objects=(
+        _at("table", 0, 1.0),
+        _at("chair_l", -1.3, 1.0, 90, asset_id="chair"),
+        _at("chair_r", 1.3, 1.0, -90, asset_id="chair"),
+        _at("cup", 0.3, 1.0, z=0.75),
+        _at("rick", -1, -1),
+        _at("ilsa", 1, -0.6, -90),
+    ),
+)
+
+
+def _do(who: str, motion: str, **fields: object) -> CharacterAction:
+    values = {"asset_id": who, "action_description": motion, "motion": motion, **fields}
+    return CharacterAction.model_validate(values)
+
+
+def _shot(shot_id: int, *actions: CharacterAction, seconds: float = 4.0, **fields: object) -> ShotContext:
+    values = {
+        "scene_id": 1,
+        "shot_id": shot_id,
+        "on_stage": ("rick", "ilsa"),
+        "character_actions": actions,
+        "camera_instruction": CameraInstruction(),
+        "duration": round(seconds * 24),
+        **fields,
+    }
+    return ShotContext.model_validate(values)
+
+
+def _view(*shots: ShotContext, lines: dict[int, tuple[ScriptLine, ...]] | None = None) -> AnimatorView:
+    outline = SceneOutline(
+        scene_id=1,
+        scene_description="",
+        shots=tuple(ShotOutline(shot_id=k, shot_description="", lines=v) for k, v in (lines or {}).items()),
+    )
+    return AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=shots, outline=outline)
+
+
+def _end(shot: ShotStaging, who: str) -> Mark:
+    return next(b.end for b in shot.blocking if b.end.asset_id == who)
+
+
+def _start(shot: ShotStaging, who: str) -> Mark:
+    return next(b.start for b in shot.blocking if b.start.asset_id == who)
+
+
+def _cues(shot: ShotStaging, who: str) -> list[str]:
+    return [cue.clip for cue in shot.cues if cue.asset_id == who]
+
+
+def _stage(*shots: ShotContext, **fields: object) -> tuple[ShotStaging, ...]:
+    view = _view(*shots, **fields)  # type: ignore[arg-type]
+    draft = AnimatorRules().propose(view)
+    faults = AnimatorCritic().judge(draft, view).faults
+    assert faults == (), [fault.message for fault in faults]
+    return draft.shots
+
+
+def test_the_end_of_a_shot_is_the_start_of_the_next() -> None:
+    shots = _stage(
+        _shot(1, _do("rick", "walk", target_id="ilsa")),
+        _shot(2, _do("rick", "sit", target_id="chair"), seconds=6),
+        _shot(3, _do("ilsa", "sit", target_id="chair"), seconds=6),
+    )
+    for before, after in itertools.pairwise(shots):
+        for who in ("rick", "ilsa"):
+            assert _end(before, who) == _start(after, who)
+
+
+def test_people_who_talk_stand_at_a_talking_distance() -> None:
+    (shot,) = _stage(_shot(1, _do("rick", "walk", target_id="ilsa")))
+    rick, ilsa = _end(shot, "rick"), _end(shot, "ilsa")
+    assert 1.0 <= math.dist(rick.location, ilsa.location) <= 1.4
+    aside = math.degrees(math.atan2(abs(ilsa.location[1] - rick.location[1]), abs(ilsa.location[0] - rick.location[0])))
+    assert aside <= 50, "one would hide the other"
+
+
+def test_two_sitters_take_two_seats_and_walk_there_first() -> None:
+    (shot,) = _stage(_shot(1, _do("rick", "sit", target_id="chair"), _do("ilsa", "sit", target_id="chair"), seconds=6))
+    ends = [_end(shot, who) for who in ("rick", "ilsa")]
+    assert [end.posture for end in ends] == ["sit", "sit"]
+    assert len({end.support_id for end in ends}) == 2
+    assert _cues(shot, "rick")[:2] == ["walk", "sit"]
+
+
+def test_whoever_the_script_finds_sitting_sits_from_the_first_frame() -> None:
+    state = BodyState(asset_id="ilsa", posture="sit", support_id="chair", held=("letter",))
+    (shot,) = _stage(_shot(1, states=(state,)))
+    start = _start(shot, "ilsa")
+    assert start.posture == "sit"
+    assert start.held == (("R", "letter"),)
+    assert shot.prop_states[0].held_by == "ilsa"
+
+
+def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short() -> None:
+    alone = _shot(1, on_stage=("ilsa",))
+    enters = _shot(2, _do("rick", "walk", target_id="ilsa"), seconds=5)
+    _, shot = _stage(alone, enters)
+    assert math.dist(_start(shot, "rick").location, DOOR.location) < 0.5
+    hurried = enters.model_copy(update={"duration": 40})
+    _, short = _stage(alone, hurried)
+    assert math.dist(_start(short, "rick").location, DOOR.location) > 1.0
+    assert short.cheats
+    assert short.duration <= 1.5 * 40
+
+
+def test_who_leaves_walks_to_the_door() -> None:
+    shots = _stage(_shot(1, _do("rick", "walk"), seconds=6), _shot(2, on_stage=("ilsa",)))
+    assert math.dist(_end(shots[0], "rick").location, DOOR.location) < 0.6
+    assert [b.start.asset_id for b in shots[1].blocking] == ["ilsa"]
+
+
+def test_speeches_are_timed_over_the_shot_and_heard() -> None:
+    span = SourceSpan(start=0, end=1)
+    lines = (
+        ScriptLine(kind="dialogue", text="word " * 10, span=span, speaker="rick", parenthetical="angrily"),
+        ScriptLine(kind="dialogue", text="word " * 5, span=span, speaker="ilsa"),
+    )
+    talk = (_do("rick", "talk", target_id="ilsa", line_index=0), _do("ilsa", "talk", target_id="rick", line_index=1))
+    (shot,) = _stage(_shot(1, *talk, seconds=7), lines={1: lines})
+    first, second = (cue for cue in shot.cues if cue.clip == "talk")
+    assert first.mood == "angry"
+    assert first.duration == pytest.approx(4.4 * 24, abs=2)
+    assert second.start >= first.start + (first.duration or 0) - 1
+    listening = next(cue for cue in shot.cues if cue.clip == "listen" and cue.asset_id == "ilsa")
+    assert listening.target_id == "rick"
+    assert abs(listening.start - first.start) < 12
+
+
+def test_a_prop_goes_from_hand_to_hand_to_table() -> None:
+    states = (BodyState(asset_id="rick", held=("letter",)), BodyState(asset_id="ilsa"))
+    given, put, after = _stage(
+        _shot(1, _do("rick", "give", target_id="ilsa", prop_id="letter"), states=states, seconds=5),
+        _shot(2, _do("ilsa", "put_down", target_id="table", prop_id="letter"), seconds=6),
+        _shot(3),
+    )
+    assert _end(given, "ilsa").held == (("R", "letter"),)
+    assert _end(given, "rick").held == ()
+    assert _end(put, "ilsa").held == ()
+    (state,) = after.prop_states
+    assert state.location is not None
+    assert state.location[2] == pytest.approx(0.75)
+    assert state.held_by is None
+
+
+def test_drinking_walks_to_the_cup_and_picks_it_up() -> None:
+    (shot,) = _stage(_shot(1, _do("rick", "drink", prop_id="cup"), seconds=6))
+    assert [clip for clip in _cues(shot, "rick") if clip != "look"] == ["walk", "pick_up", "drink"]
+    assert _end(shot, "rick").held == (("R", "cup"),)
+
+
+def test_every_cue_is_a_clip_and_every_motion_can_be_staged() -> None:
+    words = sorted({word for motion in MOTIONS.values() for word in motion.directs})
+    for word in words:
+        for target in (None, "ilsa", "table", "chair"):
+            view = _view(_shot(1, _do("rick", word, target_id=target)))
+            (shot,) = AnimatorRules().propose(view).shots
+            assert all(cue.clip in MOTIONS for cue in shot.cues), word
+            assert shot.duration <= 1.5 * 96
+
+
+def test_same_scene_same_staging() -> None:
+    view = _view(_shot(1, _do("rick", "walk", target_id="table"), _do("ilsa", "look", target_id="rick")))
+    assert AnimatorRules().propose(view) == AnimatorRules().propose(view)
+
+
+def test_locked_blocking_is_kept_and_carried_on() -> None:
+    mine = Mark(asset_id="rick", location=(2.0, -2.0, 0.0), yaw=10.0)
+    locked = _shot(1, blocking=(Blocking(start=mine, end=mine),), locked=("blocking",), on_stage=("rick",))
+    shots = _stage(locked, _shot(2, on_stage=("rick",)))
+    assert _start(shots[1], "rick").location == mine.location
+
+
+def _draft(*blockings: Blocking, cues: tuple[Cue, ...] = ()) -> AnimatorDraft:
+    return AnimatorDraft(shots=(ShotStaging(shot_id=1, blocking=blockings, cues=cues, duration=48),))
+
+
+def _stand(who: str, x: float, y: float) -> Blocking:
+    mark = Mark(asset_id=who, location=(x, y, 0.0), yaw=0.0)
+    return Blocking(start=mark, end=mark)
+
+
+@pytest.mark.parametrize(
+    ("blockings", "kind"),
+    [
+        ((_stand("rick", 0.0, 1.0),), "inside"),
+        ((_stand("rick", -1.0, -1.0), _stand("ilsa", -1.1, -1.0)), "overlap"),
+        ((_stand("rick", 9.0, 0.0),), "off_set"),
+    ],
+)
+def test_the_critic_finds_bad_places_and_the_policy_mends_them(blockings: tuple[Blocking, ...], kind: str) -> None:
+    view, draft = _view(_shot(1)), _draft(*blockings)
+    critique = AnimatorCritic().judge(draft, view)
+    assert [fault.kind for fault in critique.faults] == [kind]
+    mended = AnimatorRules().refine(draft, critique, view)
+    assert AnimatorCritic().judge(mended, view).faults == ()
+
+
+def test_the_critic_finds_a_seat_that_is_not_there_and_a_way_that_is_none() -> None:
+    ghost = Mark(asset_id="rick", location=(2.0, -2.0, 0.0), yaw=0.0, posture="sit", support_id="sofa")
+    critique = AnimatorCritic().judge(_draft(Blocking(start=ghost, end=ghost)), _view(_shot(1)))
+    assert [fault.kind for fault in critique.faults] == ["support"]
+    inside = Mark(asset_id="rick", location=(0.0, 1.0, 0.0), yaw=0.0)
+    outside = Mark(asset_id="rick", location=(-1.0, -1.0, 0.0), yaw=0.0)
+    walk = Cue(asset_id="rick", clip="walk", start=0, mark=inside)
+    critique = AnimatorCritic().judge(_draft(Blocking(start=outside, end=outside), cues=(walk,)), _view(_shot(1)))
+    assert "no_way" in [fault.kind for fault in critique.faults]
