@@ -12,7 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.look.gbuffer import GBuffer
 from storyblender.look.raster import LUMA, Image, luminance
+from storyblender.look.surface import Surface
 from storyblender.memory.scene_context import Light, Lighting, Sky
 
 _BOUNCE = 0.55
@@ -96,6 +98,17 @@ def bounce_light(albedo: Image, direct: Image, solid: NDArray[np.bool_], opennes
         return np.zeros_like(direct)
     leaving = np.minimum(albedo * direct, 4.0)[solid].mean(axis=0)
     return openness[..., None] * (leaving * np.float32(_BOUNCE))
+
+
+def soft_foliage(normal: Image, gbuffer: GBuffer) -> Image:
+    """Return the normals with those of leaves turned up and to the eye: light comes through leaves and round them."""
+    leaves = gbuffer.surface == Surface.FOLIAGE
+    if not leaves.any():
+        return normal
+    turned = normal[leaves] + np.array([0, 0, 0.7], np.float32) + 0.4 * gbuffer.view.axes[:, 2].astype(np.float32)
+    result = normal.copy()
+    result[leaves] = turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-3)
+    return result
 
 
 def total(fields: Sequence[LightField], ambient: Image) -> Image:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.look.gbuffer import GBuffer
+from storyblender.look.gbuffer import GBuffer, View
 from storyblender.look.raster import Image, Mask, blur, luminance, shrink, spread
 from storyblender.look.surface import FLESH, PERSON, Surface
 
@@ -120,6 +120,31 @@ def apply_ink(display: Image, ink: Image, people: Image, strength: float) -> Ima
     return display * (1 - cover) + color * cover
 
 
+def add_lines(picture: Image, depth: Image, view: View) -> Image:
+    """Draw simple outlines on a moving frame: where depth jumps, on the nearer side; heavier on what is near.
+
+    Args:
+        picture: (h, w, 3) linear.
+        depth: (h, w) metres.
+        view: The camera, at this size.
+    """
+    line = np.zeros(depth.shape, np.float32)
+    per_metre = view.pixels_per_metre * _ROWS / view.height / np.minimum(depth, 1e3)
+    strength = np.clip(per_metre / 110, 0, 0.85).astype(np.float32)
+    for axis in (0, 1):
+        here, there = _neighbours(axis)
+        near = np.minimum(depth[here], depth[there])
+        jump = np.abs(depth[here] - depth[there]) / near > _OUTLINE_JUMP * 1.6
+        jump &= _bend(depth, axis) > _OUTLINE_JUMP
+        near_here = depth[here] <= depth[there]
+        line[here] = np.maximum(line[here], strength[here] * (jump & near_here))
+        line[there] = np.maximum(line[there], strength[there] * (jump & ~near_here))
+    drawn = picture * (1 - line[..., None]) + _DARK_INK * 0.3 * line[..., None]
+    # The frame comes without antialiasing: soften it along its lines.
+    soft = 0.5 * spread(line > 0)[..., None]
+    return drawn * (1 - soft) + blur(drawn, 1) * soft
+
+
 def people_nearby(gbuffer: GBuffer, step: int) -> Image:
     """Return 0.25 to 1: how much the lines of each pixel belong to people."""
     return np.clip(blur(gbuffer.coverage(PERSON, step), 2) * 2.5, 0.25, 1)
@@ -162,17 +187,20 @@ def _thicken(line: Image, width: Image, at: tuple[float, ...]) -> Image:
 def _find_strokes(strip: _Strip) -> _Strokes:
     """Compare every pixel with its right and its lower neighbour; a line belongs to the nearer of the two."""
     found = _Strokes(*(np.zeros(strip.ids.shape, bool) for _ in range(4)))
-    everything = slice(None)
     for axis in (0, 1):
-        first, second = slice(None, -1), slice(1, None)
-        here = (first, everything) if axis == 0 else (everything, first)
-        there = (second, everything) if axis == 0 else (everything, second)
+        here, there = _neighbours(axis)
         near_here = strip.depth[here] <= strip.depth[there]
         edges = _edges(strip[here], strip[there], near_here, _bend(strip.depth, axis))
         for drawn, edge in zip((found.outline, found.step, found.seam, found.crease), edges, strict=True):
             drawn[here] |= edge & near_here
             drawn[there] |= edge & ~near_here
     return found
+
+
+def _neighbours(axis: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
+    """Return the windows that pair every pixel with the next one along ``axis``."""
+    first, second, everything = slice(None, -1), slice(1, None), slice(None)
+    return ((first, everything), (second, everything)) if axis == 0 else ((everything, first), (everything, second))
 
 
 def _bend(depth: Image, axis: int) -> Image:

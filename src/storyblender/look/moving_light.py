@@ -13,13 +13,17 @@ import numpy as np
 from storyblender.look.atmosphere import add_halos, transmittance, veil
 from storyblender.look.gbuffer import View
 from storyblender.look.illumination import ambient_light, light_field, sky_light, total
-from storyblender.look.raster import LUMA, Image, Mask
+from storyblender.look.occlusion import ambient_occlusion
+from storyblender.look.raster import LUMA, Image, Mask, blur, every, spread
 from storyblender.memory.scene_context import Light, Lighting
 
-_MOST_LAMPS = 8
-_BOUNCE = 0.3
+_MOST_LAMPS = 6
+"""Lamps of the set that are worked out, besides the sun and those of faces."""
+_BOUNCE = 0.4
 _SAME = 0.004
 """Change of depth, as a share of it, below which a pixel still shows the same place."""
+_ROUND = 0.04
+"""Range of depth in a neighbourhood, as a share of it, up to which it is one surface."""
 _FOLLOW = 0.15
 """Metres a lamp may move before the light that it gave to still things is worked out anew."""
 
@@ -33,6 +37,7 @@ class FlatFrame:
         coverage: (h, w) 0 where the sky shows.
         depth: (h, w) metres along the camera axis; ``FAR`` where sky.
         glow: (h, w, 3) light given off.
+        moving: (h, w) what may have moved since the last frame although its depth has not: the people.
         view: The camera, at this size.
     """
 
@@ -40,6 +45,7 @@ class FlatFrame:
     coverage: Image
     depth: Image
     glow: Image
+    moving: Mask
     view: View
 
 
@@ -85,15 +91,16 @@ class MovingLight:
             changed = np.ones(frame.depth.shape, bool)
             held = None
         else:
-            changed = np.abs(frame.depth - held.depth) > _SAME * held.depth
+            changed = frame.moving | (np.abs(frame.depth - held.depth) > _SAME * held.depth)
         self._held = held = self._worked_out(frame, chosen, changed, held)
-        return (frame.albedo * held.light + frame.glow) * held.through + held.added
+        light = held.light * _contact(frame)[..., None]
+        return (frame.albedo * light + frame.glow) * held.through + held.added
 
     def _worked_out(self, frame: FlatFrame, lamps: tuple[Light, ...], changed: Mask, held: _Held | None) -> _Held:
         """Light the changed pixels; take the rest from before."""
         rays = frame.view.rays()
         positions = rays * frame.depth[..., None] + frame.view.eye.astype(np.float32)
-        normal = normals_of(positions, frame.depth, rays)[changed][:, None]
+        normal = _smooth(normals_of(positions, frame.depth, rays), frame.depth)[changed][:, None]
         places, rays, depth = positions[changed][:, None], rays[changed][:, None], frame.depth[changed][:, None]
         fields = [light_field(lamp, places, normal) for lamp in lamps]
         open_air = np.ones(depth.shape, np.float32)
@@ -133,6 +140,16 @@ def same_view(a: View, b: View) -> bool:
     )
 
 
+def _contact(frame: FlatFrame) -> Image:
+    """Return the dark of corners and of what stands on the ground, worked out at half size where the size is even."""
+    step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
+    view, depth = frame.view.reduced(step), every(frame.depth, step)
+    rays = view.rays()
+    positions = rays * depth[..., None] + view.eye.astype(np.float32)
+    openness = ambient_occlusion(depth, view, positions, normals_of(positions, depth, rays))
+    return 0.35 + 0.65 * np.repeat(np.repeat(openness, step, axis=0), step, axis=1)
+
+
 def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:
     if len(before) != len(now):
         return True
@@ -150,7 +167,7 @@ def strongest(lamps: Sequence[Light], view: View) -> list[Light]:
         (lamp for lamp in lamps if lamp.kind != "SUN" and lamp.for_asset is None),
         key=lambda lamp: (-_reach(lamp, middle), lamp.name),
     )
-    return always + rest[: max(2, _MOST_LAMPS - len(always))]
+    return always + rest[:_MOST_LAMPS]
 
 
 def _reach(lamp: Light, point: np.ndarray) -> float:
@@ -166,6 +183,15 @@ def normals_of(positions: Image, depth: Image, rays: Image) -> Image:
     away = np.einsum("hwc,hwc->hw", normal, rays) > 0
     normal[away] *= -1
     return normal
+
+
+def _smooth(normal: Image, depth: Image) -> Image:
+    """Round the facets off: mean normal over five pixels, but not across edges of depth."""
+    far, near = spread(spread(depth)), -spread(spread(-depth))
+    whole = (far - near < _ROUND * near)[..., None]
+    soft = blur(normal, 2)
+    soft /= np.maximum(np.linalg.norm(soft, axis=2, keepdims=True), 1e-6)
+    return np.where(whole, soft, normal)
 
 
 def _gradient(positions: Image, depth: Image, axis: int) -> Image:

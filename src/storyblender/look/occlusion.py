@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from storyblender.look.gbuffer import GBuffer
+from storyblender.look.gbuffer import View
 from storyblender.look.raster import Image, blur
 
 _RADIUS = 0.45
@@ -14,16 +14,17 @@ _GOLDEN = 2.399963
 _STRENGTH = 1.9
 
 
-def ambient_occlusion(gbuffer: GBuffer, positions: Image, normal: Image) -> Image:
+def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image) -> Image:
     """Return the open share, 0.15 to 1, of every pixel (spiral samples in screen space, measured in world space).
 
     Args:
-        gbuffer: At the resolution of the light.
+        depth: (h, w) metres, at the resolution of the light.
+        view: The camera, at this size.
         positions: (h, w, 3) world.
         normal: (h, w, 3) world, float32.
     """
-    height, width = gbuffer.depth.shape
-    reach = np.clip(_RADIUS * gbuffer.view.pixels_per_metre / np.maximum(gbuffer.depth, 0.1), 2, width * 0.06)
+    height, width = depth.shape
+    reach = np.clip(_RADIUS * view.pixels_per_metre / np.maximum(depth, 0.1), 2, width * 0.06)
     rows, columns = np.mgrid[0:height, 0:width].astype(np.float32)
     # A fixed seed: the grain is the same in every frame, so it cannot flicker.
     turn = np.random.default_rng(1).random((height, width), np.float32) * 2 * np.pi

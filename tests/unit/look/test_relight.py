@@ -42,7 +42,7 @@ def test_the_sky_stands_in_for_albedo():
 
 def test_corners_are_darker_than_open_floor():
     low = FRAME.reduced(1)
-    openness = ambient_occlusion(low, low.positions(), low.normal.astype(np.float32))
+    openness = ambient_occlusion(low.depth, low.view, low.positions(), low.normal.astype(np.float32))
     rows = np.flatnonzero(low.ids[:, 5] == 1)
     assert openness[rows[0], 5:40].mean() < 0.9 * openness[rows[-3], 5:40].mean()
 
@@ -68,7 +68,7 @@ def test_moving_light_reuses_what_stands_still_and_relights_what_moves():
     lamp = Light(name="lamp", kind="POINT", location=(1, 1, 2.5), power=80)
     coverage = (~FRAME.sky).astype(np.float32)
     albedo, glow = FRAME.albedo.astype(np.float32), np.zeros((108, 192, 3), np.float32)
-    first = FlatFrame(albedo, coverage, FRAME.depth, glow, FRAME.view)
+    first = FlatFrame(albedo, coverage, FRAME.depth, glow, FRAME.ids == PERSON, FRAME.view)
     nearer = np.where(FRAME.ids == PERSON, np.float32(2.5), FRAME.depth)
     second = dataclasses.replace(first, depth=nearer)
 

@@ -28,6 +28,7 @@ from storyblender.look.illumination import (
     light_field,
     roof_light,
     sky_light,
+    soft_foliage,
     strength,
     total,
 )
@@ -207,8 +208,8 @@ class _Shot:
         self.plan = set_light.plan
         self.albedo = mean_albedo(passes.gbuffer, step)
         self._positions = self.gbuffer.positions()
-        self._normal = self.gbuffer.normal.astype(np.float32)
-        self._openness = ambient_occlusion(self.gbuffer, self._positions, self._normal)
+        self._normal = soft_foliage(self.gbuffer.normal.astype(np.float32), self.gbuffer)
+        self._openness = ambient_occlusion(self.gbuffer.depth, self.gbuffer.view, self._positions, self._normal)
         ambient = ambient_light(self.plan, set_light.roofed, self._normal, self._openness)
         self.roof_light = roof_light(self.plan, set_light.roofed, self._normal) * self._openness[..., None]
         lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)

@@ -30,7 +30,7 @@ _REFLECTANCE = 0.26
 _REACH = 60.0
 _GAIN = (0.1, 8.0)
 _FITTING = 0.35
-_MILKY = 1.3
+_MILKY = 2.0
 """Fog is never brighter than this many times the level of the set: a brighter veil looks like milk, not like air."""
 _FEWEST_HITS = 20
 

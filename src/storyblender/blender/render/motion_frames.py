@@ -2,36 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 
 import bpy
 import numpy as np
-from numpy.typing import NDArray
 
 from storyblender.blender.measure.figures import figures
-from storyblender.blender.render.exr import color
+from storyblender.blender.render.flat_frames import FlatCamera, animatic_workbench
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.meter import balanced
-from storyblender.blender.render.passes import flat_workbench, render_glow
 from storyblender.blender.render.picture import write_png
-from storyblender.blender.render.session import RenderSession, changed
+from storyblender.blender.render.session import RenderSession
 from storyblender.look.atmosphere import add_rain
-from storyblender.look.gbuffer import FAR, View
 from storyblender.look.grade import to_bytes, to_display
-from storyblender.look.illumination import direction_of
-from storyblender.look.moving_light import FlatFrame, MovingLight, same_view
+from storyblender.look.ink import add_lines
+from storyblender.look.moving_light import MovingLight
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 
 _METER_WIDTH = 320
 """Width of the still whose lamps and exposure the whole shot keeps: exposure that follows the frames would flicker."""
+_LARGE_FACE = 26
+"""Pixels from crown to chin from which a second pass for the colours of faces is worth its time."""
 GROWN_HEAD = 0.235
 """Metres from crown to chin that count as scale 1."""
-_SAME_PLACE = 0.01
-_LINE = (0.012, 0.010, 0.012)
-_SHADOW = 0.4
 
 
 def render_motion(
@@ -78,21 +73,30 @@ def render_motion(
         gain = np.float32(2.0**still.statistics.exposure)
         set_light = balanced(scene, lighting)
         plan, light = set_light.plan, MovingLight(set_light.plan, set_light.roofed)
-        glow: tuple[View, NDArray[np.float32], NDArray[np.float32]] | None = None
-        with _animatic_workbench(session, still.set_lights + still.lights):
+        close = any(_faces_are_large(session, frame, width, height) for frame in (frames[-1], frames[0]))
+        with animatic_workbench(session, painted=close):
+            camera = FlatCamera(session, width, height, painted=close)
             for number in frames:
                 session.go_to(number)
+                flat = camera.draw()
                 lamps = still.set_lights + _followed(still.lights, first, _heads(scene, in_frame))
-                channels, view = session.exr(width, height, depth=True), session.view(width, height)
-                depth = np.where(channels["Combined.A"] > 0.5, channels["Depth.Z"], np.float32(FAR))
-                if glow is None or not same_view(glow[0], view):
-                    glow = (view, depth, render_glow(session, width, height))
-                shown = np.abs(depth - glow[1]) < _SAME_PLACE * depth
-                flat = FlatFrame(color(channels), channels["Combined.A"], depth, glow[2] * shown[..., None], view)
-                picture = add_rain(light.light(flat, lamps) * gain, depth, plan.rain, seed + number)
+                picture = light.light(flat, lamps) * gain
+                picture = add_lines(add_rain(picture, flat.depth, plan.rain, seed + number), flat.depth, flat.view)
                 paths.append(out_dir / f"{number:05d}.png")
                 write_png(to_bytes(to_display(picture)), paths[-1], quick=True)
     return tuple(paths)
+
+
+def _faces_are_large(session: RenderSession, frame: int, width: int, height: int) -> bool:
+    """Return whether a face in the picture is tall enough to show its brows and lips."""
+    session.go_to(frame)
+    view = session.view(width, height)
+    for figure in figures(session.scene):
+        _, row, depth = view.project(np.asarray(figure.face))
+        rows = figure.head * view.pixels_per_metre / max(float(depth), 0.1)
+        if depth > 0 and -rows < row < height + rows and rows > _LARGE_FACE:
+            return True
+    return False
 
 
 def _heads(scene: bpy.types.Scene, in_frame: Sequence[str] | None) -> tuple[PersonHead, ...]:
@@ -123,42 +127,3 @@ def _followed(lamps: Sequence[Light], before: Sequence[PersonHead], now: Sequenc
         else lamp
         for lamp in lamps
     )
-
-
-@contextmanager
-def _animatic_workbench(session: RenderSession, lamps: Sequence[Light]) -> Iterator[None]:
-    """Flat texture with outlines, cavities and one hard shadow, from the sun or else from the first key."""
-    scene = session.scene
-    caster = next((lamp for lamp in lamps if lamp.kind == "SUN"), None)
-    caster = caster or next((lamp for lamp in lamps if lamp.role == "key"), None)
-    toward = -direction_of(caster) if caster else np.array([0.3, -0.5, 0.8])
-    shading = {
-        "light": "FLAT",
-        "color_type": "TEXTURE",
-        "show_shadows": True,
-        "shadow_intensity": _SHADOW,
-        "show_cavity": True,
-        "cavity_type": "BOTH",
-        "cavity_ridge_factor": 0.4,
-        "cavity_valley_factor": 1.2,
-        "curvature_ridge_factor": 0.3,
-        "curvature_valley_factor": 0.7,
-        "show_object_outline": True,
-        "object_outline_color": _LINE,
-    }
-    display = {
-        "render_aa": "FXAA",
-        # Workbench wants the direction to the light with its axes turned (notes: engine, section 4).
-        "light_direction": (float(toward[0]), float(toward[2]), float(-toward[1])),
-        "matcap_ssao_distance": 0.25,
-    }
-    with ExitStack() as stack:
-        stack.enter_context(flat_workbench(scene))
-        stack.enter_context(changed(scene.display.shading, shading))
-        stack.enter_context(changed(scene.display, display))
-        if caster is None or caster.kind != "SUN":
-            # Indoors, walls and ceiling would put everything in shadow.
-            for obj in session.visible_objects():
-                if obj.get("kind") == "set":
-                    stack.enter_context(changed(obj.display, {"show_shadows": False}))
-        yield

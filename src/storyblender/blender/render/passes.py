@@ -79,17 +79,24 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness), nodes)
 
 
-def render_glow(session: RenderSession, width: int, height: int) -> NDArray[np.float32]:
-    """Return only the (h, w, 3) light that the things in the picture give off, for frames without a G-buffer."""
+def has_painted_skin(obj: bpy.types.Object) -> bool:
+    """Return whether the object's colour is painted on its vertices: skin, with its brows and lips."""
+    return obj.type == "MESH" and obj.get("surface") in PERSON and len(obj.data.color_attributes) > 0
+
+
+def render_glow(session: RenderSession, width: int, height: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return the (h, w, 3) light that the things in the picture give off, and (h, w) depth; no G-buffer needed."""
     materials = list(bpy.data.materials)
     glow_color, glow_gain = _glow_of(materials)
     with flat_workbench(session.scene):
+        with _shading(session.scene, light="FLAT", color_type="SINGLE"):
+            channels = session.exr(width, height, depth=True)
         material = _material_pass(session, materials, width, height)
         glow = glow_color[material]
         if glow_gain[material].any():
             with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
                 glow += color(session.exr(width, height)) * glow_gain[material][..., None]
-    return glow
+    return glow, np.where(channels["Combined.A"] > 0.5, channels["Depth.Z"], np.float32(FAR))
 
 
 @contextmanager
@@ -133,7 +140,7 @@ def _identity_colors(objects: Sequence[bpy.types.Object]) -> Iterator[tuple[Node
                 node_id = str(obj.get("node_id", obj.name))
                 nodes.append(Node(node_id, str(obj.get("asset_id", "")), str(obj.get("kind", "prop"))))
             gid, code = gids[group], int(obj.get("surface", Surface.PROP))
-            if code in PERSON and obj.type == "MESH" and len(obj.data.color_attributes):
+            if has_painted_skin(obj):
                 code += _HAS_SKIN_COLORS
             stack.enter_context(changed(obj, {"color": (gid % 256 / 255, gid // 256 / 255, code / 255, 1.0)}))
         yield tuple(nodes)
