@@ -13,6 +13,7 @@ import bpy
 from storyblender.blender.measure.hashing import geometry_hash
 from storyblender.blender.measure.surfaces import find_tops
 from storyblender.blender.people.body import Body
+from storyblender.blender.people.drape import drape_seated
 from storyblender.blender.people.person import build_person
 from storyblender.blender.props.build import PropBuild, build_prop
 from storyblender.blender.props.imported import build_from_file
@@ -117,6 +118,7 @@ class AssetStore:
             look = look.model_copy(update={"stature": min(2.4, max(0.4, asset.dimension.height))})
         identity = asset.reference_character or asset.asset_id
         build = build_person(asset.asset_id, look, seed=_seed(identity))
+        drape_seated(build)
         for obj in (build.armature, *build.meshes):
             collection.objects.link(obj) if obj.name not in collection.objects else None
             obj.data["digest"] = digest

@@ -12,6 +12,9 @@ from storyblender.agents.director.reading import Deed, Unit
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
 
+_KEYBOARDS = ("piano", "organ", "harpsichord", "keyboard")
+"""Instruments that are played sitting before them."""
+
 
 @dataclass
 class _Body:
@@ -82,6 +85,9 @@ class Staging:
         body = _Body(held=held)
         if any(self.already(deed, unit) for deed in mine) or (not mine and person in unit.posture):
             body.posture, body.support = unit.posture.get(person, ("stand", None))
+        instrument = _keyboard(mine)
+        if instrument is not None and body.posture in ("stand", "sit"):
+            body.posture, body.support = "sit", instrument
         return body
 
     def _play(self, unit: Unit) -> None:
@@ -114,6 +120,12 @@ class Staging:
 
     def _known(self, id_: str | None) -> str | None:
         return id_ if id_ in self.assets else None
+
+
+def _keyboard(deeds: Sequence[Deed]) -> str | None:
+    """Return the keyboard that is played in these deeds."""
+    played = (thing for deed in deeds if deed.motion == "play_music" for thing in (deed.target, deed.prop) if thing)
+    return next((thing for thing in played if thing.endswith(_KEYBOARDS)), None)
 
 
 def _comes_in(person: str, unit: Unit) -> bool:

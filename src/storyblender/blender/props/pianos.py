@@ -6,11 +6,26 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.parts import turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop
+from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop, seat
+from storyblender.memory.asset_sheet import Anchor
 
 WHITE_KEYS = 52
 BLACK_AFTER = (0, 2, 3, 5, 6)
 """White keys of an octave starting on A that have a black key to their right."""
+STOOL = 0.62
+"""Depth that the player's stool adds in front of a piano, metres."""
+
+
+def _stool(b: MeshBuilder, spec: PropSpec, front: float) -> Anchor:
+    """Add the player's stool before a keyboard whose front is at y ``front``; the player faces the keys."""
+    wood, top = spec.material("body"), spec.material("black")
+    y, height = front - STOOL + 0.19, 0.49
+    b.box(top, (0, y, height - 0.03), (0.58, 0.36, 0.06), bevel=0.018)
+    b.box(wood, (0, y, height - 0.085), (0.5, 0.3, 0.05))
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            turned_leg(b, wood, sx * 0.23, y + sy * 0.13, height - 0.1, 0.035)
+    return seat((0, y + 0.18, height), (0.58, 0.34), (0.0, 1.0, 0.0), "stool")
 
 
 def _keyboard(b: MeshBuilder, spec: PropSpec, width: float, front: float, height: float) -> None:
@@ -28,6 +43,7 @@ def _keyboard(b: MeshBuilder, spec: PropSpec, width: float, front: float, height
 def piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an upright piano."""
     (w, d, h), wood = spec.size, spec.material("body")
+    d -= STOOL
     back = d / 2
     body = d * 0.52
     b.box(wood, (0, back - body / 2, h / 2 - 0.02), (w - 0.08, body, h - 0.04), bevel=0.006)
@@ -45,13 +61,19 @@ def piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.box("paper", (0.0, face - 0.045, 0.97), (0.36, 0.004, 0.25), rotation=(-14, 0, 0))
     _keyboard(b, spec, w - 0.24, -d / 2 + 0.05, 0.735)
     b.box(wood, (0, face - 0.05, 0.79), (w - 0.1, 0.02, 0.12), bevel=0.005, rotation=(-20, 0, 0))
-    return (lean((0, -d / 2, 0.735), w - 0.24, name="keys"), lean((w / 2, back - body / 2, h), body, (-1, 0, 0), "end"))
+    stool = _stool(b, spec, -d / 2)
+    return (
+        stool,
+        lean((0, -d / 2, 0.735), w - 0.24, name="keys"),
+        lean((w / 2, back - body / 2, h), body, (-1, 0, 0), "end"),
+    )
 
 
 @prop("grand_piano")
 def grand_piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a grand piano with its lid on the stick."""
     (w, d, _), wood, brass = spec.size, spec.material("body"), spec.material("metal")
+    d -= STOOL
     rim, case = 0.98, 0.3
     plan = np.array([
         (-0.5, -0.36), (0.5, -0.36), (0.5, -0.2), (0.485, -0.08), (0.43, 0.04), (0.33, 0.12), (0.22, 0.2), (0.14, 0.3),
@@ -88,4 +110,9 @@ def grand_piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.box(brass, (x, -d * 0.32, 0.07), (0.03, 0.12, 0.012), bevel=0.003)
     b.box(wood, (0, -d * 0.27, 0.4), (0.16, 0.05, rim - case - 0.3), bevel=0.006)
     b.box(wood, (0, -d * 0.28, 0.09), (0.24, 0.08, 0.05), bevel=0.006)
-    return (lean((0, -d * 0.49, 0.745), w - 0.26, name="keys"), lean((w / 2, 0.0, rim), d * 0.4, (-1, 0, 0), "bend"))
+    stool = _stool(b, spec, -d * 0.49)
+    return (
+        stool,
+        lean((0, -d * 0.49, 0.745), w - 0.26, name="keys"),
+        lean((w / 2, 0.0, rim), d * 0.4, (-1, 0, 0), "bend"),
+    )
