@@ -137,7 +137,6 @@ CROWDS = frozenset(_people["crowd"])
 NEUTER_ROLES = frozenset(_people["neuter"])
 """Somebody who may be called ``it``."""
 TITLE_SYNONYMS = _pairs(_people["title_synonym"])
-KIN = frozenset(_people["kin"])
 CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people["converse"]).items()}
 """Kin -> what they are to each other: the uncle of a niece or nephew."""
 TITLES = frozenset(_people["title"])

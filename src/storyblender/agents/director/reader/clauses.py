@@ -327,13 +327,7 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
     before = builder.current
     if left.text == "without" or (left.text == "to" and before and before.verb in _WISHES):
         return True
-    return left.text == "to" and builder.words[builder.phrases[index].first].low in (
-        "see",
-        "look",
-        "find",
-        "get",
-        "hear",
-    )
+    return left.text == "to" and builder.words[builder.phrases[index].first].low in _PURPOSES
 
 
 _PURPOSES = frozenset({"see", "look", "find", "get", "hear"})

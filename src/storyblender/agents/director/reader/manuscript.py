@@ -7,10 +7,11 @@ every offset in a paragraph's body is an offset in the script.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from storyblender.agents.director import camera_phrases
+from storyblender.agents.director.reader.morphology import form_kind
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
 
@@ -124,8 +125,9 @@ def _take_out_cameras(paragraph: Paragraph) -> None:
     """Move the camera directions of a paragraph from its body to its notes."""
     body = paragraph.raw
     for start, end in _sentence_spans(paragraph.raw):
-        camera, (first, last) = camera_phrases.parse(paragraph.raw[start:end])
+        camera, span = camera_phrases.parse(paragraph.raw[start:end])
         if camera:
+            camera, (first, last) = _without_action(camera, span, paragraph.raw[start:end])
             paragraph.cameras.append((paragraph.start + start, camera))
             kept = range(start + first, start + last)
             body = "".join(
@@ -133,6 +135,27 @@ def _take_out_cameras(paragraph: Paragraph) -> None:
                 for at, letter in enumerate(body)
             )
     paragraph.body = body
+
+
+def _without_action(
+    camera: CameraNote, span: camera_phrases.Span, sentence: str
+) -> tuple[CameraNote, camera_phrases.Span]:
+    """Keep the action in ``OVER RICK'S SHOULDER: Ilsa and Laszlo walk``: a subject that does something is told too.
+
+    Returns:
+        The direction with the subject only, and the span of the sentence that is action.
+    """
+    words = camera.subject.split()
+    verb = next((i for i, word in enumerate(words) if i and word.islower() and _acts(words[i - 1], word)), None)
+    at = sentence.rfind(camera.subject)
+    if span[0] < span[1] or verb is None or at < 0:
+        return camera, span
+    return replace(camera, subject=" ".join(words[:verb])), (at, len(sentence))
+
+
+def _acts(left: str, word: str) -> bool:
+    """Whether a word is a verb in the plural after a name: ``Laszlo walk``."""
+    return left[0].isupper() and form_kind(word) == "base"
 
 
 def _sentence_spans(text: str) -> list[tuple[int, int]]:

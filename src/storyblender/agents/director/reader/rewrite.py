@@ -218,13 +218,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left is None or left.inserted:
         return False
     third, right = form.kind == "3sg", following.low if following else "."
-    enters = left.low in ("in", "out", "up", "down", "there", "along", "off") and third
-    if (
-        enters
-        and following
-        and following.mention
-        and (len(row.words) < 2 or row.words[-2].low in ("and", ",", "then", "."))
-    ):
+    if third and left.low in _ENTERING and following and following.mention and _opens_clause(row):
         return True
     if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
         return False
@@ -237,14 +231,8 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left.low in (")", '"'):
         return third
     if left.low in _LINKS:
-        return _continues(form, left, right, row) and not (
-            third
-            and left.low in (",", "and")
-            and {word.low, singular(word.low)} & _NOUNS
-            and right not in _OBJECT_OPENERS
-            and not right.endswith("ly")
-            and not (word.low == "steps" and right != ".")
-        )
+        listed = third and left.low in (",", "and") and _reads_as_noun(word, right)
+        return _continues(form, left, right, row) and not listed
     return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(form, left, right)
 
 
@@ -254,6 +242,13 @@ def _new_clause(row: _Row) -> bool:
         if row.words[index].low in _OPENERS:
             return index > 0 and row.words[index - 1].low in _CLAUSE_LINKS
     return False
+
+
+def _reads_as_noun(word: Word, right: str) -> bool:
+    """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``steps back``."""
+    if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
+        return False
+    return right not in _OBJECT_OPENERS and not right.endswith("ly")
 
 
 def _opens_clause(row: _Row) -> bool:
