@@ -30,8 +30,8 @@ _ON = (
     rf"|\b({_SWITCHES}) on\b|\blights? (a|the) (lamp|candle)\b"
 )
 _HOUR_WORDS: tuple[tuple[str, TimeOfDay], ...] = (
-    (r"\b(sun ?rise|sun (comes|is coming) up|dawn breaks|first light)\b", "dawn"),
-    (r"\b(sun ?set|sun (goes|is going) down)\b", "sunset"),
+    (r"\b(sun ?rise|sun rises|sun (comes|is coming) up|dawn breaks|first light)\b", "dawn"),
+    (r"\b(sun ?set|sun sets|sun (goes|is going) down)\b", "sunset"),
     (r"\b(night falls|night has fallen)\b", "night"),
     (r"\b(dusk|twilight) (falls|comes)\b", "dusk"),
 )

@@ -40,7 +40,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             "crate", -x + dx, py, yaw=alley.between(-20, 20), required=index == 0, width=size, depth=size, height=size
         )
     alley.furnish("barrel", x - 0.5, -y * 0.3, required=False)
-    alley.furnish("barrel", x - 0.5, y * 0.75, required=False)
+    alley.furnish("barrel", -x + 0.5, y * 0.82, required=False)
     alley.piece("pipes", x - 0.1, -y * 0.05, 0.0, 0, vertical=True, length=9.0)
     alley.piece("puddle", 0.3, -1.0, scale=1.3)
     for side, py, z in ((-1, -y * 0.25, 3.0), (1, y * 0.3, 3.1)):

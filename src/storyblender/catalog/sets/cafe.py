@@ -22,8 +22,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     x, y = room.half_x, room.half_y
     room.door("front", 0, width=1.3, height=2.3, style="glass", name="street_door")
     room.door("back", -x * 0.45, name="kitchen_door", tags=("enter", "exit", "door", "kitchen"))
-    for side, at, width in (("front", -x * 0.6, 2.0), ("front", x * 0.6, 2.0), ("right", -y * 0.45, 1.5)):
-        room.window(side, at, width=width, height=1.6, style="shop" if side == "front" else "grid")
+    room.window("front", -x * 0.6, width=2.0, height=1.6, style="shop")
+    room.window("front", x * 0.6, width=2.0, height=1.6, style="shop")
+    room.window("right", -y * 0.45, width=1.5, height=1.6, style="grid")
     room.window("back", x * 0.42, width=1.5, height=1.5, style="grid", mark=True)
     arcade = y - 2.1
     room.piece(
@@ -53,7 +54,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     if not modern:
         room.against("right", "piano", y - 3.1, 0.42, required=False)
         room.against("right", "stool", y - 3.1, 1.05, required=False)
-    room.furnish("potted_plant", x - 0.45, arcade - 0.5, required=False)
+    room.furnish("potted_plant", x - 0.5, y - 0.5, required=False)
     room.furnish("potted_plant", -x + 0.45, arcade - 0.45, required=False)
     room.against("front", "hat_stand", x * 0.25, 0.4, required=False)
     room.on_wall("back", "picture", -0.1, 1.5)

@@ -22,7 +22,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.door("right", -0.2, width=1.1, height=2.1, style="cell")
     room.against("left", "bed", y - 0.62, 1.1, width=0.85)
     room.mark("bed", -x + 1.4, y - 1.3, 90, "bed")
-    room.against("right", "stool", y - 0.5, 0.5, required=False)
+    room.against("right", "stool", -y * 0.6, 0.5, required=False)
     room.against("back", "bucket" if past else "sink", x - 0.55, 0.35, required=False)
     if past:
         room.hang("lantern", 0.3, 0)

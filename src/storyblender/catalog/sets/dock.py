@@ -39,6 +39,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     dock.ring("sea", 140, 1.6, bottom=-6, azimuths=(-95, 95), sides=8)
     dock.ring("skyline", 110, 12, bottom=-3, azimuths=(20, 80), sides=3)
     dock.ring("facades", 40, 11, azimuths=(90, 270), sides=8)
+    dock.ring("skyline", 60, 15, azimuths=(86, 274), sides=8)
     dock.entrances(back=False)
     return dock.finish()
 

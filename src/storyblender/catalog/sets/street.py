@@ -19,10 +19,23 @@ _WALLS = ("brick_red", "brick_brown", "limewash", "plaster_grey", "stone_light",
 def row_of_facades(
     drawing: Drawing, y: float, yaw: float, *, start: float, end: float, floors: tuple[int, ...], shops: bool = True
 ) -> None:
-    """Close one side of a street with houses between ``start`` and ``end``; yaw 0 looks to -Y."""
-    at, index = start, int(drawing.rng.integers(len(_WALLS)))
-    while at < end - 3.0:
-        width = min(float(drawing.choose(("7.2", "8.4", "9.6", "11.0"))), end - at)
+    """Close one side of a street with houses from ``start`` to beyond ``end``; yaw 0 looks to -Y.
+
+    A street has a few designs that come again, so that its houses share meshes.
+    """
+    rng, first = drawing.rng, int(drawing.rng.integers(len(_WALLS)))
+    designs = [
+        (
+            width,
+            float(floors[int(rng.integers(len(floors)))]),
+            _WALLS[(first + index) % len(_WALLS)],
+            float(rng.integers(1000)),
+        )
+        for index, width in enumerate((8.4, 9.6, 7.2, 11.0))
+    ]
+    at, index = start, int(rng.integers(4))
+    while at < end:
+        width, height, wall, seed = designs[index % 4]
         drawing.piece(
             "facade",
             at + width / 2,
@@ -30,10 +43,10 @@ def row_of_facades(
             yaw=yaw,
             footprint=(width, 0.1),
             width=width,
-            floors=float(floors[int(drawing.rng.integers(len(floors)))]),
-            material=_WALLS[index % len(_WALLS)],
+            floors=height,
+            material=wall,
             shop=shops and index % 2 == 0,
-            seed=float(drawing.rng.integers(1000)),
+            seed=seed,
         )
         at, index = at + width, index + 1
 

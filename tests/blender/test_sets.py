@@ -1,0 +1,136 @@
+"""Sets in Blender: every kit builds; walls carry their joinery; windows follow the sky; nothing is left open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import bpy
+import numpy as np
+import pytest
+
+from storyblender.blender.light import make_lights
+from storyblender.blender.sets.build import build_set, swing_door
+from storyblender.blender.sets.world import night_of, set_world
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.memory.scene_context import Environment, Light, Sky
+
+pytestmark = pytest.mark.blender
+
+DAY = Sky(zenith=(0.3, 0.5, 0.9), horizon=(0.8, 0.9, 1.0), ground=(0.3, 0.3, 0.2))
+NIGHT = Sky(zenith=(0.01, 0.01, 0.02), horizon=(0.02, 0.03, 0.05), ground=(0.01, 0.01, 0.01))
+
+
+@pytest.fixture
+def scene() -> Iterator[bpy.types.Scene]:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.context.scene.name = "SC010"
+    yield bpy.context.scene
+
+
+def built(kit: str, scene: bpy.types.Scene) -> tuple[SetPlan, list[bpy.types.Object]]:
+    plan = plan_of(Environment(kit=kit, seed=2))
+    objects = build_set(plan, scene, scene.collection)
+    bpy.context.view_layer.update()
+    return plan, objects
+
+
+@pytest.mark.parametrize("kit", list(SETS))
+def test_every_kit_builds_all_of_its_plan(kit: str, scene: bpy.types.Scene) -> None:
+    plan, objects = built(kit, scene)
+    planned = {item.node_id for part in (plan.walls, plan.slabs, plan.pieces, plan.backdrops) for item in part}
+    assert {obj["node_id"] for obj in objects} == planned
+    assert {obj["kind"] for obj in objects} == {"set"}
+    assert all(len(obj.data.polygons) > 0 for obj in objects)
+    assert all(obj.name.startswith("SC010.") for obj in objects)
+
+
+def test_same_pieces_share_a_mesh(scene: bpy.types.Scene) -> None:
+    _, objects = built("forest", scene)
+    assert len({obj.data.name for obj in objects}) < len(objects) / 4
+
+
+def test_two_builds_are_equal(scene: bpy.types.Scene) -> None:
+    def points() -> np.ndarray:
+        _, objects = built("cottage", scene)
+        flat = [np.empty(len(obj.data.vertices) * 3, np.float32) for obj in objects]
+        for obj, target in zip(objects, flat, strict=True):
+            obj.data.vertices.foreach_get("co", target)
+        return np.concatenate(flat)
+
+    assert np.array_equal(points(), points())
+
+
+def test_a_door_leaf_belongs_to_its_wall_and_swings_away(scene: bpy.types.Scene) -> None:
+    plan, objects = built("office", scene)
+    leaf = next(obj for obj in objects if "opening" in obj)
+    assert leaf["node_id"] in {wall.node_id for wall in plan.walls}
+    shut = np.abs(np.array([leaf.matrix_world @ vertex.co for vertex in leaf.data.vertices])[:, 0]).max()
+    swing_door(leaf, "open")
+    bpy.context.view_layer.update()
+    opened = np.abs(np.array([leaf.matrix_world @ vertex.co for vertex in leaf.data.vertices])[:, 0]).max()
+    assert opened > shut + 0.5, "the office's door is in the right wall and opens outwards"
+
+
+@pytest.mark.parametrize("kit", ["room", "cell", "great_hall", "theatre", "warehouse"])
+def test_no_ray_leaves_a_room_without_meeting_the_set(kit: str, scene: bpy.types.Scene) -> None:
+    plan, _ = built(kit, scene)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    rng = np.random.default_rng(0)
+    lost = 0
+    for direction in rng.normal(size=(400, 3)):
+        direction /= np.linalg.norm(direction)
+        hit, *_ = scene.ray_cast(depsgraph, (0.1, 0.1, 1.5), direction)
+        lost += not hit
+    windows = sum(opening.kind == "window" for wall in plan.walls for opening in wall.openings)
+    assert lost <= (12 if windows else 0), "only the sky over the backdrop may be seen"
+
+
+@pytest.mark.parametrize("kit", [key for key in SETS if not SETS[key].indoor])
+def test_the_horizon_is_closed(kit: str, scene: bpy.types.Scene) -> None:
+    built(kit, scene)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    lost = []
+    for degrees in range(0, 360, 3):
+        direction = (np.sin(np.radians(degrees)), np.cos(np.radians(degrees)), -0.004)
+        hit, *_ = scene.ray_cast(depsgraph, (0.2, -0.2, 1.6), direction, distance=400.0)
+        if not hit:
+            lost.append(degrees)
+    assert not lost
+
+
+def test_windows_are_lit_at_night_only(scene: bpy.types.Scene) -> None:
+    built("street", scene)
+    panes = [block for block in bpy.data.materials if block.get("pane_of") == scene.name]
+    assert panes
+    set_world(scene, DAY)
+    assert all(block["emit"] == 0 for block in panes)
+    set_world(scene, NIGHT)
+    assert all(block["emit"] > 0.3 for block in panes)
+
+
+def test_day_shines_outside_the_windows_of_a_room(scene: bpy.types.Scene) -> None:
+    built("office", scene)
+    outside = [block for block in bpy.data.materials if block.get("outside") == scene.name]
+    set_world(scene, NIGHT)
+    assert outside and all(block["emit"] == 0 for block in outside)
+    set_world(scene, DAY)
+    assert all(block["emit"] > 0.5 for block in outside)
+
+
+def test_night_is_measured_on_the_sky() -> None:
+    assert night_of(DAY) == 0.0
+    assert night_of(NIGHT) == 1.0
+
+
+def test_a_new_sky_replaces_the_old_world(scene: bpy.types.Scene) -> None:
+    first = set_world(scene, DAY).name
+    set_world(scene, NIGHT)
+    assert len([world for world in bpy.data.worlds if world.name.startswith("SC010")]) == 1 and first
+
+
+def test_lamps_are_tagged_and_unseen(scene: bpy.types.Scene) -> None:
+    lamp = Light(name="window", kind="AREA", location=(1, 2, 3), target=(1, 2, 0), power=30, size=1.5)
+    (obj,) = make_lights((lamp,), scene, scene.collection)
+    assert (obj["kind"], obj["node_id"], obj.data.energy, obj.visible_camera) == ("light", "window", 30, False)
+    assert tuple(obj.location) == (1, 2, 3)

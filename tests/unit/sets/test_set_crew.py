@@ -1,0 +1,218 @@
+"""Environment Designer, Set Dresser, Lighting Arranger: rules and critics."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from storyblender.agents.visual_effects_artist.environment_designer import (
+    EnvironmentCritic,
+    EnvironmentView,
+    RulesEnvironmentDesigner,
+)
+from storyblender.agents.visual_effects_artist.lighting_arranger import (
+    LightingCritic,
+    LightingView,
+    RulesLightingArranger,
+    light_place,
+)
+from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS
+from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser, prop_of
+from storyblender.catalog.light_recipes import HOURS, WEATHERS, area_watts, open_sky_light, sun_position
+from storyblender.catalog.sets import SETS, plan_of
+from storyblender.look.illumination import light_field
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.scene_context import Environment, Light, Relation, SceneSetup, Sky
+from storyblender.reflection import reflect
+
+
+def asset(name: str) -> Asset:
+    return Asset(asset_id=name, asset_type="object", name=name.replace("_", " "), description=name)
+
+
+# ---------------------------------------------------------------------- environment
+
+
+def test_the_same_place_again_is_the_same_set() -> None:
+    first = Environment(kit="bar", params={"width": 9.0}, seed=7)
+    again = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="BAR"), reference=first))
+    assert again == first
+
+
+def test_more_people_and_longer_ways_get_a_larger_room() -> None:
+    setup = SceneSetup(place="OFFICE")
+    few = RulesEnvironmentDesigner().propose(EnvironmentView(setup, people=2))
+    many = RulesEnvironmentDesigner().propose(EnvironmentView(setup, people=14, travel=7.0))
+    assert float(many.params["width"]) > float(few.params["width"]) + 1
+    assert EnvironmentCritic().judge(few, EnvironmentView(setup, people=14)).faults[0].kind == "too_small"
+
+
+def test_the_critics_fix_is_applied() -> None:
+    view = EnvironmentView(SceneSetup(place="OFFICE"), people=12)
+    critic, designer = EnvironmentCritic(), RulesEnvironmentDesigner()
+    small = Environment(kit="office")
+    mended = designer.refine(small, critic.judge(small, view), view)
+    assert not critic.judge(mended, view).faults
+
+
+@pytest.mark.parametrize(
+    ("place", "story", "period"),
+    [
+        ("OFFICE", "Paris, 1942.", None),
+        ("OFFICE", "She opens her laptop.", "modern"),
+        ("KITCHEN", "A knight and a king.", "past"),
+    ],
+)
+def test_words_set_the_period(place: str, story: str, period: str | None) -> None:
+    environment = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place=place), story=story))
+    assert environment.params.get("period") == period
+
+
+# ---------------------------------------------------------------------- dressing
+
+
+def cafe(*objects: str, relations: tuple[Relation, ...] = (), people: int = 2) -> DressingView:
+    setup = SceneSetup(place="CAFE", relations=relations)
+    return DressingView(setup, plan_of(Environment(kit="cafe", seed=1)), tuple(asset(name) for name in objects), people)
+
+
+def test_the_scripts_piano_takes_the_kits_place() -> None:
+    view = cafe("piano", "gun")
+    planned = next(item for item in view.plan.furnishings if item.prop == "piano")
+    dressing = RulesSetDresser().propose(view)
+    piano = next(item for item in dressing.objects if item.node_id == "piano")
+    assert math.dist(piano.location, planned.location) < 0.2
+    assert piano.fixed
+    assert planned.node_id not in {item.node_id for item in dressing.objects}
+    assert dressing.pending == ("gun",)
+
+
+def test_what_stands_on_something_waits_for_the_planner() -> None:
+    relation = Relation(asset_id="table_lamp", kind="on", anchor_asset_id="table")
+    dressing = RulesSetDresser().propose(cafe("table_lamp", "table", relations=(relation,)))
+    assert dressing.pending == ("table_lamp",)
+
+
+def test_a_chair_goes_to_its_table() -> None:
+    relation = Relation(asset_id="chair", kind="next_to", anchor_asset_id="table")
+    dressing = RulesSetDresser().propose(cafe("chair", "table", relations=(relation,)))
+    places = {item.node_id: item.location for item in dressing.objects}
+    assert math.dist(places["chair"], places["table"]) < 1.5
+
+
+def test_dressing_is_shared_between_scenes() -> None:
+    ids = []
+    for kit in ("cafe", "bar"):
+        plan = plan_of(Environment(kit=kit))
+        dressing = RulesSetDresser().propose(DressingView(SceneSetup(), plan))
+        ids.append({item.asset_id: item for item in dressing.assets})
+    assert ids[0]["set_chair"] == ids[1]["set_chair"]
+    assert all(item.origin == "dressing" for item in ids[0].values())
+
+
+@pytest.mark.parametrize("kit", list(SETS))
+def test_every_kit_is_dressed_without_faults(kit: str) -> None:
+    view = DressingView(SceneSetup(), plan_of(Environment(kit=kit, seed=5)))
+    assert not DressingCritic().judge(RulesSetDresser().propose(view), view).faults
+
+
+def test_a_crowd_pushes_the_dressing_out() -> None:
+    few, many = (RulesSetDresser().propose(cafe(people=people)) for people in (2, 20))
+    assert len(many.objects) < len(few.objects)
+
+
+@pytest.mark.parametrize(
+    ("name", "prop"), [("old_wooden_table", "dining_table"), ("grand_piano", "grand_piano"), ("xyzzy", None)]
+)
+def test_things_are_known_by_their_head_noun(name: str, prop: str | None) -> None:
+    assert prop_of(asset(name)) == prop
+
+
+# ---------------------------------------------------------------------- light
+
+
+def test_area_watts_give_the_wanted_level() -> None:
+    lamp = Light(name="a", kind="AREA", location=(0, 0, 2), target=(0, 0, 0), power=area_watts(0.4, 2, 1.2), size=1.2)
+    field = light_field(lamp, np.zeros((1, 1, 3), np.float32), np.array([[[0, 0, 1]]], np.float32))
+    assert float(field.amount[0, 0]) == pytest.approx(0.4, rel=0.02)
+
+
+def test_an_even_sky_lights_with_its_own_luminance() -> None:
+    gray = (0.5, 0.5, 0.5)
+    assert open_sky_light(Sky(zenith=gray, horizon=gray, ground=gray)) == pytest.approx(gray, rel=0.01)
+
+
+def test_the_sun_stands_where_it_is_told() -> None:
+    assert sun_position(90, 0)[2] == pytest.approx(50)
+    assert sun_position(0, 0) == pytest.approx((0, -50, 0), abs=1e-9)
+    assert sun_position(0, 90) == pytest.approx((-50, 0, 0), abs=1e-9)
+
+
+def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):  # noqa: ANN201
+    where = "indoor" if SETS[kit].indoor else "outdoor"
+    setup = SceneSetup(scene_type=where, time_of_day=time, weather=weather, lighting_description=words)  # type: ignore[arg-type]
+    environment = Environment(kit=kit, seed=1)
+    return LightingView(setup, plan_of(environment), environment)
+
+
+@pytest.mark.parametrize("weather", list(WEATHERS))
+@pytest.mark.parametrize("time", list(HOURS))
+@pytest.mark.parametrize("kit", ["cafe", "interrogation", "street", "forest"])
+def test_every_hour_and_weather_passes_the_critic(kit: str, time: str, weather: str) -> None:
+    view = lighting_of(kit, time, weather)
+    outcome = reflect("lighting_arranger", kit, view, RulesLightingArranger(), LightingCritic())
+    assert outcome.accepted
+    assert len(outcome.draft.lights) <= MOST_LIGHTS
+
+
+def test_day_has_a_sun_and_night_has_lamps() -> None:
+    day, night = (RulesLightingArranger().propose(lighting_of("street", time)) for time in ("day", "night"))
+    assert {light.role for light in day.lights} == {"sun"}
+    assert sum(light.role == "practical" for light in night.lights) > 3
+    assert day.sky.horizon > night.sky.horizon
+    assert day.set_luminance > 3 * night.set_luminance
+
+
+def test_rain_and_fog_are_in_the_air() -> None:
+    rain = RulesLightingArranger().propose(lighting_of("street", "day", "rain"))
+    fog = RulesLightingArranger().propose(lighting_of("street", "day", "fog"))
+    assert rain.rain > 0.5
+    assert fog.fog is not None and rain.fog is not None and fog.fog.density > 2 * rain.fog.density
+
+
+def test_the_lights_go_out_and_come_back() -> None:
+    view, arranger = lighting_of("cafe", "night"), RulesLightingArranger()
+    lit = arranger.propose(view)
+    dark = arranger.change(lit, "Suddenly the lights go out.", view)
+    assert dark.set_luminance < lit.set_luminance / 2
+    assert not any(light.role == "practical" for light in dark.lights)
+    assert arranger.change(dark, "The lamps flicker back on.", view) == lit
+
+
+def test_words_that_change_no_light_change_nothing() -> None:
+    view, arranger = lighting_of("office", "day"), RulesLightingArranger()
+    lit = arranger.propose(view)
+    assert arranger.change(lit, "He signs the letter.", view) is lit
+
+
+def test_the_sun_goes_down_over_a_scene() -> None:
+    view, arranger = lighting_of("beach", "day"), RulesLightingArranger()
+    assert arranger.change(arranger.propose(view), "The sun sets.", view) != arranger.propose(view)
+
+
+def test_a_dim_room_is_darker() -> None:
+    plain, dim = (
+        RulesLightingArranger().propose(lighting_of("bar", "night", words=words)) for words in ("", "dimly lit")
+    )
+    assert dim.set_luminance < plain.set_luminance
+
+
+def test_every_lamp_prop_of_the_plan_burns_at_night() -> None:
+    plan = plan_of(Environment(kit="interrogation"))
+    lighting = light_place(SceneSetup(time_of_day="night"), plan, Environment(kit="interrogation"))
+    lamp = next(item for item in plan.furnishings if item.prop == "pendant_lamp")
+    light = next(light for light in lighting.lights if light.name == f"{lamp.node_id}_light")
+    assert math.dist(light.location[:2], lamp.location[:2]) < 0.2
+    assert lamp.location[2] - 0.2 < light.location[2] < lamp.location[2] + 0.3
