@@ -126,13 +126,20 @@ class CameraBrief:
         return self.instruction.lens or self.lens_kit[self.instruction.size]
 
     def bounds(self) -> Floats:
-        """Return (n, 3) points around everybody and every thing, for masters and empty stages."""
+        """Return (n, 3) points around everybody, and every thing on the playing area, for masters and empty stages."""
         moment = self.moments[0]
         points = [point for figure in moment.figures for point in (figure.base, figure.face)]
-        points += [corner for box in self.props.values() for corner in corners(box)]
+        points += [corner for box in self.props.values() if self._on_stage(box) for corner in corners(box)]
         if not points:
             points = [(-2.0, -2.0, 0.0), (2.0, 2.0, 2.0)]
         return np.array(points, float)
+
+    def _on_stage(self, box: Box) -> bool:
+        if self.plan is None:
+            return True
+        size, spare = self.plan.size, 0.5
+        in_x = size.x_negative - spare < box.x < size.x + spare
+        return in_x and size.y_negative - spare < box.y < size.y + spare
 
     def size_steps(self, other: ShotSize) -> int:
         """Return how many sizes lie between this shot and another."""

@@ -151,7 +151,7 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
 
 def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
-    limit = _FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.instruction.size in _WHOLE else 105.0)
+    limit = _FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.walks else 108.0)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
         return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
     found: list[Fault] = []
@@ -197,6 +197,8 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
     covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
     if covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
         found.append(fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
+    if kind == "establishing" and view.subjects and max(subject.visible_fraction for subject in view.subjects) < 0.3:
+        found.append(fault("empty", "", 3.0, "nobody of the scene is seen", ops=f"{_AROUND} orbit_up zoom_in"))
     if kind != "pov":
         main = set() if kind == "establishing" else own
         found += _bystanders(view, main, {*brief.in_frame, *own})

@@ -160,8 +160,12 @@ def _gather(stage: Stage, members: list[str]) -> None:
 
 
 def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> float:
-    """Dislike being in a group one does not belong to, and standing in line with it for the audience."""
+    """Dislike being in a group one does not belong to, between it and the audience, or in line with it."""
     cost = sum(3 * max(_ALONE - math.dist(place, other), 0.0) for other in others)
+    if others:
+        xs, ys = zip(*others, strict=True)
+        inside = min(place[0] - min(xs), max(xs) - place[0]) + 0.4
+        cost += 1.5 * max(sum(ys) / len(ys) + 0.3 - place[1], 0.0) + 2 * max(min(inside, 1.0), 0.0)
     return cost + sum(max(0.5 - abs(place[0] - other[0]), 0.0) for other in others)
 
 
