@@ -44,7 +44,7 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
 
 def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list[Person]]:
     named = words[at].text[0].isupper()
-    for length in range(min(roster.longest, len(words) - at), 0, -1):
+    for length in range(min(roster.longest.get(words[at].low, 0), len(words) - at), 0, -1):
         key = tuple(word.low for word in words[at : at + length])
         people = roster.by_name.get(key)
         if not people or key == ("the",):

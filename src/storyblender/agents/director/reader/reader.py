@@ -189,6 +189,7 @@ def _close(stage: Stage) -> None:
         for deed in unit.deeds:
             deed.target = deed.target if deed.target in known else None
             deed.prop = deed.prop if deed.prop in known else None
-    for index, scene in enumerate(reading.scenes):
-        shown = {thing for unit in reading.units if unit.scene == index for thing in unit.things}
-        scene.furniture = [thing.id for thing in reading.things if thing.id in shown and thing.kind == "set_piece"]
+    furniture = {thing.id for thing in reading.things if thing.kind == "set_piece"}
+    for unit in reading.units:
+        shown = reading.scenes[unit.scene].furniture
+        shown += [thing for thing in unit.things if thing in furniture and thing not in shown]

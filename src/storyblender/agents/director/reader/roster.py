@@ -26,14 +26,14 @@ class Roster:
         people: The cast.
         ids: Asset ids in use, for people and things together.
         by_name: Name, as words -> the people it can mean; filled by ``index``.
-        longest: Words in the longest name.
+        longest: First word of a name -> words in the longest name that starts so.
     """
 
     def __init__(self) -> None:
         self.people: list[Person] = []
         self.ids: set[str] = set()
         self.by_name: dict[tuple[str, ...], list[Person]] = {}
-        self.longest = 1
+        self.longest: dict[str, int] = {}
 
     def find(self, name: str) -> list[Person]:
         """Everybody who answers to a name."""
@@ -137,4 +137,6 @@ class Roster:
             for alias in person.aliases:
                 names[key_of(alias)].append(person)
         self.by_name = dict(names)
-        self.longest = max((len(key) for key in names), default=1)
+        self.longest = {}
+        for key in names:
+            self.longest[key[0]] = max(self.longest.get(key[0], 0), len(key))
