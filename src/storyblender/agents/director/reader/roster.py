@@ -138,5 +138,5 @@ class Roster:
                 names[key_of(alias)].append(person)
         self.by_name = dict(names)
         self.longest = {}
-        for key in names:
+        for key in filter(None, names):
             self.longest[key[0]] = max(self.longest.get(key[0], 0), len(key))
