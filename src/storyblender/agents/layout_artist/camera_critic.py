@@ -65,13 +65,14 @@ class CameraCritic:
 
 def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
     """Return the moments worth a look: the ends of a walk, the middle if nothing moves, else all of them."""
-    if brief.walks and len(brief.moments) > 1:
-        return [brief.moments[0], brief.moments[-1]]
+    first, last = brief.moments[0], brief.moments[-1]
+    if brief.walks:
+        return [first, last]
     middle = brief.moments[len(brief.moments) // 2]
     if any(take.moves for take in takes) or len(brief.moments) == 1:
         return list(brief.moments)
     told = [middle]
-    for moment in (brief.moments[0], brief.moments[-1]):
+    for moment in (first, last):
         changes = {figure.node_id for figure in moment.figures} != {figure.node_id for figure in middle.figures}
         for figure in moment.figures:
             there = middle.figure(figure.node_id)
