@@ -472,10 +472,11 @@ def bloom(b: MeshBuilder, material: MaterialRef, center: tuple[float, float, flo
     """Add a round blossom of three rings of petals."""
     x, y, z = center
     b.sphere(material, center, radius * 0.55, segments=10, rings=6)
-    for ring_index, (count, reach, tilt) in enumerate(((4, 0.35, 70), (5, 0.55, 45), (6, 0.7, 15))):
+    for row, (count, reach, tilt) in enumerate(((4, 0.35, 70), (5, 0.55, 45), (6, 0.7, 15))):
         for k in range(count):
-            with b.at((x, y, z), (0, 0, 360 * k / count + 20 * ring_index)), b.at(rotation=(0, -tilt, 0)):
-                b.cushion(material, (radius * reach, 0, 0), (radius * 0.75, radius * 0.85, radius * 0.14), softness=0.9)
+            with b.at((x, y, z), (0, -tilt, 360 * k / count + 20 * row)):
+                petal = (0.4, 0.45, 0.08)
+                b.sphere(material, (radius * reach, 0, 0), radius, scale=petal, segments=8, rings=4)
 
 
 @prop("bouquet")

@@ -49,7 +49,7 @@ FURNITURE: tuple[PropEntry, ...] = (
     entry(
         "furniture",
         "stool",
-        "footstool, milking stool, three-legged stool, piano stool",
+        "footstool, milking stool, three-legged stool, piano stool, piano bench",
         (0.36, 0.36, 0.46),
         {"seat": "wood", "frame": "wood"},
         "A round stool.",

@@ -43,7 +43,7 @@ HAND_PROPS: tuple[PropEntry, ...] = (
     ),
     _held(
         "wine_glass",
-        "goblet, champagne glass, cocktail glass, martini glass, chalice",
+        "goblet, champagne glass, cocktail glass, cocktail, martini, martini glass, chalice",
         (0.08, 0.08, 0.2),
         {"body": "glass", "drink": "fabric_red"},
         "A stemmed glass.",
@@ -144,7 +144,7 @@ HAND_PROPS: tuple[PropEntry, ...] = (
     ),
     _held(
         "scroll",
-        "parchment, rolled map, blueprint, treasure map",
+        "map, parchment, rolled map, blueprint, treasure map",
         (0.34, 0.05, 0.05),
         {"page": "linen", "ribbon": "fabric_red"},
         "A rolled sheet with a ribbon.",
@@ -259,7 +259,7 @@ HAND_PROPS: tuple[PropEntry, ...] = (
     ),
     _held(
         "flashlight",
-        "torch light, electric torch, lamp",
+        "torch light, electric torch",
         (0.05, 0.2, 0.05),
         {"body": "steel", "glass": "lamp_warm"},
         "An electric torch that shines to -Y.",

@@ -267,7 +267,7 @@ STREET: tuple[PropEntry, ...] = (
     entry(
         "street",
         "control_console",
-        "cockpit, console, control panel, spaceship console, dashboard, server rack",
+        "cockpit, console, control panel, instrument panel, dashboard, server rack",
         (1.8, 0.9, 1.1),
         {"body": "steel", "screen": "screen", "light": "neon_blue"},
         "A desk of screens and switches; the operator is at -Y.",
@@ -297,7 +297,7 @@ NATURE: tuple[PropEntry, ...] = (
     entry(
         "nature",
         "pine",
-        "fir, conifer, spruce, christmas tree, evergreen",
+        "fir tree, pine tree, fir, conifer, spruce, christmas tree, evergreen",
         (3.0, 3.0, 8.0),
         {"leaf": "leaves_dark", "bark": "bark"},
         "A conifer.",

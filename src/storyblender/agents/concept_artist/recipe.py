@@ -1,0 +1,90 @@
+"""What the Concept Artist decides about one object: what to build it from, and how well that fits."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.base import Frozen, Vec3, content_hash
+from storyblender.reflection import Critique, Fault
+
+RETRIEVAL_THRESHOLD = 7.0
+"""tau of the Retriever: under it the Generator takes over (paper, section 3.3)."""
+
+
+class ModelFile(Frozen):
+    """A model in the user's own folder."""
+
+    path: str
+    """Relative to the folder of models."""
+    name: str
+    """Words: from the file's name and its folders."""
+
+
+class AssetRequest(Frozen):
+    """The Concept Artist's view: one object, and where else to look for it."""
+
+    asset: Asset
+    models: tuple[ModelFile, ...] = ()
+
+    @property
+    def phrase(self) -> str:
+        """How the script calls it."""
+        return self.asset.name or self.asset.asset_id.replace("_", " ")
+
+
+class Recipe(Frozen):
+    """What an object becomes: a library entry with parameters, a file, or a stand-in."""
+
+    source: Literal["catalog", "file", "stand_in"]
+    key: str
+    """Key of ``catalog.props`` or ``catalog.stand_ins``, or the file's path in the folder of models."""
+    params: dict[str, ParamValue] = {}
+    score: float
+    """1 to 10: how well it fits the description."""
+    reason: str = ""
+
+    @property
+    def dimensions(self) -> Vec3:
+        """The size before anything is measured; a file's is unknown and given as a cube of one metre."""
+        if self.source == "catalog":
+            width, depth, height = (
+                float(self.params.get(name, size))
+                for name, size in zip(("width", "depth", "height"), PROPS[self.key].size, strict=True)
+            )
+            return (width, depth, height)
+        if self.source == "stand_in":
+            return STAND_INS.get(self.key, STAND_INS[DEFAULT]).size
+        return (1.0, 1.0, 1.0)
+
+    def canonical(self) -> CanonicalAsset:
+        """Return the canonical asset as it is known before Blender has built it."""
+        return CanonicalAsset(
+            source=self.source,
+            key=self.key,
+            params=self.params,
+            dimensions=self.dimensions,
+            digest=content_hash(self.source, self.key, dict(self.params)),
+            match_score=round(self.score, 2),
+        )
+
+
+class MatchCritic:
+    """Judges a recipe by how well it fits: the Retriever's is held against its threshold, the Generator's is final."""
+
+    def judge(self, draft: Recipe, view: AssetRequest) -> Critique:
+        """Score the draft 1 to 10."""
+        if draft.source == "stand_in":
+            return Critique(score=10.0)
+        if draft.score >= RETRIEVAL_THRESHOLD:
+            return Critique(score=draft.score)
+        fault = Fault(
+            kind="match",
+            message=f"{view.phrase!r} is only {draft.score:.1f} of 10 like {draft.key!r}",
+            subject=view.asset.asset_id,
+            severity=10.0 - draft.score,
+        )
+        return Critique(score=draft.score, faults=(fault,))

@@ -1,0 +1,202 @@
+"""The Asset Retriever: finds the library's entry for a thing by its words and by likeness of meaning.
+
+Words decide first, since a name is worth more than a likeness: the end of an English noun phrase says what a thing
+is. Meaning decides where no word is known, and only when it is sure; MiniLM finds every thing a little like another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from storyblender.agents.concept_artist.recipe import AssetRequest, ModelFile, Recipe
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, read_variant, words_of
+from storyblender.catalog.stand_ins import STAND_INS
+from storyblender.ports import Embedder
+from storyblender.reflection import Critique
+
+EXACT, TAG, HEAD, ODD_HEAD = 10.0, 9.5, 8.5, 5.0
+"""Scores: the name itself, another name for it, its head noun, its head noun made into something else."""
+PER_LIKENESS = 12.0
+"""Points lost from cosine 1 to cosine 0: cosine 0.75 just passes the threshold."""
+LEAST = 1.0
+
+_RESHAPING: frozenset[str] = frozenset(
+    word for key in ("creature", "small_creature", "appliance", "craft") for word in STAND_INS[key].tags
+) | frozenset(entry.name for entry in PROPS.values() if entry.category in ("animal", "vehicle"))
+"""Words before a head that make another thing of it: a dragon statue, a robot dog, a toy car."""
+_RESHAPED_BY_TOY = frozenset(
+    ("toy", "model", "rubber", "plush", "inflatable", "chocolate", "ice", "paper", "miniature")
+)
+
+
+_HEAPS: frozenset[str] = frozenset("pile heap stack bunch pair piece set row bundle handful wad sheaf".split())
+"""Words whose ``of`` names the thing: a pile of money, but a bottle of milk."""
+_MODIFIERS: frozenset[str] = PLAIN | COLORS.keys() | MATERIALS.keys()
+
+
+@dataclass(frozen=True)
+class _Term:
+    key: str
+    words: tuple[str, ...]
+    is_name: bool
+
+
+@dataclass(frozen=True)
+class _Match:
+    key: str
+    score: float
+    reason: str
+
+
+class Retriever:
+    """The policy that searches the built-in catalog and the user's folder of models.
+
+    Args:
+        embedder: Likeness of meaning; loaded when the first thing is not found by its words.
+    """
+
+    def __init__(self, embedder: Callable[[], Embedder]) -> None:
+        self._load = embedder
+
+    def propose(self, view: AssetRequest) -> Recipe:
+        """Return the best match, whatever its score; files win against entries that fit no better."""
+        return self.search(view, 1)[0]
+
+    def refine(self, draft: Recipe, critique: Critique, view: AssetRequest) -> Recipe:
+        """Return the next best match after ``draft``; the catalog does not grow by asking again."""
+        ranked = self.search(view, 6)
+        place = next((i for i, recipe in enumerate(ranked) if recipe.key == draft.key), -1)
+        return ranked[min(place + 1, len(ranked) - 1)]
+
+    def search(self, view: AssetRequest, count: int) -> tuple[Recipe, ...]:
+        """Return the ``count`` best matches, best first."""
+        phrase = view.phrase
+        files = [
+            Recipe(source="file", key=m.key, score=m.score, reason=m.reason) for m in self._files(phrase, view.models)
+        ]
+        matches = _by_words(phrase, CATALOG_TERMS)
+        if not matches or matches[0].score < HEAD:
+            odd = {match.key for match in matches}
+            likely = self._by_meaning(phrase, view.asset.description)
+            matches = _best_of(matches + [match for match in likely if match.key not in odd])
+        entries = [
+            Recipe(
+                source="catalog",
+                key=match.key,
+                params=read_variant(PROPS[match.key], f"{phrase} {view.asset.description}"),
+                score=match.score,
+                reason=match.reason,
+            )
+            for match in matches
+        ]
+        ranked = sorted(files + entries, key=lambda recipe: -recipe.score)
+        nothing = Recipe(source="catalog", key="gift", score=LEAST, reason="nothing is like it")
+        return tuple(ranked[:count]) or (nothing,)
+
+    def _files(self, phrase: str, models: tuple[ModelFile, ...]) -> list[_Match]:
+        terms = [_Term(model.path, tuple(words_of(model.name)), True) for model in models]
+        return _by_words(phrase, tuple(terms))
+
+    def _by_meaning(self, phrase: str, description: str) -> list[_Match]:
+        """Return entries by cosine with any of their names; a term that only shares a modifier does not count."""
+        words = _kept(words_of(phrase)) or words_of(phrase)
+        if not words:
+            return []
+        query = self._model.embed([" ".join(words), description or " ".join(words)])
+        likeness = self._vectors @ query[0] + 0.02 * (self._vectors @ query[1])
+        best: dict[str, _Match] = {}
+        for index in np.argsort(-likeness, kind="stable")[:40]:
+            term = CATALOG_TERMS[int(index)]
+            if set(term.words) <= set(words[:-1]) or words[-1] in term.words[:-1]:
+                continue
+            cosine = float(likeness[index])
+            score = max(LEAST, min(EXACT, 10.0 - PER_LIKENESS * (1.0 - cosine)))
+            found = _Match(term.key, score, f"means nearly {' '.join(term.words)!r} ({cosine:.2f})")
+            best.setdefault(term.key, found)
+        return list(best.values())
+
+    @cached_property
+    def _model(self) -> Embedder:
+        return self._load()
+
+    @cached_property
+    def _vectors(self) -> np.ndarray:
+        return self._model.embed([" ".join(term.words) for term in CATALOG_TERMS])
+
+
+def _terms() -> Iterator[_Term]:
+    for entry in PROPS.values():
+        yield _Term(entry.key, tuple(words_of(entry.name)), True)
+        for tag in entry.tags:
+            yield _Term(entry.key, tuple(words_of(tag)), False)
+
+
+CATALOG_TERMS: tuple[_Term, ...] = tuple(_terms())
+
+
+def _kept(words: list[str]) -> list[str]:
+    """Return the words that say what the thing is, cut before ``of``, ``with``, ``on`` ... phrases."""
+    for stop in ("with", "on", "in", "from", "for", "at", "by"):
+        if stop in words[1:]:
+            words = words[: words.index(stop, 1)]
+    return [word for word in words[:-1] if word not in _MODIFIERS] + words[-1:]
+
+
+def _singular(word: str) -> str:
+    if len(word) > 4 and word.endswith("ies"):
+        return word[:-3] + "y"
+    if len(word) > 4 and word.endswith(("ches", "shes", "xes", "sses")):
+        return word[:-2]
+    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
+
+
+def _by_words(phrase: str, terms: tuple[_Term, ...]) -> list[_Match]:
+    """Return matches of whole phrases and of their ends, best first, longer ends before shorter ones."""
+    full = [_singular(word) for word in words_of(phrase)]
+    bare = [_singular(word) for word in _kept(words_of(phrase))]
+    found: list[tuple[float, int, _Match]] = []
+    for term in terms:
+        name = tuple(_singular(word) for word in term.words)
+        score, length = _fit(name, full, bare, term.is_name)
+        if score > 0:
+            found.append((score, length, _Match(term.key, score, f"is called {' '.join(term.words)!r}")))
+    found.sort(key=lambda item: (-item[1], -item[0]))
+    return _best_of([match for _, _, match in found])
+
+
+def _fit(name: tuple[str, ...], full: list[str], bare: list[str], is_name: bool) -> tuple[float, int]:
+    """Return the score of one term for the words of a phrase, and how many of them it explains."""
+    if not name:
+        return 0.0, 0
+    exact = EXACT if is_name else TAG
+    if name in (tuple(full), tuple(bare)):
+        return exact, 9
+    for words in (_thing(full), _thing(bare)):
+        if len(words) >= len(name) and tuple(words[-len(name) :]) == name:
+            rest = [word for word in words[: -len(name)] if word not in _MODIFIERS]
+            odd = any(word in _RESHAPING or word in _RESHAPED_BY_TOY for word in rest)
+            plain = exact - 0.7 * (len(words) < len(full)) if not rest else HEAD + (0.3 if is_name else 0.0)
+            return (ODD_HEAD if odd else plain), len(name)
+    return 0.0, 0
+
+
+def _thing(words: list[str]) -> list[str]:
+    """Return the words up to ``of``; after it where it only counts or heaps."""
+    if "of" not in words[1:-1]:
+        return words
+    at = words.index("of", 1)
+    return words[at + 1 :] if words[at - 1] in _HEAPS else words[:at]
+
+
+def _best_of(matches: list[_Match]) -> list[_Match]:
+    """Keep the first match of each key and order by score, equal ones as they came."""
+    best: dict[str, _Match] = {}
+    for match in matches:
+        if match.key not in best or match.score > best[match.key].score:
+            best[match.key] = match
+    return sorted(best.values(), key=lambda match: -match.score)
