@@ -150,7 +150,7 @@ def test_the_sun_stands_where_it_is_told() -> None:
     assert sun_position(0, 90) == pytest.approx((-50, 0, 0), abs=1e-9)
 
 
-def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):  # noqa: ANN201
+def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):
     where = "indoor" if SETS[kit].indoor else "outdoor"
     setup = SceneSetup(scene_type=where, time_of_day=time, weather=weather, lighting_description=words)  # type: ignore[arg-type]
     environment = Environment(kit=kit, seed=1)

@@ -91,11 +91,10 @@ def _swells(angle: Floats, phase: float) -> Floats:
 
 
 def _peaks(angle: Floats, phase: float) -> Floats:
-    ridges = sum(
-        weight * (1 - np.abs(np.sin(count * angle + shift * phase)))
-        for weight, count, shift in ((0.5, 4, 1), (0.28, 9, 2), (0.14, 21, -1), (0.08, 47, 3))
-    )
-    return 0.25 + 0.75 * ridges
+    outline = np.full_like(angle, 0.25)
+    for weight, count, shift in ((0.38, 4, 1), (0.21, 9, 2), (0.1, 21, -1), (0.06, 47, 3)):
+        outline += weight * (1 - np.abs(np.sin(count * angle + shift * phase)))
+    return outline
 
 
 def _crowns(angle: Floats, phase: float) -> Floats:

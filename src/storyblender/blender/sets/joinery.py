@@ -6,6 +6,7 @@ Frame of an opening: its lower left corner on the room face; +X along the wall, 
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import bpy
 import numpy as np
@@ -185,7 +186,7 @@ def _arch(width: float, height: float, segments: int = 12) -> list[tuple[float, 
 
 def _spandrels(builder: MeshBuilder, skin: bpy.types.Material, width: float, height: float, thickness: float) -> None:
     curve = _arch(width, height)
-    for (x0, z0), (x1, z1) in zip(curve, curve[1:], strict=False):
+    for (x0, z0), (x1, z1) in pairwise(curve):
         builder.quad(skin, (x1, 0, z1), (x0, 0, z0), (x0, 0, height), (x1, 0, height))
         builder.quad(
             skin, (x0, -thickness, z0), (x1, -thickness, z1), (x1, -thickness, height), (x0, -thickness, height)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import bpy
 
@@ -15,10 +16,16 @@ VESTIBULE = 1.4
 """Metres of dim passage behind an inner door, so that an open one never shows a void."""
 
 _TRIMS = (
-    ("log_wall", "wood_dark"), ("stone", "stone_light"), ("brick", "paint_brown"), ("limewash", "wood_dark"),
-    ("boards", "wood_dark"), ("concrete", "metal_grey"), ("metal", "metal_grey"), ("wood", "wood_dark"),
+    ("log_wall", "wood_dark"),
+    ("stone", "stone_light"),
+    ("brick", "paint_brown"),
+    ("limewash", "wood_dark"),
+    ("boards", "wood_dark"),
+    ("concrete", "metal_grey"),
+    ("metal", "metal_grey"),
+    ("wood", "wood_dark"),
     ("plaster_teal", "paint_grey"),
-)  # fmt: skip
+)
 
 
 def trim_of(wall: Wall) -> str:
@@ -84,8 +91,8 @@ def _faces(builder: MeshBuilder, wall: Wall, length: float) -> None:
     edge = min(wall.dado_height, wall.height) if wall.dado else 0.0
     xs = sorted({0.0, length, *(o.x for o in wall.openings), *(o.x + o.width for o in wall.openings)})
     zs = sorted({0.0, wall.height, edge, *(o.sill for o in wall.openings), *(o.sill + o.height for o in wall.openings)})
-    for x0, x1 in zip(xs, xs[1:], strict=False):
-        for z0, z1 in zip(zs, zs[1:], strict=False):
+    for x0, x1 in pairwise(xs):
+        for z0, z1 in pairwise(zs):
             middle_x, middle_z = (x0 + x1) / 2, (z0 + z1) / 2
             if any(_inside(opening, middle_x, middle_z) for opening in wall.openings):
                 continue

@@ -33,9 +33,15 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         px = -x + 2 * x * (bay + 0.5) / bays
         for side in (-1, 1):
             room.piece(
-                "bench_seat", px + side * 0.55, y - 0.62, 0, -90.0 * side, footprint=(1.1, 0.55), width=1.1,
+                "bench_seat",
+                px + side * 0.55,
+                y - 0.62,
+                0,
+                -90.0 * side,
+                footprint=(1.1, 0.55),
+                width=1.1,
                 color="#33506b" if modern else "#6b1d1d",
-            )  # fmt: skip
+            )
         room.mark(f"seat_{bay + 1}", px, y - 1.3, 0, "table", "seat")
     room.piece("luggage_rack", 0, y - 0.25, 1.95, length=2 * x - 0.3)
     for index in range(bays):
@@ -48,12 +54,36 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="carriage",
     name="Carriage",
-    tags=("train", "carriage", "compartment", "railway carriage", "subway car", "metro", "bus", "coach", "tram", "plane",
-          "airplane", "cockpit", "car", "taxi", "cab", "van", "truck", "limousine", "submarine", "spaceship", "cabin of",
-          "boat cabin", "ambulance", "helicopter", "vehicle"),
+    tags=(
+        "train",
+        "carriage",
+        "compartment",
+        "railway carriage",
+        "subway car",
+        "metro",
+        "bus",
+        "coach",
+        "tram",
+        "plane",
+        "airplane",
+        "cockpit",
+        "car",
+        "taxi",
+        "cab",
+        "van",
+        "truck",
+        "limousine",
+        "submarine",
+        "spaceship",
+        "cabin of",
+        "boat cabin",
+        "ambulance",
+        "helicopter",
+        "vehicle",
+    ),
     indoor=True,
     draw=draw,
     width=Span(5.6, 7.6, 14.0),
     depth=Span(3.6, 3.8, 4.6),
     height=Span(2.3, 2.5, 2.8),
-)  # fmt: skip
+)

@@ -34,9 +34,13 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         else:
             room.piece("ceiling_light", 0, at, params.height, modern=params.period == "modern")
             room.lamp(
-                "ceiling_light", (0, at, params.height - 0.16), 26, COOL if params.period == "modern" else WARM,
-                kind="AREA", size=0.5,
-            )  # fmt: skip
+                "ceiling_light",
+                (0, at, params.height - 0.16),
+                26,
+                COOL if params.period == "modern" else WARM,
+                kind="AREA",
+                size=0.5,
+            )
     room.against("left", "bench", -y + params.depth / count, 0.32, required=False)
     room.furnish("potted_plant", room.half_x - 0.32, y - 0.35, required=False)
     room.on_wall("right", "picture", -y + params.depth * 0.5 / count - 0.6, 1.5)
@@ -48,11 +52,24 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="corridor",
     name="Corridor",
-    tags=("corridor", "hallway", "hall way", "hall", "passage", "passageway", "landing", "stairwell", "tunnel", "vestibule",
-          "entrance hall", "elevator", "staircase"),
+    tags=(
+        "corridor",
+        "hallway",
+        "hall way",
+        "hall",
+        "passage",
+        "passageway",
+        "landing",
+        "stairwell",
+        "tunnel",
+        "vestibule",
+        "entrance hall",
+        "elevator",
+        "staircase",
+    ),
     indoor=True,
     draw=draw,
     width=Span(2.7, 2.9, 4.0),
     depth=Span(8.0, 12.0, 20.0),
     height=Span(2.5, 2.8, 3.6),
-)  # fmt: skip
+)

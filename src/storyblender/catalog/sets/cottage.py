@@ -14,9 +14,13 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw hearth at the back, table left, bed right; the floor before the hearth stays free."""
     log = bool(params.option("log"))
     room = Room(
-        "cottage", params, rng, Finishes("log_wall" if log else "limewash", "boards", "boards_dark", beams=5, outside="grass"),
-        view="treeline", thickness=0.25,
-    )  # fmt: skip
+        "cottage",
+        params,
+        rng,
+        Finishes("log_wall" if log else "limewash", "boards", "boards_dark", beams=5, outside="grass"),
+        view="treeline",
+        thickness=0.25,
+    )
     x, y, lamp = room.half_x, room.half_y, "pendant_lamp" if params.period == "modern" else "lantern"
     room.door("left", -y * 0.4, style="plank")
     room.window("left", y * 0.35, width=1.0, height=1.0, sill=1.0, style="grid", mark=True)

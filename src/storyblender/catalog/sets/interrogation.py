@@ -33,10 +33,18 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="interrogation",
     name="Interrogation room",
-    tags=("interrogation room", "interview room", "questioning room", "visiting room", "safe house", "basement", "cellar",
-          "boiler room"),
+    tags=(
+        "interrogation room",
+        "interview room",
+        "questioning room",
+        "visiting room",
+        "safe house",
+        "basement",
+        "cellar",
+        "boiler room",
+    ),
     indoor=True,
     draw=draw,
     width=Span(4.8, 5.2, 8.0),
     depth=Span(5.6, 5.8, 8.0),
-)  # fmt: skip
+)

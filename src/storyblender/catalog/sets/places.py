@@ -10,23 +10,76 @@ from storyblender.memory.vocabulary import SceneType
 FALLBACK: dict[SceneType, str] = {"indoor": "room", "outdoor": "open_ground"}
 
 _VAGUE = frozenset(
-    "room house apartment flat home interior chamber city town downtown building outside exterior village hall school "
-    "hospital hotel castle palace camp yard ship boat car plane estate farm island university station".split()
+    [
+        "room",
+        "house",
+        "apartment",
+        "flat",
+        "home",
+        "interior",
+        "chamber",
+        "city",
+        "town",
+        "downtown",
+        "building",
+        "outside",
+        "exterior",
+        "village",
+        "hall",
+        "school",
+        "hospital",
+        "hotel",
+        "castle",
+        "palace",
+        "camp",
+        "yard",
+        "ship",
+        "boat",
+        "car",
+        "plane",
+        "estate",
+        "farm",
+        "island",
+        "university",
+        "station",
+    ]
 )
 """Words that name the whole around a place; a more particular word beside them wins."""
 
 _OUTSIDE_OF = {
-    "living_room": "park", "bedroom": "park", "kitchen": "park", "cottage": "park", "church": "park", "great_hall": "square",
-    "library": "street", "cell": "street", "warehouse": "dock", "carriage": "street", "room": "street", "classroom": "park",
-    "interrogation": "alley", "bathroom": "street",
-}  # fmt: skip
+    "living_room": "park",
+    "bedroom": "park",
+    "kitchen": "park",
+    "cottage": "park",
+    "church": "park",
+    "great_hall": "square",
+    "library": "street",
+    "cell": "street",
+    "warehouse": "dock",
+    "carriage": "street",
+    "room": "street",
+    "classroom": "park",
+    "interrogation": "alley",
+    "bathroom": "street",
+}
 """EXT. of an indoor place: what lies before its door; a street unless said otherwise."""
 
 _INSIDE_OF = {
-    "street": "room", "alley": "warehouse", "forest": "cottage", "park": "living_room", "square": "shop", "beach": "cottage",
-    "dock": "warehouse", "airfield": "lobby", "rooftop": "room", "bridge": "carriage", "desert": "cottage",
-    "mountain": "cell", "ship_deck": "carriage", "open_ground": "cottage",
-}  # fmt: skip
+    "street": "room",
+    "alley": "warehouse",
+    "forest": "cottage",
+    "park": "living_room",
+    "square": "shop",
+    "beach": "cottage",
+    "dock": "warehouse",
+    "airfield": "lobby",
+    "rooftop": "room",
+    "bridge": "carriage",
+    "desert": "cottage",
+    "mountain": "cell",
+    "ship_deck": "carriage",
+    "open_ground": "cottage",
+}
 """INT. of an outdoor place: the room such a place has."""
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan
@@ -15,17 +17,30 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     ship = Ground("ship_deck", params, rng)
     x, y, old = ship.half_x, ship.half_y, params.period == "past"
     bow = x + 9.0
-    hull = ((-x - 7, -y - 0.6), (x + 3, -y - 0.6), (bow - 2.2, -y * 0.5), (bow, 0.0), (bow - 2.2, y * 0.5), (x + 3, y + 0.6),
-            (-x - 7, y + 0.6))  # fmt: skip
+    hull = (
+        (-x - 7, -y - 0.6),
+        (x + 3, -y - 0.6),
+        (bow - 2.2, -y * 0.5),
+        (bow, 0.0),
+        (bow - 2.2, y * 0.5),
+        (x + 3, y + 0.6),
+        (-x - 7, y + 0.6),
+    )
     ship.slab("ground", hull, "planks_gray" if old else "boards_light", wet=True)
     rail = "bulwark" if old else "railing"
-    for (ax, ay), (bx, by) in zip(hull, hull[1:], strict=False):
+    for (ax, ay), (bx, by) in pairwise(hull):
         length = float(np.hypot(bx - ax, by - ay))
         yaw = float(np.degrees(np.arctan2(by - ay, bx - ax)))
         ship.piece(
-            rail, (ax + bx) / 2, (ay + by) / 2, yaw=yaw, length=length + 0.1, height=1.0,
-            material="wood_dark" if old else "paint_white", wild=ay <= -y * 0.5 or by <= -y * 0.5,
-        )  # fmt: skip
+            rail,
+            (ax + bx) / 2,
+            (ay + by) / 2,
+            yaw=yaw,
+            length=length + 0.1,
+            height=1.0,
+            material="wood_dark" if old else "paint_white",
+            wild=ay <= -y * 0.5 or by <= -y * 0.5,
+        )
     ship.piece("deck_house", -x - 3.4, 0, yaw=90, footprint=(2 * y - 1.2, 5.0), width=2 * y - 1.2, depth=5.0, old=old)
     ship.lamp("cabin_lamp", (-x - 0.5, 0.0, 2.2), 55, WARM, size=0.1, glow=0.35)
     ship.mark("cabin_door", -x + 0.45, 0.0, 90, "door", "enter", "exit", "left")

@@ -1,4 +1,4 @@
-"""Rolling ground around a flat stage: one height function for the kits that plant on it and the builder that skins it."""
+"""Rolling ground around a flat stage: one height function for kits that plant on it and for its skin."""
 
 from __future__ import annotations
 

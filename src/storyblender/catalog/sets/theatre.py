@@ -13,9 +13,12 @@ from storyblender.catalog.sets.room import Finishes, Room
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw a bare stage floor with its drapes: people act on it, the stalls lie in front."""
     room = Room(
-        "theatre", params, rng, Finishes("plaster_red", "boards_dark", "ceiling_dark", dado="dado_dark", dado_height=1.2),
+        "theatre",
+        params,
+        rng,
+        Finishes("plaster_red", "boards_dark", "ceiling_dark", dado="dado_dark", dado_height=1.2),
         view="none",
-    )  # fmt: skip
+    )
     x, y, h = room.half_x, room.half_y, params.height
     room.door("left", y * 0.5, name="wing_left", tags=("enter", "exit", "door", "left"))
     room.door("right", y * 0.5, name="wing_right", tags=("enter", "exit", "door", "right"))
@@ -37,8 +40,17 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             if abs(px) > 0.5:
                 room.furnish("chair", px, py, yaw=180, required=False)
     for px in (-x * 0.45, x * 0.45):
-        room.lamp("spotlight", (px * 1.3, -y + 0.6, h - 0.5), 900, WARM, kind="SPOT", target=(px * 0.2, 0.6, 0.8), cone=34,
-                  glow=0.1, size=0.2)  # fmt: skip
+        room.lamp(
+            "spotlight",
+            (px * 1.3, -y + 0.6, h - 0.5),
+            900,
+            WARM,
+            kind="SPOT",
+            target=(px * 0.2, 0.6, 0.8),
+            cone=34,
+            glow=0.1,
+            size=0.2,
+        )
     room.lamp("stage_wash", (0, 0.2, h - 0.3), 90, WARM, kind="AREA", size=3.0)
     room.mark("front_of_stage", 0, -1.2, 0, "table", "bar")
     return room.finish()
@@ -47,11 +59,26 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="theatre",
     name="Theatre",
-    tags=("theatre", "theater", "stage", "cinema", "opera", "concert hall", "circus", "dressing room", "tv studio",
-          "backstage", "film set", "gym", "gymnasium", "dance hall", "arena"),
+    tags=(
+        "theatre",
+        "theater",
+        "stage",
+        "cinema",
+        "opera",
+        "concert hall",
+        "circus",
+        "dressing room",
+        "tv studio",
+        "backstage",
+        "film set",
+        "gym",
+        "gymnasium",
+        "dance hall",
+        "arena",
+    ),
     indoor=True,
     draw=draw,
     width=Span(9.0, 10.5, 16.0),
     depth=Span(9.0, 11.0, 16.0),
     height=Span(4.2, 5.0, 7.0),
-)  # fmt: skip
+)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -40,8 +41,14 @@ def _hull(builder: MeshBuilder, material: object, length: float, beam: float, he
         fullness = max(0.04, 1 - abs(t) ** 3.2)
         half = beam / 2 * fullness
         sheer = height + 0.9 * t * t
-        profile = [(-half * 0.55, -0.8), (-half * 0.85, height * 0.25), (-half, sheer), (half, sheer), (half * 0.85, height * 0.25),
-                   (half * 0.55, -0.8)]  # fmt: skip
+        profile = [
+            (-half * 0.55, -0.8),
+            (-half * 0.85, height * 0.25),
+            (-half, sheer),
+            (half, sheer),
+            (half * 0.85, height * 0.25),
+            (half * 0.55, -0.8),
+        ]
         rings.append([(x, t * length / 2, z) for x, z in profile])
     builder.loft(material, rings)
 
@@ -171,7 +178,7 @@ def hangar(builder: MeshBuilder, spec: PieceSpec) -> None:
     tin, half, eaves = finish("sheet_metal"), width / 2, height * 0.55
     y0, y1 = -depth / 2, depth / 2
     arc = [(half * math.cos(a), eaves + (height - eaves) * math.sin(a)) for a in np.linspace(0, math.pi, 15)]
-    for (x0, z0), (x1, z1) in zip(arc, arc[1:], strict=False):
+    for (x0, z0), (x1, z1) in pairwise(arc):
         builder.quad(tin, (x1, y0, z1), (x0, y0, z0), (x0, y1, z0), (x1, y1, z1))
         builder.quad(tin, (x1, y0, eaves), (x0, y0, eaves), (x0, y0, z0), (x1, y0, z1))
     for side in (-1, 1):

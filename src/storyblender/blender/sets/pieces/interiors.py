@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -99,7 +100,7 @@ def banner(builder: MeshBuilder, spec: PieceSpec) -> None:
     width, length, cloth = spec.number("width", 0.9), spec.number("length", 2.4), spec.paint("color", "#7a1d20")
     half = width / 2
     rows = [(-half, half, 0.0), (-half, half, -length * 0.45), (-half, half, -length * 0.85)]
-    for (a0, b0, z0), (a1, b1, z1) in zip(rows, rows[1:], strict=False):
+    for (a0, b0, z0), (a1, b1, z1) in pairwise(rows):
         builder.quad(cloth, (a1, -0.05, z1), (b1, -0.05, z1), (b0, -0.05, z0), (a0, -0.05, z0))
     z = -length * 0.85
     builder.polygon(
@@ -156,5 +157,10 @@ def straw(builder: MeshBuilder, spec: PieceSpec) -> None:
     for _ in range(60):
         x, y, angle = spec.rng.uniform(-0.8, 0.8), spec.rng.uniform(-0.5, 0.5), spec.rng.uniform(0, math.pi)
         dx, dy = 0.14 * math.cos(angle), 0.14 * math.sin(angle)
-        builder.quad(finish("thatch"), (x - dx, y - dy, 0.01), (x + dy * 0.05, y - dx * 0.05, 0.01), (x + dx, y + dy, 0.02),
-                     (x - dy * 0.05, y + dx * 0.05, 0.01))  # fmt: skip
+        builder.quad(
+            finish("thatch"),
+            (x - dx, y - dy, 0.01),
+            (x + dy * 0.05, y - dx * 0.05, 0.01),
+            (x + dx, y + dy, 0.02),
+            (x - dy * 0.05, y + dx * 0.05, 0.01),
+        )

@@ -88,7 +88,7 @@ def _trunk_rings(height: float, radius: float, lean: Floats, upto: float, rng: n
     for share in np.linspace(-0.02, upto, 9):
         flare = 1 + 0.7 * math.exp(-max(share, 0) * 26) * (1 + 0.25 * np.sin(5 * around + phase))
         girth = radius * (1 - 0.72 * max(share, 0)) * flare * (1 + 0.05 * np.sin(3 * around + 9 * share + phase))
-        axis = _trunk(height, lean, max(share, 0)) + (0, 0, min(share, 0) * height)
+        axis = _trunk(height, lean, max(share, 0)) + np.array((0, 0, min(share, 0) * height))
         rings.append(axis + np.c_[girth * np.cos(around), girth * np.sin(around), np.zeros(12)])
     return rings
 
@@ -109,9 +109,9 @@ def broad_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
         foot = _trunk(height, lean, share)
         reach = height * (0.30 - 0.16 * abs(share - 0.5)) * rng.uniform(0.8, 1.1)
         tip = foot + reach * np.array([math.cos(angle), math.sin(angle), rng.uniform(0.25, 0.6)])
-        middle = (foot + tip) / 2 + (0, 0, 0.12 * reach)
+        middle = (foot + tip) / 2 + np.array((0, 0, 0.12 * reach))
         builder.tube(bark, [foot, middle, tip], [radius * 0.42, radius * 0.28, radius * 0.12], segments=6)
-        for spot, size in ((tip, 1.0), (middle + (0, 0, 0.5), 0.7)):
+        for spot, size in ((tip, 1.0), (middle + np.array((0, 0, 0.5)), 0.7)):
             jitter = rng.uniform(-0.4, 0.4, 3)
             _blob(
                 builder,
@@ -148,7 +148,7 @@ def pine_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
             rings.append(middle + np.c_[flat * np.cos(around), flat * np.sin(around), z])
         builder.loft(needles, rings, caps=False)
     top = _trunk(height, lean, 0.95)
-    builder.cylinder(needles, top, top + (0, 0, height * 0.06), 0.14, 0.02, segments=7)
+    builder.cylinder(needles, top, top + np.array((0, 0, height * 0.06)), 0.14, 0.02, segments=7)
 
 
 @piece("palm_tree", Surface.FOLIAGE)
@@ -162,7 +162,9 @@ def palm_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index in range(15):
         angle, droop, length = index * _TURN, rng.uniform(0.5, 1.5), rng.uniform(2.0, 2.8)
         along, side = np.array([math.cos(angle), math.sin(angle), 0]), np.array([-math.sin(angle), math.cos(angle), 0])
-        spine = [head + along * length * t + (0, 0, 0.9 * t - droop * 1.5 * t * t) for t in np.linspace(0, 1, 9)]
+        spine = [
+            head + along * length * t + np.array((0, 0, 0.9 * t - droop * 1.5 * t * t)) for t in np.linspace(0, 1, 9)
+        ]
         widths = (0.05, 0.2, 0.3, 0.34, 0.34, 0.3, 0.22, 0.12, 0.01)
         rows = [
             [p + side * w - (0, 0, 0.5 * w), p, p - side * w - (0, 0, 0.5 * w)]
@@ -172,7 +174,11 @@ def palm_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index in range(4):
         angle = index * 1.6
         builder.sphere(
-            finish("wood"), head + (0.2 * math.cos(angle), 0.2 * math.sin(angle), -0.2), 0.13, segments=10, rings=6
+            finish("wood"),
+            head + np.array((0.2 * math.cos(angle), 0.2 * math.sin(angle), -0.2)),
+            0.13,
+            segments=10,
+            rings=6,
         )
 
 
@@ -181,7 +187,7 @@ def bush(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a bush about a metre high. Parameters: variant."""
     leaf = finish(("hedge", "leaf", "leaf_yellow")[int(spec.number("variant", 0)) % 3])
     for _ in range(8):
-        spot = spec.rng.uniform(-1, 1, 3) * (0.5, 0.5, 0.18) + (0, 0, 0.42)
+        spot = spec.rng.uniform(-1, 1, 3) * (0.5, 0.5, 0.18) + np.array((0, 0, 0.42))
         _blob(builder, leaf, spot, spec.rng.uniform(0.28, 0.44), spec.rng)
 
 
@@ -191,8 +197,8 @@ def dry_bush(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index in range(22):
         angle, rise = index * _TURN, spec.rng.uniform(0.3, 1.2)
         tip = np.array([math.cos(angle), math.sin(angle), rise]) * spec.rng.uniform(0.35, 0.6)
-        bent = tip * 0.5 + (0, 0, 0.1)
-        builder.tube(finish("wood_gray"), [(0, 0, 0), bent, tip], [0.014, 0.01, 0.004], segments=4)
+        bent = tip * 0.5 + np.array((0, 0, 0.1))
+        builder.tube(finish("wood_gray"), [np.zeros(3), bent, tip], [0.014, 0.01, 0.004], segments=4)
 
 
 def _blades(
@@ -211,7 +217,10 @@ def _blades(
         along = np.array([math.cos(turn), math.sin(turn), 0])
         side = np.array([-along[1], along[0], 0]) * width
         tall = height * rng.uniform(0.55, 1.0)
-        knee, tip = root + along * tall * 0.12 + (0, 0, tall * 0.6), root + along * tall * 0.42 + (0, 0, tall)
+        knee, tip = (
+            root + along * tall * 0.12 + np.array((0, 0, tall * 0.6)),
+            root + along * tall * 0.42 + np.array((0, 0, tall)),
+        )
         builder.add(
             material, [root - side, root + side, knee + side * 0.7, knee - side * 0.7, tip], [(0, 1, 2, 3), (3, 2, 4)]
         )
@@ -238,9 +247,9 @@ def fern(builder: MeshBuilder, spec: PieceSpec) -> None:
         along, side = np.array([math.cos(angle), math.sin(angle), 0]), np.array([-math.sin(angle), math.cos(angle), 0])
         rows = []
         for t in np.linspace(0, 1, 7):
-            spine = along * length * t + (0, 0, 0.45 * t - 0.42 * t * t)
+            spine = along * length * t + np.array((0, 0, 0.45 * t - 0.42 * t * t))
             wide = 0.09 * math.sin(math.pi * (0.1 + 0.9 * t)) + 0.004
-            rows.append([spine + side * wide, spine + (0, 0, 0.012), spine - side * wide])
+            rows.append([spine + side * wide, spine + np.array((0, 0, 0.012)), spine - side * wide])
         builder.loft(finish("leaf"), rows, closed=False)
 
 
@@ -271,8 +280,13 @@ def cactus(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index in range(int(spec.number("variant", 0)) % 3 + 1):
         angle = index * 2.6 + spec.rng.uniform(0, 1)
         c, s, z = math.cos(angle), math.sin(angle), height * spec.rng.uniform(0.35, 0.55)
-        path = [(0.15 * c, 0.15 * s, z), (0.5 * c, 0.5 * s, z + 0.05), (0.62 * c, 0.62 * s, z + 0.3), (0.62 * c, 0.62 * s, z + 1.0),
-                (0.62 * c, 0.62 * s, z + 1.1)]  # fmt: skip
+        path = [
+            (0.15 * c, 0.15 * s, z),
+            (0.5 * c, 0.5 * s, z + 0.05),
+            (0.62 * c, 0.62 * s, z + 0.3),
+            (0.62 * c, 0.62 * s, z + 1.0),
+            (0.62 * c, 0.62 * s, z + 1.1),
+        ]
         builder.tube(green, path, [0.12, 0.14, 0.15, 0.13, 0.04], segments=10)
 
 

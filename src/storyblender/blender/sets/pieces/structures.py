@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -30,8 +31,14 @@ def column(builder: MeshBuilder, spec: PieceSpec) -> None:
         radius = width / 2
         builder.box(skin, (0, 0, 0.14), (width * 1.35, width * 1.35, 0.28), bevel=0.03)
         builder.box(skin, (0, 0, height - 0.14), (width * 1.4, width * 1.4, 0.28), bevel=0.03)
-        profile = [(radius * 1.2, 0.28), (radius * 1.2, 0.36), (radius, 0.46), (radius * 0.9, height - 0.55),
-                   (radius * 1.2, height - 0.4), (radius * 1.3, height - 0.28)]  # fmt: skip
+        profile = [
+            (radius * 1.2, 0.28),
+            (radius * 1.2, 0.36),
+            (radius, 0.46),
+            (radius * 0.9, height - 0.55),
+            (radius * 1.2, height - 0.4),
+            (radius * 1.3, height - 0.28),
+        ]
         builder.lathe(skin, profile, segments=8 if style == "gothic" else 22)
         if style == "gothic":
             for k in range(4):
@@ -64,7 +71,7 @@ def arcade(builder: MeshBuilder, spec: PieceSpec) -> None:
             (middle - radius * math.cos(math.pi * k / 16), spring + radius * math.sin(math.pi * k / 16))
             for k in range(17)
         ]
-        for (x0, z0), (x1, z1) in zip(curve, curve[1:], strict=False):
+        for (x0, z0), (x1, z1) in pairwise(curve):
             f, b = -depth / 2, depth / 2
             builder.quad(skin, (x0, f, z0), (x1, f, z1), (x1, f, height), (x0, f, height))
             builder.quad(skin, (x1, b, z1), (x0, b, z0), (x0, b, height), (x1, b, height))
@@ -190,8 +197,12 @@ def pier(builder: MeshBuilder, spec: PieceSpec) -> None:
 def fountain(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a round basin with a column and a bowl."""
     stone = finish("stone_light")
-    builder.lathe(stone, [(1.45, 0), (1.4, 0.12), (1.25, 0.16), (1.25, 0.48), (1.38, 0.55), (1.38, 0.62), (1.15, 0.62), (1.12, 0.3)],
-                  segments=32, caps=False)  # fmt: skip
+    builder.lathe(
+        stone,
+        [(1.45, 0), (1.4, 0.12), (1.25, 0.16), (1.25, 0.48), (1.38, 0.55), (1.38, 0.62), (1.15, 0.62), (1.12, 0.3)],
+        segments=32,
+        caps=False,
+    )
     builder.lathe(finish("water"), [(0.02, 0.5), (1.15, 0.5)], segments=32, caps=False)
     builder.lathe(
         stone,
@@ -262,7 +273,7 @@ def shed(builder: MeshBuilder, spec: PieceSpec) -> None:
     tin, half = finish("sheet_metal"), width / 2
     builder.box(tin, (0, 0, height * 0.4), (width, depth, height * 0.8))
     roof = [(-half - 0.3, height * 0.78), (0, height), (half + 0.3, height * 0.78)]
-    for (x0, z0), (x1, z1) in zip(roof, roof[1:], strict=False):
+    for (x0, z0), (x1, z1) in pairwise(roof):
         y = depth / 2 + 0.3
         builder.quad(tin, (x0, -y, z0), (x1, -y, z1), (x1, y, z1), (x0, y, z0))
     for y in (-depth / 2, depth / 2):
