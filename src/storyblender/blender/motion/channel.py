@@ -67,15 +67,21 @@ class Key:
         return np.asarray(self.target(t) if callable(self.target) else self.target, float)
 
 
+def linear(a: Floats, b: Floats, w: float) -> Floats:
+    """Mix every number by itself."""
+    return a * (1 - w) + b * w
+
+
 class Channel:
     """One animated value, scalar or vector.
 
     Args:
         value: What it is until the first key.
+        mix: How two values are blended; directions need more than a straight line.
     """
 
-    def __init__(self, value: Target) -> None:
-        self.keys = [Key(LONG_AGO, 0.0, value)]
+    def __init__(self, value: Target, mix: Callable[[Floats, Floats, float], Floats] = linear) -> None:
+        self.keys, self.mix = [Key(LONG_AGO, 0.0, value)], mix
 
     def set(
         self, start: float, duration: float, target: Target, ease: Easing = smooth, bump: ArrayLike | None = None
@@ -97,7 +103,7 @@ class Channel:
             if key.start >= t:
                 break
             w = key.ease(clamp((t - key.start) / key.duration))
-            value = value * (1 - w) + key.at(t) * w
+            value = self.mix(value, key.at(t), w)
             if key.bump is not None:
                 value[:3] += key.bump * math.sin(math.pi * w)
         return value

@@ -13,7 +13,7 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import sign
+from storyblender.blender.motion.skeleton import frame, sign
 
 Triple = tuple[float, float, float]
 
@@ -36,6 +36,20 @@ def hand(palm: Vector, fingers: Vector, normal: Vector, pole: Vector, curl: Trip
         curl: Degrees of index, other fingers and thumb.
     """
     return np.array([*palm, *fingers, *normal, *pole, *curl], float)
+
+
+def blend_hands(a: Floats, b: Floats, w: float) -> Floats:
+    """Mix two hand targets: the palm moves straight, the hand turns the short way, the elbow swings around."""
+    mixed = a * (1 - w) + b * w
+    if w <= 0 or w >= 1:
+        return mixed
+    before, after = (frame(Vector(v[3:6]), Vector(v[6:9])).to_quaternion() for v in (a, b))
+    turn = before.slerp(after if before.dot(after) >= 0 else -after, w).to_matrix()
+    mixed[3:6], mixed[6:9] = turn.col[0], turn.col[1]
+    pole, goal = Vector(a[9:12]).normalized(), Vector(b[9:12]).normalized()
+    if pole.dot(goal) > -0.99:
+        mixed[9:12] = pole.slerp(goal, w)
+    return mixed
 
 
 def hanging(who: Performer, side: str) -> TargetOf:

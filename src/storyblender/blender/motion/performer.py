@@ -23,6 +23,8 @@ FACE = ("mouth_open", "smile", "blink", "brow_up", "brow_down")
 """Shape keys the solver drives, in the order of the face channel."""
 HORIZON = 180.0
 """Seconds of blinks and glances made up in advance; no shot is longer."""
+NEAREST = 0.42
+"""Arm lengths between shoulder and wrist below which a hand goes around the shoulder."""
 SHORT_REACH = 0.004
 """Metres, times k, that a hand may miss before the trunk leans after it."""
 
@@ -319,6 +321,10 @@ class Performer:
         bones.turn[shoulder] = IDENTITY
         bones.update(shoulder, f"upper_arm.{side}")
         away = bones.orient["upper_chest"].transposed() @ (wrist - bones.joint[f"upper_arm.{side}"])
+        cramped = NEAREST * m.arm - away.length
+        if cramped > 0:  # on its way past the shoulder the hand makes a detour, or the arm would flip over
+            detour = Vector((sign(side) * 0.6, -1.0, 0)).normalized() * (1.2 * cramped)
+            wrist, away = wrist + bones.orient["upper_chest"] @ detour, away + detour
         raised = clamp(away.z / m.arm) * 22
         forth = clamp(-away.y / max(away.length, 0.01) + 0.1)
         protracted = clamp(away.length / m.arm - 0.72, 0, 0.35) * forth * 60
@@ -387,11 +393,13 @@ class Performer:
 
 
 def _angles(vector: Vector) -> tuple[float, float]:
-    """Return yaw and pitch in degrees of a direction, seen by somebody who faces -Y."""
-    return (
-        math.degrees(math.atan2(vector.x, -vector.y)),
-        math.degrees(math.atan2(vector.z, math.hypot(vector.x, vector.y))),
-    )
+    """Return yaw and pitch in degrees of a direction, seen by somebody who faces -Y.
+
+    The yaw fades out towards the zenith, where it would spin.
+    """
+    level = math.hypot(vector.x, vector.y)
+    steady = clamp(2.5 * level / max(1e-6, vector.length))
+    return steady * math.degrees(math.atan2(vector.x, -vector.y)), math.degrees(math.atan2(vector.z, level))
 
 
 def _moments(rng: np.random.Generator, first: float, shortest: float, longest: float) -> list[float]:

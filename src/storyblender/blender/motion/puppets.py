@@ -169,6 +169,11 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
             matrix = turn.to_4x4()
             matrix.translation = base
             return grip.hand(matrix, turn @ Vector((s * 0.8, 0.6, -0.5)))
+        chest = who.bones.orient["upper_chest"]
+        if (chest @ Vector((0, -1, 0))).z > 0.5:  # on one's back: on the chest
+            turn = who.facing @ chest
+            place = who.to_world(shoulder_rest(who, side)) + turn @ (Vector((-s * 0.15, -0.40, -0.35)) * m.arm)
+            return hand(place, turn @ grip.fingers, turn @ grip.normal, turn @ Vector((s * 0.9, 0, -0.5)), grip.curl)
         at = (0.10, 0.04, -0.97) if prop.hangs else (0.03, 0.42, -0.58)
         place = who.to_world(shoulder_rest(who, side)) + turn @ (Vector((s * at[0], -at[1], at[2])) * m.arm)
         return hand(place, turn @ grip.fingers, turn @ grip.normal, pole, grip.curl)

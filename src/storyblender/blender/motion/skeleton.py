@@ -139,7 +139,7 @@ class Skeleton:
             (lower, middle, start + along * held, rest_lower),
         ):
             direction = (stop - begin).normalized()
-            rest_hinge = rest.normalized().cross(FORWARD) if leg else rest_upper.cross(rest_lower)
+            rest_hinge = rest.normalized().cross(FORWARD) if leg else rest_lower.cross(rest_upper)
             square = hinge - direction * hinge.dot(direction)
             exact = frame(direction, square if square.length > 1e-5 else hinge)
             orient = exact @ frame(rest, rest_hinge).transposed()

@@ -10,7 +10,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel
-from storyblender.blender.motion.hands import hanging
+from storyblender.blender.motion.hands import blend_hands, hanging
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
@@ -103,7 +103,7 @@ class Stage:
         for who in self.people.values():
             who.home = {side: hanging(who, side) for side in SIDES}
             for side in SIDES:
-                who.hands[side] = Channel(who.home[side])
+                who.hands[side] = Channel(who.home[side], blend_hands)
 
     # --- who and where --------------------------------------------------------------------------------------------
 

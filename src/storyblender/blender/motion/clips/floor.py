@@ -247,6 +247,10 @@ def fall(stage: Stage, who: Performer, beat: Beat) -> float:
     who.lean_after.set(t, 0, 0.0)
     who.nod.set(t, 0.4, (18, 0, 0))
     who.nod.set(t + 1.0, 0.3, (-4, 6, 24))
+    for prop in [stage.props[held] for held in who.held.values() if held in stage.props]:
+        landing = who.position + who.forward * 0.5
+        prop.stand(t + 0.7, standing(Vector((*landing, 0)), who.yaw))
+    who.held = {}
     for side in SIDES:
         pose = who.plant(side, x, y, who.yaw, width=1.5, splay=20, back=-0.16 * k if side == "L" else 0.02 * k)
         step_to(who, side, t + 0.15, 0.35, pose, 0.02 * k)
@@ -260,13 +264,8 @@ def fall(stage: Stage, who: Performer, beat: Beat) -> float:
             who, side, (0.55, 0.25, 0.05), (0.9, 0.2, 0.2), (0, 0.6, -0.6), pole=(0.6, -0.8, -0.3), curl=(20, 26, 0)
         )
         who.home[side] = beside_body(who, side, 0.0)
-        if side not in who.held:
-            who.hands[side].set(t + 0.05, 0.45, flung)
-            who.hands[side].set(t + 0.7, 0.5, _flung_out(who, side))
-    for prop in [stage.props[held] for held in who.held.values() if held in stage.props]:
-        landing = who.position + who.forward * 0.5
-        prop.stand(t + 0.7, standing(Vector((*landing, 0)), who.yaw))
-    who.held = {}
+        who.hands[side].set(t + 0.05, 0.45, flung)
+        who.hands[side].set(t + 0.7, 0.5, _flung_out(who, side))
     who.face.set(t + 1.0, 0.4, (0.25, 0, 1, 0, 0))
     who.posture, who.support = "lie", ""
     return t + 1.4

@@ -10,7 +10,7 @@ from storyblender.blender.motion.channel import Channel, Floats
 from storyblender.blender.motion.clips.gaze import look_at_subject, mood
 from storyblender.blender.motion.clips.locomotion import step_to
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import by_chest, by_head, hand
+from storyblender.blender.motion.hands import blend_hands, by_chest, by_head, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, UP, sign
 from storyblender.blender.motion.stage import Beat, Stage
@@ -190,7 +190,7 @@ def dance(stage: Stage, who: Performer, beat: Beat) -> float:
 def _swing(who: Performer, side: str, start: float, pulse: float) -> Channel:
     low = by_chest(who, side, (0.10, 0.45, -0.42), (-0.4, 0.8, 0.3), (-0.9, 0, -0.4), curl=(40, 48, 10))
     high = by_chest(who, side, (0.30, 0.50, -0.05), (-0.3, 0.6, 0.7), (-0.9, 0.2, -0.2), curl=(30, 36, 10))
-    channel = Channel(low)
+    channel = Channel(low, blend_hands)
     for beat in range(int(60 / pulse)):
         up = (beat % 2 == 0) == (side == "L")
         channel.set(start + beat * pulse, pulse, high if up else low)

@@ -330,7 +330,7 @@ def hit(stage: Stage, who: Performer, beat: Beat) -> float:
     look_at(who, t, stage.point_of(partner))
     spot = _cheek(who, partner, side)
     back = by_chest(
-        who, side, (0.45, -0.2, 0.05), (0.3, 0.6, 0.3), (0, 0.4, -1), pole=(1, -0.4, -0.1), curl=(80, 88, 35)
+        who, side, (0.55, 0.25, 0.10), (0.2, 0.9, 0.2), (-0.2, 0.3, -1), pole=(1, -0.3, -0.2), curl=(80, 88, 35)
     )
     who.hands[side].set(t, 0.35, back)
     who.accent.set(t, 0.35, (-3, 0, -28 * sign(side)))

@@ -141,8 +141,8 @@ def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
     k = who.m.k
     t = beat.start
     low = who.standing_height - 0.34 * k
-    who.hips.set(t, 0.6, (0, 0.16 * k, low, 34, 0, 0))
-    who.spine.set(t, 0.6, (34, 0, 0))
+    who.hips.set(t, 0.6, (0, 0.16 * k, low, 26, 0, 0))
+    who.spine.set(t, 0.6, (20, 0, 0))
     end = travel(stage, who, beat, goal, yaw, style=SNEAK)
     who.hips.set(end, 0.8, (0, 0, who.standing_height, 0, 0, 0))
     who.spine.set(end, 0.8, (0, 0, 0))

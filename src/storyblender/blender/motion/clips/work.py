@@ -154,12 +154,15 @@ def press(stage: Stage, who: Performer, beat: Beat) -> float:
     t = approach(stage, who, beat, place, WORKING * who.m.arm)
     look_at(who, t, tuple(place))
     back = 0.085 * who.m.k
+    bent = reach_down(who, t, 0.6, place.z)
 
     def move(u: float) -> Vector:
         return Vector((0, -back + 0.02 * math.sin(math.pi * min(1, max(0, (u - 0.75) / 0.3))), 0.0))
 
     busy(who, beat.side, t, t + 1.5, place, move, palm=Vector((0, 0.1, -1)), curl=(4, 80, 25))
     stage.expect(who, beat.side, t + 0.8, beat)
+    if bent:
+        come_up(who, t + 1.4, 0.6)
     return t + 2.0
 
 
