@@ -51,7 +51,7 @@ _ALL = (
     Look("pencil", "Pencil", ("graphite", "sketch", "drawing", "black and white"), light="numpy", style="pencil"),
     Look(
         "render", "Render", ("final", "photographic", "no lines"),
-        light="final", ink=0.0, light_step=1, samples=48, bounces=6,
+        light="final", ink=0.0, light_step=1, samples=24, bounces=4,
     ),
 )  # fmt: skip
 
