@@ -174,8 +174,13 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
             turn = who.facing @ chest
             place = who.to_world(shoulder_rest(who, side)) + turn @ (Vector((-s * 0.15, -0.40, -0.35)) * m.arm)
             return hand(place, turn @ grip.fingers, turn @ grip.normal, turn @ Vector((s * 0.9, 0, -0.5)), grip.curl)
-        at = (0.10, 0.04, -0.97) if prop.hangs else (0.03, 0.42, -0.58)
-        place = who.to_world(shoulder_rest(who, side)) + turn @ (Vector((s * at[0], -at[1], at[2])) * m.arm)
+        at = (0.03, 0.42, -0.58)
+        if prop.hangs:
+            at = (0.10 + 0.5 * min(prop.size.x, prop.size.y) / m.arm, 0.04, -0.97)
+            if prop.size.x > prop.size.y:  # a case goes along the leg
+                turn = turn @ Matrix.Rotation(s * math.pi / 2, 3, "Z")
+        beside = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
+        place = who.to_world(shoulder_rest(who, side)) + beside @ (Vector((s * at[0], -at[1], at[2])) * m.arm)
         return hand(place, turn @ grip.fingers, turn @ grip.normal, pole, grip.curl)
 
     return target

@@ -16,6 +16,9 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import UP, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
+LONG_GUN = 0.6
+"""Metres; longer guns are shouldered."""
+
 
 @clip("aim", "body", "hands", "head")
 def aim(stage: Stage, who: Performer, beat: Beat) -> float:
@@ -36,9 +39,12 @@ def aim(stage: Stage, who: Performer, beat: Beat) -> float:
         along = (Vector(goal(now)) - UP * (0.15 * k) - root).normalized()
         across = UP.cross(along).normalized() * -1
         matrix = Matrix((-across, -along, (-across).cross(-along))).transposed().to_4x4()
-        matrix.translation = root + along * (0.94 * who.m.arm)
+        if long:  # the butt at the shoulder
+            root = root.lerp(who.point(f"upper_arm.{side}"), 0.7)
+        matrix.translation = root + along * ((0.52 if long else 0.94) * who.m.arm)
         return matrix
 
+    long = prop is not None and prop.size.y > LONG_GUN
     grip = prop.grip(side) if prop is not None else None
 
     def firing(now: float) -> Floats:
@@ -54,7 +60,7 @@ def aim(stage: Stage, who: Performer, beat: Beat) -> float:
     def steadying(now: float) -> Floats:
         matrix = muzzle(now)
         turn, s = matrix.to_3x3(), sign(far)
-        palm = matrix @ Vector((s * 0.03, 0.02, -0.035))
+        palm = matrix @ (Vector((s * 0.02, -0.62 * who.m.arm, -0.02)) if long else Vector((s * 0.03, 0.02, -0.035)))
         fingers, normal = turn @ Vector((-s * 0.5, -1, 0.05)), turn @ Vector((-s, 0.1, 0.35))
         return hand(palm, fingers, normal, who.facing @ Vector((s * 0.7, 0.1, -0.8)), (78, 80, 20))
 

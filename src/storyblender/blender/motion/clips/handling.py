@@ -79,7 +79,7 @@ def reach_down(who: Performer, t: float, duration: float, height: float) -> floa
     if who.posture != "stand" or low <= 0:
         return 0.0
     k, depth = who.m.k, min(1.0, low / (0.55 * who.m.k))
-    sink = 0.42 * who.m.hip_height * depth
+    sink = 0.42 * who.m.hip_height * depth * depth  # tables are bent over, the floor is squatted to
     who.hips.set(t, duration, (0, 0.10 * k * depth, who.standing_height - sink, 22 * depth, 0, 0))
     who.spine.set(t, duration, (42 * depth, 0, 0))
     return depth
