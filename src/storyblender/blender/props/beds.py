@@ -157,8 +157,20 @@ def bathtub(b: MeshBuilder, spec: PropSpec) -> Anchors:
         y = np.sign(np.sin(around)) * np.abs(np.sin(around)) ** power * (d / 2 - (w / 2) * (1 - reach))
         return np.c_[x, y, np.full(len(around), z)]
 
-    levels = [(0.5, 0.12), (0.66, 0.16), (0.82, 0.32), (0.9, h - 0.05), (0.97, h - 0.03), (1.0, h - 0.01), (0.97, h), (0.88, h - 0.02),
-              (0.8, h - 0.08), (0.72, 0.32), (0.58, 0.2), (0.4, 0.18)]  # fmt: skip
+    levels = [
+        (0.5, 0.12),
+        (0.66, 0.16),
+        (0.82, 0.32),
+        (0.9, h - 0.05),
+        (0.97, h - 0.03),
+        (1.0, h - 0.01),
+        (0.97, h),
+        (0.88, h - 0.02),
+        (0.8, h - 0.08),
+        (0.72, 0.32),
+        (0.58, 0.2),
+        (0.4, 0.18),
+    ]
     b.loft(body, [ring(*level) for level in levels])
     for x in (-1, 1):
         for y in (-1, 1):

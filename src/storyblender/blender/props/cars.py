@@ -21,9 +21,15 @@ def _shell(b: MeshBuilder, material: MaterialRef, sections: list[Section], round
         tall = high - low
         r = min(round_top, tall * 0.45)
         outline = [
-            (0.9, low), (0.985, low + tall * 0.12), (1.0, low + tall * 0.45), (0.97, high - r), (0.93, high - r * 0.45),
-            (0.84, high - r * 0.1), (0.6, high), (0.0, high + 0.012),
-        ]  # fmt: skip
+            (0.9, low),
+            (0.985, low + tall * 0.12),
+            (1.0, low + tall * 0.45),
+            (0.97, high - r),
+            (0.93, high - r * 0.45),
+            (0.84, high - r * 0.1),
+            (0.6, high),
+            (0.0, high + 0.012),
+        ]
         right = [(half * x, y, z) for x, z in outline]
         left = [(-x, y_, z) for x, y_, z in reversed(right[:-1])]
         rings.append(np.array(right + left))
@@ -31,7 +37,7 @@ def _shell(b: MeshBuilder, material: MaterialRef, sections: list[Section], round
 
 
 def _greenhouse(b: MeshBuilder, paint: MaterialRef, glass: MaterialRef, sections: list[Section]) -> None:
-    """Add a cabin of glass between painted pillars under a painted roof; sections are belt, roof front, roof back, belt."""
+    """Add a glass cabin between pillars under a roof; the sections are belt, roof front, roof back, belt."""
     (y0, w0, z0, _), (y1, w1, _, h1), (y2, w2, _, h2), (y3, w3, z3, _) = sections
     belt = [np.array([(-w0, y0, z0), (w0, y0, z0)]), np.array([(-w3, y3, z3), (w3, y3, z3)])]
     roof = [np.array([(-w1, y1, h1), (w1, y1, h1)]), np.array([(-w2, y2, h2), (w2, y2, h2)])]
@@ -68,20 +74,6 @@ def _greenhouse(b: MeshBuilder, paint: MaterialRef, glass: MaterialRef, sections
         low = belt[0][side] * (1 - middle) + belt[1][side] * middle
         high = roof[0][side] * (1 - middle) + roof[1][side] * middle
         b.tube(paint, [low, high], 0.035, segments=6)
-
-
-def _arches(
-    b: MeshBuilder, paint: MaterialRef, half: float, radius: float, axles: tuple[float, ...], flare: float
-) -> None:
-    """Add mudguards: swept arcs over each wheel."""
-    for x in (-1, 1):
-        for y in axles:
-            arc = np.linspace(math.radians(-8), math.radians(188), 15)
-            rows = []
-            for reach, out in ((radius * 1.28, half - 0.12), (radius * 1.26, half), (radius * 1.1, half + flare)):
-                rows.append(np.c_[np.full(15, x * out), y + reach * np.cos(arc), radius + reach * np.sin(arc)])
-            b.loft(paint, rows if x > 0 else rows[::-1], closed=False)
-            b.loft("plastic_black", (rows if x < 0 else rows[::-1]), closed=False)
 
 
 def _wheels(b: MeshBuilder, spec: PropSpec, half: float, radius: float, axles: tuple[float, ...], width: float) -> None:
@@ -122,11 +114,21 @@ def _modern_car(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), paint, glass = spec.size, spec.material("body"), spec.material("glass")
     half, f, r = w / 2, -d / 2, d / 2
     belt = h * 0.6
-    _shell(b, paint, [
-        (f, half * 0.78, 0.34, 0.6), (f + 0.08, half * 0.9, 0.24, 0.68), (f + 0.5, half * 0.97, 0.2, belt * 0.86),
-        (f + 1.25, half, 0.2, belt * 0.98), (0.2, half, 0.2, belt + 0.03), (r - 1.0, half, 0.2, belt + 0.05),
-        (r - 0.35, half * 0.96, 0.22, belt + 0.03), (r - 0.05, half * 0.88, 0.28, belt * 0.92), (r, half * 0.8, 0.36, belt * 0.8),
-    ])  # fmt: skip
+    _shell(
+        b,
+        paint,
+        [
+            (f, half * 0.78, 0.34, 0.6),
+            (f + 0.08, half * 0.9, 0.24, 0.68),
+            (f + 0.5, half * 0.97, 0.2, belt * 0.86),
+            (f + 1.25, half, 0.2, belt * 0.98),
+            (0.2, half, 0.2, belt + 0.03),
+            (r - 1.0, half, 0.2, belt + 0.05),
+            (r - 0.35, half * 0.96, 0.22, belt + 0.03),
+            (r - 0.05, half * 0.88, 0.28, belt * 0.92),
+            (r, half * 0.8, 0.36, belt * 0.8),
+        ],
+    )
     top = h - 0.05
     _greenhouse(
         b,
@@ -161,11 +163,22 @@ def _old_car(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), paint, glass, chrome = spec.size, spec.material("body"), spec.material("glass"), spec.material("chrome")
     half, f, r = w / 2, -d / 2, d / 2
     tall = h * 1.08
-    _shell(b, paint, [
-        (f + 0.12, half * 0.3, 0.5, 0.86), (f + 0.25, half * 0.42, 0.46, 1.0), (f + 0.9, half * 0.58, 0.44, 1.06),
-        (f + 1.5, half * 0.76, 0.4, 1.08), (f + 1.75, half * 0.86, 0.38, 1.08), (0.3, half * 0.88, 0.38, 1.08),
-        (r - 1.0, half * 0.86, 0.38, 1.04), (r - 0.4, half * 0.74, 0.4, 0.94), (r - 0.08, half * 0.5, 0.44, 0.76),
-    ], 0.2)  # fmt: skip
+    _shell(
+        b,
+        paint,
+        [
+            (f + 0.12, half * 0.3, 0.5, 0.86),
+            (f + 0.25, half * 0.42, 0.46, 1.0),
+            (f + 0.9, half * 0.58, 0.44, 1.06),
+            (f + 1.5, half * 0.76, 0.4, 1.08),
+            (f + 1.75, half * 0.86, 0.38, 1.08),
+            (0.3, half * 0.88, 0.38, 1.08),
+            (r - 1.0, half * 0.86, 0.38, 1.04),
+            (r - 0.4, half * 0.74, 0.4, 0.94),
+            (r - 0.08, half * 0.5, 0.44, 0.76),
+        ],
+        0.2,
+    )
     rings = []
     for y, wide, z in (
         (f + 1.5, 0.6, 1.1),
@@ -248,10 +261,21 @@ def van(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a delivery van."""
     (w, d, h), paint, glass = spec.size, spec.material("body"), spec.material("glass")
     half, f, r = w / 2, -d / 2, d / 2
-    _shell(b, paint, [
-        (f, half * 0.84, 0.36, 0.86), (f + 0.1, half * 0.94, 0.26, 1.02), (f + 0.75, half, 0.24, 1.16), (f + 1.35, half, 0.24, h - 0.2),
-        (f + 1.7, half, 0.24, h - 0.05), (r - 0.4, half, 0.24, h - 0.04), (r - 0.02, half * 0.97, 0.26, h - 0.08), (r, half * 0.94, 0.3, h - 0.14),
-    ], 0.22)  # fmt: skip
+    _shell(
+        b,
+        paint,
+        [
+            (f, half * 0.84, 0.36, 0.86),
+            (f + 0.1, half * 0.94, 0.26, 1.02),
+            (f + 0.75, half, 0.24, 1.16),
+            (f + 1.35, half, 0.24, h - 0.2),
+            (f + 1.7, half, 0.24, h - 0.05),
+            (r - 0.4, half, 0.24, h - 0.04),
+            (r - 0.02, half * 0.97, 0.26, h - 0.08),
+            (r, half * 0.94, 0.3, h - 0.14),
+        ],
+        0.22,
+    )
     b.quad(
         glass,
         (-half * 0.86, f + 0.74, 1.2),

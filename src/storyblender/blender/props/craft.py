@@ -12,8 +12,19 @@ from storyblender.blender.props.registry import Anchors, PropSpec, grip, handle,
 
 PITCH = 9.0
 """Degrees a tail-dragger sits nose-up."""
-AEROFOIL = ((0.0, 0.0), (0.03, 0.45), (0.12, 0.85), (0.3, 1.0), (0.6, 0.72), (1.0, 0.04), (1.0, -0.04), (0.6, -0.4), (0.3, -0.6),
-            (0.12, -0.5), (0.03, -0.3))  # fmt: skip
+AEROFOIL = (
+    (0.0, 0.0),
+    (0.03, 0.45),
+    (0.12, 0.85),
+    (0.3, 1.0),
+    (0.6, 0.72),
+    (1.0, 0.04),
+    (1.0, -0.04),
+    (0.6, -0.4),
+    (0.3, -0.6),
+    (0.12, -0.5),
+    (0.03, -0.3),
+)
 """Chord fraction from the leading edge, half-thickness fraction."""
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.luggage import bloom
+from storyblender.blender.props.keepsakes import bloom
 from storyblender.blender.props.parts import four_legs
 from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop
 from storyblender.blender.props.wall_fittings import frame, sheet
@@ -105,8 +106,8 @@ def globe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     ]
     uv = [
         (u0, v0)
-        for v_low, v_high in zip(latitude, latitude[1:], strict=False)
-        for u_low, u_high in zip(longitude, longitude[1:], strict=False)
+        for v_low, v_high in itertools.pairwise(latitude)
+        for u_low, u_high in itertools.pairwise(longitude)
         for u0, v0 in ((u_low, v_low), (u_high, v_low), (u_high, v_high), (u_low, v_high))
     ]
     faces = [(i * 29 + j, i * 29 + j + 1, (i + 1) * 29 + j + 1, (i + 1) * 29 + j) for i in range(16) for j in range(28)]

@@ -235,7 +235,7 @@ def candelabra(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("torch")
 def torch(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a burning torch."""
-    (w, _, h), wood = spec.size, spec.material("wood")
+    h, wood = spec.size[2], spec.material("wood")
     b.cylinder(wood, (0, 0, 0), (0, 0, h * 0.68), 0.014, 0.022, segments=10)
     b.lathe(
         spec.material("wrap"), [(0.026, h * 0.6), (0.045, h * 0.66), (0.05, h * 0.74), (0.03, h * 0.79)], segments=12

@@ -30,13 +30,13 @@ def _blob(
     b.loft(material, sections, caps=False)
 
 
-def _trunk(height: float, lean_x: float, lean_y: float, phase: float) -> tuple[Floats, Floats]:
+def _trunk(height: float, leans: Floats, phase: float) -> tuple[Floats, Floats]:
     """Return the points of a trunk and its radii, with a flare at the root."""
     t = np.linspace(0, 1, 9)
     sway = 0.04 * height
     points = np.c_[
-        lean_x * t**2 + sway * 0.5 * np.sin(5 * t + phase) * t,
-        lean_y * t**2 + sway * 0.5 * np.cos(4 * t + phase) * t,
+        leans[0] * t**2 + sway * 0.5 * np.sin(5 * t + phase) * t,
+        leans[1] * t**2 + sway * 0.5 * np.cos(4 * t + phase) * t,
         t * height,
     ]
     radii = height * 0.026 * (1 - 0.72 * t) * (1 + 0.9 * np.exp(-t / 0.045))
@@ -49,12 +49,12 @@ def tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     if spec.word("kind") == "pine":
         return pine(b, spec)
     (w, _, h), leaf, bark, rng = spec.size, spec.material("leaf"), spec.material("bark"), spec.rng
-    points, radii = _trunk(h * 0.8, *rng.uniform(-0.25, 0.25, 2) * w * 0.2, float(rng.uniform(0, 6)))
+    points, radii = _trunk(h * 0.8, rng.uniform(-0.05, 0.05, 2) * w, float(rng.uniform(0, 6)))
     b.tube(bark, points, list(radii), segments=12)
     crown = h * 0.66
     for k in range(9):
         turn, t = 2.4 * k + float(rng.uniform(-0.3, 0.3)), 0.42 + 0.5 * k / 9
-        start = np.array([np.interp(t, np.linspace(0, 1, 9), points[:, axis]) for axis in range(3)])
+        start = np.array([float(np.interp(t, np.linspace(0, 1, 9), points[:, axis])) for axis in range(3)])
         reach = w * 0.34 * (1 - 0.45 * t) * float(rng.uniform(0.85, 1.15))
         tip = start + np.array([reach * math.cos(turn), reach * math.sin(turn), h * float(rng.uniform(0.08, 0.16))])
         b.tube(
@@ -141,7 +141,7 @@ def palm_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bare tree of three generations of branches."""
     (w, _, h), bark, rng = spec.size, spec.material("bark"), spec.rng
-    points, radii = _trunk(h * 0.72, *rng.uniform(-0.3, 0.3, 2), float(rng.uniform(0, 6)))
+    points, radii = _trunk(h * 0.72, rng.uniform(-0.3, 0.3, 2), float(rng.uniform(0, 6)))
     b.tube(bark, points, list(radii), segments=11)
 
     def branch(start: Floats, direction: Floats, length: float, thick: float, depth: int) -> None:
@@ -161,7 +161,7 @@ def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
     for k in range(7):
         t, turn = 0.45 + 0.5 * k / 6, 2.4 * k
-        start = np.array([np.interp(t, np.linspace(0, 1, 9), points[:, axis]) for axis in range(3)])
+        start = np.array([float(np.interp(t, np.linspace(0, 1, 9), points[:, axis])) for axis in range(3)])
         direction = np.array([math.cos(turn), math.sin(turn), 0.65])
         branch(start, direction / np.linalg.norm(direction), w * 0.36 * (1.15 - 0.5 * t), radii[4] * 0.55, 2)
     return (lean((0, -radii[1], 1.2), 0.3),)

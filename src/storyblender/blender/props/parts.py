@@ -40,9 +40,18 @@ def turned_leg(b: MeshBuilder, material: MaterialRef, x: float, y: float, height
     """Add a leg turned on a lathe, with a ring and a bulb."""
     r, h = radius, height
     profile = [
-        (r * 0.55, 0), (r * 0.7, h * 0.04), (r * 0.45, h * 0.08), (r * 0.75, h * 0.4), (r, h * 0.62), (r * 0.6, h * 0.72),
-        (r * 0.95, h * 0.76), (r * 0.95, h * 0.8), (r * 0.6, h * 0.82), (r, h * 0.86), (r, h),
-    ]  # fmt: skip
+        (r * 0.55, 0),
+        (r * 0.7, h * 0.04),
+        (r * 0.45, h * 0.08),
+        (r * 0.75, h * 0.4),
+        (r, h * 0.62),
+        (r * 0.6, h * 0.72),
+        (r * 0.95, h * 0.76),
+        (r * 0.95, h * 0.8),
+        (r * 0.6, h * 0.82),
+        (r, h * 0.86),
+        (r, h),
+    ]
     b.lathe(material, profile, origin=(x, y, 0), segments=12)
 
 
@@ -69,8 +78,17 @@ def drawer(
             b.sphere(handle, (x + side * width, y - 0.026, z), 0.016, segments=10, rings=6)
         return
     length = min(0.14, width * 0.35)
-    b.tube(handle, [(x - length / 2, y - 0.01, z), (x - length / 2, y - 0.035, z), (x + length / 2, y - 0.035, z),
-                    (x + length / 2, y - 0.01, z)], 0.006, segments=6)  # fmt: skip
+    b.tube(
+        handle,
+        [
+            (x - length / 2, y - 0.01, z),
+            (x - length / 2, y - 0.035, z),
+            (x + length / 2, y - 0.035, z),
+            (x + length / 2, y - 0.01, z),
+        ],
+        0.006,
+        segments=6,
+    )
 
 
 def panel_door(
@@ -190,8 +208,16 @@ def spoked_wheel(
 def bottle_profile(radius: float, height: float) -> Profile:
     """Return the outline of a bottle for ``lathe``."""
     r, h = radius, height
-    return [(r * 0.92, 0), (r, h * 0.03), (r, h * 0.58), (r * 0.85, h * 0.66), (r * 0.4, h * 0.76), (r * 0.34, h * 0.94),
-            (r * 0.42, h * 0.95), (r * 0.42, h)]  # fmt: skip
+    return [
+        (r * 0.92, 0),
+        (r, h * 0.03),
+        (r, h * 0.58),
+        (r * 0.85, h * 0.66),
+        (r * 0.4, h * 0.76),
+        (r * 0.34, h * 0.94),
+        (r * 0.42, h * 0.95),
+        (r * 0.42, h),
+    ]
 
 
 def book_row(

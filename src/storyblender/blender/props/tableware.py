@@ -259,7 +259,7 @@ def fork(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("pan")
 def pan(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a frying pan; its handle is at +Y, to the cook."""
-    (w, d, h), body, r = spec.size, spec.material("body"), spec.size[0] / 2
+    (_, d, h), body, r = spec.size, spec.material("body"), spec.size[0] / 2
     middle = (0, -d / 2 + r, 0)
     b.lathe(body, [(r * 0.8, 0), (r, h * 0.75), (r * 0.97, h * 0.75), (r * 0.77, 0.006)], origin=middle, segments=32)
     b.tube(

@@ -97,8 +97,12 @@ def wall_clock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.lathe("porcelain", [(r * 0.86, d * 0.76)] * 2, origin=(0, d / 2, h / 2), axis=(0, -1, 0), segments=36)
     for k in range(12):
         turn = math.tau * k / 12
-        b.box("plastic_black", (r * 0.74 * math.sin(turn), -d * 0.28, h / 2 + r * 0.74 * math.cos(turn)), (0.008, 0.003, r * 0.13),
-              rotation=(0, math.degrees(turn), 0))  # fmt: skip
+        b.box(
+            "plastic_black",
+            (r * 0.74 * math.sin(turn), -d * 0.28, h / 2 + r * 0.74 * math.cos(turn)),
+            (0.008, 0.003, r * 0.13),
+            rotation=(0, math.degrees(turn), 0),
+        )
     for degrees, length, width in (
         (spec.number("hour") * 30 + spec.number("minute") / 2, 0.46, 0.014),
         (spec.number("minute") * 6, 0.7, 0.009),

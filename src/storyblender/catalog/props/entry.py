@@ -59,3 +59,19 @@ def entry(
         materials=materials,
         **fields,  # pyright: ignore[reportArgumentType]
     )
+
+
+def held(
+    key: str,
+    words: str,
+    size: Vec3,
+    materials: dict[str, str],
+    description: str,
+    params: dict[str, ParamValue] | None = None,
+    surface: Surface = Surface.PROP,
+) -> PropEntry:
+    """Return an entry of something that is held in the hand; the same arguments, less the category."""
+    return entry(
+        "hand", key, words, size, materials, description,
+        params=params or {}, placement="surface", holdable=True, surface=surface,
+    )  # fmt: skip

@@ -1,0 +1,83 @@
+"""What the catalog knows of one surface, and how its colours are written. Data only."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.memory.base import Color, Frozen, Identifier
+
+PatternKey = Literal[
+    "", "wood", "planks", "parquet", "brick", "speckle", "checker", "paving", "slabs", "grass", "bark", "weave",
+    "leaves", "stripes", "persian", "shingles", "corrugated", "book_spines", "water", "newsprint", "facade",
+    "skyline", "treeline", "hills", "sea", "stars", "gradient", "map", "clock_face", "screen",
+]  # fmt: skip
+
+
+class MaterialEntry(Frozen):
+    """One material of the built-in library."""
+
+    key: Identifier
+    name: str
+    tags: tuple[str, ...] = ()
+    color: Color = (0.5, 0.5, 0.5)
+    """Mean colour; replaced where a prop or a set asks for another one."""
+    accent: Color = (0.1, 0.1, 0.1)
+    """Second colour of the pattern: mortar, gaps, the other tile, lit windows."""
+    pattern: PatternKey = ""
+    params: dict[str, float] = {}
+    """Named arguments of the pattern in ``look.patterns``."""
+    tile: float = 1.0
+    """Metres that one picture covers."""
+    pixels: int = 256
+    """Rows and columns of the picture; a power of two."""
+    roughness: float = 0.7
+    metallic: float = 0.0
+    emission: float = 0.0
+    wet: bool = False
+    """Puddles: roughness varies over the world."""
+    grain: bool = False
+    """The pattern runs along a direction: boards and bars turn it to their length."""
+
+
+def hex_color(code: str) -> Color:
+    """Return the scene-linear colour of an sRGB hex code such as ``#c8a064``."""
+    digits = code.lstrip("#")
+    display = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+    red, green, blue = (v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in display)
+    return (red, green, blue)
+
+
+def painted(key: str, color: str, accent: str = "#1a1612", tags: str = "", **fields: object) -> MaterialEntry:
+    """Return a material from hex colours; ``tags`` are words separated by spaces."""
+    return MaterialEntry(
+        key=key,
+        name=key.replace("_", " "),
+        tags=tuple(tags.split()),
+        color=hex_color(color),
+        accent=hex_color(accent),
+        **fields,  # pyright: ignore[reportArgumentType]
+    )
+
+
+def wooden(key: str, color: str, tags: str, roughness: float = 0.42) -> MaterialEntry:
+    """Return a polished wood."""
+    return painted(key, color, tags=f"wood timber {tags}", pattern="wood", tile=0.9, roughness=roughness, grain=True)
+
+
+def woven(key: str, color: str, tags: str, roughness: float = 0.95, **params: float) -> MaterialEntry:
+    """Return a cloth; ``params`` go to the weave."""
+    return painted(
+        key,
+        color,
+        tags=f"fabric cloth {tags}",
+        pattern="weave",
+        params=params,
+        tile=0.4,
+        pixels=128,
+        roughness=roughness,
+    )
+
+
+def card(key: str, color: str, accent: str, pattern: PatternKey, tags: str) -> MaterialEntry:
+    """Return a glowing backdrop card."""
+    return painted(key, color, accent, tags, pattern=pattern, pixels=512, roughness=1.0, emission=0.7)
