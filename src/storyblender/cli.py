@@ -58,7 +58,7 @@ Json = Annotated[bool, typer.Option("--json", help="Machine-readable: events or 
 Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]
 Seed = Annotated[int | None, typer.Option(help="Same script, seed and settings: same storyboard, to the pixel.")]
 Shots = Annotated[
-    int | None, typer.Option("--shots-per-scene", help="About how many shots a scene may have (default 5).")
+    int | None, typer.Option("--shots-per-scene", help="About how many shots a scene may have (default 4).")
 ]
 Aspect = Annotated[float | None, typer.Option(help="Width over height of the picture, e.g. 2.39 or 1.85.")]
 Width = Annotated[int | None, typer.Option(help="Pixels across (default 960).")]

@@ -29,7 +29,7 @@ class Settings(Frozen):
     lens_kit: tuple[float, ...] = ()
     """Lenses at hand, mm; empty allows any. A shot takes the nearest."""
     seed: int = Field(0, ge=0)
-    shots_per_scene: int = Field(5, ge=1, le=60)
+    shots_per_scene: int = Field(4, ge=1, le=60)
     """About how many shots a scene may have; explicit camera directions are always kept."""
     animatic: bool = True
     animatic_width: int = Field(640, ge=160, le=1920)

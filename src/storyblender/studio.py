@@ -23,8 +23,7 @@ from storyblender.edits import CameraEdit, apply_camera_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
-
-load_embedder = lambda: None
+from storyblender.library.embedder import load_embedder
 from storyblender.look.looks import LOOKS
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
 from storyblender.memory.base import scene_name, shot_name

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from concurrent.futures import Future
+from pathlib import Path
 
-from storyblender.catalog.props import PROPS
+from storyblender.agents.concept_artist.generator import Generator
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
+from storyblender.agents.concept_artist.retriever import Retriever
+from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.pipeline.run import Run
+from storyblender.reflection import reflect
+
+MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj")
 
 
 def materialize(run: Run) -> None:
@@ -16,10 +22,9 @@ def materialize(run: Run) -> None:
     missing = [asset for asset in run.graph.assets if asset.canonical is None or not asset.canonical.geometry_hash]
     if not missing:
         return
-    waiting: list[tuple[Asset, Future[AssetMeasure]]] = []
-    for asset in missing:
-        decided = _decided(run, asset)
-        waiting.append((decided, run.engine.build_asset(AssetJob(asset=decided))))
+    concept = ConceptArtist(run)
+    decided = _sized(run, [concept.decided(asset) for asset in missing])
+    waiting = [(asset, run.engine.build_asset(AssetJob(asset=asset))) for asset in decided]
     built: list[Asset] = []
     for step, (asset, future) in enumerate(waiting):
         run.progress("materialize", step, len(waiting), asset.asset_id)
@@ -28,13 +33,59 @@ def materialize(run: Run) -> None:
     run.commit("asset_formatter", f"{len(built)} assets built", *built)
 
 
-def _decided(run: Run, asset: Asset) -> Asset:
-    """What it is made from and how large it is."""
-    if asset.canonical is None:
-        asset = asset.model_copy(update={"canonical": decide(run, asset)})
-    if asset.dimension is None:
-        asset = asset.model_copy(update={"dimension": estimate(run.graph, asset)})
-    return asset
+def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
+    """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size."""
+    named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
+    sizes = run.reflect("dimension_estimator", "assets", named, DimensionRules(), DimensionCritic()).draft
+    return [
+        asset.model_copy(update={"dimension": sizes[asset.asset_id]}) if asset.asset_id in sizes else asset
+        for asset in assets
+    ]
+
+
+class ConceptArtist:
+    """Retriever, then Generator: what every asset is made from.
+
+    Args:
+        run: Its settings name the user's folder of models.
+    """
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._retriever = Retriever(lambda: run.embedder)
+        self._generator = Generator(lambda: run.embedder)
+        self._models = model_files(run.settings.models)
+
+    def decided(self, asset: Asset) -> Asset:
+        """Return the asset with what it is made from, if that is not decided yet."""
+        if asset.canonical is not None:
+            return asset
+        if asset.asset_type == "character":
+            canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
+            return asset.model_copy(update={"canonical": canonical})
+        recipe = reflect(
+            "asset_retriever",
+            asset.asset_id,
+            AssetRequest(asset=asset, models=self._models),
+            self._retriever,
+            MatchCritic(),
+            threshold=self._run.settings.thresholds.get("asset_retriever", RETRIEVAL_THRESHOLD),
+            horizon=self._run.settings.horizons.get("asset_retriever", 1),
+            fallback=self._generator,
+            listener=self._run.tell,
+        ).draft
+        return asset.model_copy(update={"canonical": recipe.canonical()})
+
+
+def model_files(folder: Path | None) -> tuple[ModelFile, ...]:
+    """Return the user's models by name; deeper folders count as words of the name."""
+    if folder is None:
+        return ()
+    paths = sorted(path for path in folder.rglob("*") if path.suffix.lower() in MODEL_SUFFIXES)
+    names = [path.relative_to(folder) for path in paths]
+    return tuple(
+        ModelFile(path=name.as_posix(), name=name.with_suffix("").as_posix().replace("/", " ")) for name in names
+    )
 
 
 def _measured(asset: Asset, measure: AssetMeasure) -> Asset:
@@ -54,15 +105,3 @@ def _measured(asset: Asset, measure: AssetMeasure) -> Asset:
             )
         }
     )
-
-
-def decide(run, asset):
-    if asset.asset_type=="character":
-        return CanonicalAsset(source="person",key="person",dimensions=(.5,.4,1.7),digest="")
-    words=asset.asset_id.split("_")
-    best=max(PROPS.values(),key=lambda e: sum((w==e.key)*3+(w in e.key.split("_"))*2+(w in " ".join(e.tags).split()) for w in words[-1:])+.5*(words[-1] in e.key))
-    return CanonicalAsset(source="catalog",key=best.key,dimensions=best.size,digest="")
-
-
-def estimate(graph, asset):
-    return None
