@@ -20,23 +20,23 @@ class Settings(Frozen):
     look: Look = "board"
     crew: Literal["rules"] = "rules"
     """Policy of every role; language models plug in here."""
-    aspect: float = Field(16 / 9, ge=0.4, le=4)
-    width: int = Field(960, ge=160, le=7680)
+    aspect: float = Field(default=16 / 9, ge=0.4, le=4)
+    width: int = Field(default=960, ge=160, le=7680)
     """Pixels of a frame; the height follows the aspect ratio."""
-    fps: int = Field(24, ge=6, le=120)
-    sensor_width: float = Field(36.0, ge=4, le=70)
+    fps: int = Field(default=24, ge=6, le=120)
+    sensor_width: float = Field(default=36.0, ge=4, le=70)
     """mm."""
     lens_kit: tuple[float, ...] = ()
     """Lenses at hand, mm; empty allows any. A shot takes the nearest."""
-    seed: int = Field(0, ge=0)
-    shots_per_scene: int = Field(4, ge=1, le=60)
+    seed: int = Field(default=0, ge=0)
+    shots_per_scene: int = Field(default=4, ge=1, le=60)
     """About how many shots a scene may have; explicit camera directions are always kept."""
     animatic: bool = True
-    animatic_width: int = Field(640, ge=160, le=1920)
+    animatic_width: int = Field(default=640, ge=160, le=1920)
     on_twos: bool = True
     slate: bool = False
     """Burn the shot's name, lens and timecode into the frames."""
-    jobs: int = Field(0, ge=0, le=64)
+    jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Path | None = None
     """A folder of the user's own .glb and .blend files, searched before the built-in library."""

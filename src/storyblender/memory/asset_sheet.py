@@ -23,9 +23,9 @@ class CharacterLook(Frozen):
     """How a person looks, in the words of casting; the people builder fills every gap with a plausible default."""
 
     gender: Gender = "unknown"
-    age: float = Field(35.0, ge=0, le=110)
+    age: float = Field(default=35.0, ge=0, le=110)
     """Years."""
-    stature: float | None = Field(None, ge=0.4, le=2.4)
+    stature: float | None = Field(default=None, ge=0.4, le=2.4)
     """Metres; None lets age and gender decide."""
     build: Literal["slim", "average", "athletic", "stocky", "heavy"] = "average"
     skin: Literal["pale", "light", "tan", "brown", "dark"] = "light"

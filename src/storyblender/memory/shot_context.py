@@ -185,7 +185,7 @@ class ShotContext(Frozen):
     new_lighting_description: str | None = None
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
-    duration: int = Field(48, ge=1)
+    duration: int = Field(default=48, ge=1)
     """Frames at the project's rate."""
     flags: tuple[Flag, ...] = ()
     blocking: tuple[Blocking, ...] = ()
