@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
-UP_PRIOR = 1.0
-"""How much worse the file's own up may score before another is taken."""
-MIRROR_MARGIN = 0.12
+UP_PRIOR = 2.1
+"""How much worse the file's own up may score before another is taken: it must be about to fall over."""
+MIRROR_MARGIN = 0.08
 """How much better a side mirror must be than the front-back mirror before the model is turned."""
 BACK_RISE = 0.15
 """Share of its height by which one end must be higher than the other to tell back from front."""
+SAMPLES = 20_000
+"""Points that stand for the surface."""
 UNITS: tuple[tuple[str, float], ...] = (("metre", 1.0), ("centimetre", 0.01), ("millimetre", 0.001), ("inch", 0.0254))
 LIKELY = ((0.02, 32.0), (0.1, 8.0), (0.1, 8.0))
 """Metres: the largest extent that makes a metre, a centimetre, a millimetre file believable."""
@@ -124,11 +126,11 @@ def _up(vertices: Floats, triangles: Triangles) -> tuple[Floats, float]:
 
 def _front(vertices: Floats, triangles: Triangles) -> tuple[Floats, float]:
     """Return the yaw (as a matrix) that brings the front to -Y, and how clear the cues are."""
-    centers, areas = _centers(vertices, triangles)
-    lopsided = [_asymmetry(centers, areas, axis) for axis in (0, 1)]
+    points, areas = _samples(vertices, triangles)
+    lopsided = [_asymmetry(points, areas, axis) for axis in (0, 1)]
     sideways = lopsided[0] - lopsided[1] > MIRROR_MARGIN  # its left and right are along Y
     axis = 0 if sideways else 1
-    rise = _rise(np.r_[vertices, centers], axis)
+    rise = _rise(np.r_[vertices, points], axis)
     back = np.sign(rise) if abs(rise) > BACK_RISE else 1.0
     quarter = {(1, 1.0): 0, (1, -1.0): 2, (0, 1.0): 1, (0, -1.0): 3}[(axis, float(back))]
     angle = quarter * np.pi / 2
@@ -142,17 +144,31 @@ def _rise(points: Floats, axis: int, slices: int = 8) -> float:
     which = np.clip(((points[:, axis] - low[axis]) / extent[axis] * slices).astype(int), 0, slices - 1)
     top = np.zeros(slices)
     np.maximum.at(top, which, (points[:, 2] - low[2]) / extent[2])
+    top = np.where(top > 0, top, top.mean())
     return float(top[-3:].mean() - top[:3].mean())
 
 
-def _asymmetry(centers: Floats, areas: Floats, axis: int, cells: int = 12) -> float:
+def _samples(vertices: Floats, triangles: Triangles) -> tuple[Floats, Floats]:
+    """Return points spread over the surface by area (a low-discrepancy sequence), and the area each stands for."""
+    corners = vertices[triangles]
+    _, areas = _centers(vertices, triangles)
+    counts = np.ceil(SAMPLES * areas / areas.sum()).astype(int)
+    which = np.repeat(np.arange(len(triangles)), counts)
+    index = np.arange(len(which))
+    first, second = (index * 0.7548776662466927) % 1, (index * 0.5698402909980532) % 1
+    folded = first + second > 1
+    first, second = np.where(folded, 1 - first, first), np.where(folded, 1 - second, second)
+    weights = np.stack([1 - first - second, first, second], axis=1)
+    return np.einsum("sk,skd->sd", weights, corners[which]), (areas / counts)[which]
+
+
+def _asymmetry(points: Floats, areas: Floats, axis: int, cells: int = 9) -> float:
     """Return 0..1: how much of the surface finds no partner across the middle plane of an axis."""
-    low, extent = centers.min(axis=0), np.maximum(np.ptp(centers, axis=0), 1e-9)
-    grid = np.clip(((centers - low) / extent * cells).astype(int), 0, cells - 1)
+    low, extent = points.min(axis=0), np.maximum(np.ptp(points, axis=0), 1e-9)
+    grid = np.clip(((points - low) / extent * cells).astype(int), 0, cells - 1)
     count = np.zeros((cells, cells, cells))
     np.add.at(count, tuple(grid.T), areas)
-    mirrored = np.flip(count, axis=axis)
-    return float(np.abs(count - mirrored).sum() / (2 * count.sum()))
+    return float(np.abs(count - np.flip(count, axis=axis)).sum() / (2 * count.sum()))
 
 
 def _unit(largest: float) -> tuple[str, float]:

@@ -49,7 +49,7 @@ def box(size: ArrayLike, bevel: float = 0.0) -> tuple[Floats, list[Face]]:
     half = np.asarray(size, float) / 2
     signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     corners = signs * half
-    if bevel <= 0:
+    if bevel <= 1e-5:
         faces: list[Face] = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
         return corners, faces
     # Corner c has three vertices, one on each face it touches: 3 * c + axis of that face.

@@ -34,7 +34,9 @@ _RESHAPED_BY_TOY = frozenset(
 )
 
 
-_HEAPS: frozenset[str] = frozenset("pile heap stack bunch pair piece set row bundle handful wad sheaf".split())
+_HEAPS: frozenset[str] = frozenset(
+    ("pile", "heap", "stack", "bunch", "pair", "piece", "set", "row", "bundle", "handful", "wad", "sheaf")
+)
 """Words whose ``of`` names the thing: a pile of money, but a bottle of milk."""
 _MODIFIERS: frozenset[str] = PLAIN | COLORS.keys() | MATERIALS.keys()
 
@@ -99,7 +101,7 @@ class Retriever:
         return tuple(ranked[:count]) or (nothing,)
 
     def _files(self, phrase: str, models: tuple[ModelFile, ...]) -> list[_Match]:
-        terms = [_Term(model.path, tuple(words_of(model.name)), True) for model in models]
+        terms = [_Term(model.path, tuple(_kept(words_of(model.name))), True) for model in models]
         return _by_words(phrase, tuple(terms))
 
     def _by_meaning(self, phrase: str, description: str) -> list[_Match]:

@@ -59,7 +59,7 @@ def _read(path: Path) -> None:
             bpy.ops.wm.obj_import(filepath=str(path))
         else:
             bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
-    except (RuntimeError, OSError) as error:
+    except (RuntimeError, OSError, ValueError) as error:
         raise InputError("the model cannot be read", mend=str(error).strip().splitlines()[-1], path=path) from error
 
 

@@ -135,7 +135,8 @@ def telephone(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("television")
 def television(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a television: an old box on short legs, or a flat one; ``on`` lights it."""
-    (w, d, h), body = spec.size, spec.material("body")
+    (w, d, tall), body = spec.size, spec.material("body")
+    h = tall * 0.7  # its aerials stand over it
     glass: MaterialRef = "screen" if spec.flag("on") else spec.material("screen")
     if spec.flag("flat"):
         b.box("plastic_black", (0, 0, 0.012), (w * 0.4, d * 0.5, 0.024), bevel=0.006)
@@ -163,7 +164,7 @@ def television(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cylinder(
                 body, (x * (w * 0.46), y * d * 0.4, 0), (x * w * 0.4, y * d * 0.32, 0.12), 0.01, 0.018, segments=10
             )
-        b.cylinder("chrome", (0, d * 0.2, h), (x * 0.2, d * 0.25, h + 0.26), 0.003, segments=6)
+        b.cylinder("chrome", (0, d * 0.2, h), (x * 0.2, d * 0.25, tall), 0.003, segments=6)
     return ()
 
 

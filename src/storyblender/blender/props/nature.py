@@ -63,7 +63,8 @@ def tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
             [radii[4] * 0.6, radii[4] * 0.4, radii[4] * 0.2],
             segments=7,
         )
-        _blob(b, leaf, tip + np.array([0, 0, 0.02 * h]), w * float(rng.uniform(0.17, 0.23)), rng)
+        twig = np.add(tip, (0.0, 0.0, 0.02 * h))
+        _blob(b, leaf, twig, w * float(rng.uniform(0.17, 0.23)), rng)
     for k in range(5):
         turn = 1.3 + 1.26 * k
         place = np.array([w * 0.16 * math.cos(turn), w * 0.16 * math.sin(turn), crown + h * (0.06 + 0.03 * (k % 2))])
@@ -141,7 +142,7 @@ def palm_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bare tree of three generations of branches."""
     (w, _, h), bark, rng = spec.size, spec.material("bark"), spec.rng
-    points, radii = _trunk(h * 0.72, rng.uniform(-0.3, 0.3, 2), float(rng.uniform(0, 6)))
+    points, radii = _trunk(h * 0.8, rng.uniform(-0.3, 0.3, 2), float(rng.uniform(0, 6)))
     b.tube(bark, points, list(radii), segments=11)
 
     def branch(start: Floats, direction: Floats, length: float, thick: float, depth: int) -> None:
@@ -163,7 +164,7 @@ def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
         t, turn = 0.45 + 0.5 * k / 6, 2.4 * k
         start = np.array([float(np.interp(t, np.linspace(0, 1, 9), points[:, axis])) for axis in range(3)])
         direction = np.array([math.cos(turn), math.sin(turn), 0.65])
-        branch(start, direction / np.linalg.norm(direction), w * 0.36 * (1.15 - 0.5 * t), radii[4] * 0.55, 2)
+        branch(start, direction / np.linalg.norm(direction), w * 0.5 * (1.15 - 0.5 * t), radii[4] * 0.55, 2)
     return (lean((0, -radii[1], 1.2), 0.3),)
 
 
@@ -174,7 +175,7 @@ def bush(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(8):
         turn, reach = 2.4 * k, 0.25 * math.sqrt((k + 0.5) / 8)
         size = w * float(rng.uniform(0.21, 0.27))
-        place = np.array([w * reach * math.cos(turn), d * reach * math.sin(turn), h * float(rng.uniform(0.32, 0.62))])
+        place = np.array([w * reach * math.cos(turn), d * reach * math.sin(turn), h * float(rng.uniform(0.4, 0.7))])
         _blob(b, leaf, place, size, rng, 0.9)
     return ()
 
@@ -185,7 +186,7 @@ def tuft(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, _, h), leaf, rng = spec.size, spec.material("leaf"), spec.rng
     for _ in range(26):
         turn, root = float(rng.uniform(0, math.tau)), w * 0.2 * float(rng.random())
-        tall, out = h * float(rng.uniform(0.5, 1.0)), w * float(rng.uniform(0.1, 0.3))
+        tall, out = h * float(rng.uniform(0.5, 1.0)), w * float(rng.uniform(0.12, 0.42))
         with b.at((root * math.cos(turn), root * math.sin(turn), 0), (0, 0, math.degrees(turn))):
             blade = [
                 np.array([(x, -wd, z), (x, wd, z)])
@@ -249,7 +250,7 @@ def log(b: MeshBuilder, spec: PropSpec) -> Anchors:
     r = min(d, h) / 2 * 0.93
     with b.at((-w / 2, 0, r), (0, 90, 0)):
         _cut_trunk(b, bark, cut, w, r, spec.rng)
-    b.cylinder(bark, (w * 0.2, 0, r), (w * 0.26, -0.04, h + 0.12), 0.06, 0.05, segments=10)
+    b.cylinder(bark, (w * 0.2, 0, r), (w * 0.26, -0.04, h + 0.02), 0.06, 0.05, segments=10)
     return seats_in_row(spec.entry.seats, w * 0.8, -r * 0.55, 2 * r, d * 0.6)
 
 
@@ -376,7 +377,7 @@ def snowman(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.sphere(coal, (x * 0.07, -r * 0.46, head + 0.05), 0.025, segments=10, rings=6)
         b.tube(
             "bark",
-            [(x * r * 0.6, 0, h * 0.6), (x * r * 1.2, -0.1, h * 0.7), (x * r * 1.45, -0.12, h * 0.78)],
+            [(x * r * 0.6, 0, h * 0.6), (x * r * 0.9, -0.1, h * 0.7), (x * r * 1.1, -0.12, h * 0.8)],
             (0.018, 0.014, 0.008),
             segments=6,
         )

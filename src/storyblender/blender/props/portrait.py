@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import os
+import sys
 from pathlib import Path
 
 import bpy
@@ -65,3 +67,18 @@ def _shade(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> None:
     shading.show_cavity, shading.cavity_type = True, "BOTH"
     shading.show_object_outline = True
     shading.object_outline_color = (0.05, 0.05, 0.06)
+
+
+def main(arguments: list[str]) -> None:
+    """Write the portrait of a catalog prop: ``portrait KEY PICTURE.png``."""
+    from storyblender.blender.props.build import build_prop
+
+    key, path = arguments
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    render_portrait(bpy.data.objects.new(key, build_prop(key).mesh), Path(path).resolve())
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
+    sys.stdout.flush()
+    os._exit(0)  # bpy may hang at interpreter exit

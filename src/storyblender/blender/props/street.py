@@ -29,9 +29,9 @@ def lamppost(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ],
         segments=16,
     )
-    b.tube(metal, [(-0.3, 0, h - 0.8), (0.3, 0, h - 0.8)], 0.018)
+    b.tube(metal, [(-w * 0.46, 0, h - 0.8), (w * 0.46, 0, h - 0.8)], 0.018)
     for x in (-1, 1):
-        b.sphere(metal, (x * 0.3, 0, h - 0.8), 0.035, segments=12, rings=8)
+        b.sphere(metal, (x * w * 0.46, 0, h - 0.8), 0.035, segments=12, rings=8)
     low, high = h - 0.5, h - 0.12
     b.loft(spec.material("glow"), [_ring4(0.085, low), _ring4(w * 0.42, high)])
     for k in range(4):
@@ -150,7 +150,7 @@ def street_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for z, length in ((0.62, 0.7), (0.4, 0.5)):
         b.box(spec.material("text"), (0, -0.052, h - 0.08 - tall + tall * z), (w * length, 0.004, tall * 0.12))
     b.box(spec.material("text"), (0, -0.051, h - 0.08 - tall / 2), (w * 0.94, 0.002, 0.012))
-    b.lathe(post, [(d, 0), (d * 0.9, 0.03), (0.035, 0.06)], segments=16)
+    b.lathe(post, [(d / 2, 0), (d * 0.45, 0.03), (0.035, 0.06)], segments=16)
     return (lean((0, -0.03, 1.1), 0.1),)
 
 
@@ -201,7 +201,7 @@ def traffic_light(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a traffic light."""
     (w, _, h), body, post = spec.size, spec.material("body"), spec.material("post")
     b.lathe(post, [(0.14, 0), (0.13, 0.1), (0.055, 0.16), (0.05, h - 0.2)], segments=16)
-    b.rounded_box(body, (0, 0, h - 0.48), (w * 0.8, 0.24, 0.96), 0.05)
+    b.rounded_box(body, (0, 0, h - 0.48), (w * 0.9, 0.24, 0.96), 0.05)
     for k, kind in enumerate(("leaves", "brass", "neon_red")):
         z = h - 0.78 + 0.3 * k
         b.lathe(

@@ -37,7 +37,7 @@ MACHINES: tuple[PropEntry, ...] = (
         "fitting",
         "television",
         "tv, tv set, television set",
-        (0.72, 0.46, 0.62),
+        (0.72, 0.46, 0.88),
         {"body": "wood_dark", "screen": "screen_off", "knob": "brass"},
         "A television; flat or an old box.",
         params={"flat": False, "on": False},

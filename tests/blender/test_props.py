@@ -1,0 +1,146 @@
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.blender
+bpy = pytest.importorskip("bpy")
+
+from storyblender.blender.materials import material  # noqa: E402
+from storyblender.blender.measure.hashing import geometry_hash  # noqa: E402
+from storyblender.blender.measure.surfaces import find_tops  # noqa: E402
+from storyblender.blender.props.build import build_prop  # noqa: E402
+from storyblender.blender.props.imported import build_from_file  # noqa: E402
+from storyblender.blender.props.registry import builders  # noqa: E402
+from storyblender.blender.props.stand_in import build_stand_in  # noqa: E402
+from storyblender.catalog.props import PROPS  # noqa: E402
+from storyblender.catalog.stand_ins import STAND_INS  # noqa: E402
+from storyblender.errors import InputError  # noqa: E402
+from storyblender.memory.asset_sheet import AssetDimension  # noqa: E402
+
+
+@pytest.fixture(autouse=True)
+def empty_file():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+
+
+def points(mesh):
+    return np.array([vertex.co[:] for vertex in mesh.vertices])
+
+
+def test_every_entry_has_a_builder_and_every_builder_an_entry():
+    assert set(builders()) == set(PROPS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("key", PROPS)
+def test_a_prop_stands_on_the_origin_with_its_anchors_on_it(key):
+    build = build_prop(key, seed=3)
+    cloud = points(build.mesh)
+    low, high = cloud.min(axis=0), cloud.max(axis=0)
+    assert low[2] == pytest.approx(0, abs=1e-5)
+    assert (low + high)[:2] == pytest.approx((0, 0), abs=1e-4)
+    assert high - low == pytest.approx(build.dimensions, abs=1e-4)
+    usual = np.array(PROPS[key].size)
+    assert (np.abs(np.array(build.dimensions) - usual) < np.maximum(0.06, 0.25 * usual)).all()
+    assert len(build.mesh.polygons) < 9000
+    for anchor in build.anchors:
+        assert (np.array(anchor.location) > low - 0.08).all(), anchor
+        assert (np.array(anchor.location) < high + 0.08).all(), anchor
+    assert PROPS[key].holdable <= any(anchor.kind == "grip" for anchor in build.anchors)
+    assert (PROPS[key].seats == 0) or sum(anchor.kind == "seat" for anchor in build.anchors) >= PROPS[key].seats
+
+
+@pytest.mark.parametrize("key", ["bookshelf", "tree", "rock", "armchair"])
+def test_the_same_seed_builds_the_same_geometry(key):
+    assert geometry_hash(build_prop(key, seed=5).mesh) == geometry_hash(build_prop(key, seed=5).mesh)
+
+
+def test_another_seed_builds_another_tree():
+    assert geometry_hash(build_prop("tree", seed=1).mesh) != geometry_hash(build_prop("tree", seed=2).mesh)
+
+
+def test_one_dimension_scales_the_whole():
+    usual, tall = build_prop("chair"), build_prop("chair", dimension=AssetDimension(height=1.8))
+    assert tall.dimensions[2] == pytest.approx(1.8)
+    assert tall.dimensions[0] / usual.dimensions[0] == pytest.approx(1.8 / usual.dimensions[2], rel=1e-3)
+    assert tall.anchors[0].location[2] / usual.anchors[0].location[2] == pytest.approx(1.8 / usual.dimensions[2])
+
+
+def test_colour_and_material_reach_the_first_role():
+    build = build_prop("armchair", {"material": "leather", "color": "#9c2622"})
+    cover = build.mesh.materials[[block["key"] for block in build.mesh.materials].index("leather")]
+    assert cover.diffuse_color[0] > 3 * cover.diffuse_color[1]
+    assert cover.node_tree.nodes.active.image.packed_file is not None
+
+
+def test_a_material_is_made_once():
+    assert material("wood") is material("wood")
+    assert material("wood") is not material("wood", (0.1, 0.1, 0.1))
+
+
+def test_an_unknown_parameter_is_refused():
+    with pytest.raises(InputError, match="no parameter 'wheels'"):
+        build_prop("chair", {"wheels": 4.0})
+
+
+def test_the_desk_of_a_dressing_table_is_its_first_top_not_the_mirror():
+    tops = find_tops(build_prop("dressing_table").mesh)
+    assert tops[0].location[2] == pytest.approx(0.75, abs=0.03)
+    assert tops[0].clearance is None
+    assert min(tops[0].size) > 0.3
+    assert all(top.location[2] < 1.2 for top in tops)
+
+
+def test_shelves_are_tops_with_little_room():
+    shelf = build_prop("bookshelf", {"fill": 0.0}).mesh
+    inner = [top for top in find_tops(shelf) if top.clearance is not None]
+    assert len({round(top.location[2], 1) for top in inner}) >= 4
+    assert all(0.1 < top.clearance < 0.5 for top in inner)
+
+
+def test_a_bed_is_lain_on_under_its_headboard():
+    bed = build_prop("bed")
+    top = find_tops(bed.mesh)[0]
+    assert top.location[2] == pytest.approx(0.56, abs=0.03)
+    assert any(anchor.kind == "bed" for anchor in bed.anchors)
+
+
+@pytest.mark.parametrize("key", STAND_INS)
+def test_a_stand_in_carries_its_name(key):
+    build = build_stand_in("mystery", key)
+    assert "MT_plastic_black" in [block.name for block in build.mesh.materials]
+    assert build.dimensions == pytest.approx(STAND_INS[key].size, rel=0.2)
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".obj", ".blend"])
+def test_a_turned_model_in_centimetres_comes_back_canonical(tmp_path, suffix):
+    build = build_prop("armchair")
+    before = points(build.mesh)
+    obj = bpy.data.objects.new("chair", build.mesh)
+    bpy.context.scene.collection.objects.link(obj)
+    obj.rotation_euler[2], obj.scale = np.pi, (100, 100, 100)
+    obj.select_set(True)
+    bpy.context.view_layer.objects.active = obj
+    path = tmp_path / f"chair{suffix}"
+    if suffix == ".glb":
+        bpy.ops.export_scene.gltf(filepath=str(path))
+    elif suffix == ".obj":
+        bpy.ops.wm.obj_export(filepath=str(path))
+    else:
+        bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    found = build_from_file(path)
+    assert found.dimensions == pytest.approx(build.dimensions, rel=0.01)
+    after = points(found.mesh)
+    high = before[:, 2] > 0.7 * build.dimensions[2], after[:, 2] > 0.7 * build.dimensions[2]
+    assert after[high[1], 1].mean() == pytest.approx(before[high[0], 1].mean(), abs=0.05)
+    assert not [other for other in bpy.data.objects if other.type == "MESH"]
+
+
+def test_a_file_without_a_mesh_is_refused(tmp_path):
+    path = tmp_path / "empty.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with pytest.raises(InputError, match="no mesh"):
+        build_from_file(path)
+    with pytest.raises(InputError, match="no model"):
+        build_from_file(tmp_path / "notes.txt")

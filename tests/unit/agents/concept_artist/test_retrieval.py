@@ -1,0 +1,84 @@
+"""The Concept Artist against the built-in catalog. The retriever was tuned on these phrases: they guard."""
+
+import pytest
+
+from storyblender.agents.concept_artist.generator import Generator
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
+from storyblender.agents.concept_artist.retriever import Retriever
+from storyblender.library.embedder import load_embedder
+from storyblender.memory.asset_sheet import Asset
+from storyblender.reflection import reflect
+
+KNOWN = {
+    "old wooden chair": "chair", "dressing table": "dressing_table", "jewelry box": "jewel_box", "motorcar": "car",
+    "service revolver": "gun", "Sam's piano": "piano", "bloody knife": "knife", "kitchen table": "dining_table",
+    "birthday card": "envelope", "letters of transit": "passport", "police car": "car", "small brass key": "key",
+    "wedding ring": "ring", "loveseat": "sofa", "bottle of whisky": "bottle", "cup of coffee": "cup",
+    "photograph of his wife": "photograph", "pistol": "gun", "Bible": "book", "sunglasses": "glasses",
+    "desk lamp": "table_lamp", "pile of money": "money", "wicker basket": "basket", "hunting rifle": "rifle",
+    "park bench": "park_bench", "street lamp": "lamppost", "boulder": "rock", "stray dog": "dog",
+    "airplane": "airliner", "walking stick": "cane", "a bunch of roses": "flower", "suitcases": "suitcase",
+    "jet plane": "airliner",
+}  # fmt: skip
+UNKNOWN = ("spaceship", "dragon statue", "time machine", "robot dog", "unicorn", "toy car", "stethoscope", "treaty",
+           "rubber duck", "surfboard", "guillotine")  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def embedder():
+    return load_embedder()
+
+
+@pytest.fixture(scope="module")
+def retriever(embedder):
+    return Retriever(lambda: embedder)
+
+
+def request(name, models=()):
+    return AssetRequest(asset=Asset(asset_id="it", asset_type="object", description="", name=name), models=models)
+
+
+def test_known_things_are_found(retriever):
+    found = {name: retriever.propose(request(name)) for name in KNOWN}
+    wrong = {name: recipe.key for name, recipe in found.items() if recipe.key != KNOWN[name]}
+    assert len(wrong) <= 0.15 * len(KNOWN), wrong
+    under = [name for name, recipe in found.items() if recipe.score < RETRIEVAL_THRESHOLD]
+    assert not under
+
+
+def test_what_is_not_in_the_catalog_scores_under_the_threshold(retriever):
+    over = {
+        name: recipe for name in UNKNOWN if (recipe := retriever.propose(request(name))).score >= RETRIEVAL_THRESHOLD
+    }
+    assert not over
+
+
+def test_words_alone_need_no_model():
+    def fail():
+        raise AssertionError("the sentence model was loaded for a word that is in the catalog")
+
+    assert Retriever(fail).propose(request("red leather armchair")).params == {
+        "material": "leather",
+        "color": "#9c2622",
+    }
+
+
+def test_a_model_of_the_user_wins_over_the_catalog(retriever):
+    models = (ModelFile(path="furniture/my_chair.glb", name="my chair"), ModelFile(path="dragon.glb", name="dragon"))
+    assert retriever.propose(request("chair", models)).source == "file"
+    assert retriever.propose(request("dragon", models)).key == "dragon.glb"
+
+
+def test_the_generator_takes_over(embedder, retriever):
+    outcome = reflect(
+        "asset_retriever", "it", request("dragon statue"), retriever, MatchCritic(),
+        threshold=RETRIEVAL_THRESHOLD, horizon=1, fallback=Generator(lambda: embedder),
+    )  # fmt: skip
+    assert outcome.handed_over
+    assert (outcome.draft.source, outcome.draft.key) == ("stand_in", "monument")
+    assert outcome.draft.canonical().match_score < RETRIEVAL_THRESHOLD
+
+
+def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
+    recipe = Generator(lambda: embedder).propose(request("starship"))
+    assert recipe.key == "craft"

@@ -1,0 +1,68 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from storyblender.geometry import solids
+from storyblender.geometry.canonical import align, convex_hull, polygon_area, unit_for
+
+LENGTH = st.floats(0.05, 5)
+
+
+@given(st.tuples(LENGTH, LENGTH, LENGTH), st.floats(0, 0.25))
+def test_a_chamfered_box_is_closed_and_as_large_as_asked(size, share):
+    bevel = share * min(size)
+    vertices, faces = solids.box(size, bevel)
+    assert np.ptp(vertices, axis=0) == pytest.approx(size)
+    volume = solids.signed_volume(vertices, faces)
+    assert 0.5 * np.prod(size) < volume <= np.prod(size) * 1.0001
+    edges = [edge for face in faces for edge in zip(face, (*face[1:], face[0]), strict=True)]
+    assert sorted(edges) == sorted((b, a) for a, b in edges)
+
+
+def test_a_tube_keeps_its_thickness_in_a_bend():
+    rings = solids.tube_rings([(0, 0, 0), (1, 0, 0), (1, 1, 0)], 0.1, 16, closed=False)
+    start = rings[0]
+    assert np.linalg.norm(start - start.mean(axis=0), axis=1) == pytest.approx(0.1)
+    along_x = rings[1] - rings[0]
+    across = along_x - np.outer(along_x @ [1, 0, 0], [1, 0, 0])
+    assert np.abs(across).max() < 1e-9  # the first leg is a true prism up to its mitre
+
+
+def test_grain_runs_along_the_longer_side():
+    vertices, faces = solids.box((0.1, 0.1, 2.0))
+    layout = solids.box_uv(vertices, faces, grain=True).reshape(-1, 4, 2)
+    side = layout[np.ptp(layout, axis=1).max(axis=1) > 1]
+    assert (np.ptp(side[..., 0], axis=1) > 1.9).all()
+
+
+def test_hull_and_area():
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0.5, 0.5)], float)
+    assert polygon_area(convex_hull(square)) == pytest.approx(1)
+
+
+def chair():
+    """Four legs, a seat, a back at +Y."""
+    parts = [solids.box((0.04, 0.04, 0.45))] * 4 + [solids.box((0.45, 0.45, 0.04)), solids.box((0.45, 0.04, 0.5))]
+    places = [(x, y, 0.225) for x in (-0.2, 0.2) for y in (-0.2, 0.2)] + [(0, 0, 0.45), (0, 0.2, 0.7)]
+    vertices, triangles, count = [], [], 0
+    for (points, faces), place in zip(parts, places, strict=True):
+        vertices.append(points + np.array(place))
+        triangles += [(f[0] + count, f[i] + count, f[i + 1] + count) for f in faces for i in (1, 2)]
+        count += len(points)
+    return np.concatenate(vertices), np.array(triangles)
+
+
+@pytest.mark.parametrize("yaw", [0, 90, 180, 270])
+def test_the_back_of_a_chair_is_turned_to_the_back(yaw):
+    vertices, triangles = chair()
+    turn = solids.transform((0, 0, 0), (0, 0, yaw), 1)[:3, :3]
+    found = align(vertices @ turn.T * 100, triangles)
+    restored = vertices @ turn.T @ found.rotation.T
+    assert restored[-8:].mean(axis=0) == pytest.approx((0, 0.2, 0.7), abs=1e-6)
+    assert found.unit_name == "centimetre"
+
+
+def test_units():
+    assert unit_for(90.0, 0.9)[0] == "centimetre"
+    assert unit_for(35.4, 0.9)[0] == "inch"
