@@ -36,7 +36,8 @@ class Assembly:
     def asset_sheet(self) -> tuple[Asset, ...]:
         """Return everybody who is ever on stage, then every thing."""
         people = [self._person(person) for person in self.company.people]
-        return (*people, *(self._thing(thing) for thing in self.reading.things))
+        things = (thing for thing in self.reading.things if thing.id in self.company.assets)
+        return (*people, *(self._thing(thing) for thing in things))
 
     def _person(self, person: Person) -> Asset:
         character = person.id in self.company.actors

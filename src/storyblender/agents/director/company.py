@@ -7,6 +7,14 @@ from string import capwords
 
 from storyblender.agents.director.reading import Person, Reading, Thing
 
+FIXTURES = frozenset((
+    "door", "doors", "doorway", "window", "windows", "windowsill", "sill", "wall", "walls", "floor", "ceiling", "roof",
+    "stairs", "staircase", "steps", "stair", "landing", "hallway", "corridor", "entrance", "exit", "threshold", "lid",
+    "drawer", "handle", "doorknob", "knob", "lock", "keyhole", "corner", "balcony", "pavement", "sidewalk", "kerb",
+    "curb", "runway", "tarmac",
+))  # fmt: skip
+"""Head nouns of what the set kit builds, or what belongs to another thing."""
+
 
 class Company:
     """Everybody who is ever on stage, and every thing.
@@ -18,6 +26,7 @@ class Company:
         people: Those of ``reading.people`` who are ever on stage.
         actors: Ids of those of them who are cast.
         assets: All ids on the asset sheet.
+        fixtures: Things that are a part of the set or of another thing: people go to them, nobody builds them.
         names: Id -> name for people to read, also of those who only speak from outside.
     """
 
@@ -25,7 +34,9 @@ class Company:
         staged = {person for unit in reading.units for person in unit.on_stage}
         self.people = [person for person in reading.people if person.id in staged]
         self.actors = {person.id for person in self.people if is_character(person)}
-        self.assets = {person.id for person in self.people} | {thing.id for thing in reading.things}
+        self.fixtures = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] in FIXTURES}
+        things = {thing.id for thing in reading.things} - self.fixtures
+        self.assets = {person.id for person in self.people} | things
         self.names = {each.id: _shown_name(each) for each in (*reading.people, *reading.things)}
 
 

@@ -132,7 +132,7 @@ class ShotDetails:
                     hand = f"in the hand of {self.company.names.get(deed.actor, deed.actor)}"
                     found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
             for change in unit.changes:
-                if change.subject in self.company.assets:
+                if change.subject in self.company.assets | self.company.fixtures:
                     found.append(
                         AssetModification(
                             asset_id=change.subject,
@@ -180,7 +180,7 @@ class ShotDetails:
                     asset_id=deed.actor,
                     action_description=deed_words(deed, unit, self.text),
                     motion="idle" if self.staging.already(deed, unit) else deed.motion,
-                    target_id=deed.target if deed.target in self.company.assets else None,
+                    target_id=deed.target if deed.target in self.company.assets | self.company.fixtures else None,
                     prop_id=deed.prop if deed.prop in self.company.assets else None,
                     distance=deed.distance,
                     mood=deed.mood if deed.mood != "neutral" else mood_of(face),

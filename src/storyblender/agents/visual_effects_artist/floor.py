@@ -117,6 +117,7 @@ class Floor:
         size = layout.scene_size
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self.marks = plan.marks
+        self.openings = [opening for wall in plan.walls for opening in _openings(wall)]
         self.set_boxes = [box for wall in plan.walls for box in _solid_wall(wall)]
         for piece in plan.pieces:
             if piece.solid and piece.footprint is not None:
@@ -124,10 +125,12 @@ class Floor:
                 self.set_boxes.append(Footprint(piece.location[:2], piece.footprint, yaw, name=piece.node_id))
 
     def thing(self, name: str | None) -> Thing | None:
-        """Return a placed object by node id, or the first of an asset."""
+        """Return a placed object by node id, or the first of an asset; a door or window of the set by its kind."""
         if not name:
             return None
-        return self.things.get(name) or next((t for t in self.things.values() if t.asset_id == name), None)
+        placed = self.things.get(name) or next((t for t in self.things.values() if t.asset_id == name), None)
+        kind = _OPENING_WORDS.get(name.rsplit("_", 1)[-1])
+        return placed or next((opening for opening in self.openings if opening.asset_id == kind), None)
 
     def obstacles(self, skip: Iterable[str] = ()) -> list[Footprint]:
         """Return everything solid but the things in ``skip`` (node ids or asset ids)."""
@@ -248,6 +251,31 @@ class Floor:
 def facing(start: Vec2, goal: Vec2) -> float:
     """Return the yaw, radians, that faces from one point to another."""
     return math.atan2(goal[0] - start[0], start[1] - goal[1])
+
+
+_OPENING_WORDS = {
+    **dict.fromkeys(("door", "doors", "doorway", "entrance", "exit", "threshold"), "door"),
+    **dict.fromkeys(("window", "windows", "windowsill", "sill"), "window"),
+}
+
+
+def _openings(wall: Wall) -> list[Thing]:
+    """The doors and windows of a wall as things one can go to; their front looks into the room."""
+    (x0, y0), (x1, y1) = wall.start, wall.end
+    length = math.hypot(x1 - x0, y1 - y0)
+    ux, uy = (x1 - x0) / length, (y1 - y0) / length
+    yaw = math.atan2(-uy, -ux)
+    return [
+        Thing(
+            opening.name,
+            opening.kind,
+            (x0 + ux * (opening.x + opening.width / 2), y0 + uy * (opening.x + opening.width / 2), opening.sill),
+            yaw,
+            (opening.width, wall.thickness, opening.height),
+            (),
+        )
+        for opening in wall.openings
+    ]
 
 
 def _solid_wall(wall: Wall) -> list[Footprint]:
