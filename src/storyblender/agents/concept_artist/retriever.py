@@ -30,7 +30,19 @@ _RESHAPING: frozenset[str] = frozenset(
 ) | frozenset(entry.name for entry in PROPS.values() if entry.category in ("animal", "vehicle"))
 """Words before a head that make another thing of it: a dragon statue, a robot dog, a toy car."""
 _RESHAPED_BY_TOY = frozenset(
-    ("toy", "model", "rubber", "plush", "inflatable", "chocolate", "ice", "paper", "miniature")
+    (
+        "toy",
+        "model",
+        "rubber",
+        "plush",
+        "inflatable",
+        "chocolate",
+        "ice",
+        "paper",
+        "miniature",
+        "rocking",
+        "surveillance",
+    )
 )
 
 
