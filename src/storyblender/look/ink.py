@@ -21,6 +21,8 @@ _MARGIN = 6
 _ROWS = 540
 _DARK_INK = np.array([0.03, 0.025, 0.03], np.float32)
 _LIGHT_INK = np.array([0.27, 0.30, 0.34], np.float32)
+_LIGHT_STRENGTH = 0.3
+"""How much of a line stays where it turns light: it parts a figure from the dark, it does not draw it in chalk."""
 _OUTLINE_JUMP = 0.025
 """Depth jump, as a share of the nearer depth, that makes an outline; below it two things touch."""
 _FOLIAGE_JUMP = 0.25
@@ -116,7 +118,7 @@ def apply_ink(display: Image, ink: Image, people: Image, strength: float) -> Ima
     ground = blur(luminance(display), max(1, round(4 * display.shape[0] / _ROWS)))
     night = np.clip((0.13 - ground) / 0.08, 0, 1) * people
     color = _DARK_INK * (1 - night[..., None]) + _LIGHT_INK * night[..., None]
-    cover = (strength * ink * (1 - 0.45 * night))[..., None]
+    cover = (strength * ink * (1 - (1 - _LIGHT_STRENGTH) * night))[..., None]
     return display * (1 - cover) + color * cover
 
 

@@ -172,7 +172,7 @@ def test_day_has_a_sun_and_night_has_lamps() -> None:
     assert {light.role for light in day.lights} == {"sun"}
     assert sum(light.role == "practical" for light in night.lights) > 3
     assert day.sky.horizon > night.sky.horizon
-    assert day.set_luminance > 3 * night.set_luminance
+    assert day.set_luminance > 2 * night.set_luminance
 
 
 def test_rain_and_fog_are_in_the_air() -> None:
@@ -200,6 +200,21 @@ def test_words_that_change_no_light_change_nothing() -> None:
 def test_the_sun_goes_down_over_a_scene() -> None:
     view, arranger = lighting_of("beach", "day"), RulesLightingArranger()
     assert arranger.change(arranger.propose(view), "The sun sets.", view) != arranger.propose(view)
+
+
+@pytest.mark.parametrize(
+    ("kit", "words"),
+    [("cafe", "warm lamps, deep shadows, dark windows"), ("street", "moonlight and a few warm lamps in the dark")],
+)
+def test_a_night_with_its_lamps_lit_can_be_read(kit: str, words: str) -> None:
+    plain, described = (RulesLightingArranger().propose(lighting_of(kit, "night", words=text)) for text in ("", words))
+    assert described.set_luminance == plain.set_luminance >= 0.06
+
+
+def test_fog_glows_at_night() -> None:
+    fog, clear = (RulesLightingArranger().propose(lighting_of("airfield", "night", air)) for air in ("fog", "clear"))
+    assert fog.fog and fog.fog.color[2] > fog.fog.color[0] > 0.07
+    assert fog.ambient[2] > 3 * clear.ambient[2]
 
 
 def test_a_dim_room_is_darker() -> None:

@@ -14,11 +14,32 @@ from storyblender.agents.visual_effects_artist.lighting_view import (
     mean_color,
     strongest,
 )
-from storyblender.catalog.light_recipes import GROUNDS, HOURS, WEATHERS, Hour, mix, open_sky_light, sky_of, sun_position
+from storyblender.catalog.light_recipes import (
+    GROUNDS,
+    HOURS,
+    WEATHERS,
+    Air,
+    Hour,
+    mix,
+    open_sky_light,
+    sky_of,
+    sun_position,
+)
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.look.raster import luminance
 from storyblender.memory.base import Color, Vec3
 from storyblender.memory.scene_context import Fog, Light, Lighting
+
+_THICK = 0.01
+"""Density per metre from which air counts as fog."""
+_SOUP = 0.03
+"""Density from which it hides a plane at forty metres."""
+_LIT_FOG = 1.15
+"""Fog spreads the light of lamps over the whole place."""
+_AIRLIGHT = 0.7
+"""Share of the fog's own brightness that falls on what stands in it."""
+_FOG_BLUE: Color = (0.72, 0.88, 1.0)
+"""Lit fog at night: grey with a little of the sky's blue."""
 
 
 def exterior(view: LightingView) -> Lighting:
@@ -40,16 +61,20 @@ def exterior(view: LightingView) -> Lighting:
         size=1.0 + 12 * air.gray,
     )
     gloom = hour.lamps if air.level > 0.7 else max(hour.lamps, 0.5)
-    level = hour.outside * air.level
+    level = hour.outside * _openness(hour, air)
     open_sky = open_sky_light(sky)
     gray = sum(open_sky) / 3
     bounce = scaled(ground, gray + hour.sun * air.sun * 0.15)
     ambient = mix(mix(open_sky, (gray, gray, gray), 0.35), bounce, 0.3)
+    fog = _air(view, hour, sky.horizon, where)
+    ambient = scaled(ambient, 0.75)
+    if gloom and air.fog > _THICK:  # thick air that glows with lamps lights what stands in it from all sides
+        ambient = _brighter(ambient, scaled(fog.color, _AIRLIGHT))
     plan = Lighting(
         lights=strongest((sun, *burning_lamps(view, gloom)), MOST_LIGHTS),
         sky=sky,
-        ambient=scaled(ambient, 0.75),
-        fog=_air(view, hour, sky.horizon, where),
+        ambient=ambient,
+        fog=fog,
         rain=air.rain,
         face_luminance=round(max(0.15, hour.face * (0.6 + 0.4 * air.level)), 4),
         set_luminance=round(level, 4),
@@ -59,6 +84,11 @@ def exterior(view: LightingView) -> Lighting:
         key_fill_ratio=hour.ratio - 0.5 * air.gray,
     )
     return metered(plan, view.plan, all_lights=False)
+
+
+def _brighter(a: Color, b: Color) -> Color:
+    """Return whichever colour is the brighter one."""
+    return a if sum(a) >= sum(b) else b
 
 
 def _outdoor_key(view: LightingView, hour: Hour) -> Color:
@@ -96,7 +126,7 @@ def _air(view: LightingView, hour: Hour, horizon: Color, sun: Vec3) -> Fog:
     strength = (0.55 if hour.elevation < 10 else 0.22) * hour.sun * air.sun / 3
     length = math.hypot(*sun) or 1.0
     return Fog(
-        color=_night_air(view, hour, horizon, air.level) if hour.lamps > 0.95 else scaled(horizon, 0.85),
+        color=_night_air(view, hour, horizon, air) if hour.lamps > 0.95 else scaled(horizon, 0.85),
         density=density,
         start=start,
         height=height,
@@ -105,10 +135,18 @@ def _air(view: LightingView, hour: Hour, horizon: Color, sun: Vec3) -> Fog:
     )
 
 
-def _night_air(view: LightingView, hour: Hour, horizon: Color, level: float) -> Color:
+def _night_air(view: LightingView, hour: Hour, horizon: Color, air: Air) -> Color:
     """Return the colour of night air: the sky's, lifted by the town's lamps that shine into it."""
     burning = burning_lamps(view, 1.0)
-    thick = view.setup.weather in ("fog", "rain", "storm", "snow")
     tint = mix(horizon, mean_color(burning), 0.12) if burning else horizon
-    wanted = hour.outside * level * ((2.4 if thick else 0.8) if burning else 0.6)
+    if air.fog > _THICK:
+        tint = mix(scaled(tint, 1 / max(tint)), _FOG_BLUE, 0.6)
+    glow = 1.5 if air.fog > _SOUP else 0.9 if air.fog > _THICK else 0.5
+    wanted = hour.outside * _openness(hour, air) * glow * (1.0 if burning else 0.75)
     return scaled(tint, wanted / max(float(luminance(np.asarray(tint, np.float32))), 1e-4))
+
+
+def _openness(hour: Hour, air: Air) -> float:
+    """Return the share of the hour's light under a weather: clouds take the sky's, not the lamps'; lit fog adds."""
+    night = air.level + (1.0 - air.level) * hour.lamps
+    return night * (_LIT_FOG if hour.lamps > 0.95 and air.fog > _SOUP else 1.0)

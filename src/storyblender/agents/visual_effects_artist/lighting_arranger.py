@@ -37,7 +37,11 @@ _HOUR_WORDS: tuple[tuple[str, TimeOfDay], ...] = (
 )
 
 _MOODS: tuple[tuple[str, dict[str, object]], ...] = (
-    (r"\b(dim|dimly|gloomy|low key|low-key|shadowy|murky|dark)\b", {"set": 0.55, "ratio": 1.5}),
+    # Windows are dark and lamps burn "in the dark" on every night; only a dark place or dark light asks for less.
+    (
+        r"\b(dim|dimly|gloomy|low key|low-key|shadowy|murky|(?<!in the )dark(?! (blue|windows?|sk(y|ies)|panes?)))\b",
+        {"set": 0.7, "ratio": 1.3},
+    ),
     (r"\b(bright|brightly|high key|high-key|well lit|well-lit|sunny|radiant)\b", {"set": 1.3, "ratio": 0.75}),
     (r"\b(harsh|hard light|stark)\b", {"ratio": 1.8}),
     (r"\b(soft|gentle|diffuse)\b", {"ratio": 0.75}),
