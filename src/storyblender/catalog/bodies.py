@@ -57,8 +57,8 @@ ANCESTRY: dict[str, tuple[tuple[float, float, float], ...]] = {
 """Plausible mixes of the morphs african, asian, caucasian for each skin tone; the seed picks one."""
 
 HAIR_TONES: dict[str, tuple[Color, ...]] = {
-    "pale": (hex_color("#8a4a22"), hex_color("#b58a4e"), hex_color("#4a2a17"), hex_color("#2b1a10")),
-    "light": (hex_color("#3a2214"), hex_color("#5c3a20"), hex_color("#a57c45"), hex_color("#24160d")),
+    "pale": (hex_color("#8a4a22"), hex_color("#a98a5e"), hex_color("#4a2a17"), hex_color("#2b1a10")),
+    "light": (hex_color("#3a2214"), hex_color("#5c3a20"), hex_color("#94774f"), hex_color("#24160d")),
     "tan": (hex_color("#1c120c"), hex_color("#2b1a10"), hex_color("#120d0b")),
     "brown": (hex_color("#120d0b"), hex_color("#1c120c")),
     "dark": (hex_color("#0d0a09"), hex_color("#120d0b")),

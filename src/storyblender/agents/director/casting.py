@@ -27,44 +27,60 @@ _GARMENTS: Final = {
     "uniform trousers:same cap:same boots:black": "uniform",
     "coat": "overcoat|trench ?coat|raincoat|greatcoat|lab coat|frock coat|oilskins?|parka|cloak|cape|robes?|poncho"
     "|anorak|dressing gown|bathrobe|coat",
-    "cardigan": "cardigan|shawl",
+    "cardigan": "cardigan",
+    "scarf": "scarf|scarves|shawl|muffler|neckerchief|bandana",
     "jacket": "blazer|windbreaker|bomber|tweeds|sports coat|jacket",
-    "tee": "t-shirts?|tee|tank top|tank|jersey|hoodie|sweatshirt|sweater|jumper|pullover|turtleneck|polo",
+    "sweater": "hoodie|sweatshirt|sweater|jumper|pullover|turtleneck|polo ?neck",
+    "tee": "t-shirts?|tee|tank top|tank|jersey|polo",
     "blouse": "blouse",
     "shirt": "dress shirt|shirt sleeves|shirtsleeves|work shirt|shirt",
     "shirt trousers:same": "pyjamas|pajamas|scrubs|overalls|coveralls|boiler suit|jumpsuit|dungarees|tracksuit",
     "tunic": "tunic|kaftan|caftan|armou?r|chain ?mail|kurta|toga|habit|cassock|jerkin",
-    "dress": "evening gown|ball gown|nightgown|nightdress|sundress|gown|frock|sari|kimono|dress",
+    "gown": "(?:evening|ball|wedding|long|floor-length) (?:gown|dress(?:es)?)|nightgown|gown|sari|kimono",
+    "dress": "nightdress(?:es)?|sundress(?:es)?|frock|dress(?:es)?",
+    "long_skirt": "(?:long|maxi|ankle-length|floor-length) skirt",
     "skirt": "skirt|kilt",
     "trousers:denim": "jeans|denims",
-    "trousers": "trousers|slacks|pants|breeches|leggings|corduroys|chinos",
+    "breeches": "(?:riding )?breeches|jodhpurs",
+    "trousers": "trousers|slacks|pants|leggings|corduroys|chinos",
     "shorts": "shorts|swimming trunks",
     "tie": "necktie|tie",
     "bow_tie": "bow tie|bow-tie|bowtie",
     "belt": "belt|sash",
     "vest": "waistcoat|vest",
     "apron": "apron|pinafore",
-    "hat": "fedora|top hat|bowler|straw hat|sun hat|stetson|trilby|bonnet|turban|crown|hat",
-    "cap": "baseball cap|flat cap|peaked cap|beret|beanie|helmet|hood|kepi|headscarf|headphones|cap",
+    "straw_hat": "straw hat|sun hat|panama(?: hat)?|boater|bonnet",
+    "hat": "fedora|top hat|bowler|stetson|trilby|homburg|turban|crown|hat",
+    "flat_cap": "flat cap|newsboy cap|cloth cap|beret",
+    "beanie": "beanie|watch cap|(?:woolly|wool|knitted) (?:hat|cap)|headscarf",
+    "cap": "baseball cap|peaked cap|helmet|hood|kepi|headphones|cap",
     "boots": "wellingtons|riding boots|boots",
-    "shoes": "sneakers|trainers|sandals|slippers|loafers|heels|pumps|clogs|shoes",
+    "heels": "(?:high )?heels|stilettos|court shoes|pumps",
+    "shoes": "sneakers|trainers|sandals|slippers|loafers|clogs|shoes",
     "socks": "stockings|tights|socks",
 }  # fmt: skip
 """Garments (``key:colour``, ``same`` for the colour named) and the words for them."""
 _LAYERS: Final = (
-    "socks", "tee", "shirt", "blouse", "tunic", "dress", "skirt", "shorts", "trousers", "belt", "tie", "bow_tie",
-    "vest", "cardigan", "jacket", "dinner_jacket", "uniform", "coat", "apron", "shoes", "boots", "hat", "cap",
+    "socks", "tee", "shirt", "blouse", "sweater", "tunic", "gown", "dress", "long_skirt", "skirt", "shorts", "breeches",
+    "trousers", "belt", "tie", "bow_tie", "vest", "cardigan", "jacket", "dinner_jacket", "uniform", "coat", "apron",
+    "scarf", "heels", "shoes", "boots", "straw_hat", "hat", "flat_cap", "beanie", "cap",
 )  # fmt: skip
+_FEET: Final = {"heels", "shoes", "boots", "socks"}
 _HAIR: Final = {
-    "bald": "bald|balding|shaved head|shaven|hairless",
-    "crop": "crop|cropped|crew cut|crew-cut|buzz ?cut|close-cut|shorn|cropped",
+    "shaved": "shaved head|shaven|hairless|clean-shaven head|completely bald",
+    "receding": "receding|thinning|high forehead|balding",
+    "bald": "bald",
+    "crop": "crop|cropped|crew cut|crew-cut|buzz ?cut|close-cut|shorn",
     "ponytail": "ponytail|pony-tail|pigtails?|braids?|braided|plaits?|dreadlocks",
     "bun": "bun|chignon|updo|pinned up|pinned-up|knot|tied back",
-    "bob": "bob|bobbed|chin-length|shoulder-length",
-    "curly": "curly|curls|curled|afro|frizzy|ringlets|wavy|waves",
+    "bob": "bob|bobbed|chin-length|flapper",
+    "afro": "afro",
+    "curly": "curly|curls|frizzy|ringlets",
+    "wavy": "wavy|waves|shoulder-length",
+    "slick": "slick|slicked|slicked-back|pomaded|combed back|greased",
     "messy": "messy|tousled|untidy|unkempt|wild|tangled|dishevell?ed|ruffled|windblown|shaggy",
     "long": "long|flowing|waist-length",
-    "short": "short|neat|slicked|combed|side-parted|trim",
+    "short": "short|neat|combed|side-parted|trim",
 }
 _BUILD: Final[dict[Build, str]] = {
     "heavy": "heavy|heavyset|heavy-set|fat|plump|stout|large|overweight|obese|portly|rotund|round|big-bellied",
@@ -146,7 +162,7 @@ def cast(person: Person, introduced: str = "") -> CharacterLook:
         hair=_hair(person, hair, age, seed),
         hair_color=hair_color(_without_beard(hair)),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
-        garments=garments(", ".join(person.outfit) or introduced),
+        garments=_shod(garments(", ".join(person.outfit) or introduced), person.gender, age),
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
     )
 
@@ -184,6 +200,14 @@ def garments(words: str) -> tuple[Garment, ...]:
         for key, _, own in (other.partition(":") for other in others):
             implied[key] = Garment(key=key, color=color if own == "same" else cloth_color(own))
     return tuple(sorted((implied | chosen).values(), key=lambda garment: _LAYERS.index(garment.key)))
+
+
+def _shod(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, ...]:
+    """Return what is worn, with heels for a woman in a dress whose feet the script does not name."""
+    keys = {garment.key for garment in worn}
+    if gender != "female" or not 16 <= age < 65 or not keys & {"gown", "dress"} or keys & _FEET:
+        return worn
+    return (*worn, Garment(key="heels"))
 
 
 def _named_garments(words: str) -> list[tuple[str, Color | None]]:

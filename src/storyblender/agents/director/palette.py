@@ -20,7 +20,8 @@ _CLOTH: Final = {
     "denim": "#3b516e", "leather": "#3a2a20", "tweed": "#6b5f4c", "linen": "#cdc3ad",
 }  # fmt: skip
 _HAIR: Final = {
-    "blond": "#b8935a", "blonde": "#b8935a", "fair": "#b8935a", "golden": "#b68b48", "sandy": "#94744a",
+    "blond": "#a98c62", "blonde": "#a98c62", "fair": "#b09a74", "golden": "#a58350", "sandy": "#8a7252",
+    "honey": "#94744c", "platinum": "#c4b596",
     "brown": "#3f2a1c", "brunette": "#33221a", "chestnut": "#4f2f1d", "auburn": "#5a2a1a", "red": "#7c3018",
     "ginger": "#93431f", "copper": "#86401f", "black": "#120f0e", "dark": "#1f1814", "raven": "#0e0d0f",
     "grey": "#8b8b8c", "gray": "#8b8b8c", "silver": "#a8aaad", "white": "#d6d5d1", "snow": "#d6d5d1",

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from storyblender.look.illumination import LightField, ambient_light, direction_of, light_field, total
 from storyblender.look.raster import LUMA, luminance
 from storyblender.memory.base import Color, Vec3
-from storyblender.memory.scene_context import Light, Lighting, Sky
+from storyblender.memory.scene_context import Fog, Light, Lighting, Sky
 
 _STATIONS: tuple[Vec3, ...] = ((0, 0, 1.5), (1.3, 1.0, 1.5), (-1.3, 1.0, 1.5), (1.3, -1.0, 1.5), (-1.3, -1.0, 1.5))
 """Where the meter stands: round the middle of the playing area, at eye level."""
@@ -32,6 +32,8 @@ _GAIN = (0.1, 8.0)
 _FITTING = 0.35
 _MILKY = 2.0
 """Fog is never brighter than this many times the level of the set: a brighter veil looks like milk, not like air."""
+_SOOTY, _DENSE = 1.4, 0.03
+"""Fog this dense, per metre, is never darker than this many times the level of the set: it is lit air, not smoke."""
 _FEWEST_HITS = 20
 
 
@@ -89,7 +91,7 @@ def scaled(lighting: Lighting, gain: float) -> Lighting:
         return (color[0] * by, color[1] * by, color[2] * by)
 
     sky, fog = lighting.sky, lighting.fog
-    veil = min(gain, _MILKY * lighting.set_luminance / max(float(LUMA @ np.asarray(fog.color)), 1e-6)) if fog else gain
+    veil = _veil(fog, lighting.set_luminance, gain) if fog else gain
     return lighting.model_copy(
         update={
             "lights": tuple(light.model_copy(update={"power": light.power * gain}) for light in lighting.lights),
@@ -99,6 +101,12 @@ def scaled(lighting: Lighting, gain: float) -> Lighting:
             and fog.model_copy(update={"color": times(fog.color, veil), "sun_color": times(fog.sun_color, veil)}),
         }
     )
+
+
+def _veil(fog: Fog, level: float, gain: float) -> float:
+    """Return the factor on the fog's colour: the set's gain, held between soot and milk."""
+    unit = level / max(float(LUMA @ np.asarray(fog.color)), 1e-6)
+    return min(max(gain, _SOOTY * unit if fog.density > _DENSE else 0.0), _MILKY * unit)
 
 
 def _surroundings(scene: bpy.types.Scene) -> Iterator[tuple[Vector, Vector]]:

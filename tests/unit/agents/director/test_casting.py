@@ -29,7 +29,12 @@ def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
         ("grey suit and a red tie", "shirt trousers tie jacket"),
         ("navy uniform", "trousers uniform boots cap"),
         ("trench coat over a black dress", "dress coat"),
-        ("red hoodie", "tee"),
+        ("red hoodie", "sweater"),
+        ("two men in grey uniforms", "trousers uniform boots cap"),
+        ("a white evening gown", "gown"),
+        ("a green dress and high heels", "dress heels"),
+        ("a blouse, a long skirt and a straw hat", "blouse long_skirt straw_hat"),
+        ("a flat cap and a scarf over a jumper", "sweater scarf flat_cap"),
         ("jeans, white t-shirt, sneakers", "tee trousers shoes"),
         ("yellow oilskins and boots", "coat boots"),
         ("waistcoat", "vest"),
@@ -65,6 +70,30 @@ def test_looks() -> None:
     assert (look.build, look.hair, look.facial_hair, look.glasses) == ("stocky", "long", "beard", True)
     assert look.stature and look.stature > 1.85
     assert look.hair_color and max(look.hair_color) - min(look.hair_color) < 0.05
+
+
+@pytest.mark.parametrize(
+    ("words", "style"),
+    [("slicked black hair", "slick"), ("wavy brown hair", "wavy"), ("an afro", "afro"),
+     ("receding grey hair", "receding"),
+     ("a shaved head", "shaved"), ("a blonde bob", "bob"), ("curly hair", "curly")],
+)  # fmt: skip
+def test_hair(words: str, style: str) -> None:
+    assert cast(Person("x", "X", gender="male", hair=(words,))).hair == style
+
+
+def test_a_woman_in_a_dress_wears_heels_unless_it_is_said() -> None:
+    def keys(gender: str, words: str) -> set[str]:
+        look = cast(Person("x", "X", gender=gender, age="30", outfit=(words,)))  # type: ignore[arg-type]
+        return {garment.key for garment in look.garments}
+
+    assert "heels" in keys("female", "red dress")
+    assert "heels" not in keys("female", "red dress, sandals") | keys("male", "kimono") | keys("female", "grey suit")
+
+
+def test_blonde_hair_is_not_yellow() -> None:
+    color = cast(Person("x", "X", hair=("blonde hair",))).hair_color
+    assert color and color[0] / color[2] < 3.5
 
 
 def test_skin_only_where_it_is_said() -> None:
