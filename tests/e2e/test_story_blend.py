@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-pytestmark = [pytest.mark.blender, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.blender, pytest.mark.timeout(900), pytest.mark.xdist_group("project")]
 
 READ = """
 import bpy, json, os, sys
