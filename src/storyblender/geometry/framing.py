@@ -63,6 +63,8 @@ ELEVATION_BAND: dict[str, tuple[float, float]] = {
 FILL: dict[str, float] = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}
 """How much of the picture's height or width a thing fills; wider sizes take ``FILL_WIDE``."""
 FILL_WIDE = 0.2
+FACE_ANGLE: dict[str, float] = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "two_shot": 112.0, "group": 125.0}
+"""Degrees a focus face may be turned from the camera, by kind of shot."""
 DUTCH_ROLL = 12.0
 """Degrees."""
 THIRD = 1 / 6
@@ -93,6 +95,18 @@ class Figure:
     def yaw(self) -> float:
         """Degrees the face is turned to; 0 is -Y."""
         return math.degrees(math.atan2(self.forward[0], -self.forward[1]))
+
+    @property
+    def crown(self) -> tuple[float, float, float]:
+        """Top of the head, world metres."""
+        x, y, z = self.face
+        return x, y, z + _CROWN * self.head
+
+    def turned_from(self, eye: ArrayLike) -> float:
+        """Return the degrees between where the face looks and the way to a point; 0 is full face."""
+        way = np.asarray(eye, float) - np.asarray(self.face)
+        cosine = float(np.dot(self.forward, way) / max(float(np.linalg.norm(way)), 1e-9))
+        return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
 
 
 def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:

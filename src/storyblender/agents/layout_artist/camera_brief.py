@@ -8,13 +8,18 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan
-from storyblender.geometry.boxes import Box, corners
+from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.moves import eased, in_between
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState
 from storyblender.memory.vocabulary import LENS_OF_SIZE, SHOT_SIZES, ShotSize
 
+TIGHT = ("MCU", "CU", "ECU")
+"""Sizes that hold one face."""
+_ONE_PERSON = ("single", "reaction", "ots")
+_NEARBY = 1.3
+"""Metres from somebody within which a thing belongs to them: their table, their chair."""
 TRAVEL = 0.6
 """Metres from which a move of the subject is a walk that the camera has to follow or hold."""
 
@@ -82,8 +87,13 @@ class CameraBrief:
 
     @property
     def focus(self) -> tuple[str, ...]:
-        """node_ids the shot is about."""
-        return tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
+        """node_ids the shot is about; a tight shot or a single is about the first person only, others may be cut."""
+        nodes = tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
+        if self.instruction.size not in TIGHT and self.instruction.kind not in _ONE_PERSON:
+            return nodes
+        faces = {figure.node_id for moment in self.moments for figure in moment.figures}
+        lead = next((node for node in nodes if node in faces), None)
+        return tuple(node for node in nodes if node == lead or node not in faces)
 
     @property
     def people(self) -> tuple[Figure, ...]:
@@ -126,20 +136,20 @@ class CameraBrief:
         return self.instruction.lens or self.lens_kit[self.instruction.size]
 
     def bounds(self) -> Floats:
-        """Return (n, 3) points around everybody, and every thing on the playing area, for masters and empty stages."""
+        """Return (n, 3) points around whom the shot is meant to show and what stands by them; everything if nobody."""
         moment = self.moments[0]
-        points = [point for figure in moment.figures for point in (figure.base, figure.face)]
-        points += [corner for box in self.props.values() if self._on_stage(box) for corner in corners(box)]
+        meant = {*self.focus, *self.in_frame}
+        people = [figure for figure in moment.figures if figure.node_id in meant] or list(moment.figures)
+        points = [point for figure in people for point in (figure.base, figure.crown)]
+        things = self.things or tuple(
+            box
+            for box in self.props.values()
+            if not people or any(distance_to_point(box, *figure.base[:2]) < _NEARBY for figure in people)
+        )
+        points += [corner for box in things for corner in corners(box)]
         if not points:
             points = [(-2.0, -2.0, 0.0), (2.0, 2.0, 2.0)]
         return np.array(points, float)
-
-    def _on_stage(self, box: Box) -> bool:
-        if self.plan is None:
-            return True
-        size, spare = self.plan.size, 0.5
-        in_x = size.x_negative - spare < box.x < size.x + spare
-        return in_x and size.y_negative - spare < box.y < size.y + spare
 
     def size_steps(self, other: ShotSize) -> int:
         """Return how many sizes lie between this shot and another."""

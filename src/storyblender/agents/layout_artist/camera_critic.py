@@ -12,6 +12,9 @@ from collections.abc import Sequence
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
+from storyblender.agents.layout_artist.camera_room import outside
+from storyblender.geometry.framing import FACE_ANGLE
+from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.ports import Viewfinder, ViewRequest
 from storyblender.reflection import Critique, Fault
@@ -23,8 +26,6 @@ _FOREGROUND = 0.22
 _FOREGROUND_OTS = 0.38
 _CLOSE = ("MS", "MCU", "CU", "ECU")
 _WHOLE = ("FS", "WS", "EWS")
-_FACE_ANGLE = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "two_shot": 112.0, "group": 125.0}
-"""Degrees a focus face may be turned from the camera, by kind of shot."""
 _AROUND = "orbit_left orbit_right"
 
 
@@ -42,6 +43,15 @@ class CameraCritic:
     def judge(self, draft: Take, view: CameraBrief) -> Critique:
         """Score one take."""
         return self.judge_all([draft], view)[0]
+
+    @property
+    def looks(self) -> int:
+        """How often this critic has looked."""
+        return len(self._seen)
+
+    def judged(self, brief: CameraBrief) -> set[Take]:
+        """Return the takes of a shot that were looked at."""
+        return {take for scene, shot, _, take in self._seen if (scene, shot) == (brief.scene_id, brief.shot_id)}
 
     def judge_all(self, takes: Sequence[Take], brief: CameraBrief) -> list[Critique]:
         """Score several takes with one batch of looks."""
@@ -64,12 +74,10 @@ class CameraCritic:
 
 
 def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
-    """Return the moments worth a look: the ends of a walk, the middle if nothing moves, else all of them."""
+    """Return the moments worth a look: the middle if nothing moves, all of them if the camera or the subject does."""
     first, last = brief.moments[0], brief.moments[-1]
-    if brief.walks:
-        return [first, last]
     middle = brief.moments[len(brief.moments) // 2]
-    if any(take.moves for take in takes) or len(brief.moments) == 1:
+    if brief.walks or any(take.moves for take in takes) or len(brief.moments) == 1:
         return list(brief.moments)
     told = [middle]
     for moment in (first, last):
@@ -105,7 +113,7 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
     main = 0 if brief.walks else len(seen) // 2
     for index, (moment, view) in enumerate(seen):
         camera = take.at(share_of(brief, moment.frame))
-        found = [*_visibility(brief, moment, view), *_place(view), *_void(view)]
+        found = [*_visibility(brief, moment, view), *_place(view), *_void(_nothing(brief, take, camera, view))]
         if index == main:
             found += [*composition(brief, camera, moment, view), *_surroundings(brief, view)]
         known = {(fault.kind, fault.subject) for fault in told}
@@ -152,7 +160,7 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
 
 def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
-    limit = _FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.walks else 108.0)
+    limit = FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.walks else 108.0)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
         return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
     found: list[Fault] = []
@@ -177,12 +185,17 @@ def _place(view: CameraView) -> list[Fault]:
     return found
 
 
-def _void(view: CameraView) -> list[Fault]:
-    if view.void <= _VOID:
+def _nothing(brief: CameraBrief, take: Take, camera: Orbit, view: CameraView) -> float:
+    """Return the share of the picture that is empty, or that looks past the edge of the room."""
+    return view.void if brief.plan is None else max(view.void, outside(brief.plan, camera, take.hidden))
+
+
+def _void(share: float) -> list[Fault]:
+    if share <= _VOID:
         return []
-    text = f"{view.void:.0%} of the picture shows nothing"
+    text = f"{share:.0%} of the picture shows nothing"
     ops = "orbit_left orbit_right orbit_down zoom_in"
-    return [fault("void", "", min(0.5 + 6 * view.void, 3.0), text, ops=ops)]
+    return [fault("void", "", min(0.5 + 8 * share, 5.0), text, ops=ops)]
 
 
 def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
@@ -223,7 +236,8 @@ def _bystanders(view: CameraView, own: set[str], meant: set[str]) -> list[Fault]
             text = f"the frame cuts {subject.node_id}"
             found.append(fault("bystander", subject.node_id, 0.4 + min(3 * subject.pixels, 0.8), text,
                                 azimuth=math.copysign(8, -away), ops=_AROUND))  # fmt: skip
-        if subject.node_id not in meant and subject.pixels > max(1.2 * largest, 0.1):
-            text = f"{subject.node_id} steals the picture"
-            found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
+        if subject.node_id not in meant:
+            steals = subject.pixels > max(1.2 * largest, 0.1)
+            text = f"{subject.node_id} {'steals the picture' if steals else 'has no part in the picture'}"
+            found.append(fault("stranger", subject.node_id, 1.0 if steals else 0.7, text, ops=f"{_AROUND} zoom_in"))
     return found

@@ -1,4 +1,4 @@
-"""The Camera Operator: an analytic start, then the paper's discrete visual servo, judged by the viewfinder.
+"""The Camera Operator: a start found on the floor plan, then the paper's discrete visual servo before the viewfinder.
 
 The paper lets a vision model name one operation a turn. Here the critic's own numbers propose the operations, all of
 them are looked at in one batch, and the best one is kept; the update laws and step sizes are the paper's.
@@ -10,8 +10,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
-from storyblender.agents.layout_artist.camera_critic import CameraCritic
-from storyblender.agents.layout_artist.camera_start import F_NUMBER, start, take
+from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
+from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.agents.layout_artist.camera_start import F_NUMBER, take
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
 from storyblender.memory.base import shot_name
@@ -37,16 +38,14 @@ OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
 }
 """The paper's operations and step sizes (appendix, prompt of the Camera Operator)."""
 
-_ANOTHER_PLACE = (
-    *((turn, 0, 1.0) for turn in (22, -22, 45, -45, 75, -75, 110, -110, 180)),
-    *((turn, 9, 1.0) for turn in (0, 30, -30)),
-    *((turn, 0, 0.65) for turn in (0, 25, -25, 60, -60)),
-)
-"""Degrees to go round and up, and factor of the lens, for a new composition where small operations do not help."""
+_FIRST, _NEXT = 3, 6
+"""Places of the scout's list that are looked at first, and where small operations do not help."""
 _ENOUGH = 9.25
-"""Points: what is left then is not worth thirty looks."""
-_TURNS = 5
-_ANSWERED = 3
+"""Points: what is left then is not worth ten looks."""
+_TURNS = 3
+_LOOKS = 36
+"""Most looks that one shot is worth."""
+_ANSWERED = 2
 """The worst faults, which one turn answers."""
 
 
@@ -57,19 +56,25 @@ class CameraRules:
     critic: CameraCritic
 
     def propose(self, view: CameraBrief) -> Take:
-        """Return the analytic start."""
-        return start(view)
+        """Return the scout's first place, or the best of his first few where that is not good enough."""
+        first = scouted(view)[0]
+        if self.critic.judge(first, view).score >= _ENOUGH:
+            return first
+        best, _ = self._best(scouted(view)[:_FIRST], view)
+        return best or first
 
     def refine(self, draft: Take, critique: Critique, view: CameraBrief) -> Take:
-        """Return the best of the fixed takes, of recomposed ones if no fix helps, or the draft itself."""
-        for cameras in (_fixed(draft, critique), None):
-            takes = _recomposed(view) if cameras is None else [take(view, camera) for camera in cameras]
-            best, score = self._best(takes, view)
-            if best is not None and score > critique.score + 0.02:
-                return best
-        return draft
+        """Return the best of the fixed takes, of the scout's next places if no fix helps, or the draft itself."""
+        best, score = self._best([take(view, camera) for camera in _fixed(draft, critique)], view)
+        if best is not None and score > critique.score + 0.1:
+            return best
+        known = self.critic.judged(view)
+        best, score = self._best([other for other in scouted(view) if other not in known][:_NEXT], view)
+        return best if best is not None and score > critique.score + 0.02 else draft
 
     def _best(self, takes: list[Take], view: CameraBrief) -> tuple[Take | None, float]:
+        moments = len(telling_moments(view, takes))
+        takes = takes[: max(0, (_LOOKS - self.critic.looks) // max(moments, 1))]
         if not takes:
             return None, 0.0
         scores = [critique.score for critique in self.critic.judge_all(takes, view)]
@@ -98,13 +103,6 @@ def _applied(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
     camera = orbit(camera, numbers.get("azimuth", 0.0), numbers.get("elevation", 0.0))
     camera = dolly(camera, numbers.get("dolly", 0.0))
     return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
-
-
-def _recomposed(brief: CameraBrief) -> list[Take]:
-    """Return fresh compositions from other sides; a point of view has only one."""
-    if brief.instruction.kind == "pov":
-        return []
-    return [start(brief, turn, rise, widen) for turn, rise, widen in _ANOTHER_PLACE]
 
 
 def operate(

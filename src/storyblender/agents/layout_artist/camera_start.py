@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners, wrapped
@@ -18,25 +20,35 @@ from storyblender.geometry.orbit import Orbit, orbit, roll
 _OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
 """Degrees from full face at which a single is taken; wider sizes take ``_WIDE_OFF``."""
 _WIDE_OFF = 40.0
-_MASTER_ELEVATION, _INSERT_ELEVATION = 9.0, 30.0
+_MASTER_ELEVATION, _INSERT_ELEVATION = 5.0, 30.0
 _MASTER_AZIMUTH = 14.0
-_WIDEST = 20.0
-"""mm: a wider lens bends people."""
+_SHORTEST = {"EWS": 0.1}
+"""Least height of the tallest of an establishing shot's people in the picture; other sizes take ``_SHORT``."""
+_SHORT, _TALL = 0.19, 0.38
+_TALKS = 80.0
+"""Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
+_FITTINGS = 4
+"""A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
 """Aperture by shot size: tight shots part the face from its background."""
 
 
-def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0, widen: float = 1.0) -> Take:
-    """Return the analytic take of a shot.
+def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
+    """Return the analytic take of a shot, in the room where the place has one.
 
     Args:
         brief: The shot.
         turn: Degrees to go round from the preferred azimuth; the composition is made anew there.
         rise: Degrees to go up from the preferred elevation.
-        widen: Factor of the focal length: a wider lens from nearer keeps the camera inside a small room.
     """
-    lens = brief.lens if brief.instruction.lens else max(brief.lens * widen, _WIDEST)
-    camera = _compose(brief, lens, turn, rise)
+    camera = _compose(brief, brief.lens, turn, rise)
+    if brief.instruction.kind not in ("pov", "ots", "insert"):
+        for _ in range(_FITTINGS):
+            fit = fitted(brief.plan, camera, brief.instruction.size, several=len(brief.people) > 1)
+            if fit.lens == camera.lens:
+                break
+            camera = _compose(brief, fit.lens, turn, rise)
+        camera = walked_in(brief.plan, camera)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
     return take(brief, camera)
@@ -91,13 +103,15 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         return pov
     if instruction.kind == "establishing" or not (people or brief.things):
         up = max(elevation, _MASTER_ELEVATION)
-        fill = 0.6 if instruction.size == "EWS" else 0.86
-        return framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
+        fill = 0.6 if instruction.size == "EWS" else 0.8
+        camera = framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
+        return _near_enough(brief, camera)
     lead = people[0] if people else None
     if lead is None or (brief.things and instruction.kind == "insert"):
         return _of_things(brief, lens, turn, rise)
     over = brief.moments[len(brief.moments) // 2].figure(brief.node(instruction.over_id or ""))
-    if instruction.kind == "ots" and over is not None and over.node_id != lead.node_id:
+    facing = over is not None and lead.turned_from(over.face) < _TALKS
+    if instruction.kind == "ots" and over is not None and over.node_id != lead.node_id and facing:
         side = line_side(brief, lead, over)
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         return _swung(camera, turn, rise)
@@ -110,8 +124,27 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     return framing.single(film, lead, instruction.size, azimuth, elevation, lens)
 
 
+def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
+    """Bring a master to where its nearest person is large enough to be somebody, and small enough for a place."""
+    meant = {*brief.focus, *brief.in_frame}
+    people = [figure for figure in brief.moments[0].figures if figure.node_id in meant]
+    if not people:
+        return camera
+    tall = max(figure.crown[2] - figure.base[2] for figure in people)
+    _, depth = framing.project(camera, [figure.face for figure in people])
+    size, nearest = brief.instruction.size, float(depth.min())
+    least, most = (framing.distance_for(tall, share, camera.tangent) for share in (_TALL, _SHORTEST.get(size, _SHORT)))
+    if nearest < least:
+        return replace(camera, distance=camera.distance + least - nearest)
+    if nearest <= most:
+        return camera
+    middle = np.mean([(*figure.face[:2], (figure.face[2] + figure.base[2]) / 2) for figure in people], axis=0)
+    near = brief.film.look(middle, camera.azimuth, camera.elevation, max(most, 2.0), camera.lens)
+    return framing.placed(near, middle, 0.5, 0.6)
+
+
 def _tight(brief: CameraBrief) -> bool:
-    return brief.instruction.size in ("MCU", "CU", "ECU")
+    return brief.instruction.size in TIGHT
 
 
 def _swung(camera: Orbit, turn: float, rise: float) -> Orbit:

@@ -1,0 +1,94 @@
+"""The camera in a room: what lies outside is known from the plan, and lenses fit the floor there is."""
+
+import math
+
+import pytest
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take
+from storyblender.agents.layout_artist.camera_room import fitted, outside
+from storyblender.agents.layout_artist.camera_scout import cost, scouted
+from storyblender.agents.layout_artist.camera_start import start
+from storyblender.catalog.set_plan import SetPlan, Slab, Wall
+from storyblender.geometry.framing import Figure, Film, project
+from storyblender.geometry.orbit import between
+from storyblender.memory.scene_context import SceneSize
+from storyblender.memory.shot_context import CameraInstruction
+
+FILM = {"sensor_width": 36.0, "aspect": 16 / 9}
+CORNERS = [(-3.0, -3.0), (3.0, -3.0), (3.0, 3.0), (-3.0, 3.0)]
+NAMES = ["front", "right", "back", "left"]
+ROOM = SetPlan(
+    kit="room",
+    indoor=True,
+    size=SceneSize(x=3, x_negative=-3, y=3, y_negative=-3),
+    walls=tuple(
+        Wall(node_id=name, start=CORNERS[k], end=CORNERS[(k + 1) % 4], height=2.8, material="plaster")
+        for k, name in enumerate(NAMES)
+    ),
+    slabs=(Slab(node_id="ceiling", role="ceiling", polygon=tuple(CORNERS), z=2.8, material="plaster"),),
+)
+
+
+def person(name: str, x: float, y: float, yaw: float) -> Figure:
+    forward = (math.sin(math.radians(yaw)), -math.cos(math.radians(yaw)), 0.0)
+    return Figure(name, (x, y, 1.6), forward, 0.23, (x, y, 0.0))
+
+
+def brief(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraBrief:
+    return CameraBrief(
+        1, 1, CameraInstruction(**more), 48, (Moment(0, people),), plan=ROOM, film=Film(), in_frame=in_frame
+    )
+
+
+@pytest.mark.parametrize(
+    ("eye", "hidden", "low", "high"),
+    [
+        ((0, -2.5, 1.5), (), 0.0, 0.0),
+        ((0, -3.2, 1.5), ("front",), 0.0, 0.02),
+        ((0, -8.0, 1.5), ("front",), 0.2, 0.9),
+        ((0, -3.5, 1.5), (), 1.0, 1.0),
+        ((0, 0, 1.5), ("back",), 0.4, 1.0),
+    ],
+)
+def test_what_lies_outside_counts(eye, hidden, low: float, high: float) -> None:
+    camera = between(eye, (0.0, 2.9, 1.4), 28.0, **FILM)
+    assert low <= outside(ROOM, camera, hidden) <= high
+
+
+def test_outdoors_there_is_no_outside() -> None:
+    open_air = ROOM.model_copy(update={"indoor": False})
+    assert outside(open_air, between((0, -8, 1.5), (0, 0, 1), 28.0, **FILM), ()) == 0.0
+
+
+def test_a_long_lens_gives_way_to_the_room_and_keeps_the_size() -> None:
+    camera = between((0, -7.0, 1.5), (0, 0, 1.5), 50.0, **FILM)
+    inside = fitted(ROOM, camera, "WS")
+    assert inside.lens < 50 and abs(inside.position[1]) < 3.5
+    assert inside.frame_height == pytest.approx(camera.frame_height)
+
+
+@pytest.mark.parametrize("kind", ["establishing", "group"])
+def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) -> None:
+    people = (person("anna", -1, 1, 30), person("tom", 0.6, 1.2, -20))
+    names = ("anna", "tom")
+    take = scouted(brief(*people, in_frame=names, kind=kind, size="WS", focus_on_ids=names))[0]
+    assert outside(ROOM, take.camera, take.hidden) < 0.03
+    heights = [float(project(take.camera, [who.base, who.crown])[0][:, 1] @ (1, -1)) for who in people]
+    assert 0.17 < max(heights) < 0.75
+
+
+def test_who_has_no_part_is_left_out() -> None:
+    anna, guard = person("anna", 0, 0, 0), person("guard", 0.9, 1.4, 0)
+    view = brief(anna, guard, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
+    screen, _ = project(scouted(view)[0].camera, [guard.face])
+    assert not 0 < screen[0, 0] < 1
+    assert cost(view, scouted(view)[0]) < cost(view, start(view, 180))
+
+
+def test_a_tight_shot_is_about_the_first() -> None:
+    view = brief(
+        person("anna", 0, 0, 0), person("tom", 2, 1, 180), kind="reaction", size="MCU", focus_on_ids=("anna", "tom")
+    )
+    assert view.focus == ("anna",)
+    take: Take = scouted(view)[0]
+    assert view.people[0].turned_from(take.camera.position) < 60
