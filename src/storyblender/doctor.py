@@ -13,8 +13,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from storyblender.deliver.fonts import font_file
 from storyblender.catalog.bodies import body_pack_path
+from storyblender.deliver.fonts import font_file
 
 SYSTEM_LIBRARIES = {
     "libX11.so.6": "libx11-6",
