@@ -24,7 +24,10 @@ _FACE_SHOWN = 0.60
 _VOID = 0.015
 _FOREGROUND = 0.22
 _FOREGROUND_OTS = 0.38
-_CLOSE = ("MS", "MCU", "CU", "ECU")
+_LEFT_OUT = 1.2
+"""Points for a thing that is out of a picture of people."""
+_PASSING = 0.5
+"""How much of a fault's weight is left where it passes: the board shows the middle of the shot."""
 _WHOLE = ("FS", "WS", "EWS")
 _AROUND = "orbit_left orbit_right"
 
@@ -110,11 +113,14 @@ def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
 def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraView]]) -> tuple[Fault, ...]:
     """Judge composition where the take is centred, and visibility everywhere."""
     told: list[Fault] = []
-    main = 0 if brief.walks else len(seen) // 2
-    for index, (moment, view) in enumerate(seen):
+    main = brief.moments[0 if brief.walks else len(brief.moments) // 2]
+    for moment, view in sorted(seen, key=lambda pair: pair[0] is not main):
         camera = take.at(share_of(brief, moment.frame))
-        found = [*_visibility(brief, moment, view), *_place(view), *_void(_nothing(brief, take, camera, view))]
-        if index == main:
+        found = _visibility(brief, moment, view)
+        if moment is not main:
+            found = [each.model_copy(update={"severity": _PASSING * each.severity}) for each in found]
+        found += [*_place(view), *_void(_nothing(brief, take, camera, view))]
+        if moment is main:
             found += [*composition(brief, camera, moment, view), *_surroundings(brief, view)]
         known = {(fault.kind, fault.subject) for fault in told}
         told += [fault for fault in found if (fault.kind, fault.subject) not in known]
@@ -134,7 +140,9 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
         shows_face = subject.face is not None and all(0 < value < 1 for value in subject.face)
         if subject.in_frame_fraction < 0.02 and not shows_face:
             text = f"{node} is not in the picture"
-            found.append(fault("out_of_frame", node, 5.0, text, ops="zoom_out", dolly=-4.0))
+            person = moment.figure(node) is not None
+            weight = 5.0 if person or not brief.people else _LEFT_OUT
+            found.append(fault("out_of_frame", node, weight, text, ops="zoom_out", dolly=-4.0))
             continue
         hidden = 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
         if hidden > _HIDDEN and subject.in_frame_fraction >= 0.02:

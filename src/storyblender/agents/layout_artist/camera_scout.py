@@ -10,7 +10,7 @@ import numpy as np
 from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_start import shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import FACE_ANGLE, SCALES, Figure, project
 from storyblender.geometry.orbit import Floats, Orbit
@@ -30,7 +30,7 @@ def scouted(brief: CameraBrief) -> list[Take]:
     """Return compositions from all around, the most promising first; a point of view has only one."""
     if brief.instruction.kind == "pov":
         return [start(brief)]
-    turns = _OVER_TURNS if brief.instruction.kind == "ots" else _TURNS
+    turns = _OVER_TURNS if shoulder(brief) is not None else _TURNS
     takes: dict[Take, float] = {}
     for rise in _RISES:
         for turn in turns:
@@ -69,7 +69,7 @@ def _things(brief: CameraBrief, take: Take) -> float:
         return 0.0
     screen, depth = project(take.camera, [(box.x, box.y, box.z + box.height / 2) for box in brief.things])
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
-    return 2.5 * float((~framed).sum())
+    return (1.0 if brief.people else 2.5) * float((~framed).sum())
 
 
 def _position(brief: CameraBrief, take: Take) -> float:

@@ -109,9 +109,8 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     lead = people[0] if people else None
     if lead is None or (brief.things and instruction.kind == "insert"):
         return _of_things(brief, lens, turn, rise)
-    over = brief.moments[len(brief.moments) // 2].figure(brief.node(instruction.over_id or ""))
-    facing = over is not None and lead.turned_from(over.face) < _TALKS
-    if instruction.kind == "ots" and over is not None and over.node_id != lead.node_id and facing:
+    over = shoulder(brief)
+    if over is not None:
         side = line_side(brief, lead, over)
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         return _swung(camera, turn, rise)
@@ -122,6 +121,15 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
     return framing.single(film, lead, instruction.size, azimuth, elevation, lens)
+
+
+def shoulder(brief: CameraBrief) -> Figure | None:
+    """Return whose shoulder an over-the-shoulder looks past; None if the subject does not look at the partner."""
+    over = brief.moments[len(brief.moments) // 2].figure(brief.node(brief.instruction.over_id or ""))
+    if brief.instruction.kind != "ots" or over is None or not brief.people:
+        return None
+    lead = brief.people[0]
+    return over if over.node_id != lead.node_id and lead.turned_from(over.face) < _TALKS else None
 
 
 def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
