@@ -41,7 +41,7 @@ class Look:
     contrast: str = AGX_CONTRAST
     supersample: int = 2
     light_step: int = 2
-    samples: int = 8
+    samples: int = 5
     bounces: int = 3
 
 

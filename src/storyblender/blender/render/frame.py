@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.render.cycles import render_cycles
 from storyblender.blender.render.lamps import lit
-from storyblender.blender.render.meter import balanced
+from storyblender.blender.render.meter import SetLight, balanced
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
 from storyblender.blender.render.shot_light import PersonHead, ShotLight
@@ -84,12 +84,14 @@ class FrameResult:
         lights: Key, fill and rim of the shot as solved.
         set_lights: The set's lamps, balanced; those that would burn a face out are dimmed for this shot.
         statistics: Measured on the picture.
+        balance: The light of the set as metered for this shot.
     """
 
     image: NDArray[np.uint8]
     lights: tuple[Light, ...]
     set_lights: tuple[Light, ...]
     statistics: FrameStatistics
+    balance: SetLight
 
 
 def render_frame(
@@ -133,7 +135,7 @@ def render_frame(
     display = to_display(picture, look.contrast)
     statistics = _statistics(passes, picture, display, faces, stops)
     drawing = _drawn(display, passes.gbuffer, through, look, step)
-    return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics)
+    return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 
 
 def _drawn(display: Image, gbuffer: GBuffer, through_air: Image, look: Look, step: int) -> Image:

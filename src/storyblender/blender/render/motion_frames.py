@@ -11,7 +11,6 @@ import numpy as np
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.render.flat_frames import FlatCamera, animatic_workbench
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
-from storyblender.blender.render.meter import balanced
 from storyblender.blender.render.picture import write_png
 from storyblender.blender.render.session import RenderSession
 from storyblender.look.atmosphere import add_rain
@@ -71,8 +70,7 @@ def render_motion(
         first = _heads(scene, in_frame)
         still = render_frame(scene, camera_object, lighting, first, still_request)
         gain = np.float32(2.0**still.statistics.exposure)
-        set_light = balanced(scene, lighting)
-        plan, light = set_light.plan, MovingLight(set_light.plan, set_light.roofed)
+        plan, light = still.balance.plan, MovingLight(still.balance.plan, still.balance.roofed)
         close = any(_faces_are_large(session, frame, width, height) for frame in (frames[-1], frames[0]))
         with animatic_workbench(session, painted=close):
             camera = FlatCamera(session, width, height, painted=close)
