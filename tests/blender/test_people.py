@@ -149,6 +149,17 @@ def test_every_hairstyle_grows_on_the_head(key: str) -> None:
 
 
 @needs_data
+def test_a_bob_goes_round_the_back_of_the_head_and_ends_at_the_jaw() -> None:
+    person = build_person("ivy", CharacterLook(gender="female", age=30, hair="bob"), 1)
+    points = _coordinates(_part(person, "hair"))
+    head = person.armature.data.bones["head"].head_local
+    low = points[points[:, 2] < points[:, 2].max() - 0.18]
+    around = np.degrees(np.arctan2(low[:, 0] - head.x, low[:, 1] - head.y))
+    assert np.histogram(around, bins=12, range=(-90, 90))[0].min() > 0
+    assert 0.2 < np.ptp(points[:, 2]) < 0.3
+
+
+@needs_data
 def test_outer_clothes_lie_outside_inner_ones() -> None:
     keys = ("shirt", "trousers", "jacket", "shoes")
     person = build_person("gus", CharacterLook(gender="male", age=40, garments=tuple(Garment(key=k) for k in keys)), 2)

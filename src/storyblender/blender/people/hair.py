@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.blender.people.curtain import curtain
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.locks import KNOT, Drape, Strand, bun, curl, leaf, tail
 from storyblender.blender.people.scalp import Scalp, above_hairline
@@ -64,7 +65,11 @@ def build_hair(
     shell = scalp.cap()
     sheets = [shell]
     shades = [np.full(len(shell.points), 0.82)]
-    for lock in _locks(scalp, clothes, rng):
+    if spec.hang:
+        fall, tones = curtain(scalp, Drape(figure, clothes), rng)
+        sheets.append(fall)
+        shades.append(tones)
+    for lock in () if spec.hang else _locks(scalp, clothes, rng):
         sheets.append(lock)
         # Each lock has its own shade and is darker at the root, which reads as strands.
         shade = rng.uniform(0.86, 1.18)
@@ -78,15 +83,15 @@ def build_hair(
 
 def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> list[Sheet]:
     spec, figure = scalp.spec, scalp.figure
-    body = Drape(figure, clothes) if spec.hang or spec.knot == "tail" else None
+    body = Drape(figure, clothes) if spec.knot == "tail" else None
     locks: list[Sheet] = []
     for root in _roots(scalp, rng):
-        if scalp.hatted and root[2] > 0.55 and not spec.hang:
+        if scalp.hatted and root[2] > 0.55:
             continue
         if spec.curls:
             locks.append(curl(scalp, root, rng))
             continue
-        strand = _comb(scalp, root, rng, body)
+        strand = _comb(scalp, root, rng)
         if strand is not None:
             locks.append(leaf(figure, strand, spec, spec.width * rng.uniform(0.8, 1.2)))
     if spec.knot == "bun":
@@ -154,8 +159,8 @@ def _flow(direction: Floats, spec: HairSpec, side: float) -> Floats:
     return way / max(float(np.linalg.norm(way)), 1e-6)
 
 
-def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: Drape | None) -> Strand | None:
-    """Lead a lock over the head along the combing direction, and let it hang from where it leaves the hair."""
+def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Strand | None:
+    """Lead a lock over the head along the combing direction."""
     spec, scale = scalp.spec, scalp.figure.head_scale
     side = 1.0 if root[0] > spec.parting else -1.0
     stray = rng.normal(0, 0.5 * spec.mess)
@@ -171,19 +176,14 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: Drape | No
         if found is None:
             break
         point, grown = found
-        if row and spec.hang and direction[2] < -0.05:
-            break
-        if row and not spec.hang and grown < -0.06 - 0.35 * spec.mess:
+        if row and grown < -0.06 - 0.35 * spec.mess:
             break
         points.append(point)
         outward.append(direction)
         if spec.knot and direction @ KNOT > 0.985:
             break
         way = _flow(direction, spec, side)
-        if spec.hang and grown < 0.25 and direction[1] < -0.2:
-            # Off the face: long hair turns aside at the forehead.
-            way = np.cross(direction, (0.0, -side, 0.35 * side)) + 0.4 * way
-        elif spec.comb == "part" and grown < 0.3 and direction[1] < -0.3:
+        if spec.comb == "part" and grown < 0.3 and direction[1] < -0.3:
             # Off the forehead: short hair is brushed up and back there.
             way = way + (1 - max(grown, 0.0) / 0.3) * np.array((0.0, 1.1, 0.9))
         way = way + stray * np.cross(direction, way)
@@ -191,6 +191,4 @@ def _comb(scalp: Scalp, root: Floats, rng: np.random.Generator, body: Drape | No
         direction = direction / np.linalg.norm(direction)
     if len(points) < 3:
         return None
-    if spec.hang and body:
-        body.hang(points, outward, spec, spec.hang * scale * rng.uniform(0.85, 1.08), rng)
     return Strand(np.array(points), np.array(outward))

@@ -65,9 +65,13 @@ class Drape:
             swing = spec.wave * scale * 0.5 * np.sin(phase + row * 0.95)
             across = np.cross(out, (0.0, 0.0, 1.0))
             point = points[-1] + aim * drop + across * swing + out * 0.0015
-            point = self.push_out(self._aside(point), 0.007 * scale)
+            point = self.clear(point, 0.007 * scale)
             points.append(point)
             outward.append(out)
+
+    def clear(self, point: Floats, gap: float) -> Floats:
+        """Return ``point`` kept off the face and at least ``gap`` outside the body and clothes."""
+        return self.push_out(self._aside(point), gap)
 
     def _aside(self, point: Floats) -> Floats:
         """Return ``point`` kept off the face."""
@@ -89,8 +93,8 @@ class Drape:
         return point
 
 
-def _hair_weights(figure: Figure, points: Floats) -> Floats:
-    """Hair follows the head; where it lies on the shoulders it stays half with them."""
+def hair_weights(figure: Figure, points: Floats) -> Floats:
+    """Return bone weights: hair follows the head; where it lies on the shoulders it stays half with them."""
     neck, chest = figure.heights["neck"], figure.heights["chest"]
     share = np.interp(points[:, 2], (chest, neck + 0.05 * figure.k), (0.55, 0.0))[:, None]
     return (1 - share) * bone_weights("head") + share * bone_weights("upper_chest")
@@ -98,7 +102,7 @@ def _hair_weights(figure: Figure, points: Floats) -> Floats:
 
 def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
     """Return a lock: a strip with a raised middle that tapers to its tip."""
-    count = ROWS if not spec.hang else max(ROWS, round(len(strand.points) * (0.9 if spec.wave > 0.015 else 0.6)))
+    count = ROWS
     at = np.linspace(0, len(strand.points) - 1, count)
     index = np.arange(len(strand.points))
     points = np.stack([np.interp(at, index, strand.points[:, axis]) for axis in range(3)], 1)
@@ -115,7 +119,7 @@ def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
     rows = np.stack([points - across * half - sink, points + outward * half * 0.25, points + across * half - sink], 1)
     faces = [(r * 3 + c, r * 3 + c + 1, r * 3 + c + 4, r * 3 + c + 3) for r in range(count - 1) for c in range(2)]
     flat = rows.reshape(-1, 3)
-    return rigid(flat, faces, _hair_weights(figure, flat))
+    return rigid(flat, faces, hair_weights(figure, flat))
 
 
 def _ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
@@ -138,7 +142,7 @@ def _ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments:
         end = 1 + (rings - 2) * segments
         faces.append((end + step, last, end + after))
     placed = center + (np.array(points) * radii) @ spin.T
-    return rigid(placed, faces, _hair_weights(figure, placed))
+    return rigid(placed, faces, hair_weights(figure, placed))
 
 
 def curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
