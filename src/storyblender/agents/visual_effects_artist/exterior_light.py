@@ -34,7 +34,7 @@ _THICK = 0.01
 """Density per metre from which air counts as fog."""
 _SOUP = 0.03
 """Density from which it hides a plane at forty metres."""
-_LIT_FOG = 1.15
+_LIT_FOG = 1.4
 """Fog spreads the light of lamps over the whole place."""
 _AIRLIGHT = 0.7
 """Share of the fog's own brightness that falls on what stands in it."""
