@@ -12,13 +12,13 @@ import sys
 import threading
 from collections.abc import Coroutine, Sequence
 from pathlib import Path
-from typing import Any
-
-from fastmcp import Client
-from fastmcp.client.transports import StdioTransport
-from fastmcp.exceptions import ToolError
+from typing import TYPE_CHECKING, Any
 
 from storyblender.errors import EngineError
+
+if TYPE_CHECKING:
+    from fastmcp import Client
+    from fastmcp.client.transports import StdioTransport
 
 
 class Worker:
@@ -45,6 +45,9 @@ class Worker:
         Raises:
             EngineError: The tool said no, or the process died ``attempts`` times.
         """
+        # Importing the client takes over a second; only work for Blender is worth it, and only on the worker's thread.
+        from fastmcp.exceptions import ToolError
+
         trouble = ""
         for _ in range(self._attempts):
             try:
@@ -67,6 +70,8 @@ class Worker:
 
     async def _call(self, tool: str, arguments: dict[str, Any]) -> Any:
         if self._client is None:
+            from fastmcp import Client
+
             self._client = Client(self._transport(), timeout=self._timeout)
             await self._client.__aenter__()
         result = await self._client.call_tool(tool, arguments, timeout=self._timeout)
@@ -83,6 +88,8 @@ class Worker:
             return
 
     def _transport(self) -> StdioTransport:
+        from fastmcp.client.transports import StdioTransport
+
         self._log.parent.mkdir(parents=True, exist_ok=True)
         program, *arguments = self._command
         return StdioTransport(program, arguments, env=dict(os.environ), keep_alive=False, log_file=self._log)
