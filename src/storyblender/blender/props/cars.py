@@ -103,9 +103,7 @@ def _lamps(b: MeshBuilder, spec: PropSpec, x: float, front: float, back: float, 
 @prop("car")
 def car(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a car of the wanted ``period``: 1940s or modern."""
-    return (
-        _old_car(b, spec) if spec.word("period") in ("1940s", "past", "classic") else _modern_car(b, spec)
-    )
+    return _old_car(b, spec) if spec.word("period") in ("1940s", "past", "classic") else _modern_car(b, spec)
 
 
 def _modern_car(b: MeshBuilder, spec: PropSpec) -> Anchors:
