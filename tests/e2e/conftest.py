@@ -42,6 +42,7 @@ def made(arguments: Sequence[str | Path]) -> None:
 def script(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("script") / "two_cups.fountain"
     path.write_text(SCRIPT, encoding="utf-8")
+    path.with_name("storyblender.toml").write_text("animatic_width = 160\n", encoding="utf-8")
     return path
 
 
