@@ -21,6 +21,7 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     session.config.storyblender_exit = int(exitstatus)  # type: ignore[attr-defined]
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Blender is one global state: the tests of a file that uses it stay together on one process, in order."""
     for item in items:

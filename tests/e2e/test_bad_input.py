@@ -30,7 +30,7 @@ def script(tmp_path: Path) -> Path:
     [
         ("missing.fountain", None, "no such script"),
         ("empty.fountain", b"", "empty"),
-        ("blank.fountain", b" \n\n \t\n", "empty"),
+        ("blank.fountain", b" \n\n \t\n", "nothing to read"),
         ("picture.fountain", b"\x89PNG\r\n\x1a\n\x00\x00\x00", ""),
         ("board.pdf", b"%PDF-1.7\n%\xe2\xe3", "PDF"),
         ("bad.fdx", b"<FinalDraft><Content>", ""),
