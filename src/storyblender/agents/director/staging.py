@@ -93,7 +93,8 @@ class Staging:
     def _play(self, unit: Unit) -> None:
         for person, (posture, support) in unit.posture.items():
             body = self.bodies.setdefault(person, _Body())
-            body.posture, body.support = posture, support
+            kept = body.support if posture == body.posture else None
+            body.posture, body.support = posture, support or kept
         for person in unit.on_stage:
             self.bodies.setdefault(person, _Body()).held = list(unit.held.get(person, []))
         for deed in unit.deeds:
@@ -123,8 +124,9 @@ class Staging:
 
 
 def _keyboard(deeds: Sequence[Deed]) -> str | None:
-    """Return the keyboard that is played in these deeds."""
-    played = (thing for deed in deeds if deed.motion == "play_music" for thing in (deed.target, deed.prop) if thing)
+    """Return the keyboard that somebody plays, or sits down at, in these deeds."""
+    at_it = (deed for deed in deeds if deed.motion in ("play_music", "sit"))
+    played = (thing for deed in at_it for thing in (deed.target, deed.prop) if thing)
     return next((thing for thing in played if thing.endswith(_KEYBOARDS)), None)
 
 
