@@ -13,11 +13,15 @@ from storyblender.screenplay.comments import blank, find_comments
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _HEADING = re.compile(r"(?:INT|EXT|EST|INT\.?/EXT|EXT\.?/INT|I/E|E/I)(\.?)(?=[\s.]|$)", re.IGNORECASE)
+_LEADING_NUMBER = re.compile(r"\(?([A-Z]{0,2}\d{1,4}[A-Z]{0,2})[.):]?\s+(?=(?:INT|EXT|EST|I/E|E/I)\b)", re.IGNORECASE)
+"""A shooting script numbers its scenes before the heading, and mostly once more behind it."""
 _SCENE_NUMBER = re.compile(r"#([\w.\-–()]+)#$")
 _TRANSITION = re.compile(
     r"[^a-z]*\bTO:|(?:FADE (?:IN|OUT|TO BLACK|TO WHITE)|CUT TO BLACK|SMASH CUT|DISSOLVE)[^a-z]{0,3}|THE END\.?"
 )
 _CONTINUED = re.compile(r"\s*\b(?:CONT['’]?D|CONTINUED|CONTINUING)\b\.?\s*", re.IGNORECASE)
+_PAGE_FURNITURE = re.compile(r"\(?CONTINUED\)?:?(?: ?\(\d+\))?|\d{1,3}\.")
+"""What a printed page repeats at its head and foot."""
 _CAMERA_LEAD = re.compile(r"(?:CLOSE|EXTREME|WIDE|INSERT|ANGLE|POV|TRACKING|BACK TO SCENE|INTERCUT|MONTAGE)\b")
 _TITLE_KEY = re.compile(r"([^\W\d_][\w ]{0,30}):[ \t]*(.*)")
 _MARK = re.compile(r"#+|[>=~]?")
@@ -83,7 +87,8 @@ def split_cue(cue: str) -> tuple[str, str, bool]:
 
 
 def is_heading(line: str) -> bool:
-    """Return whether a line reads as a scene heading; without the dot it must be in capitals."""
+    """Return whether a line reads as a scene heading; without the dot it must be in capitals, a number may lead it."""
+    line = _LEADING_NUMBER.sub("", line, count=1)
     match = _HEADING.match(line)
     return bool(match) and len(line) > match.end() and (bool(match[1]) or line == line.upper())
 
@@ -166,6 +171,8 @@ class _Reader:
             return "heading"
         if before and after and _TRANSITION.fullmatch(words):
             return "transition"
+        if before and after and _PAGE_FURNITURE.fullmatch(words):
+            return "page_break"
         return "cue" if before and not after and _looks_like_cue(words) else "action"
 
     @staticmethod
@@ -184,13 +191,22 @@ class _Reader:
         start, end = self._trim(line.start, line.start + len(line.shown))
         if kind == "heading":
             start += self.text[start] == "."
-            match = _SCENE_NUMBER.search(self.shown[start:end])
-            if match:
-                number, end = match[1], start + match.start()
+            number, start, end = self._without_number(start, end)
         elif kind in ("lyric", "section", "synopsis", "transition", "centered"):
             start = _MARK.match(self.shown, start, end).end()  # pyright: ignore[reportOptionalMemberAccess]
             end -= kind == "centered"
         self._add(kind, start, end, scene_number=number)
+
+    def _without_number(self, start: int, end: int) -> tuple[str, int, int]:
+        """The number of a heading (``#12A#``, or ``12A`` before it), and the span of the heading without it."""
+        match = _SCENE_NUMBER.search(self.shown[start:end])
+        if match:
+            return match[1], start, start + match.start()
+        match = _LEADING_NUMBER.match(self.shown, start, end)
+        if not match:
+            return "", start, end
+        again = re.search(rf"\s{re.escape(match[1])}[.)]?$", self.shown[match.end() : end])
+        return match[1], match.end(), match.end() + again.start() if again else end
 
     def _action(self) -> None:
         first = self.at

@@ -216,3 +216,18 @@ def test_any_text_is_read_or_refused_and_spans_are_verbatim(text: str, form: str
         if element.kind in ("action", "dialogue") and not set(words) & set("*_\\"):
             assert element.text == words
         end = element.end
+
+
+def test_the_numbers_of_a_shooting_script_lead_its_headings() -> None:
+    play = read("1 INT. HOUSE - DAY 1\n\nTom waits.\n\n12A. EXT. ROAD - DAY 2\n\nTom walks.\n\nCONTINUED: (2)\n\n7.\n")
+    assert play.format == "fountain"
+    headings = [element for element in play.elements if element.kind == "heading"]
+    assert [(heading.text, heading.scene_number) for heading in headings] == [
+        ("INT. HOUSE - DAY", "1"), ("EXT. ROAD - DAY 2", "12A"),
+    ]  # fmt: skip
+    assert all(play.text[heading.start : heading.end] == heading.text for heading in headings)
+    assert [element.kind for element in play.elements][-2:] == ["page_break", "page_break"]
+
+
+def test_a_number_before_prose_is_no_heading() -> None:
+    assert read("12 exterior walls stood.\n\n3 interested men came.").format == "prose"
