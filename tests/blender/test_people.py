@@ -160,6 +160,21 @@ def test_a_bob_goes_round_the_back_of_the_head_and_ends_at_the_jaw() -> None:
 
 
 @needs_data
+@pytest.mark.parametrize("key", ["ponytail", "braid"])
+def test_tied_hair_hangs_behind_the_neck_as_one_and_ends_in_one_tip(key: str) -> None:
+    person = build_person("una", CharacterLook(gender="female", age=30, hair=key), 1)
+    points = _coordinates(_part(person, "hair"))
+    neck = person.armature.data.bones["neck"].head_local
+    for height in np.arange(points[:, 2].min(), neck.z, 0.02):
+        row = points[np.abs(points[:, 2] - height - 0.01) < 0.012]
+        assert len(row)
+        assert np.ptp(row[:, 0]) < 0.075
+        assert row[:, 1].min() > neck.y
+    tip = points[points[:, 2] < points[:, 2].min() + 0.01]
+    assert np.ptp(tip[:, :2], axis=0).max() < 0.03
+
+
+@needs_data
 def test_outer_clothes_lie_outside_inner_ones() -> None:
     keys = ("shirt", "trousers", "jacket", "shoes")
     person = build_person("gus", CharacterLook(gender="male", age=40, garments=tuple(Garment(key=k) for k in keys)), 2)

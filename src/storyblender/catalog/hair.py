@@ -33,7 +33,7 @@ class HairSpec:
         wave: Sideways wave of hanging locks.
         tip: Width at the end of a lock as a share.
         growth: ``full``, ``receding`` or ``wreath`` (bald on top).
-        knot: ``bun`` or ``tail`` at the back.
+        knot: ``bun``, ``tail`` or ``braid`` at the back.
         curls: Round curls instead of locks.
     """
 
@@ -54,7 +54,7 @@ class HairSpec:
     wave: float = 0.0
     tip: float = 0.12
     growth: Literal["full", "receding", "wreath"] = "full"
-    knot: Literal["", "bun", "tail"] = ""
+    knot: Literal["", "bun", "tail", "braid"] = ""
     curls: bool = False
 
 
@@ -75,6 +75,8 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
              top=0.016, side=0.011, comb="gather", locks=64, reach=1.5, mess=0.06, lift=0.002, knot="bun"),
     HairSpec(key="ponytail", name="Ponytail", tags=("tied back", "pigtail"),
              top=0.014, side=0.009, comb="gather", locks=64, reach=1.5, mess=0.06, lift=0.002, knot="tail"),
+    HairSpec(key="braid", name="Braid", tags=("plait", "braided", "plaited"),
+             top=0.014, side=0.009, comb="gather", locks=64, reach=1.5, mess=0.06, lift=0.002, knot="braid"),
     HairSpec(key="long", name="Long", tags=("flowing", "loose", "shoulder length", "straight"),
              top=0.018, side=0.016, parting=0.18, sweep=0.25, locks=92, reach=1.6, hang=0.25, mess=0.10, lift=0.003,
              width=0.030, wave=0.010, tip=0.3),

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.curtain import curtain
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.locks import KNOT, Drape, Strand, bun, curl, leaf, tail
+from storyblender.blender.people.locks import KNOT, Drape, Strand, bun, curl, leaf
 from storyblender.blender.people.scalp import Scalp, above_hairline
 from storyblender.blender.people.sheet import Sheet, join
+from storyblender.blender.people.tails import tied
 from storyblender.catalog.bodies import Complexion
 from storyblender.catalog.hair import HairSpec, hairstyle
 
@@ -83,7 +84,7 @@ def build_hair(
 
 def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> list[Sheet]:
     spec, figure = scalp.spec, scalp.figure
-    body = Drape(figure, clothes) if spec.knot == "tail" else None
+    body = Drape(figure, clothes) if spec.knot in ("tail", "braid") else None
     locks: list[Sheet] = []
     for root in _roots(scalp, rng):
         if scalp.hatted and root[2] > 0.55:
@@ -96,8 +97,8 @@ def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> 
             locks.append(leaf(figure, strand, spec, spec.width * rng.uniform(0.8, 1.2)))
     if spec.knot == "bun":
         locks += bun(scalp, rng)
-    if spec.knot == "tail" and body:
-        locks += tail(scalp, body, rng)
+    if body:
+        locks += tied(scalp, body, rng)
     return locks
 
 

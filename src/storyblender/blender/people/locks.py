@@ -1,4 +1,4 @@
-"""Single locks of hair: leaves, ringlets, curls, the knot of a bun, and hair that hangs over body and clothes."""
+"""Single locks of hair: leaves, curls, the knot of a bun, and hair that hangs over body and clothes."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
     return rigid(flat, faces, hair_weights(figure, flat))
 
 
-def _ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
+def ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
     """Return a small ellipsoid; ``spin`` (3, 3) turns it."""
     points = [np.array((0.0, 0.0, 1.0))]
     for ring in range(1, rings):
@@ -153,7 +153,7 @@ def curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
     center = found[0] if found else scalp.center
     spin, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     spin = spin * np.sign(np.linalg.det(spin))
-    return _ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 6, 3)
+    return ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 6, 3)
 
 
 def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
@@ -162,7 +162,7 @@ def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
     found = scalp.over(KNOT, 0.020 * scale)
     center = found[0] if found else scalp.center
     radii = np.array((0.046, 0.038, 0.042)) * scale
-    locks = [_ball(figure, center, radii * 0.94, np.eye(3), 10, 7)]
+    locks = [ball(figure, center, radii * 0.94, np.eye(3), 10, 7)]
     right = np.array((1.0, 0.0, 0.0))
     up = np.cross(KNOT, right)
     for step in range(9):
@@ -171,20 +171,4 @@ def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
         wind = turn + 1.5 * angle
         directions = KNOT * np.cos(angle) + (right * np.cos(wind) + up * np.sin(wind)) * np.sin(angle)
         locks.append(leaf(figure, Strand(center + directions * radii, directions), scalp.spec, 0.030))
-    return locks
-
-
-def tail(scalp: Scalp, body: Drape, rng: np.random.Generator) -> list[Sheet]:
-    """Return the hanging locks of a ponytail and the band that holds them."""
-    figure, spec, scale = scalp.figure, scalp.spec, scalp.figure.head_scale
-    found = scalp.over(KNOT, 0.012 * scale)
-    start = found[0] if found else scalp.center
-    locks = [_ball(figure, start, np.full(3, 0.017) * scale, np.eye(3), 8, 6)]
-    for step in range(9):
-        turn = 2 * np.pi * step / 9
-        fan = np.array((np.cos(turn), 0.3 * np.sin(turn), 0.8 * np.sin(turn))) * 0.009 * scale
-        points = [start, start + KNOT * 0.03 * scale + fan, start + KNOT * 0.05 * scale + fan * 1.6]
-        outward = [KNOT, KNOT, KNOT]
-        body.hang(points, outward, spec, 0.24 * scale * rng.uniform(0.85, 1.05), rng)
-        locks.append(leaf(figure, Strand(np.array(points), np.array(outward)), spec, 0.028))
     return locks

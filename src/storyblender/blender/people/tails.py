@@ -1,0 +1,89 @@
+"""Hair tied at the back: a ponytail as one soft brush, a braid as three woven strands."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.people.locks import KNOT, Drape, ball, hair_weights
+from storyblender.blender.people.scalp import Scalp
+from storyblender.blender.people.sheet import Sheet, rigid
+
+Floats = NDArray[np.float64]
+
+_AROUND = 20
+"""Corners of a cross-section."""
+_GROOVES = 5
+"""Shallow grooves along a ponytail, which read as locks that stay together."""
+_TAIL = ((0.0, 0.12, 0.4, 0.75, 1.0), (0.010, 0.019, 0.025, 0.020, 0.005))
+"""Radius of a ponytail in metres along its length: it swells below the band and ends in a soft point."""
+_BRAID_LENGTH, _TAIL_LENGTH = 0.34, 0.25
+_PITCH = 0.075
+"""Metres of a braid in which a strand comes back to its side."""
+_SWAY, _CROSS = 0.012, 0.007
+"""Metres a strand of a braid goes to the side, and over and under."""
+
+
+def tied(scalp: Scalp, body: Drape, rng: np.random.Generator) -> list[Sheet]:
+    """Return what hangs from the knot, ponytail or braid, and the band that holds it."""
+    figure, scale = scalp.figure, scalp.figure.head_scale
+    braided = scalp.spec.knot == "braid"
+    spine, outward = _spine(scalp, body, rng)
+    sheets = [ball(figure, spine[0], np.full(3, 0.015) * scale, np.eye(3), 8, 6)]
+    at = np.linspace(0, 1, len(spine))[:, None]
+    across = np.cross(np.gradient(spine, axis=0), outward)
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)
+    if not braided:
+        return [*sheets, _tube(scalp, spine, outward, np.interp(at[:, 0], *_TAIL) * scale, _GROOVES)]
+    thick = np.interp(at[:, 0], (0.0, 0.1, 0.8, 0.92, 1.0), (0.007, 0.0115, 0.009, 0.006, 0.003)) * scale
+    loose = np.interp(at, (0.0, 0.1, 0.8, 0.92), (0.3, 1.0, 0.8, 0.2)) * scale
+    for strand in range(3):
+        turn = 2 * np.pi * (at * _BRAID_LENGTH / _PITCH + strand / 3)
+        woven = spine + loose * (_SWAY * np.sin(turn) * across + _CROSS * np.sin(2 * turn) * outward)
+        sheets.append(_tube(scalp, woven, outward, thick, 0))
+    end = round(0.92 * len(spine))
+    return [*sheets, ball(figure, spine[end], np.full(3, 0.009) * scale, np.eye(3), 8, 6)]
+
+
+def _spine(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Floats, Floats]:
+    """Return the middle line from the knot down the back, in even steps, and which way is away from the back."""
+    spec, scale = scalp.spec, scalp.figure.head_scale
+    found = scalp.over(KNOT, 0.012 * scale)
+    start = found[0] if found else scalp.center
+    points = [start, start + KNOT * 0.02 * scale, start + KNOT * 0.035 * scale]
+    outward = [KNOT, KNOT, KNOT]
+    body.hang(points, outward, spec, (_BRAID_LENGTH if spec.knot == "braid" else _TAIL_LENGTH) * scale, rng)
+    line = np.array([points[0], *(body.push_out(point, 0.022 * scale) for point in points[1:])])
+    for _ in range(4):  # the back and the collar push single points out
+        line[1:-1] = 0.5 * line[1:-1] + 0.25 * (line[:-2] + line[2:])
+    index, at = np.arange(len(line)), np.linspace(0, len(line) - 1, 3 * len(line))
+    even = np.stack([np.interp(at, index, line[:, axis]) for axis in range(3)], 1)
+    away = np.stack([np.interp(at, index, np.array(outward)[:, axis]) for axis in range(3)], 1)
+    along = np.gradient(even, axis=0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    away -= along * (away * along).sum(1, keepdims=True)
+    return even, away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-9)
+
+
+def _tube(scalp: Scalp, line: Floats, outward: Floats, radius: Floats, grooves: int) -> Sheet:
+    """Return a closed tube about ``line`` with ``grooves`` along it."""
+    along = np.gradient(line, axis=0)
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+    across = np.cross(along, outward)
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)
+    out = np.cross(across, along)
+    turn = 2 * np.pi * np.arange(_AROUND) / _AROUND
+    swell = 1 + (0.12 * np.abs(np.cos(grooves * turn / 2)) if grooves else 0.0 * turn)
+    ring = np.cos(turn)[:, None] * across[:, None] + np.sin(turn)[:, None] * out[:, None]
+    rows = line[:, None] + ring * (radius[:, None] * swell)[:, :, None]
+    flat = np.concatenate([rows.reshape(-1, 3), line[:1], line[-1:]])
+    count, last = len(line), len(line) * _AROUND
+    faces: list[tuple[int, ...]] = []
+    for step in range(_AROUND):
+        after = (step + 1) % _AROUND
+        for row in range(count - 1):
+            a, b = row * _AROUND, (row + 1) * _AROUND
+            faces.append((a + step, a + after, b + after, b + step))
+        faces.append((last, after, step))
+        faces.append((last + 1, last - _AROUND + step, last - _AROUND + after))
+    return rigid(flat, faces, hair_weights(scalp.figure, flat))
