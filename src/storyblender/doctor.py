@@ -33,19 +33,6 @@ SYSTEM_LIBRARIES = {
 DRIVERS = ("libegl-mesa0", "libgl1-mesa-dri")
 LEAST_DISK = 2 * 1024**3
 
-_PROBE = """
-import bpy, os
-bpy.ops.wm.read_factory_settings(use_empty=True)
-scene = bpy.context.scene
-scene.camera = bpy.data.objects.new("c", bpy.data.cameras.new("c"))
-scene.collection.objects.link(scene.camera)
-scene.render.engine = "BLENDER_WORKBENCH"
-scene.render.resolution_x = scene.render.resolution_y = 16
-scene.render.filepath = os.environ["STORYBLENDER_PROBE"]
-bpy.ops.render.render(write_still=True)
-os._exit(0)
-"""
-
 
 @dataclass(frozen=True)
 class Finding:
@@ -105,7 +92,7 @@ def check_libraries(load: Callable[[str], object] = ctypes.CDLL) -> Finding:
 
 def check_blender() -> Finding:
     """Blender's module, imported in a process of its own."""
-    done = _run("import bpy, os; print(bpy.app.version_string, flush=True); os._exit(0)")
+    done = _probe()
     if done.returncode == 0:
         return Finding("Blender", True, f"bpy {done.stdout.strip().splitlines()[-1]}")
     reason = (done.stderr.strip().splitlines() or ["no reason given"])[-1]
@@ -116,7 +103,7 @@ def check_drawing() -> Finding:
     """A real picture in a process of its own: without EGL Blender aborts instead of raising."""
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder) / "probe.png"
-        done = _run(_PROBE, {"STORYBLENDER_PROBE": str(picture)})
+        done = _probe(str(picture))
         if done.returncode == 0 and picture.exists():
             return Finding("Drawing", True, "Workbench draws without a window")
     return Finding("Drawing", False, f"Workbench failed ({done.returncode})", apt_line(["libegl1", *DRIVERS]))
@@ -148,8 +135,6 @@ def apt_line(packages: list[str]) -> str:
     return "apt-get install -y " + " ".join(dict.fromkeys(packages))
 
 
-def _run(code: str, extra: dict[str, str] | None = None) -> subprocess.CompletedProcess[str]:
-    environment = {**os.environ, **(extra or {})}
-    return subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=120, env=environment, check=False
-    )
+def _probe(*arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "storyblender.blender.probe", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)

@@ -27,10 +27,13 @@ class BlenderEngine:
         root: The project folder; every path in a job is relative to it.
         models: The user's folder of models.
         jobs: Number of processes; 0 decides by the machine.
+
+    Blender's words of this run, and of no earlier one, are in ``build/engine.log``.
     """
 
     def __init__(self, root: Path, models: Path | None = None, jobs: int = 0) -> None:
         command, log = blender_command(root, models), root / "build" / "engine.log"
+        log.unlink(missing_ok=True)
         self._pool = WorkerPool(lambda: Worker(command, log), jobs)
 
     def __enter__(self) -> BlenderEngine:
