@@ -8,15 +8,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from storyblender import __version__, doctor
+from storyblender import __version__
 from storyblender.errors import StoryBlenderError
-from storyblender.settings import Settings
-from storyblender.studio import Studio
 from storyblender.terminal import Terminal
+
+if TYPE_CHECKING:
+    from storyblender.studio import Studio
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -87,11 +88,11 @@ def make(
 ) -> None:
     """Turn a script into a storyboard: everything. Run it again to go on where it was stopped."""
     with _terminal(quiet, json_lines) as terminal:
-        settings = Settings.load(
-            script, look=look, crew=crew, aspect=aspect, width=width, fps=fps, shots_per_scene=shots_per_scene,
-            models=models, animatic=animatic, slate=slate, jobs=jobs, seed=seed,
+        studio = _studio(
+            terminal, script, look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
+            shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate,
         )  # fmt: skip
-        delivery = Studio(settings, terminal.show).make(script, out or _folder_of(script))
+        delivery = studio.make(script, out or _folder_of(script))
         terminal.files(delivery.folder, delivery.files)
 
 
@@ -109,8 +110,10 @@ def plan(
 ) -> None:
     """Read a script into the memory graph only: cast, scenes, shots. No Blender."""
     with _terminal(quiet, json_lines) as terminal:
-        settings = Settings.load(script, crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
-        delivery = Studio(settings, terminal.show).plan(script, out or _folder_of(script))
+        studio = _studio(
+            terminal, script, crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed
+        )
+        delivery = studio.plan(script, out or _folder_of(script))
         terminal.plan(delivery.graph)
         terminal.files(delivery.folder, delivery.files)
 
@@ -131,19 +134,32 @@ def render(
 ) -> None:
     """Render a project again: only what changed, or the shots named, with a changed camera if you say so."""
     with _terminal(quiet, json_lines) as terminal:
-        settings = Settings.load(None, look=look, jobs=jobs, animatic=animatic)
         camera = {"size": size, "angle": angle, "lens": lens, "movement": move}
-        delivery = Studio(settings, terminal.show).render(
+        delivery = _studio(terminal, project=folder, look=look, jobs=jobs, animatic=animatic).render(
             folder, shot or [], {key: value for key, value in camera.items() if value is not None}
         )
         terminal.files(delivery.folder, delivery.files)
 
 
 @app.command()
+def undo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
+    """Take back the last change of a project. `render` then draws only what that changes."""
+    with _terminal(quiet, json_lines) as terminal:
+        terminal.commits("undone", _studio(terminal).undo(folder))
+
+
+@app.command()
+def redo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
+    """Make the change again that was undone last."""
+    with _terminal(quiet, json_lines) as terminal:
+        terminal.commits("redone", _studio(terminal).redo(folder))
+
+
+@app.command()
 def check(folder: Folder, json_lines: Json = False) -> None:
     """Check a project: layout, framing, continuity, collisions, people in frame. Exits 1 if something is wrong."""
     with _terminal(quiet=False, json_lines=json_lines) as terminal:
-        report = Studio(Settings(), terminal.show).check(folder)
+        report = _studio(terminal, project=folder).check(folder)
         terminal.check(report)
     raise typer.Exit(0 if report.clean else 1)
 
@@ -157,13 +173,15 @@ def export(
 ) -> None:
     """Write the scenes as glTF or USD, or the timeline as EDL or FCPXML."""
     with _terminal(quiet, json_lines) as terminal:
-        delivery = Studio(Settings(), terminal.show).export(folder, [str(name.value) for name in to])
+        delivery = _studio(terminal, project=folder).export(folder, [str(name.value) for name in to])
         terminal.files(delivery.folder, delivery.files)
 
 
 @app.command(name="doctor")
 def examine(json_lines: Json = False) -> None:
     """Say whether this machine can run StoryBlender, and the line that mends it if not."""
+    from storyblender import doctor
+
     findings = doctor.examine()
     with _terminal(quiet=False, json_lines=json_lines) as terminal:
         terminal.findings(findings)
@@ -181,7 +199,7 @@ def catalog(
 ) -> None:
     """List what the built-in library can make, or render a picture of an entry."""
     with _terminal(quiet=False, json_lines=json_lines) as terminal:
-        studio = Studio(Settings(), terminal.show)
+        studio = _studio(terminal)
         if picture is not None:
             studio.picture(picture, out)
             terminal.files(out.parent, [out.name])
@@ -195,6 +213,14 @@ def main(version: Annotated[bool, typer.Option("--version", help="Print the vers
     if version:
         typer.echo(f"storyblender {__version__}")
         raise typer.Exit
+
+
+def _studio(terminal: Terminal, script: Path | None = None, project: Path | None = None, **overrides: Any) -> Studio:
+    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it."""
+    from storyblender.settings import Settings
+    from storyblender.studio import Studio
+
+    return Studio(Settings.load(script, project, **overrides), terminal.show)
 
 
 def _folder_of(script: Path) -> Path:

@@ -1,4 +1,4 @@
-"""A typed edit becomes the smallest set of commits: here, a changed camera."""
+"""What a person changes becomes the smallest set of commits, and can be taken back: a camera, undo, redo."""
 
 from __future__ import annotations
 
@@ -9,10 +9,14 @@ from pydantic import ValidationError
 
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, shot_name
+from storyblender.memory.history import Commit
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.memory.vocabulary import DISTANCE_OF_SIZE, Angle, Movement, ShotSize
 from storyblender.pipeline.run import Run
+from storyblender.project import Project
 
+PEOPLES = ("user", "director")
+"""Authors whose commits a person caused: an edit, or a script that was read. The crew's follow from them."""
 CHOICES = {"size": get_args(ShotSize), "angle": get_args(Angle), "movement": get_args(Movement)}
 
 
@@ -59,3 +63,40 @@ def apply_camera_edit(run: Run, shot: ShotContext, edit: CameraEdit) -> None:
     said = ", ".join(f"{key} {value}" for key, value in edit.model_dump(exclude_none=True).items())
     fresh = shot.model_copy(update={"camera_instruction": instruction, "camera": None, "lights": ()})
     run.commit("user", f"{name}: {said}", fresh)
+
+
+def undo_edit(project: Project) -> list[Commit]:
+    """Take back a person's last change with all that the crew did in consequence; the first reading of a script stays.
+
+    Returns:
+        What was undone, oldest first: the change itself, then the crew's commits.
+
+    Raises:
+        InputError: Nothing was changed since the script was read.
+    """
+    if not any(commit.author in PEOPLES for commit in project.log()[1:]):
+        raise InputError("there is nothing to undo", mend="nothing was changed since the script was read")
+    undone: list[Commit] = []
+    while not (undone and undone[0].author in PEOPLES):
+        commit = project.undo()
+        assert commit is not None, "the change was seen in the log"
+        undone.insert(0, commit)
+    return undone
+
+
+def redo_edit(project: Project) -> list[Commit]:
+    """Make a change again that was undone, with the crew's work on it.
+
+    Returns:
+        What was done again, oldest first.
+
+    Raises:
+        InputError: Nothing was undone, or something else was changed since.
+    """
+    redone: list[Commit] = []
+    while (commit := project.next_commit()) is not None and not (redone and commit.author in PEOPLES):
+        project.redo()
+        redone.append(commit)
+    if not redone:
+        raise InputError("there is nothing to redo", mend="a change can be redone until another one is made")
+    return redone

@@ -81,6 +81,7 @@ class Project:
         if not changes:
             return None
         Gatekeeper(self.graph).admit(graph, changes)
+        self._forget_undone()
         commit = Commit(revision=self.revision + 1, author=author, reason=reason, changes=changes)
         write_atomic(self._commit_path(commit.revision), commit.model_dump_json())
         self._move_head(commit.revision)
@@ -98,12 +99,17 @@ class Project:
 
     def redo(self) -> Commit | None:
         """Step forward again; None where nothing was undone."""
-        if not self._commit_path(self.revision + 1).exists():
+        commit = self.next_commit()
+        if commit is None:
             return None
-        commit = self._read_commit(self.revision + 1)
         self.graph = apply(self.graph, commit)
         self._move_head(commit.revision)
         return commit
+
+    def next_commit(self) -> Commit | None:
+        """Return the commit that ``redo`` would make again, if any."""
+        known = self._commit_path(self.revision + 1).exists()
+        return self._read_commit(self.revision + 1) if known else None
 
     def log(self) -> list[Commit]:
         """Return every commit up to the current revision, oldest first."""
@@ -129,12 +135,24 @@ class Project:
             if others:
                 self._lock.release()
                 raise InputError("is not empty and not a project", mend="give another --out", path=self.folder)
+        (self.folder / "history").mkdir(exist_ok=True)  # from here on a project, even if killed before its first commit
         head = self._head()
         while revision < head:
             graph, revision = apply(graph, self._read_commit(revision + 1)), revision + 1
         while revision > head:
             graph, revision = apply(graph, self._read_commit(revision), backwards=True), revision - 1
         return graph, revision
+
+    def _forget_undone(self) -> None:
+        """A new commit ends what could be redone. Latest first, and only once no checkpoint needs the way back."""
+        undone = [path for path in self._history() if int(path.stem) > self.revision]
+        if undone:
+            self.checkpoint()
+        for path in reversed(undone):
+            path.unlink()
+
+    def _history(self) -> list[Path]:
+        return sorted((self.folder / "history").glob("[0-9]*.json"))
 
     def _head(self) -> int:
         path = self.folder / "history" / "HEAD"

@@ -1,8 +1,13 @@
-"""Settings of a run: defaults, then ``storyblender.toml`` beside the script, then the command line."""
+"""Settings of a run: defaults, then ``storyblender.toml`` beside the script, then the command line.
+
+A project remembers those it was made with, so that a later ``render`` draws in the same look with the same lenses.
+"""
 
 from __future__ import annotations
 
+import json
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Literal
 
@@ -12,6 +17,8 @@ from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
 
 Look = Literal["board", "fast", "pencil", "render"]
+REMEMBERED = "settings.json"
+"""In the project folder."""
 
 
 class Settings(Frozen):
@@ -46,23 +53,22 @@ class Settings(Frozen):
     """T_max by role."""
 
     @classmethod
-    def load(cls, script: Path | None = None, **overrides: Any) -> Settings:
-        """Read the settings for a script.
+    def load(cls, script: Path | None = None, project: Path | None = None, **overrides: Any) -> Settings:
+        """Read the settings for a script, or those that a project was made with.
 
         Args:
             script: ``storyblender.toml`` is looked for in its folder.
+            project: The folder of a project, where there is no script.
             overrides: From the command line; None means not given.
 
         Raises:
             InputError: A setting is unknown or out of range.
         """
-        path = script.parent / "storyblender.toml" if script else None
         values: dict[str, Any] = {}
-        if path is not None and path.is_file():
-            try:
-                values = tomllib.loads(path.read_text(encoding="utf-8"))
-            except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-                raise InputError(f"is not valid TOML ({error})", mend="mend or delete it", path=path) from error
+        if script is not None:
+            values = _read(script.parent / "storyblender.toml", tomllib.loads)
+        elif project is not None:
+            values = _read(project / REMEMBERED, json.loads)
         values |= {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values)
@@ -70,3 +76,17 @@ class Settings(Frozen):
             first = error.errors()[0]
             name = ".".join(str(part) for part in first["loc"])
             raise InputError(f"setting {name!r}: {first['msg']}", mend="see `storyblender make --help`") from error
+
+    def remembered(self) -> str:
+        """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine."""
+        return self.model_dump_json(exclude_defaults=True, exclude={"jobs", "models"}, indent=1)
+
+
+def _read(path: Path, parse: Callable[[str], dict[str, Any]]) -> dict[str, Any]:
+    """Return the settings in a file; none where there is no file."""
+    if not path.is_file():
+        return {}
+    try:
+        return parse(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise InputError(f"cannot be read as settings ({error})", mend="mend or delete it", path=path) from error

@@ -19,7 +19,7 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.deliver.timeline import EXTRA_FORMATS, write_extra
-from storyblender.edits import CameraEdit, apply_camera_edit
+from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
@@ -28,6 +28,7 @@ from storyblender.look.looks import LOOKS
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob, ExportJob
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.delivery import compile_blend, deliver, frame_paths
@@ -37,8 +38,8 @@ from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import prune, shoot_frames, shoot_motion
 from storyblender.pipeline.staging import pack_scenes, stage
-from storyblender.project import Project, read_project_graph
-from storyblender.settings import Settings
+from storyblender.project import Project, read_project_graph, write_atomic
+from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Listener, silent
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
@@ -128,6 +129,26 @@ class Studio:
             film(run)
             return self._shoot(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
 
+    def undo(self, folder: Path) -> list[Commit]:
+        """Take back the last change and what followed from it; the next render draws only what that changes.
+
+        Raises:
+            InputError: No such project, or nothing to undo.
+        """
+        read_project_graph(folder)
+        with Project(folder) as project:
+            return undo_edit(project)
+
+    def redo(self, folder: Path) -> list[Commit]:
+        """Make the change again that was undone last.
+
+        Raises:
+            InputError: No such project, or nothing to redo.
+        """
+        read_project_graph(folder)
+        with Project(folder) as project:
+            return redo_edit(project)
+
     def check(self, folder: Path) -> Inspection:
         """Inspect a finished project: layout, framing, continuity, collisions, people in frame."""
         read_project_graph(folder)
@@ -182,6 +203,8 @@ class Studio:
         if script is not None and not script.is_file():
             raise InputError("there is no such script", mend="check the path", path=script)
         with Project(folder) as project, BlenderEngine(project.folder, models, self._settings.jobs) as engine:
+            if script is not None:
+                write_atomic(project.path(REMEMBERED), self._settings.remembered())
             yield Run(project, engine, load_embedder, self._settings, self._listener)
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:

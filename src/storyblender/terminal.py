@@ -1,4 +1,7 @@
-"""What a person sees while the crew works: progress bars, scores, tables; or JSON lines for a machine."""
+"""What a person sees: progress on standard error, results on standard output; or JSON lines for a machine.
+
+Progress is bars and scores on a terminal, and a plain line as each stage begins and ends everywhere else.
+"""
 
 from __future__ import annotations
 
@@ -7,17 +10,20 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from storyblender.catalog.registry import Entry
-from storyblender.doctor import Finding
-from storyblender.inspection import Inspection
-from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.trace import Event
+if TYPE_CHECKING:
+    from storyblender.catalog.registry import Entry
+    from storyblender.doctor import Finding
+    from storyblender.inspection import Inspection
+    from storyblender.memory.graph import ContinuityMemoryGraph
+    from storyblender.memory.history import Commit
+    from storyblender.trace import Event
 
 LABELS = {
     "ground": "Reading the script",
@@ -28,6 +34,8 @@ LABELS = {
     "motion": "Shooting the animatic",
     "deliver": "Binding the board",
 }
+PLAIN_WIDTH = 240
+"""Columns of a table that goes to a file or a pipe: enough that nothing is cut."""
 
 
 class Terminal:
@@ -39,8 +47,11 @@ class Terminal:
     """
 
     def __init__(self, *, quiet: bool, json_lines: bool) -> None:
-        self._quiet, self._json = quiet or json_lines, json_lines
-        self._console = Console(stderr=True, quiet=self._quiet, highlight=False)
+        self._json = json_lines
+        silent = quiet or json_lines
+        self._console = Console(stderr=True, quiet=silent, highlight=False)
+        width = None if sys.stdout.isatty() else PLAIN_WIDTH
+        self._results = Console(file=sys.stdout, quiet=silent, highlight=False, width=width)
         self._progress = Progress(
             TextColumn("{task.description:28}"),
             BarColumn(bar_width=28),
@@ -48,9 +59,10 @@ class Terminal:
             TimeElapsedColumn(),
             TextColumn("[dim]{task.fields[note]}"),
             console=self._console,
-            disable=self._quiet,
+            disable=silent or not self._console.is_terminal,
         )
         self._tasks: dict[str, TaskID] = {}
+        self._begun: set[str] = set()
 
     def __enter__(self) -> Terminal:
         self._progress.start()
@@ -66,21 +78,37 @@ class Terminal:
         if self._json:
             self._write({"event": event.model_dump(mode="json", exclude_defaults=True)})
         if event.kind == "stage" and event.total is not None:
-            self._advance(event)
+            self._advance(event) if self._console.is_terminal else self._say_stage(event)
         elif event.kind == "score" and event.details:
             note = f"{event.role} {event.subject} turn {event.turn}: {event.score:g}  {event.details[0]}"
             self._note(note)
         elif event.kind in ("handover", "reject", "warning"):
-            self._progress.print(f"[yellow]{event.kind}[/] {escape(f'{event.role} {event.subject} {event.message}')}")
+            text = f"{event.role} {event.subject} {event.message}"
+            self._console.print(f"[yellow]{event.kind}[/] {escape(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str]) -> None:
         """Say where everything is."""
         self._progress.stop()
         if self._json:
             self._write({"folder": str(folder), "files": list(names)})
-        self._console.print(f"\n[bold]{escape(str(folder))}[/]")
+        self._results.print(f"[bold]{escape(str(folder))}[/]", soft_wrap=True)
         for name in names:
-            self._console.print(f"  {escape(name)}")
+            self._results.print(f"  {escape(name)}")
+
+    def commits(self, done: str, commits: Sequence[Commit]) -> None:
+        """Say what was undone or redone, and that the pictures follow.
+
+        Args:
+            done: ``undone`` or ``redone``.
+            commits: The change of a person, then what the crew did in consequence.
+        """
+        self._progress.stop()
+        if self._json:
+            self._write({done: [{"author": commit.author, "reason": commit.reason} for commit in commits]})
+        self._results.print(f"[bold]{done}[/] {escape(commits[0].reason)}", soft_wrap=True)
+        for commit in commits[1:]:
+            self._results.print(f"  {escape(f'{commit.author}: {commit.reason}')}", soft_wrap=True)
+        self._results.print("`storyblender render` draws what this changes")
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
         """Print cast and shots."""
@@ -88,13 +116,13 @@ class Terminal:
             self._write({"graph": graph.model_dump(mode="json")})
         self._progress.stop()
         cast = [asset.name or asset.asset_id for asset in graph.assets if asset.asset_type == "character"]
-        self._console.print(f"[bold]Cast[/] {escape(', '.join(cast))}")
+        self._results.print(f"[bold]Cast[/] {escape(', '.join(cast))}")
         table = Table("scene", "shots", "heading", "on stage", box=None)
         for scene in graph.outline:
             shots = graph.shots_of(scene.scene_id)
             people = dict.fromkeys(person for shot in shots for person in shot.on_stage)
             table.add_row(str(scene.scene_id), str(len(shots)), escape(scene.heading), escape(", ".join(people)))
-        self._console.print(table)
+        self._results.print(table)
 
     def check(self, report: Inspection) -> None:
         """Print the result of a check."""
@@ -104,9 +132,9 @@ class Terminal:
         table = Table("check", "value", "", box=None)
         for row in report.rows:
             table.add_row(row.name, row.value, "[green]ok[/]" if row.ok else "[red]look[/]")
-        self._console.print(table)
+        self._results.print(table)
         for finding in report.findings:
-            self._console.print(f"  [yellow]{escape(finding)}[/]")
+            self._results.print(f"  [yellow]{escape(finding)}[/]", soft_wrap=True)
 
     def findings(self, findings: Sequence[Finding]) -> None:
         """Print what the doctor found."""
@@ -122,9 +150,9 @@ class Terminal:
                     }
                 )
             mark = "[green]ok [/]" if finding.healthy else "[red]bad[/]"
-            self._console.print(f"{mark} {finding.name:18} {escape(finding.says)}")
+            self._results.print(f"{mark} {finding.name:18} {escape(finding.says)}")
             if finding.mend:
-                self._console.print(f"    [bold]{escape(finding.mend)}[/]")
+                self._results.print(f"    [bold]{escape(finding.mend)}[/]")
 
     def catalog(self, catalogs: Mapping[str, Sequence[Entry]]) -> None:
         """Print catalogues."""
@@ -135,7 +163,7 @@ class Terminal:
             table = Table(f"{kind} ({len(entries)})", "name", "also", box=None)
             for entry in entries:
                 table.add_row(entry.key, escape(entry.name), escape(", ".join(entry.tags[:6])))
-            self._console.print(table)
+            self._results.print(table)
 
     def error(self, message: str) -> None:
         """Print an error to standard error."""
@@ -147,6 +175,17 @@ class Terminal:
             self._tasks[event.role] = self._progress.add_task(label, total=event.total, note="")
         note = event.subject or event.message
         self._progress.update(self._tasks[event.role], completed=event.step, total=event.total, note=escape(note))
+
+    def _say_stage(self, event: Event) -> None:
+        """One line as a stage begins and one as it ends; a stage without work is passed over."""
+        label, ended = LABELS.get(event.role, event.role), event.step == event.total
+        if event.role not in self._begun and event.total:
+            self._begun.add(event.role)
+            self._console.print(f"{label} ...", soft_wrap=True)
+        if event.role in self._begun and ended:
+            self._begun.remove(event.role)
+            note = f" ({event.subject})" if event.subject else ""
+            self._console.print(f"{label}: {event.step} of {event.total}{escape(note)}", soft_wrap=True)
 
     def _note(self, text: str) -> None:
         if self._tasks:

@@ -53,6 +53,28 @@ def test_undo_redo_survive_reopening(tmp_path: Path) -> None:
         assert [commit.author for commit in project.log()] == ["director", "director"]
 
 
+def test_a_new_commit_ends_what_could_be_redone(tmp_path: Path) -> None:
+    with Project(tmp_path / "p") as project:
+        for name in ("cup", "key", "hat"):
+            add(project, name)
+    project = Project(tmp_path / "p")
+    for _ in range(3):
+        project.undo()
+    add(project, "box")
+    assert project.redo() is None and names(project) == ["box"]
+    project._lock.release()  # killed: the checkpoint of three commits ago must not need what was forgotten
+    with Project(tmp_path / "p") as again:
+        assert names(again) == ["box"] and again.redo() is None
+
+
+def test_killed_before_the_first_commit_it_is_a_project_all_the_same(tmp_path: Path) -> None:
+    project = Project(tmp_path / "p")
+    write_atomic(project.path("script.fountain"), "INT. ROOM - DAY")
+    project._lock.release()
+    with Project(tmp_path / "p") as again:
+        assert again.revision == 0
+
+
 def test_a_half_written_commit_is_not_the_head(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
         add(project, "cup")

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from storyblender.errors import InputError
-from storyblender.settings import Settings
+from storyblender.settings import REMEMBERED, Settings
 
 
 def test_the_command_line_wins_over_the_file_over_the_defaults(tmp_path: Path) -> None:
@@ -18,9 +18,23 @@ def test_the_command_line_wins_over_the_file_over_the_defaults(tmp_path: Path) -
 
 @pytest.mark.parametrize(
     ("text", "words"),
-    [("look = ", "not valid TOML"), ('look = "oil"', "'look'"), ("fps = 1000", "'fps'"), ("colour = 1", "'colour'")],
+    [
+        ("look = ", "cannot be read as settings"),
+        ('look = "oil"', "'look'"),
+        ("fps = 1000", "'fps'"),
+        ("colour = 1", "'colour'"),
+    ],
 )
 def test_bad_settings_are_one_clear_error(tmp_path: Path, text: str, words: str) -> None:
     (tmp_path / "storyblender.toml").write_text(text)
     with pytest.raises(InputError, match=words):
         Settings.load(tmp_path / "a.fountain")
+
+
+def test_a_project_remembers_its_settings(tmp_path: Path) -> None:
+    made = Settings(look="pencil", lens_kit=(35.0, 75.0), jobs=2, models=tmp_path)
+    (tmp_path / REMEMBERED).write_text(made.remembered())
+    again = Settings.load(project=tmp_path, animatic=False)
+    assert again == Settings(look="pencil", lens_kit=(35.0, 75.0), animatic=False)
+    assert Settings.load(project=tmp_path, look="fast").look == "fast"
+    assert Settings.load(project=tmp_path / "older") == Settings()

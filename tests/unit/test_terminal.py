@@ -1,0 +1,57 @@
+"""What goes where: results to standard output, progress to standard error, JSON alone on its stream."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from storyblender.inspection import CheckRow, Inspection
+from storyblender.memory.history import Commit
+from storyblender.terminal import Terminal
+from storyblender.trace import Event
+
+REPORT = Inspection(rows=(CheckRow(name="SDE", value="0", ok=True),), findings=("a sentence " * 30 + "end",))
+
+
+def progress(role: str, step: int, total: int) -> Event:
+    return Event(kind="stage", role=role, step=step, total=total, subject=f"item {step}")
+
+
+def test_stages_begin_and_end_on_plain_lines(capsys: pytest.CaptureFixture[str]) -> None:
+    with Terminal(quiet=False, json_lines=False) as terminal:
+        for event in (progress("materialize", 0, 0), *(progress("frames", step, 3) for step in range(3))):
+            terminal.show(event)
+        assert capsys.readouterr().err == "Drawing the frames ...\n", "said as it begins, and nothing for no work"
+        terminal.show(progress("frames", 3, 3))
+        assert capsys.readouterr().err == "Drawing the frames: 3 of 3 (item 3)\n"
+    assert capsys.readouterr() == ("", "")
+
+
+def test_results_are_alone_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
+    with Terminal(quiet=False, json_lines=False) as terminal:
+        terminal.check(REPORT)
+        terminal.files(Path("a_long_folder_name" * 20), ["board.pdf"])
+        terminal.commits("undone", [Commit(revision=2, author="user", reason="SC010_SH010: size CU", changes=())])
+    out, err = capsys.readouterr()
+    assert (
+        err == "" and "a_long_folder_name" * 20 in out and "board.pdf" in out and "undone SC010_SH010: size CU" in out
+    )
+    assert "SDE" in out and next(line for line in out.splitlines() if "a sentence" in line).endswith("end")
+
+
+@pytest.mark.parametrize(("quiet", "json_lines"), [(True, False), (False, True)])
+def test_quiet_and_json_show_no_table(capsys: pytest.CaptureFixture[str], quiet: bool, json_lines: bool) -> None:
+    with Terminal(quiet=quiet, json_lines=json_lines) as terminal:
+        terminal.show(progress("frames", 0, 3))
+        terminal.check(REPORT)
+    out, err = capsys.readouterr()
+    assert err == ""
+    results = [json.loads(line) for line in out.splitlines()]
+    assert len(results) == (2 if json_lines else 0) and (quiet or results[-1]["rows"][0]["name"] == "SDE")
+
+
+def test_errors_are_said_even_when_quiet(capsys: pytest.CaptureFixture[str]) -> None:
+    Terminal(quiet=True, json_lines=False).error("no such [b]script[/b]")
+    assert capsys.readouterr().err == "storyblender: no such [b]script[/b]\n"
