@@ -97,9 +97,12 @@ class Channel:
 
     def __call__(self, t: float) -> Floats:
         """Return the values at ``t``: the newest finished key with every started key blended over it."""
-        done = max((i for i, key in enumerate(self.keys) if key.start + key.duration <= t), default=0)
-        value = self.keys[done].at(t)
-        for key in self.keys[done + 1 :]:
+        keys = self.keys
+        done = len(keys) - 1
+        while done and keys[done].start + keys[done].duration > t:
+            done -= 1
+        value = keys[done].at(t)
+        for key in keys[done + 1 :]:
             if key.start >= t:
                 break
             w = key.ease(clamp((t - key.start) / key.duration))

@@ -8,13 +8,14 @@ and hands, which are world targets (notes: motion, sections 1 and 2).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from bisect import bisect_right
 
 import numpy as np
 from mathutils import Matrix, Vector
 from numpy.typing import NDArray
 
-from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp, smooth
+from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp
+from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
 from storyblender.blender.people.body import Body
@@ -27,38 +28,6 @@ NEAREST = 0.42
 """Arm lengths between shoulder and wrist below which a hand goes around the shoulder."""
 SHORT_REACH = 0.004
 """Metres, times k, that a hand may miss before the trunk leans after it."""
-
-
-@dataclass(frozen=True)
-class Gait:
-    """The rhythm of a walk or run, for pelvis, trunk and arms.
-
-    Attributes:
-        start: Seconds.
-        end: Seconds.
-        step: Seconds of one step.
-        amplitude: Strength of the swing, about 1.
-        running: True for a run.
-        offset: Stride phase at ``start``; 0 is the landing of the left foot.
-        stoop: Degrees of bent trunk (sneaking).
-    """
-
-    start: float
-    end: float
-    step: float
-    amplitude: float
-    running: bool
-    offset: float
-    stoop: float = 0.0
-
-    def phase(self, t: float) -> float:
-        """Return the stride phase 0..1."""
-        return ((t - self.start) / (2 * self.step) + self.offset) % 1
-
-    def strength(self, t: float) -> float:
-        """Return 0..amplitude: swings grow with the first step and die with the last."""
-        grow = clamp((t - self.start) / self.step) * clamp((self.end - t) / (1.2 * self.step))
-        return smooth(grow) * self.amplitude
 
 
 class Performer:
@@ -228,6 +197,12 @@ class Performer:
 
     def pose_trunk(self, t: float, drop: float = 0.0) -> None:
         """Place root, pelvis and spine; ``drop`` lowers the pelvis."""
+        swing, phase, gait, sway = self._pose_pelvis(t, drop)
+        self._pose_spine(t, swing, phase, gait, sway)
+        self.bones.update_all()
+
+    def _pose_pelvis(self, t: float, drop: float = 0.0) -> tuple[float, float, Gait | None, float]:
+        """Place root and pelvis, everything else at rest; return strength, phase and gait of the walk, and the sway."""
         x, y, yaw = (float(value) for value in self.root(t))
         self.place, self.heading = Vector((x, y, 0)), yaw
         self.facing = Matrix.Rotation(yaw, 3, "Z")
@@ -246,8 +221,7 @@ class Performer:
         middle = (bones.head["thigh.L"] + bones.head["thigh.R"]) / 2
         to_hips = bones.head["hips"] - middle
         bones.offset = Vector((dx, middle.y + dy, height - drop)) + bones.turn["hips"] @ to_hips - bones.head["hips"]
-        self._pose_spine(t, swing, phase, gait, sway)
-        bones.update_all()
+        return swing, phase, gait, sway
 
     def _idle(self, t: float, swing: float) -> float:
         return float(self.life(t)) * max(0.0, 1 - swing)
@@ -279,7 +253,8 @@ class Performer:
 
     def needed_drop(self, t: float) -> float:
         """Return by how much the pelvis must sink so that both legs reach their feet, trunk posed at ``t``."""
-        self.pose_trunk(t)
+        self._pose_pelvis(t)
+        self.bones.update("hips", "thigh.L", "thigh.R")
         need = 0.0
         for side in SIDES:
             ankle, hip = self.to_body(Vector(self.feet[side](t)[:3])), self.bones.joint[f"thigh.{side}"]
@@ -362,7 +337,8 @@ class Performer:
         bones.turn["head"] = turned @ about("Y", 0.7 * roll)
         bones.update("neck", "head")
         head_back = bones.orient["head"].transposed()
-        glance = next(((x, y) for start, x, y in reversed(self.glances) if start <= t), (0.0, 0.0))
+        newest = bisect_right(self.glances, t, key=lambda each: each[0]) - 1
+        glance = self.glances[newest][1:] if newest >= 0 else (0.0, 0.0)
         for side in SIDES:
             eye = f"eye.{side}"
             bones.update(eye)

@@ -64,8 +64,11 @@ class Skeleton:
         self.tail = {name: Vector(point) for name, point in zip(names, body.tails.tolist(), strict=True)}
         self.rest = {n: Matrix(m).to_3x3() for n, m in zip(names, body.rest.tolist(), strict=True)}
         self.parent = {n: names[p] if p >= 0 else None for n, p in zip(names, body.parents, strict=True)}
+        self.from_parent = {n: self.head[n] - self.head[p] for n, p in self.parent.items() if p is not None}
         self.k = body.stature / 1.7
         self.order = _parents_first(self.parent)
+        self._resting_hands = {side: self._hand_at_rest(side) for side in SIDES}
+        self._feet_across = {side: self._foot_across(side) for side in SIDES}
         self.offset = Vector((0, 0, 0))
         """Move of the hips from rest."""
         self.reset()
@@ -80,14 +83,16 @@ class Skeleton:
 
     def update(self, *bones: str) -> None:
         """Recompute orientation and joint of ``bones``, in the order given (parents before children)."""
+        orient, joint = self.orient, self.joint
         for bone in bones:
             parent = self.parent[bone]
             if parent is None:
-                self.orient[bone] = self.turn[bone]
-                self.joint[bone] = self.head[bone] + self.offset
+                orient[bone] = self.turn[bone]
+                joint[bone] = self.head[bone] + self.offset
             else:
-                self.orient[bone] = self.orient[parent] @ self.turn[bone]
-                self.joint[bone] = self.joint[parent] + self.orient[parent] @ (self.head[bone] - self.head[parent])
+                carried = orient[parent]
+                orient[bone] = carried @ self.turn[bone]
+                joint[bone] = joint[parent] + carried @ self.from_parent[bone]
 
     def update_all(self) -> None:
         """Recompute every bone."""
@@ -160,6 +165,9 @@ class Skeleton:
 
     def hand_axes(self, side: str) -> tuple[Vector, Vector]:
         """Return the resting hand's finger direction and palm normal."""
+        return self._resting_hands[side]
+
+    def _hand_at_rest(self, side: str) -> tuple[Vector, Vector]:
         bone = f"hand.{side}"
         fingers = (self.tail[bone] - self.head[bone]).normalized()
         across = self.head[f"fingers1.{side}"] - self.head[f"index1.{side}"]
@@ -182,8 +190,11 @@ class Skeleton:
 
     def pitch(self, side: str, degrees: float) -> Matrix:
         """Return the rotation of a foot about its own lateral axis, toes up."""
+        return about(self._feet_across[side], -degrees)
+
+    def _foot_across(self, side: str) -> Vector:
         along = self.head[f"toe.{side}"] - self.head[f"foot.{side}"]
-        return about(Vector((-along.y, along.x, 0)).normalized(), -degrees)
+        return Vector((-along.y, along.x, 0)).normalized()
 
 
 def _parents_first(parent: dict[str, str | None]) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
 from storyblender.blender.motion.performer import FACE, Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
+from storyblender.blender.motion.skeleton import IDENTITY, Skeleton
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.base import content_hash
@@ -175,16 +176,24 @@ class _Rows:
         self.rotations, self.face = np.zeros((count, bones, 4)), np.zeros((count, len(FACE)))
         self.seated = np.zeros(count)
         self.back = {name: rest.transposed() for name, rest in who.bones.rest.items()}
+        self.unmoved = {
+            name: (self.back[name] @ IDENTITY @ rest).to_quaternion()[:] for name, rest in who.bones.rest.items()
+        }
 
     def write(self, index: int, t: float, who: Performer) -> None:
         bones = who.bones
         self.root[index] = (*who.place, who.heading)
         self.hips[index] = self.back["hips"] @ bones.offset
-        for number, name in enumerate(bones.names):
-            turn = self.back[name] @ bones.turn[name] @ bones.rest[name]
-            self.rotations[index, number] = turn.to_quaternion()
+        self.rotations[index] = [self._local(name, bones) for name in bones.names]
         self.face[index] = who.face_at(t)
         self.seated[index] = float(who.seated(t))
+
+    def _local(self, name: str, bones: Skeleton) -> tuple[float, ...]:
+        """The bone's quaternion about its own rest axes."""
+        turn = bones.turn[name]
+        if turn is IDENTITY:
+            return self.unmoved[name]
+        return (self.back[name] @ turn @ bones.rest[name]).to_quaternion()[:]
 
     def track(self, who: Performer) -> PersonTrack:
         root = self.root.copy()
