@@ -99,6 +99,7 @@ class Studio:
         """
         with self._open(script, folder) as run:
             ground(run, script)
+            write_atomic(run.project.path(REMEMBERED), self._settings.remembered())
             materialize(run)
             stage(run)
             pack_scenes(run)
@@ -203,8 +204,6 @@ class Studio:
         if script is not None and not script.is_file():
             raise InputError("there is no such script", mend="check the path", path=script)
         with Project(folder) as project, BlenderEngine(project.folder, models, self._settings.jobs) as engine:
-            if script is not None:
-                write_atomic(project.path(REMEMBERED), self._settings.remembered())
             yield Run(project, engine, load_embedder, self._settings, self._listener)
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:

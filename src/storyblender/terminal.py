@@ -29,6 +29,7 @@ LABELS = {
     "ground": "Reading the script",
     "materialize": "Building people and props",
     "stage": "Laying out the scenes",
+    "pack": "Building the scenes",
     "camera": "Setting the cameras",
     "frames": "Drawing the frames",
     "motion": "Shooting the animatic",
@@ -74,10 +75,10 @@ class Terminal:
         self._progress.stop()
 
     def show(self, event: Event) -> None:
-        """Show one event."""
+        """Show one event; a stage without work is passed over."""
         if self._json:
             self._write({"event": event.model_dump(mode="json", exclude_defaults=True)})
-        if event.kind == "stage" and event.total is not None:
+        if event.kind == "stage" and event.total:
             self._advance(event) if self._console.is_terminal else self._say_stage(event)
         elif event.kind == "score" and event.details:
             note = f"{event.role} {event.subject} turn {event.turn}: {event.score:g}  {event.details[0]}"
@@ -177,12 +178,12 @@ class Terminal:
         self._progress.update(self._tasks[event.role], completed=event.step, total=event.total, note=escape(note))
 
     def _say_stage(self, event: Event) -> None:
-        """One line as a stage begins and one as it ends; a stage without work is passed over."""
+        """One line as a stage begins and one as it ends."""
         label, ended = LABELS.get(event.role, event.role), event.step == event.total
-        if event.role not in self._begun and event.total:
+        if event.role not in self._begun:
             self._begun.add(event.role)
             self._console.print(f"{label} ...", soft_wrap=True)
-        if event.role in self._begun and ended:
+        if ended:
             self._begun.remove(event.role)
             note = f" ({event.subject})" if event.subject else ""
             self._console.print(f"{label}: {event.step} of {event.total}{escape(note)}", soft_wrap=True)

@@ -44,6 +44,7 @@ def film(run: Run) -> None:
     scenes = [scene.scene_id for scene in graph.scenes if any(s.camera is None for s in graph.shots_of(scene.scene_id))]
     total = sum(len(graph.shots_of(scene_id)) for scene_id in scenes)
     done = 0
+    run.progress("camera", done, total)
     with ThreadPoolExecutor(max_workers=run.engine.processes) as threads:
         operators = {scene_id: threads.submit(film_scene, run, graph, scene_id) for scene_id in scenes}
         for scene_id, operator in operators.items():

@@ -46,8 +46,10 @@ def pack_scenes(run: Run, scene_ids: Collection[int] | None = None) -> None:
     staged = [scene for scene in run.graph.scenes if scene.layout is not None]
     wanted = [scene for scene in staged if scene_ids is None or scene.scene_id in scene_ids]
     waiting = {scene.scene_id: run.engine.pack_scene(scene_job(run.graph, scene.scene_id)) for scene in wanted}
-    for scene_id, future in waiting.items():
+    for step, (scene_id, future) in enumerate(waiting.items()):
+        run.progress("pack", step, len(waiting), scene_name(scene_id))
         run.packs[scene_id] = future.result()
+    run.progress("pack", len(waiting), len(waiting))
 
 
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
