@@ -66,7 +66,7 @@ def _paragraphs(text: str) -> list[tuple[int, int, int]]:
             continue
         alone = bool(_BREAK.fullmatch(words) or _MARKDOWN_TITLE.fullmatch(words) or _CHAPTER.fullmatch(words))
         indented = raw.startswith(("\t", "  ", "\u3000"))
-        fresh = not open_block or alone or indented or unwrapped or len(words) > _LONG_LINE or words[0] in '"“«„'
+        fresh = not open_block or alone or indented or unwrapped or len(words) > _LONG_LINE or words[0] in '"“«„‘'
         if fresh:
             found.append((start, start + len(words), number))
         else:

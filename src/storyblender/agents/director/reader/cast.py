@@ -166,7 +166,8 @@ def _add_animals(roster: Roster, script: Manuscript) -> None:
     for paragraph in script.paragraphs:
         for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
             known = any(phrase.noun in (person.role, *person.aliases) for person in roster.people)
-            if phrase.noun in lexicon.ANIMALS and not phrase.plural and not known:
+            alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS
+            if alive and not phrase.plural and not known:
                 if phrase.noun in first:
                     roster.add(phrase.noun, first[phrase.noun])
                 first.setdefault(phrase.noun, paragraph.start + phrase.start)

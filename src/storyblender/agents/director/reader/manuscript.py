@@ -27,7 +27,12 @@ _SENTENCE_END = re.compile(
     r"(?<=[.!?])(?<!\bMR\.)(?<!\bDR\.)(?<!\bMS\.)(?<!\bST\.)(?<!\bMRS\.)(?<!\bMr\.)(?<!\bDr\.)(?<!\bMs\.)(?<!\bSt\.)"
     r"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[A-ZÀ-Ý\"“'‘0-9#])"
 )
-_QUOTED = re.compile(r'["“][^"”]*["”]')
+QUOTATION = re.compile(
+    r"""["“][^"”]*["”]|«[^»]*»|„[^“”]*[“”]|‘[^‘’]*(?:(?<=\w)’(?=\w)[^‘’]*)*’(?!\w)"""
+    r"""|(?<!\w)'(?=[A-ZÀ-Ý])[^"]{1,400}?[,.!?…—-]'(?!\w)"""
+)
+"""Something in quotation marks, also single ones; an apostrophe stands between letters."""
+QUOTATION_MARKS = "\"“”«»„‘’'"
 
 
 @dataclass
@@ -83,7 +88,7 @@ def without_brackets(text: str) -> str:
 
 def without_quotations(text: str) -> str:
     """Text with everything in quotation marks blanked."""
-    return blanked(_QUOTED, text)
+    return blanked(QUOTATION, text)
 
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:

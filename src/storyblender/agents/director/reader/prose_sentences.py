@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.manuscript import Paragraph
+from storyblender.agents.director.reader.manuscript import QUOTATION, QUOTATION_MARKS, Paragraph
 from storyblender.agents.director.reader.mentions import mark_mentions
 from storyblender.agents.director.reader.morphology import FORMS
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.sentences import Sentence, Speech
 from storyblender.agents.director.reader.words import Word, tokenize
 
-_QUOTATION = re.compile(r'["“][^"”]*["”]')
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS
 
@@ -31,7 +30,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
         start, end = min(word.start for word in run), max(word.end for word in run)
         sentence = Sentence(paragraph, scene, start, end, told)
         if quotations:
-            text = " ".join(word.quotation.strip('"“”') for word in quotations)
+            text = " ".join(word.quotation.strip(QUOTATION_MARKS) for word in quotations)
             sentence.words, sentence.speech = _said(told, " ".join(text.split()))
         sentences.append(sentence)
     return sentences
@@ -40,7 +39,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
 def _words_and_quotations(text: str, offset: int) -> list[Word]:
     words: list[Word] = []
     at = 0
-    for match in _QUOTATION.finditer(text):
+    for match in QUOTATION.finditer(text):
         words += tokenize(text[at : match.start()], offset + at)
         quotation = match.group(0)
         words.append(

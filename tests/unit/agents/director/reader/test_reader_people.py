@@ -62,3 +62,17 @@ def test_kin_in_a_story_are_the_people_known() -> None:
     reading = read_script(read(story))
     assert [person.id for person in reading.people] == ["mr_hobbs", "clara", "milo"]
     assert any(deed.actor == "mr_hobbs" and deed.motion == "turn" for unit in reading.units for deed in unit.deeds)
+
+
+def test_single_quotation_marks_are_speech() -> None:
+    reading = read_script(
+        read("Agnes ran in. ‘Don’t go,’ whispered Percival. 'Why not?' asked Agnes. The dogs' bowls lay there.")
+    )
+    assert [person.name for person in reading.people][:2] == ["Agnes", "Percival"]
+    spoken = [(unit.speaker, unit.text) for unit in reading.units if unit.kind == "dialogue"]
+    assert spoken == [("percival", "Don’t go,"), ("agnes", "Why not?")]
+
+
+def test_food_on_a_plate_is_not_cast() -> None:
+    text = "INT. KITCHEN - DAY\n\nTOM cuts a fish. He fries the fish. The fish burns.\n"
+    assert [person.id for person in read_script(read(text)).people] == ["tom"]
