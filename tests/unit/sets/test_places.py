@@ -45,6 +45,11 @@ def test_an_indoor_scene_always_has_a_ceiling(words: str) -> None:
     assert SETS[find_kit("", words, "indoor")].indoor
 
 
+def test_a_heading_that_names_a_kit_and_nothing_else_counts_more_than_the_directors_key() -> None:
+    assert find_kit("cottage", "LIGHTHOUSE", "indoor") == "lighthouse"
+    assert find_kit("cottage", "lighthouse", "outdoor") == "beach"
+
+
 def test_the_directors_key_counts_more_than_other_words() -> None:
     assert find_kit("bar", "THE BLUE PARROT OFFICE", "indoor") == "bar"
 

@@ -231,3 +231,13 @@ def test_every_lamp_prop_of_the_plan_burns_at_night() -> None:
     light = next(light for light in lighting.lights if light.name == f"{lamp.node_id}_light")
     assert math.dist(light.location[:2], lamp.location[:2]) < 0.2
     assert lamp.location[2] - 0.2 < light.location[2] < lamp.location[2] + 0.3
+
+
+def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
+    setup = SceneSetup(scene_type="outdoor", place="beach", layout_description="Beach with lighthouse.")
+    plan = plan_of(RulesEnvironmentDesigner().propose(EnvironmentView(setup)))
+    assert [piece.part for piece in plan.pieces if piece.part == "lighthouse"]
+    bare = plan_of(
+        RulesEnvironmentDesigner().propose(EnvironmentView(setup.model_copy(update={"layout_description": ""})))
+    )
+    assert not [piece.part for piece in bare.pieces if piece.part == "lighthouse"]

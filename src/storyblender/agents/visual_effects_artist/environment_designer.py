@@ -147,6 +147,8 @@ _OPTION_WORDS = {
     "pines": r"\bpines?\b|\bfirs?\b|snow",
     "palms": r"palms?|tropic|island|lagoon",
     "dry": r"\bdry\b|prairie|savanna|wheat|corn|dusty|steppe",
+    "lighthouse": r"light ?house",
+    "cranes": r"\bcranes?\b",
     "snow": r"snow|ice|glacier|arctic|blizzard",
 }
 

@@ -27,6 +27,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             ("palm_tree",), 9, inner=x + 1.5, outer=20, gap=3.2, sector=(-125, -75), scale=(0.8, 1.2), solid=0.4
         )
         beach.scatter(("palm_tree",), 6, inner=x + 2, outer=20, gap=3.2, sector=(75, 125), scale=(0.8, 1.2), solid=0.4)
+    if params.option("lighthouse"):
+        beach.piece("lighthouse", -x - 15.0, y + 13.0, -0.3, footprint=(7.0, 7.0))
+        beach.scatter(("rock",), 14, inner=4.0, outer=9.0, gap=1.5, scale=(1.2, 2.6), centre=(-x - 15.0, y + 13.0))
     beach.furnish("log", -x * 0.74, y * 0.5, yaw=20, required=False)
     beach.furnish("rowing_boat", x * 0.82, y * 0.5, yaw=-55, required=False)
     beach.mark("water", 0, y - 0.3, 180, "window", "water")
@@ -61,5 +64,5 @@ KIT = SetKit(
     draw=draw,
     width=Span(9.0, 12.0, 22.0),
     depth=Span(6.0, 8.0, 14.0),
-    options={"palms": False},
+    options={"palms": False, "lighthouse": False},
 )

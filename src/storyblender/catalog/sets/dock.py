@@ -19,6 +19,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     dock.slab("ground", rectangle(-REACH, -REACH, REACH, edge), deck, wet=True)
     dock.slab("ground", rectangle(-REACH * 1.6, edge, REACH * 1.6, REACH * 1.6), "water_deep", z=-1.3, wet=True)
     dock.piece("quay_edge", 0, edge, length=120.0, drop=1.6, material="boards_grey" if old else "concrete_dark")
+    if params.option("cranes") and not old:
+        for px, turn in ((-x - 14.0, 35), (-3.0, -20), (x + 15.0, 15)):
+            dock.piece("harbour_crane", px, edge + 38.0, -1.3, turn, scale=1.4)
     for index in range(-4, 5):
         dock.piece("bollard", index * 4.0 + 1.5, edge - 0.35, footprint=(0.4, 0.4))
     dock.piece("shed", -x - 4.2, -1.0, yaw=90, footprint=(8.0, 6.0), width=8.0, depth=6.0, height=4.2)
@@ -66,4 +69,5 @@ KIT = SetKit(
     draw=draw,
     width=Span(9.0, 12.0, 20.0),
     depth=Span(6.0, 8.0, 12.0),
+    options={"cranes": True},
 )

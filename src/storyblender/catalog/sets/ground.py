@@ -71,6 +71,7 @@ class Ground(Drawing):
         clear: tuple[tuple[Vec2, Vec2, float], ...] = (),
         sunk: float = 0.05,
         solid: float = 0.0,
+        centre: Vec2 = (0.0, 0.0),
     ) -> None:
         """Plant pieces at random, denser near the stage, none closer than ``gap`` to the next.
 
@@ -86,6 +87,7 @@ class Ground(Drawing):
             clear: Lanes kept free: two points and a half width.
             sunk: Metres below the ground.
             solid: Width of what people walk around; 0 for none.
+            centre: What ``inner``, ``outer`` and ``sector`` are measured from.
         """
         placed: list[Vec2] = []
         for _ in range(count * 30):
@@ -93,7 +95,8 @@ class Ground(Drawing):
                 return
             radius = inner + (outer - inner) * float(self.rng.random()) ** 0.8
             azimuth = math.radians(self.between(*sector))
-            x, y = round(-radius * math.sin(azimuth), 3), round(radius * math.cos(azimuth), 3)
+            x = round(centre[0] - radius * math.sin(azimuth), 3)
+            y = round(centre[1] + radius * math.cos(azimuth), 3)
             room = gap + 0.03 * radius
             if any((x - px) ** 2 + (y - py) ** 2 < room * room for px, py in placed):
                 continue

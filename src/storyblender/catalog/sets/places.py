@@ -51,6 +51,7 @@ _OUTSIDE_OF = {
     "bedroom": "park",
     "kitchen": "park",
     "cottage": "park",
+    "lighthouse": "beach",
     "church": "park",
     "great_hall": "square",
     "library": "street",
@@ -113,6 +114,8 @@ def _score(tag: str, place_kind: str, words: str) -> float:
     head, _, owner = words.lower().partition(" of ")
     for text, share in ((head, 1.0), (owner, 0.5)):
         tokens = _tokens(text)
+        if tokens == phrase and share == 1.0:  # the heading says this and nothing else
+            score = max(score, weight + 8.0)
         for start in range(len(tokens) - len(phrase) + 1):
             if tokens[start : start + len(phrase)] == phrase:
                 score = max(score, share * weight + (start + len(phrase)) / (1 + len(tokens)))

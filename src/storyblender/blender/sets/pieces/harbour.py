@@ -250,3 +250,62 @@ def air_stairs(builder: MeshBuilder, spec: PieceSpec) -> None:
                 origin=(x, y, 0.2),
                 axis=(1, 0, 0),
             )
+
+
+@piece("lighthouse")
+def lighthouse(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a white lighthouse on a rock, with a red band, a gallery and its lantern."""
+    white, red, iron = finish("limewash"), spec.paint("band", "#9c3328"), finish("iron")
+    builder.lathe(finish("rock"), [(6.0, -1.0), (5.2, 0.6), (3.6, 1.6), (3.0, 1.8)], segments=11)
+    for low, high, skin in ((1.6, 7.0, white), (7.0, 10.0, red), (10.0, 15.0, white)):
+        radii = [2.6 - 0.065 * height for height in (low, high)]
+        builder.cylinder(skin, (0, 0, low), (0, 0, high), radii[0], radii[1], segments=24)
+    builder.cylinder(iron, (0, 0, 15.0), (0, 0, 15.25), 2.2, segments=24)
+    builder.cylinder(spec.pane("pane_warm"), (0, 0, 15.2), (0, 0, 17.2), 1.25, segments=12)
+    for angle in np.linspace(0, 2 * math.pi, 12, endpoint=False):
+        x, y = math.cos(angle), math.sin(angle)
+        builder.cylinder(iron, (1.28 * x, 1.28 * y, 15.2), (1.28 * x, 1.28 * y, 17.2), 0.06, segments=6)
+        builder.cylinder(iron, (2.1 * x, 2.1 * y, 15.2), (2.1 * x, 2.1 * y, 16.2), 0.04, segments=6)
+    rail = [(2.1 * math.cos(a), 2.1 * math.sin(a), 16.2) for a in np.linspace(0, 2 * math.pi, 24, endpoint=False)]
+    builder.tube(iron, rail, 0.05, segments=6, closed=True)
+    builder.lathe(red, [(1.6, 17.2), (1.2, 17.8), (0.3, 18.5), (0.2, 18.9), (0.02, 19.1)], segments=20)
+    builder.box(finish("wood_dark"), (0, -2.5, 2.7), (1.0, 0.3, 2.0))
+    for height in (6.0, 11.5):
+        builder.box(finish("glass_dark"), (0, -(2.6 - 0.065 * height), height), (0.6, 0.3, 1.0))
+
+
+@piece("great_lens")
+def great_lens(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build the lamp of a lighthouse: rings of glass in a brass cage on an iron drum."""
+    iron, brass = finish("iron"), finish("brass")
+    builder.lathe(iron, [(0.62, 0), (0.62, 0.1), (0.42, 0.16), (0.42, 0.8), (0.6, 0.86), (0.6, 0.94)], segments=24)
+    for height in np.linspace(1.0, 2.05, 8):
+        radius = 0.5 - 0.55 * (height - 1.5) ** 2
+        ring = [(radius - 0.05, -0.055), (radius, -0.05), (radius + 0.05, 0.0), (radius, 0.05), (radius - 0.05, 0.055)]
+        builder.lathe(finish("lamp_warm"), ring, origin=(0, 0, float(height)), segments=24, caps=False)
+    for angle in np.linspace(0, 2 * math.pi, 8, endpoint=False):
+        post = [((0.57 - 0.55 * (z - 1.5) ** 2) * math.cos(angle), (0.57 - 0.55 * (z - 1.5) ** 2) * math.sin(angle), z)
+                for z in np.linspace(0.92, 2.12, 9)]  # fmt: skip
+        builder.tube(brass, post, 0.018, segments=6)
+    builder.lathe(brass, [(0.38, 2.1), (0.4, 2.16), (0.2, 2.32), (0.05, 2.4), (0.04, 2.5)], segments=24)
+
+
+@piece("harbour_crane")
+def harbour_crane(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a dockside crane on a portal, its jib raised to -Y."""
+    steel = finish("metal_grey")
+    for x in (-2.2, 2.2):
+        for y in (-2.2, 2.2):
+            builder.box(steel, (x, y, 4.0), (0.5, 0.5, 8.0))
+    builder.box(steel, (0, 0, 8.2), (5.2, 5.2, 0.6))
+    builder.box(steel, (0, 0.8, 10.0), (2.8, 4.2, 3.0))
+    jib, back = np.array([0.0, -13.0, 22.0]), np.array([0.0, 1.2, 17.0])
+    for x in (-0.9, 0.9):
+        foot = np.array([x, -1.0, 11.0])
+        builder.cylinder(steel, foot, jib, 0.2, segments=6)
+        builder.cylinder(steel, (x, 1.6, 11.0), back, 0.16, segments=6)
+        for low, high in pairwise(np.linspace(0, 1, 9)):
+            start, end = foot + low * (jib - foot), foot * (-1, 1, 1) + high * (jib - foot * (-1, 1, 1))
+            builder.cylinder(steel, start, end, 0.08, segments=5)
+    builder.cylinder(steel, back, jib, 0.08, segments=5)
+    builder.cylinder(steel, jib, jib - (0, 0, 12.0), 0.06, segments=5)
