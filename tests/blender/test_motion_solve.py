@@ -224,6 +224,42 @@ def test_a_cup_is_picked_up_where_it_stands(bodies: dict[str, Body]) -> None:
     assert height[-1] > 0.85
 
 
+@pytest.mark.parametrize("yaw", [0, 90, 180, 270])
+def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, Body], yaw: float) -> None:
+    grip = Anchor(kind="grip", name="grip_r", location=(-0.01, 0.04, -0.012), direction=(0, -1, 0), normal=(0, 0, 1))
+    letter = StageProp(_world(0.05, 0.475, 0.75, yaw), (0.22, 0.11, 0.006), (grip,))
+    shot = _shot(
+        bodies, (_mark("man", 0, -0.1, 180),), (_cue("man", "pick_up", 2, prop_id="letter"),), 3.5,
+        furniture={"table": _table(0, 0.6)}, props={"letter": letter},
+    )  # fmt: skip
+    assert shot.problems == ()
+    steps = np.linalg.norm(np.diff(shot.props["letter"][:, :3, 3], axis=0), axis=1)
+    assert steps.max() < 0.12, "the letter does not jump into the hand"
+
+
+def test_who_walks_into_an_embrace_walks_through_nobody(bodies: dict[str, Body]) -> None:
+    end = _mark("man", 0.0, 0.0, 90)
+    cues = (_cue("man", "walk", 2, mark=end), _cue("man", "hug", 60, target_id="girl"))
+    marks = (_mark("man", -1.5, 0, 90), _mark("girl", 0.34, 0, -90))
+    shot = _shot(bodies, marks, cues, 6, ends=(end,))
+    assert [p.kind for p in shot.problems] == []
+
+
+def test_a_door_is_opened_by_its_handle(bodies: dict[str, Body]) -> None:
+    handle = Anchor(kind="handle", location=(-0.35, -0.05, 1.0))
+    door = StageFurniture(_world(0, 0.6), (0.9, 0.15, 2.0), (handle,), "door")
+    plan = StagePlan(
+        people={"man": StagePerson(bodies["man"], Blocking(start=(m := _mark("man", -0.3, 0.1, 180)), end=m))},
+        frames=3 * FPS,
+        cues=(_cue("man", "open", 2, target_id="door_1"),),
+        furniture={"door_1": door},
+    )
+    shot = solve_shot(plan, FPS)
+    assert shot.problems == ()
+    hand = _Playback(bodies["man"], shot, "man").joint("hand.R", 22)
+    assert (hand - Vector((-0.35, 0.55, 1.0))).length < 0.16
+
+
 def test_what_cannot_be_staged_is_told(bodies: dict[str, Body]) -> None:
     walls = {
         f"wall_{i}": StageFurniture(_world(x, y), size)

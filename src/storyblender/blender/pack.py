@@ -12,12 +12,14 @@ from pathlib import Path
 import bpy
 
 from storyblender.blender.asset_store import AssetStore, CastMember
+from storyblender.blender.doors import Door, swing_doors
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
 from storyblender.blender.tags import Surface, tag
+from storyblender.catalog.openings import openings_of
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import SceneJob
@@ -55,13 +57,20 @@ class ScenePacker:
         environment = self._job.scene.environment
         assert environment is not None, "the Environment Designer comes before the pack"
         plan = plan_of(environment)
-        build_set(plan, scene, self._collection("set"))
+        built = build_set(plan, scene, self._collection("set"))
         self._place_objects()
         self._place_people()
         stage = Stage(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
+        doors = [
+            Door(place, self._job.fps)
+            for wall in plan.walls
+            for place in openings_of(wall)
+            if place.opening.kind == "door"
+        ]
         problems: list[str] = []
         for shot in self._job.shots:
-            problems += self._perform(stage, shot)
+            problems += self._perform(stage, shot, doors)
+        swing_doors(doors, built)
         self._key_visibility()
         merge_duplicates()
         return tuple(problems)
@@ -106,11 +115,13 @@ class ScenePacker:
                 mesh.name = f"{self._name}.{mesh.name.split('.')[0]}"
             self._cast[asset.asset_id] = member
 
-    def _perform(self, stage: Stage, shot: ShotContext) -> list[str]:
+    def _perform(self, stage: Stage, shot: ShotContext, doors: list[Door]) -> list[str]:
         plan = stage.plan(shot)
         performance = solve_shot(plan, self._job.fps, MOTION_STEP)
         name = shot_name(shot.scene_id, shot.shot_id)
         armatures = {asset_id: member.armature for asset_id, member in self._cast.items()}
+        for door in doors:
+            door.play(performance, shot.cues, shot.duration)
         bake(performance, armatures, self._props, name, self._starts[shot.shot_id])
         return [f"{name}: {problem.message}" for problem in performance.problems]
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from storyblender.blender.motion.plan import Obstacle, StageFurniture, StagePerson, StagePlan, StageProp, box_of
 from storyblender.blender.people.body import Body
+from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.solids import transform
-from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.jobs import SceneJob
 from storyblender.memory.scene_context import LayoutObject
@@ -44,6 +45,7 @@ class Stage:
             for item in self._objects
             if item.asset_id not in self._movable
         }
+        self._openings = {place.opening.name: _opening(place) for wall in plan.walls for place in openings_of(wall)}
         size = job.scene.layout.scene_size
         self._bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self._obstacles = (*self._solid_furniture(), *_walls(plan), *_pieces(plan))
@@ -60,7 +62,7 @@ class Stage:
             frames=shot.duration,
             cues=shot.cues,
             props=self._props(shot),
-            furniture=self._furniture,
+            furniture={**self._openings, **self._furniture},
             obstacles=self._obstacles,
             bounds=self._bounds,
             seed=int(content_hash(shot.scene_id, shot.shot_id)[:8], 16),
@@ -114,6 +116,13 @@ def _furniture(item: LayoutObject, asset: Asset) -> StageFurniture:
     assert asset.canonical is not None, f"{asset.asset_id} has not been built"
     world = transform(item.location, item.rotation, 1.0)
     return StageFurniture(world, asset.canonical.dimensions, asset.canonical.anchors, asset.asset_id)
+
+
+def _opening(place: OpeningPlace) -> StageFurniture:
+    """A door or window as a thing that people look at and work on; nobody walks around it."""
+    handles = (Anchor(kind="handle", location=place.handle),) if place.opening.kind == "door" else ()
+    world = transform(place.location, (0.0, 0.0, math.degrees(place.yaw)), 1.0)
+    return StageFurniture(world, place.size, handles, place.opening.kind)
 
 
 def _prop_world(item: LayoutObject | None, state: PropState | None) -> np.ndarray:

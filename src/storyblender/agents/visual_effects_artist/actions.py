@@ -15,6 +15,8 @@ from storyblender.memory.vocabulary import Posture
 
 SEATED_REACH = 0.45
 """Metres from a seat's edge to what its sitter can take."""
+ASIDE = math.radians(60)
+"""What is farther aside than this is turned to before it is handled."""
 
 
 class Actions:
@@ -34,6 +36,8 @@ class Actions:
         partner = self.company.people.get(action.target_id or "")
         partner = partner if partner is not None and partner.present and partner is not person else None
         prop = self.company.prop_of(action)
+        if person.entering and not person.acted and self.company.opens_a_door(action):
+            return  # the door swings for who comes in
         if motion.key in ("idle", "stand"):
             if action.motion == "stand" and not person.upright:
                 start = self.sheet.start_of(person)
@@ -197,12 +201,13 @@ class Actions:
         lies = self.company.lying.get(prop)
         if lies is not None and not person.hand_of(prop):
             near = math.dist(lies[:2], person.place)
-            if person.upright and near > REACH + 0.1 and near < 5.0:
+            if person.upright and REACH < near < 5.0:
                 spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
                 if spot is not None:
                     t = self.sheet.go(person, spot, facing(spot, lies[:2]), t)
                     near = math.dist(lies[:2], person.place)
             if near <= (REACH + 0.25 if person.upright else SEATED_REACH):
+                t = self._turn_to(person, lies, t)
                 t = self.sheet.cue(
                     person, "pick_up", t, natural_seconds(MOTIONS["pick_up"]), prop_id=prop, hand=person.free_hand()
                 )
@@ -246,14 +251,22 @@ class Actions:
             spot: Vec3 = (x + 0.42 * person.k * math.sin(person.yaw), y - 0.42 * person.k * math.cos(person.yaw), 0.0)
         else:
             spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
-            if person.upright and math.dist(spot[:2], person.place) > REACH + 0.1:
+            if person.upright and math.dist(spot[:2], person.place) > REACH:
                 stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
                 if stand is not None:
                     t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
                     spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
+        t = self._turn_to(person, spot, t)
         self.company.lay(person, prop, spot)
         rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
         return t, Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))
+
+    def _turn_to(self, person: Person, spot: Vec3, t: float) -> float:
+        """Face what the hands are about to work on; return the end."""
+        if math.dist(spot[:2], person.place) < 0.2:
+            return t
+        yaw = facing(person.place, spot[:2])
+        return self.sheet.face(person, yaw, t) if abs(turn_between(person.yaw, yaw)) > ASIDE else t
 
     def _at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
         """Go to a door, a window, a table and work there."""

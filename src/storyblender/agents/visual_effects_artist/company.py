@@ -37,6 +37,8 @@ class Person:
     """Second of the shot until which the body acts."""
     acted: bool = False
     """Has moved in this shot: the start mark stands."""
+    entering: bool = False
+    """Comes in through a door as the shot begins."""
 
     @property
     def upright(self) -> bool:
@@ -100,21 +102,25 @@ class Company:
     def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
         for person in cast:
-            person.busy, person.acted = 0.0, False
+            person.busy, person.acted, person.entering = 0.0, False, False
             if person.present:
                 continue
             person.posture, person.support, person.anchor = "stand", None, ""
             others = [p.place for p in cast if p.present]
             first = next((a for a in shot.character_actions if a.asset_id == person.asset_id), None)
             place, yaw = self.home.get(person.asset_id, (self.middle(), 0.0))
-            enters = first is not None and clip_of(first.motion).speed is not None and self.enter_marks()
-            if enters:
+            enters = first is not None and (self.opens_a_door(first) or clip_of(first.motion).speed is not None)
+            if enters and self.enter_marks():
                 mark = min(self.enter_marks(), key=lambda spot: math.dist(spot, place))
-                person.place, person.yaw = mark, facing(mark, place)
+                person.place, person.yaw, person.entering = mark, facing(mark, place), True
             else:
                 person.place = self.floor.free_near(place, person.k, others)
                 person.yaw = yaw
             person.present = True
+
+    def opens_a_door(self, action: CharacterAction) -> bool:
+        """Tell whether an action opens a door of the set."""
+        return clip_of(action.motion).key == "open" and self.floor.thing(action.target_id) in self.floor.openings
 
     def leave(self, stay: Sequence[str]) -> None:
         """End a shot: who is not needed is off, who could not walk is cut to where they belong."""

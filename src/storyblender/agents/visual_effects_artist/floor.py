@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, seat_access
 from storyblender.memory.asset_sheet import Anchor, Asset
@@ -117,7 +118,7 @@ class Floor:
         size = layout.scene_size
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self.marks = plan.marks
-        self.openings = [opening for wall in plan.walls for opening in _openings(wall)]
+        self.openings = [_opening(place) for wall in plan.walls for place in openings_of(wall)]
         self.set_boxes = [box for wall in plan.walls for box in _solid_wall(wall)]
         for piece in plan.pieces:
             if piece.solid and piece.footprint is not None:
@@ -177,7 +178,7 @@ class Floor:
         return float(best[0]), float(best[1])
 
     def spot_at(self, point: Vec2, start: Vec2, k: float, people: Sequence[Vec2], reach: float) -> Vec2 | None:
-        """Return the free spot around a point, within reach of it, that is easiest to come to."""
+        """Return the free spot around a point, within reach of it, that is easiest to come to and to reach from."""
         around = [
             (point[0] + r * math.sin(a), point[1] - r * math.cos(a))
             for r in (0.75 * reach, 0.9 * reach, 1.05 * reach, 1.2 * reach)
@@ -189,7 +190,7 @@ class Floor:
             for spot, free in zip(around, room, strict=True)
             if free > BODY * k + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
         ]
-        fitting.sort(key=lambda spot: math.dist(spot, start))
+        fitting.sort(key=lambda spot: math.dist(spot, start) + 2.0 * math.dist(spot, point))
         return next((spot for spot in fitting[:8] if self.path(start, spot, k) is not None), None)
 
     def seats(self, name: str | None) -> list[SeatPlace]:
@@ -259,23 +260,11 @@ _OPENING_WORDS = {
 }
 
 
-def _openings(wall: Wall) -> list[Thing]:
-    """The doors and windows of a wall as things one can go to; their front looks into the room."""
-    (x0, y0), (x1, y1) = wall.start, wall.end
-    length = math.hypot(x1 - x0, y1 - y0)
-    ux, uy = (x1 - x0) / length, (y1 - y0) / length
-    yaw = math.atan2(-uy, -ux)
-    return [
-        Thing(
-            opening.name,
-            opening.kind,
-            (x0 + ux * (opening.x + opening.width / 2), y0 + uy * (opening.x + opening.width / 2), opening.sill),
-            yaw,
-            (opening.width, wall.thickness, opening.height),
-            (),
-        )
-        for opening in wall.openings
-    ]
+def _opening(place: OpeningPlace) -> Thing:
+    """A door or window as a thing one can go to."""
+    kind = place.opening.kind
+    handles = (Anchor(kind="handle", location=place.handle),) if kind == "door" else ()
+    return Thing(place.opening.name, kind, place.location, place.yaw, place.size, handles)
 
 
 def _solid_wall(wall: Wall) -> list[Footprint]:

@@ -26,6 +26,8 @@ OVERHEAD = 1.9
 """Boxes that begin above this height stand in nobody's way."""
 LOW = 0.08
 """Boxes that end below this height, rugs and kerbs, are walked over."""
+EMBRACE = 0.30
+"""Metres between two who hug; nearer, they are in each other."""
 PointOf = Callable[[float], Vector]
 
 
@@ -234,13 +236,15 @@ class Stage:
         wide = find_path(start, goal, obstacles, self.plan.bounds, who.m.radius + PADDING)
         return wide or find_path(start, goal, obstacles, self.plan.bounds, SQUEEZE * who.m.k)
 
-    def others_tracks(self, who: Performer, partner: Performer | None) -> list[tuple[Track, float]]:
-        """Return where everybody else goes, and how far to stay from them."""
-        return [
-            (_track(each), who.m.radius + each.m.radius + 0.10)
-            for each in self.people.values()
-            if each is not who and each is not partner
-        ]
+    def others_tracks(self, who: Performer, partner: Performer | None, goal: Vec2) -> list[tuple[Track, float]]:
+        """Return where everybody else goes, and how far to stay from them: whoever one goes to is let near."""
+        tracks = []
+        for each in self.people.values():
+            if each is who or each is partner:
+                continue
+            beside = max(EMBRACE, (each.position - Vector(goal)).length)
+            tracks.append((_track(each), min(beside, who.m.radius + each.m.radius + 0.10)))
+        return tracks
 
     # --- solving --------------------------------------------------------------------------------------------------
 

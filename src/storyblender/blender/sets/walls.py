@@ -10,6 +10,7 @@ import bpy
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import finish
 from storyblender.blender.sets.joinery import door_leaf, dress_opening
+from storyblender.catalog.openings import PAIR
 from storyblender.catalog.set_plan import Opening, Wall
 
 VESTIBULE = 1.4
@@ -74,7 +75,7 @@ def leaf_meshes(wall: Wall) -> list[tuple[Opening, bpy.types.Mesh, float, float]
     for opening in wall.openings:
         if opening.kind != "door":
             continue
-        pair = opening.style == "double" or opening.width > 1.25
+        pair = opening.style == "double" or opening.width > PAIR
         width = opening.width / (2 if pair else 1)
         mesh = door_leaf(opening, width, clear=has_view)
         leaves.append((opening, mesh, opening.x, 100.0))

@@ -10,7 +10,7 @@ import pytest
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.catalog.motions import MOTIONS
-from storyblender.catalog.set_plan import PlanMark, SetPlan
+from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -160,6 +160,34 @@ def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short()
     assert math.dist(_start(short, "rick").location, DOOR.location) > 1.0
     assert short.cheats
     assert short.duration <= 1.5 * 40
+
+
+def test_who_opens_the_door_and_walks_in_comes_from_it() -> None:
+    opening = Opening(name="door_1", kind="door", x=1.55, width=0.9, height=2.0)
+    wall = Wall(node_id="left", start=(-4, 0.5), end=(-4, -3), height=2.6, material="plaster", openings=(opening,))
+    plan = PLAN.model_copy(update={"walls": (wall,)})
+    shots = (
+        _shot(1, on_stage=("ilsa",)),
+        _shot(2, _do("rick", "open", target_id="door"), _do("rick", "walk"), seconds=6),
+        _shot(3, _do("rick", "open", target_id="door"), seconds=8),
+    )
+    view = _view(*shots).model_copy(update={"plan": plan})
+    _, enters, opens = AnimatorRules().propose(view).shots
+    assert math.dist(_start(enters, "rick").location, DOOR.location) < 0.1
+    assert "open" not in _cues(enters, "rick"), "the door swings for who comes in"
+    cue = next(cue for cue in opens.cues if cue.clip == "open")
+    assert cue.target_id == "door_1"
+    handle = (-4 + 0.05, 0.5 - 1.55 - 0.9 + 0.08)
+    assert math.dist(_end(opens, "rick").location[:2], handle) < 0.75
+
+
+def test_who_picks_up_or_puts_down_stands_near_and_faces_it() -> None:
+    for action in (_do("rick", "pick_up", prop_id="cup"), _do("ilsa", "pick_up", prop_id="cup")):
+        (shot,) = _stage(_shot(1, action, seconds=6))
+        end = _end(shot, action.asset_id)
+        assert math.dist(end.location[:2], (0.3, 1.0)) < 0.76
+        toward = math.degrees(math.atan2(0.3 - end.location[0], end.location[1] - 1.0))
+        assert abs((toward - end.yaw + 180) % 360 - 180) < 60
 
 
 def test_who_leaves_walks_to_the_door() -> None:

@@ -7,20 +7,22 @@ import math
 import numpy as np
 from mathutils import Matrix, Vector
 
-from storyblender.blender.motion.channel import Channel, Floats, TargetOf
+from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp
 from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
 from storyblender.blender.motion.clips.locomotion import face, travel
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
-from storyblender.blender.motion.puppets import PropPuppet, carried, gripping, standing
+from storyblender.blender.motion.puppets import SETTLE, Grip, PropPuppet, carried, gripping, standing
 from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import PADDING, Beat, Stage
 from storyblender.geometry.paths import clearance
 
 ARM_AND_LEAN = 1.45
 """Arm lengths on the floor that a standing person can reach, leaning."""
+TURN_IN_HAND = 0.6
+"""Seconds in which a thing taken from behind turns to how it is carried, while it is lifted."""
 
 
 def prop_of(beat: Beat) -> PropPuppet | None:
@@ -59,7 +61,7 @@ def _standing_spot(stage: Stage, who: Performer, place: Vector, reach: float) ->
     return next((s for s in spots if stage.path(who, (s.x, s.y)) is not None), None)
 
 
-def take_in_hand(stage: Stage, who: Performer, side: str, prop: PropPuppet, t: float, settle: float = 0.3) -> None:
+def take_in_hand(stage: Stage, who: Performer, side: str, prop: PropPuppet, t: float, settle: float = SETTLE) -> None:
     """Let a prop follow a hand from ``t`` on; note who holds it and where the hand carries it."""
     let_go(stage, prop)
     prop.hold(t, who, side, prop.grip(side), settle)
@@ -73,16 +75,37 @@ def let_go(stage: Stage, prop: PropPuppet) -> None:
         person.held = {side: held for side, held in person.held.items() if held != prop.asset_id}
 
 
-def reach_down(who: Performer, t: float, duration: float, height: float) -> float:
-    """Bend hips and spine so that a standing person reaches a low height; return how far (0: not needed)."""
-    low = who.m.shoulder_height - height - 0.80 * who.m.arm
-    if who.posture != "stand" or low <= 0:
+def reach_down(who: Performer, t: float, duration: float, place: Vector) -> float:
+    """Bend hips and spine so that a standing person reaches a low or a far place; return how far (0: not needed)."""
+    m, k = who.m, who.m.k
+    if who.posture != "stand":
         return 0.0
-    k, depth = who.m.k, min(1.0, low / (0.55 * who.m.k))
-    sink = 0.42 * who.m.hip_height * depth * depth  # tables are bent over, the floor is squatted to
+    low = clamp((m.shoulder_height - place.z - 0.80 * m.arm) / (0.55 * k))
+    sink = 0.42 * m.hip_height * low * low  # tables are bent over, the floor is squatted to
+    trunk, away = m.shoulder_height - m.hip_height, (place.xy - who.position).length - 0.10 * k
+
+    def falls_short(depth: float) -> bool:
+        bend = math.radians(47 * depth)
+        ahead = trunk * math.sin(bend) - 0.10 * k * depth
+        height = m.hip_height - sink + trunk * math.cos(bend)
+        return math.hypot(away - ahead, place.z - height) > m.arm
+
+    depth = low
+    while depth < 1 and falls_short(depth):
+        depth = min(1.0, depth + 0.05)
+    if depth <= 0:
+        return 0.0
     who.hips.set(t, duration, (0, 0.10 * k * depth, who.standing_height - sink, 22 * depth, 0, 0))
     who.spine.set(t, duration, (42 * depth, 0, 0))
     return depth
+
+
+def near_grip(who: Performer, prop: PropPuppet, side: str) -> Grip:
+    """Return the grip by which a hand takes a thing that lies there: from the person's side, not from behind it."""
+    grip = prop.grip(side)
+    ahead = Vector((*(prop.matrix.translation.xy - who.position), 0.0))
+    turned = prop.matrix.to_3x3() @ grip.fingers
+    return grip.opposite() if turned.dot(ahead) < 0 and not prop.two_handed else grip
 
 
 def come_up(who: Performer, t: float, duration: float) -> None:
@@ -118,18 +141,18 @@ def pick_up(stage: Stage, who: Performer, beat: Beat) -> float:
     look_at(who, t, stage.point_of(prop))
     whole = 0.8
     sides = SIDES if prop.two_handed else (beat.side,)
-    height = (prop.matrix @ prop.grip(beat.side).palm).z
-    bent = reach_down(who, t, whole, height)
+    grips = {side: near_grip(who, prop, side) for side in sides}
+    bent = reach_down(who, t, whole, prop.matrix @ grips[sides[0]].palm)
     contact = t + 0.1 + whole + 0.3 * bent
-    for side in sides:
-        grip = prop.grip(side)
+    for side, grip in grips.items():
         hover = gripping(who, side, prop, grip, opening=0.3, lift=0.06 * who.m.k)
         who.hands[side].set(t + 0.1, 0.75 * (contact - t), hover)
         who.hands[side].set(contact - 0.35, 0.33, gripping(who, side, prop, grip, opening=0.5))
         who.hands[side].set(contact, 0.15, gripping(who, side, prop, grip))
         stage.late.append((who, side, t, contact + 0.16))
         stage.expect(who, side, contact + 0.1, beat)
-    take_in_hand(stage, who, beat.side, prop, contact + 0.15)
+    turned = grips[sides[0]] != prop.grip(sides[0])
+    take_in_hand(stage, who, beat.side, prop, contact + 0.15, TURN_IN_HAND if turned else SETTLE)
     for side in sides:
         who.hands[side].set(contact + 0.16, whole, carried(who, side, prop))
     if bent:
@@ -150,7 +173,7 @@ def put_down(stage: Stage, who: Performer, beat: Beat) -> float:
     look_at(who, t, tuple(matrix.translation))
     sides = SIDES if prop.two_handed else (side,)
     whole = 0.8
-    bent = reach_down(who, t, whole, (matrix @ prop.grip(side).palm).z)
+    bent = reach_down(who, t, whole, matrix @ prop.grip(side).palm)
     down = t + whole + 0.3 * bent
     let_go(stage, prop)
     for hand in sides:

@@ -92,7 +92,8 @@ def travel(
         style = style.slowed(way.length / max(0.3, seconds - 0.5), who.m.k)
     trial = Footsteps(who, 0.0, way, style, end_yaw)
     lead = 0.6 if turning else 0.0
-    wait, gap = waiting_time(lambda u: trial.root(u)[:2], trial.duration, t + lead, stage.others_tracks(who, partner))
+    others = stage.others_tracks(who, partner, goal)
+    wait, gap = waiting_time(lambda u: trial.root(u)[:2], trial.duration, t + lead, others)
     if gap < -0.12:
         stage.report("crossing", who, beat, f"{who.asset_id} walks through somebody by {-gap:.2f} m", -gap)
     t += wait

@@ -109,16 +109,18 @@ def _handle(stage: Stage, who: Performer, beat: Beat, pull: float) -> float:
     place, surface = handle_of(stage, who, beat)
     t = approach(stage, who, beat, place, WORKING * who.m.arm)
     place, surface = handle_of(stage, who, beat)
+    curl = (68, 75, 25) if pull > 0 else (12, 14, 0)
     look_at(who, t, tuple(place))
     lift = surface is not None
+    if isinstance(beat.target, StageFurniture) and beat.target.asset_id == "door":
+        pull = -pull  # doors of sets swing out of the room
 
     def move(u: float) -> Vector:
         way = pull * _ease_in(u, 0.9, 0.8)
         return Vector((0, 0, abs(way))) if lift else Vector((0.15 * way * sign(beat.side), -way, 0.0))
 
-    bent = reach_down(who, t, 0.6, place.z)
+    bent = reach_down(who, t, 0.6, place)
     end = t + 2.1
-    curl = (68, 75, 25) if pull > 0 else (12, 14, 0)
     busy(who, beat.side, t, end, place, move, palm=Vector((0, -0.6, -0.8)), curl=curl)
     stage.expect(who, beat.side, t + 0.75, beat)
     who.accent.set(t + 0.9, 0.8, (-4 if pull > 0 else 6, 0, 0))
@@ -154,7 +156,7 @@ def press(stage: Stage, who: Performer, beat: Beat) -> float:
     t = approach(stage, who, beat, place, WORKING * who.m.arm)
     look_at(who, t, tuple(place))
     back = 0.085 * who.m.k
-    bent = reach_down(who, t, 0.6, place.z)
+    bent = reach_down(who, t, 0.6, place)
 
     def move(u: float) -> Vector:
         return Vector((0, -back + 0.02 * math.sin(math.pi * min(1, max(0, (u - 0.75) / 0.3))), 0.0))
@@ -279,7 +281,7 @@ def _labour(
     t = approach(stage, who, beat, place, WORKING * who.m.arm)
     place, _ = handle_of(stage, who, beat)
     end = t + max(1.2, beat.duration or 2.6)
-    bent = reach_down(who, t, 0.7, place.z)
+    bent = reach_down(who, t, 0.7, place)
     look_at(who, t, tuple(place))
     who.accent.set(t, 0.6, (bend, 0, 0))
     for side in sides:

@@ -1,0 +1,96 @@
+"""Doors that swing: open for whoever comes through or opens them, and shut behind who has gone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.motion.plan import Performance
+from storyblender.catalog.openings import OpeningPlace
+from storyblender.memory.base import Vec2
+from storyblender.memory.shot_context import Cue
+
+PASSING = 0.95
+"""Metres from the doorway at which a door is open for who walks there."""
+WALKING = 1.0
+"""Metres somebody must go in a shot, or they merely stand by the door."""
+SWING = 0.8
+"""Seconds of a full swing."""
+GRASP = 0.9
+"""Seconds from the start of an ``open`` or ``close`` until the leaf moves."""
+
+Floats = NDArray[np.float64]
+
+
+class Door:
+    """One doorway over the scene's timeline.
+
+    Args:
+        place: The doorway.
+        fps: Frames per second.
+    """
+
+    def __init__(self, place: OpeningPlace, fps: int) -> None:
+        self.name, self.centre, self.fps = place.opening.name, place.location[:2], fps
+        self.ajar = place.opening.state == "open"
+        """Left open by somebody."""
+        self.amounts: list[float] = []
+        """How far it is open, 0..1, frame by frame."""
+
+    def play(self, performance: Performance, cues: Sequence[Cue], frames: int) -> None:
+        """Add one shot: what stands open when it begins was opened before."""
+        passed = self._passed(performance, frames)
+        changes = {
+            cue.start + round(GRASP * self.fps): cue.clip == "open"
+            for cue in sorted(cues, key=lambda cue: cue.start)
+            if cue.target_id == self.name and cue.clip in ("open", "close")
+        }
+        for frame in range(frames):
+            self.ajar = changes.get(frame, self.ajar)
+            wanted = 1.0 if self.ajar or passed[frame] else 0.0
+            amount = self.amounts[-1] if self.amounts and frame else wanted
+            step = 1 / (SWING * self.fps)
+            self.amounts.append(min(wanted, amount + step) if wanted > amount else max(wanted, amount - step))
+
+    def _passed(self, performance: Performance, frames: int) -> NDArray[np.bool_]:
+        passed = np.zeros(frames, bool)
+        for track in performance.people.values():
+            places = track.root[:, :2]
+            if np.hypot(*(places - places[0]).T).max() < WALKING:
+                continue
+            near = np.hypot(*(places - np.asarray(self.centre)).T) < PASSING
+            passed |= np.interp(np.arange(frames), performance.frames, near.astype(float)) > 0.5
+        return passed
+
+    def turns(self) -> Iterator[Vec2]:
+        """Yield frame, from 0, and amount where the movement of the leaf begins, ends or turns."""
+        amounts = self.amounts
+        for frame, amount in enumerate(amounts):
+            before, after = amounts[max(0, frame - 1)], amounts[min(len(amounts) - 1, frame + 1)]
+            if frame in (0, len(amounts) - 1) or not math.isclose(amount - before, after - amount, abs_tol=1e-9):
+                yield frame, amount
+
+
+def swing_doors(doors: Sequence[Door], leaves: Sequence[bpy.types.Object]) -> None:
+    """Key the leaves that ``build_set`` made; doors that nobody moves get no keys.
+
+    Args:
+        doors: As played from the scene's first frame on.
+        leaves: Objects with the property ``opening``.
+    """
+    by_name = {door.name: door for door in doors if len(set(door.amounts)) > 1}
+    for leaf in leaves:
+        door = by_name.get(leaf.get("opening", ""))
+        if door is None:
+            continue
+        for frame, amount in door.turns():
+            leaf.rotation_euler[2] = leaf["shut"] + leaf["swing"] * amount
+            leaf.keyframe_insert("rotation_euler", index=2, frame=frame + 1)
+        for bag in leaf.animation_data.action.layers[0].strips[0].channelbags:
+            for curve in bag.fcurves:
+                for key in curve.keyframe_points:
+                    key.interpolation = "LINEAR"
