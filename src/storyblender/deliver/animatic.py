@@ -1,4 +1,4 @@
-"""The animatic: moving frames strung to an H.264 film, with the dialogue as a subtitle track and file."""
+"""The animatic: moving frames strung to an H.264 film, with the dialogue as subtitles beside it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import av
 from PIL import Image
 
 from storyblender.deliver.panel import Panel, panels
+from storyblender.deliver.speech import subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 
@@ -38,22 +39,15 @@ def write_animatic(
             frame.time_base = Fraction(1, graph.format.fps)
             container.mux(stream.encode(frame))
         container.mux(stream.encode(None))
-    out.with_suffix(".srt").write_text(subtitles(shots), encoding="utf-8")
+    out.with_suffix(".srt").write_text(subrip(shots), encoding="utf-8")
 
 
-def subtitles(shots: Sequence[Panel]) -> str:
-    """Return the dialogue as SubRip text; the speeches of a shot share its time by their length."""
-    entries: list[str] = []
-    for panel in shots:
-        total = sum(len(line.text) for line in panel.dialogue) or 1
-        start = panel.start / panel.fps
-        for line in panel.dialogue:
-            end = start + panel.seconds * len(line.text) / total
-            entries.append(
-                f"{len(entries) + 1}\n{_srt_time(start)} --> {_srt_time(end)}\n{line.speaker_name}: {line.text}\n"
-            )
-            start = end
-    return "\n".join(entries)
+def subrip(shots: Sequence[Panel]) -> str:
+    """Return the dialogue as SubRip text."""
+    return "\n".join(
+        f"{number}\n{_srt_time(piece.start)} --> {_srt_time(piece.end)}\n{piece.text}\n"
+        for number, piece in enumerate(subtitles(shots), start=1)
+    )
 
 
 def _pictures(

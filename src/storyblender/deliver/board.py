@@ -1,4 +1,4 @@
-"""The storyboard as a PDF: a grid of panels, or one panel a page."""
+"""The storyboard as a PDF: a grid of panels, or one panel a page. A scene's heading stands over its first panel."""
 
 from __future__ import annotations
 
@@ -17,13 +17,18 @@ from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Paragraph
 
 from storyblender.deliver import fonts
-from storyblender.deliver.panel import Panel, panels
+from storyblender.deliver.panel import Panel, Way, cue_of, panels
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 INK, GREY, RULE = HexColor("#1b1b1f"), HexColor("#6d6d76"), HexColor("#d5d5da")
 ARROW = Color(0.91, 0.27, 0.16, alpha=0.9)
 MARGIN, GUTTER = 30.0, 16.0
+HEADING = 13.0
+"""Points over every picture for the heading of a scene that begins there."""
 PAGE_WIDTH, PAGE_HEIGHT = landscape(A4)
+
+PICTURE_SHARE = {"grid": 0.66, "single": 0.78}
+"""At most this share of a panel's height is picture; the rest is for the words."""
 
 
 def write_board(
@@ -46,50 +51,42 @@ def write_board(
     canvas.setAuthor("StoryBlender")
     pages = _pages(panels(graph), 6 if layout == "grid" else 1)
     for number, page in enumerate(pages, start=1):
-        _furniture(canvas, graph.title, page[0], number, len(pages))
+        _furniture(canvas, graph.title, number, len(pages))
         for index, panel in enumerate(page):
-            x, y, width, height = _cell(index, layout)
+            x, y, width, height = _cell(index, layout, graph.format.aspect)
+            if index == 0 or panel.scene is not page[index - 1].scene:
+                heading = panel.scene.heading or panel.scene.scene_description
+                _line(canvas, heading, x, y + 4, 9, width, color=GREY)
             _panel(canvas, panel, frames.get(panel.name), graph.format.aspect, x, y, width, height, layout)
         canvas.showPage()
     canvas.save()
 
 
 def _pages(items: Sequence[Panel], size: int) -> list[list[Panel]]:
-    """Split into pages; a scene starts a new page only where its heading would stand alone at the end."""
+    """Split into pages; one, without panels, where there is nothing to show."""
     return [list(items[index : index + size]) for index in range(0, len(items), size)] or [[]]
 
 
-def _cell(index: int, layout: str) -> tuple[float, float, float, float]:
+def _cell(index: int, layout: str, aspect: float) -> tuple[float, float, float, float]:
     """Left, top, width, height of a panel on the page."""
-    top, height = PAGE_HEIGHT - MARGIN - 22, PAGE_HEIGHT - 2 * MARGIN - 36
+    top, height = PAGE_HEIGHT - MARGIN - 16, PAGE_HEIGHT - 2 * MARGIN - 22
     if layout == "single":
-        return MARGIN, top, PAGE_WIDTH - 2 * MARGIN, height
+        width = min(PAGE_WIDTH - 2 * MARGIN, (height - HEADING) * PICTURE_SHARE["single"] * aspect)
+        return (PAGE_WIDTH - width) / 2, top - HEADING, width, height - HEADING
     width = (PAGE_WIDTH - 2 * MARGIN - 2 * GUTTER) / 3
-    row_height = (height - GUTTER) / 2
+    row_height = height / 2
     column, row = index % 3, index // 3
-    return MARGIN + column * (width + GUTTER), top - row * (row_height + GUTTER), width, row_height
+    return MARGIN + column * (width + GUTTER), top - HEADING - row * row_height, width, row_height - HEADING
 
 
-def _furniture(canvas: Canvas, title: str, first: Panel | None, number: int, count: int) -> None:
-    """Title, scene and page number around the panels."""
-    _line(canvas, title or "Untitled", MARGIN, PAGE_HEIGHT - MARGIN - 6, 12, PAGE_WIDTH * 0.5)
-    if first is not None:
-        heading = first.scene.heading or first.scene.scene_description
-        _line(
-            canvas,
-            heading,
-            PAGE_WIDTH / 2,
-            PAGE_HEIGHT - MARGIN - 6,
-            9,
-            PAGE_WIDTH / 2 - MARGIN,
-            color=GREY,
-            right=True,
-        )
+def _furniture(canvas: Canvas, title: str, number: int, count: int) -> None:
+    """Title and page number around the panels."""
+    _line(canvas, title or "Untitled", MARGIN, PAGE_HEIGHT - MARGIN, 12, PAGE_WIDTH * 0.5)
     canvas.setFillColor(GREY)
     canvas.setFont(fonts.REGULAR, 8)
     canvas.drawRightString(PAGE_WIDTH - MARGIN, MARGIN - 12, f"{number} / {count}")
     canvas.setStrokeColor(RULE)
-    canvas.line(MARGIN, PAGE_HEIGHT - MARGIN - 14, PAGE_WIDTH - MARGIN, PAGE_HEIGHT - MARGIN - 14)
+    canvas.line(MARGIN, PAGE_HEIGHT - MARGIN - 8, PAGE_WIDTH - MARGIN, PAGE_HEIGHT - MARGIN - 8)
 
 
 def _panel(
@@ -104,8 +101,7 @@ def _panel(
     layout: str,
 ) -> None:
     single = layout == "single"
-    share = 0.74 if single else 0.66
-    picture_height = min(width / aspect, height * share)
+    picture_height = min(width / aspect, height * PICTURE_SHARE[layout])
     picture_width = picture_height * aspect
     left = x + (width - picture_width) / 2
     bottom = top - picture_height
@@ -114,16 +110,16 @@ def _panel(
     canvas.setStrokeColor(INK)
     canvas.setLineWidth(0.8)
     canvas.rect(left, bottom, picture_width, picture_height)
-    _arrow(canvas, panel.shot.camera_instruction.movement, panel.shot.camera_instruction.direction, left, bottom,
-           picture_width, picture_height)  # fmt: skip
-    size = 11.0 if single else 8.0
+    if panel.way is not None:
+        _arrow(canvas, panel.way, left, bottom, picture_width, picture_height)
+    size = 13.0 if single else 9.0
     y = bottom - size * 1.35
     facts = f"{panel.framing}   {panel.lens:.0f} mm   {panel.movement}"
     _line(canvas, panel.name, x, y, size, width)
     name_width = canvas.stringWidth(panel.name, fonts.REGULAR, size)
     _line(canvas, facts, x + name_width + 8, y, size * 0.86, width - name_width - 40, color=GREY)
     _line(canvas, f"{panel.seconds:.1f} s", x, y, size * 0.86, width, color=GREY, right=True)
-    _words(canvas, panel, x, y - 3, width, y - 3 - (top - height), size)
+    _words(canvas, panel, x, y - 4, width, y - 4 - (top - height), size)
 
 
 def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room: float, size: float) -> None:
@@ -132,23 +128,20 @@ def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room:
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
     texts = [(panel.action or panel.outline.shot_description, style)] if not panel.dialogue or panel.action else []
     for line in panel.dialogue:
-        texts.append((f"{line.speaker_name.upper()}: {line.text}", speech))
+        texts.append((f"{cue_of(line)}: {line.text}", speech))
     for text, kind in texts:
         paragraph = Paragraph(fonts.markup(text), kind)
         _, used = paragraph.wrap(width, room)
         if used > room:
-            lines = paragraph.split(width, max(room, 0))
-            if not lines:
-                return
-            paragraph, used = lines[0], room
-            paragraph.wrap(width, room)
+            for lines in paragraph.split(width, room)[:1]:
+                lines.wrap(width, room)
+                lines.drawOn(canvas, x, y - lines.height)
             canvas.setFillColor(GREY)
             canvas.setFont(fonts.REGULAR, size)
             canvas.drawRightString(x + width, y - room + 1, "…")
+            return
         paragraph.drawOn(canvas, x, y - used)
         y, room = y - used, room - used
-        if room < size:
-            return
 
 
 def _line(
@@ -172,27 +165,25 @@ def _line(
     paragraph.drawOn(canvas, x, y - size * 0.35)
 
 
-def _arrow(
-    canvas: Canvas, movement: str, direction: str | None, x: float, y: float, width: float, height: float
-) -> None:
+def _arrow(canvas: Canvas, way: Way, x: float, y: float, width: float, height: float) -> None:
     """Draw the camera move on the picture as boards do: an arrow, or a frame closing in or opening."""
     canvas.saveState()
     canvas.setStrokeColor(ARROW)
     canvas.setFillColor(ARROW)
     canvas.setLineWidth(max(1.5, width / 150))
     cx, cy = x + width / 2, y + height / 2
-    if movement in ("push in", "zoom in", "pull out", "zoom out"):
+    if way in ("in", "out"):
         inner = 0.62
         canvas.setDash(5, 3)
         canvas.rect(cx - width * inner / 2, cy - height * inner / 2, width * inner, height * inner)
         canvas.setDash()
-        inward = movement.endswith("in")
+        inward = way == "in"
         for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
             outer_point = (cx + sx * width * 0.46, cy + sy * height * 0.46)
             inner_point = (cx + sx * width * inner / 2, cy + sy * height * inner / 2)
             _head(canvas, *((outer_point, inner_point) if inward else (inner_point, outer_point)), width / 40)
-    elif movement != "static":
-        dx, dy = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}.get(direction or "right", (1, 0))
+    else:
+        dx, dy = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}[way]
         edge_x, edge_y = cx + dx * width * 0.42, cy + dy * height * 0.40
         if dx:
             edge_y = y + height * 0.09

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
 
-from storyblender.deliver.panel import Panel, panels
+from storyblender.deliver.panel import Panel, cue_of, panels
+from storyblender.deliver.speech import subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 FILES = (
@@ -36,8 +38,8 @@ def write_page(graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Pa
         cards = "\n".join(_card(panel, frames.get(panel.name), folder) for panel in shots if panel.scene is scene)
         heading = escape(scene.heading or scene.scene_description)
         scenes.append(f'<h2>{heading}</h2>\n<div class="grid">\n{cards}\n</div>')
-    seconds = sum(shot.duration for shot in graph.shots) / graph.format.fps
-    counted = f"{len(graph.outline)} scenes, {len(shots)} shots, {seconds / 60:.1f} minutes"
+    minutes, seconds = divmod(round(sum(panel.seconds for panel in shots)), 60)
+    counted = f"{_counted(graph.outline, 'scene')}, {_counted(shots, 'shot')}, {minutes}:{seconds:02d} minutes"
     summary = f"{escape(graph.story_summary)} <br>{counted}" if graph.story_summary else counted
     page = Template((files("storyblender.deliver") / "page.html").read_text(encoding="utf-8"))
     out.write_text(
@@ -45,8 +47,8 @@ def write_page(graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Pa
             title=escape(graph.title or "Storyboard"),
             summary=summary,
             aspect=f"{graph.format.aspect:.4f}",
-            files="".join(f'<a href="{name}">{label}</a>' for name, label in FILES if (folder / name).exists()),
-            video=_video(folder),
+            files=_links(folder, report),
+            video=_video(folder, shots, frames),
             scenes="\n".join(scenes),
             report=_report(report),
         ),
@@ -54,22 +56,41 @@ def write_page(graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Pa
     )
 
 
-def _video(folder: Path) -> str:
+def _links(folder: Path, report: Sequence[str]) -> str:
+    links = [(name, label) for name, label in FILES if (folder / name).exists()]
+    if report:
+        links.append(("#check", f"Please check ({len(report)})"))
+    return "".join(f'<a href="{name}">{label}</a>' for name, label in links)
+
+
+def _counted(items: Sequence[object], word: str) -> str:
+    return f"{len(items)} {word}" if len(items) == 1 else f"{len(items)} {word}s"
+
+
+def _source(path: Path, folder: Path) -> str:
+    return escape(path.relative_to(folder).as_posix(), quote=True)
+
+
+def _video(folder: Path, shots: Sequence[Panel], frames: Mapping[str, Path]) -> str:
+    """The film with its subtitles written into the page: a browser reads no neighbouring file without a server."""
     if not (folder / "animatic.mp4").exists():
         return ""
-    return '<video controls preload="metadata" src="animatic.mp4"></video>'
+    cues = [[round(piece.start, 3), round(piece.end, 3), piece.text] for piece in subtitles(shots)]
+    data = escape(json.dumps(cues, ensure_ascii=False), quote=True)
+    first = next((frames[panel.name] for panel in shots if panel.name in frames), None)
+    poster = f' poster="{_source(first, folder)}"' if first else ""
+    return f'<video controls preload="metadata" src="animatic.mp4"{poster} data-subtitles="{data}"></video>'
 
 
 def _card(panel: Panel, frame: Path | None, folder: Path) -> str:
     picture = ""
     if frame is not None:
-        source = escape(frame.relative_to(folder).as_posix(), quote=True)
         alt = escape(panel.outline.shot_description, quote=True)
-        picture = f'<img loading="lazy" src="{source}" alt="{alt}">'
+        picture = f'<img loading="lazy" src="{_source(frame, folder)}" alt="{alt}">'
     facts = f"{panel.framing} · {panel.lens:.0f} mm · {panel.movement}"
     words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
     for line in panel.dialogue:
-        words.append(f'<p class="speech"><b>{escape(line.speaker_name.upper())}</b> {escape(line.text)}</p>')
+        words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
     return (
         f'<article id="{panel.name}">{picture}<div class="text">'
         f'<div class="slate"><span>{panel.name}</span><span>{panel.seconds:.1f} s</span></div>'
@@ -81,4 +102,4 @@ def _report(report: Sequence[str]) -> str:
     if not report:
         return ""
     items = "".join(f"<li>{escape(sentence)}</li>" for sentence in report)
-    return f'<h2>Please check</h2><ul class="flags dim">{items}</ul>'
+    return f'<h2 id="check">Please check</h2><ul class="flags dim">{items}</ul>'

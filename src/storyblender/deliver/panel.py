@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
+from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
 
+Way = Literal["left", "right", "up", "down", "in", "out"]
+"""Where a camera goes or turns, as its picture shows it."""
+STILL = 0.02
+"""Metres moved, or radians turned, below which a camera stands still."""
 KIND_LABEL = {
     "two_shot": "two-shot",
     "ots": "over the shoulder",
@@ -58,8 +64,31 @@ class Panel:
     @property
     def movement(self) -> str:
         """The camera move in words."""
-        instruction = self.shot.camera_instruction
-        return f"{instruction.movement} {instruction.direction}" if instruction.direction else instruction.movement
+        movement, way = self.shot.camera_instruction.movement, self.way
+        return f"{movement} {way}" if way and not movement.endswith(way) else movement
+
+    @property
+    def way(self) -> Way | None:
+        """Where the camera goes, as it was set, or else as the script says; None if it stands still."""
+        instruction, camera = self.shot.camera_instruction, self.shot.camera
+        if instruction.movement == "static":
+            return None
+        if instruction.movement in ("push in", "zoom in"):
+            return "in"
+        if instruction.movement in ("pull out", "zoom out"):
+            return "out"
+        if camera is None:
+            return instruction.direction
+        first, last = (Orbit(p.pivot, p.rotation, p.distance, p.lens) for p in (camera.poses[0], camera.poses[-1]))
+        goes = last.position - first.position
+        if instruction.movement in ("pan", "tilt"):
+            goes = first.axes[:, 2] - last.axes[:, 2]
+        right, up, back = first.axes.T @ goes
+        ways: dict[Way, float] = {"left": -right, "right": right, "down": -up, "up": up, "in": -back, "out": back}
+        if instruction.movement in ("pan", "tilt"):
+            del ways["in"], ways["out"]
+        way = max(ways, key=lambda way: ways[way])
+        return way if ways[way] > STILL else None
 
     @property
     def seconds(self) -> float:
@@ -95,3 +124,9 @@ def timecode(frame: int, fps: int) -> str:
     """Return ``HH:MM:SS:FF``."""
     seconds, frames = divmod(frame, fps)
     return f"{seconds // 3600:02d}:{seconds // 60 % 60:02d}:{seconds % 60:02d}:{frames:02d}"
+
+
+def cue_of(line: ScriptLine) -> str:
+    """Return the speaker as a script has it: ``ANNA (whispering)``."""
+    notes = [*(["O.S."] if line.off_screen else []), *([line.parenthetical] if line.parenthetical else [])]
+    return " ".join([line.speaker_name.upper(), *(f"({note})" for note in notes)])

@@ -33,7 +33,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, out: Path) -> None:
                 "kind": instruction.kind,
                 "angle": instruction.angle,
                 "movement": instruction.movement,
-                "direction": instruction.direction or "",
+                "direction": panel.way or "",
                 "lens_mm": f"{panel.lens:.0f}",
                 "f_number": f"{shot.camera.f_number:g}" if shot.camera else "",
                 "frames": shot.duration,

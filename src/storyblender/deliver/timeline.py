@@ -8,6 +8,7 @@ from pathlib import Path
 import opentimelineio as otio
 
 from storyblender.deliver.panel import Panel, panels
+from storyblender.deliver.speech import speeches
 from storyblender.errors import InputError
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -69,7 +70,8 @@ def _clip(panel: Panel, frame: Path | None, folder: Path) -> otio.schema.Clip:
         "lens_mm": panel.lens,
         "action": panel.action,
     }
-    for line in panel.dialogue:
-        marker = otio.schema.Marker(name=f"{line.speaker_name}: {line.text}", marked_range=span)
-        clip.markers.append(marker)
+    for speech in speeches(panel):
+        start, length = (otio.opentime.RationalTime(n, panel.fps) for n in (speech.start, speech.end - speech.start))
+        name = f"{speech.line.speaker_name}: {speech.line.text}"
+        clip.markers.append(otio.schema.Marker(name=name, marked_range=otio.opentime.TimeRange(start, length)))
     return clip

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
+from dataclasses import replace
+from html import escape
+from itertools import pairwise
 from pathlib import Path
 
 import av
 import opentimelineio as otio
 import pytest
 from PIL import Image
+from reportlab.pdfgen.canvas import Canvas
 
 from storyblender.deliver import animatic, board, contact_sheet, page, shot_list, slate, timeline
-from storyblender.deliver.panel import panels, timecode
+from storyblender.deliver.panel import cue_of, panels, timecode
+from storyblender.deliver.speech import speeches, subtitles
+from storyblender.geometry import orbit
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import SceneContext, SceneSetup
-from storyblender.memory.shot_context import CameraInstruction, ShotContext
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue, ShotContext
 
 
 @pytest.fixture
@@ -88,6 +95,93 @@ def test_timeline_reads_back_with_relative_media(
     assert clips[1].markers[0].name.startswith("Élodie")
 
 
+def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_path: Path, layout: str) -> list[str]:
+    """Everything that a board says, page by page, as it is set."""
+    said: list[str] = []
+    monkeypatch.setattr(board.fonts, "markup", lambda text: said.append(text) or escape(text))
+    monkeypatch.setattr(board, "_arrow", lambda canvas, way, *where: said.append(f"arrow {way}"))
+    show = Canvas.drawRightString
+    monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or show(*a))
+    board.write_board(graph, {}, tmp_path / "a.pdf", layout)  # type: ignore[arg-type]
+    return said
+
+
+def test_board_heads_every_scene_where_it_begins(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outline = graph.outline[0]
+    other = outline.model_copy(update={"scene_id": 2, "heading": "EXT. ROAD - DAY", "shots": outline.shots[:1]})
+    shot = graph.shots[0].model_copy(update={"scene_id": 2})
+    graph = graph.model_copy(update={"outline": (outline, other), "shots": (*graph.shots, shot)})
+    said = drawn(monkeypatch, graph, tmp_path, "grid")
+    assert said.count("INT. BAR - NIGHT") == 1 and said.index("EXT. ROAD - DAY") > said.index("SC010_SH020")
+
+
+def test_board_says_where_words_were_cut(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "…" not in drawn(monkeypatch, graph, tmp_path, "grid")
+    outline = graph.outline[0]
+    speech = outline.shots[1].lines[0]
+    long = outline.shots[1].model_copy(update={"lines": (speech,) * 30})
+    graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], long)}),)})
+    assert "…" in drawn(monkeypatch, graph, tmp_path, "grid")
+
+
+@pytest.mark.parametrize(
+    ("movement", "turned", "way"),
+    [
+        ("track", lambda camera: orbit.pan(camera, -0.5, 0.1), "left"),
+        ("track", lambda camera: replace(camera, distance=3.0), "in"),
+        ("pan", lambda camera: orbit.swivel(camera, -20), "right"),
+        ("tilt", lambda camera: orbit.swivel(camera, 0, 12), "up"),
+        ("pan", lambda camera: camera, None),
+        ("zoom out", lambda camera: camera, "out"),
+        ("static", lambda camera: camera, None),
+    ],
+)
+def test_a_panel_says_where_its_camera_really_goes(
+    graph: ContinuityMemoryGraph, movement: str, turned: Callable[[orbit.Orbit], orbit.Orbit], way: str | None
+) -> None:
+    first = orbit.stand((0, 0, 1.5), 30, 5, 5.0, 35)
+    poses = tuple(
+        CameraPose(frame=frame, pivot=o.pivot, rotation=o.rotation, distance=o.distance, lens=35)
+        for frame, o in ((0, first), (11, turned(first)))
+    )
+    instruction = CameraInstruction.model_validate({"movement": movement, "direction": "down"})
+    changes = {"camera": CameraState(poses=poses), "camera_instruction": instruction}
+    shots = (graph.shots[0].model_copy(update=changes), graph.shots[1])
+    panel = panels(graph.model_copy(update={"shots": shots}))[0]
+    assert panel.way == way
+    assert panel.movement == (movement if way is None or movement.endswith(way) else f"{movement} {way}")
+
+
+def test_the_film_is_read_in_pieces_while_mouths_move(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
+    outline = graph.outline[0]
+    line = outline.shots[1].lines[0].model_copy(update={"speaker": "elodie", "text": "a word " * 30})
+    spoken = outline.shots[1].model_copy(update={"lines": (line, line)})
+    cues = (
+        Cue(asset_id="elodie", clip="whisper", start=2, duration=5),
+        Cue(asset_id="elodie", clip="talk", start=6, duration=20),
+        Cue(asset_id="sam", clip="talk", start=0, duration=3),
+    )
+    shots = (graph.shots[0], graph.shots[1].model_copy(update={"cues": cues}))
+    outlines = (outline.model_copy(update={"shots": (outline.shots[0], spoken)}),)
+    graph = graph.model_copy(update={"outline": outlines, "shots": shots})
+    assert [(said.start, said.end) for said in speeches(panels(graph)[1])] == [(2, 6), (6, 12)]
+    pieces = subtitles(panels(graph))
+    assert all(len(piece.text) <= 84 for piece in pieces) and len(pieces) == 6
+    assert pieces[0].start == pytest.approx(14 / 12) and pieces[-1].end == pytest.approx(2.0)
+    assert all(a.end <= b.start + 1e-9 for a, b in pairwise(pieces))
+    marker = list(timeline.build_timeline(graph, {}, tmp_path).find_clips())[1].markers[0]
+    assert (marker.marked_range.start_time.value, marker.marked_range.duration.value) == (2, 4)
+
+
+def test_a_cue_has_its_parenthetical(graph: ContinuityMemoryGraph) -> None:
+    line = graph.outline[0].shots[1].lines[0].model_copy(update={"parenthetical": "softly", "off_screen": True})
+    assert cue_of(line) == "ÉLODIE (O.S.) (softly)"
+
+
 def test_animatic_has_every_frame_and_subtitles(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
@@ -106,6 +200,11 @@ def test_page_shows_words_escaped_and_names_no_network(
     page.write_page(graph, frames, tmp_path / "index.html", ["Who says <this>?"])
     text = (tmp_path / "index.html").read_text("utf-8")
     assert "She waits &amp; listens." in text and "Who says &lt;this&gt;?" in text
+    assert 'href="#check"' in text and "1 scene, 2 shots, 0:02 minutes" in text and "<video" not in text
+    (tmp_path / "animatic.mp4").write_bytes(b"")
+    page.write_page(graph, frames, tmp_path / "index.html")
+    film = (tmp_path / "index.html").read_text("utf-8")
+    assert 'poster="frames/SC010_SH010.png"' in film and "[[1.0, 2.0, &quot;Élodie: =Où est 李?&quot;]]" in film
     assert "http" not in text.replace("http-equiv", "") and text.count("<article") == 2
 
 

@@ -1,0 +1,91 @@
+"""When the words of a shot are said, for subtitles and for the markers of the timeline."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from storyblender.deliver.panel import Panel
+from storyblender.memory.outline import ScriptLine
+
+SPOKEN = ("talk", "whisper", "shout")
+"""Clips during which a mouth moves."""
+SUBTITLE = 84
+"""Characters that are read at a glance: two lines of 42."""
+
+
+@dataclass(frozen=True)
+class Speech:
+    """One speech of a shot.
+
+    Attributes:
+        line: Who says what.
+        start: First frame, counted from the shot's start.
+        end: The frame after the last.
+    """
+
+    line: ScriptLine
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class Subtitle:
+    """Words under the film, with start and end in seconds from its beginning."""
+
+    start: float
+    end: float
+    text: str
+
+
+def speeches(panel: Panel) -> list[Speech]:
+    """Return the speeches of a shot, each while its speaker's mouth moves and until the next begins.
+
+    Before there is motion they share the shot by their lengths.
+    """
+    cues = sorted((cue for cue in panel.shot.cues if cue.clip in SPOKEN), key=lambda cue: cue.start)
+    said: list[Speech] = []
+    for line in panel.dialogue:
+        cue = next((cue for cue in cues if cue.asset_id == line.speaker), None)
+        if cue is None or cue.duration is None:
+            return _by_length(panel)
+        cues.remove(cue)
+        said.append(Speech(line, cue.start, min(panel.shot.duration, cue.start + cue.duration)))
+    ends = (*(speech.start for speech in said[1:]), panel.shot.duration)
+    return [
+        replace(speech, end=max(speech.start, min(speech.end, end))) for speech, end in zip(said, ends, strict=False)
+    ]
+
+
+def subtitles(shots: Sequence[Panel]) -> list[Subtitle]:
+    """Return the dialogue of the film in pieces short enough to read, the speaker named at the first."""
+    pieces: list[Subtitle] = []
+    for panel in shots:
+        for speech in speeches(panel):
+            texts = _pieces(f"{speech.line.speaker_name}: {speech.line.text}")
+            total, done = sum(map(len, texts)), 0
+            start, length = panel.start + speech.start, speech.end - speech.start
+            for text in texts:
+                times = [(start + length * share / total) / panel.fps for share in (done, done + len(text))]
+                pieces.append(Subtitle(times[0], times[1], text))
+                done += len(text)
+    return pieces
+
+
+def _pieces(text: str) -> list[str]:
+    """Split into pieces of about the same length."""
+    words = " ".join(text.split())
+    count = -(-len(words) // SUBTITLE)
+    slack = max(map(len, words.split()), default=0)
+    return textwrap.wrap(words, min(SUBTITLE, len(words) // max(1, count) + slack))
+
+
+def _by_length(panel: Panel) -> list[Speech]:
+    total = sum(len(line.text) for line in panel.dialogue) or 1
+    said, start = [], 0.0
+    for line in panel.dialogue:
+        end = start + panel.shot.duration * len(line.text) / total
+        said.append(Speech(line, round(start), round(end)))
+        start = end
+    return said
