@@ -154,10 +154,23 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     known = roster.find(name)
     if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
         return
-    person = known[0] if known else _newcomer(roster, sighting, base)
+    person = known[0] if known else _apposed(roster, sighting, name, text) or _newcomer(roster, sighting, base)
     said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
     if said:
         describe(person, said.group(1) or said.group(2) or "")
+
+
+def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
+    """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
+    before = re.search(r"([A-ZÀ-Ý][A-ZÀ-Ý' -]*[A-ZÀ-Ý]),? (?:a|an|the) $", text[max(0, sighting.at - 40) : sighting.at])
+    people = roster.find(before.group(1)) if before else []
+    comma = before is not None and "," in before.group(0)
+    if not comma or not people or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
+        return None
+    roster.call(people[0], bare(name))
+    roster.call(people[0], name.split()[-1].lower())
+    people[0].age = people[0].age or lexicon.AGE_WORDS.get(name.split()[0].lower(), "")
+    return people[0]
 
 
 def _add_animals(roster: Roster, script: Manuscript) -> None:

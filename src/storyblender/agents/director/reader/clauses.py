@@ -320,16 +320,21 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
 
 
 def _is_unreal(builder: _Builder, index: int) -> bool:
-    """``without looking``, ``wants to leave``, ``stops to see``."""
+    """``without looking``, ``wants to leave``, ``stops mopping``."""
     left = builder.phrases[index - 1] if index else None
-    if left is None or left.kind != "preposition":
+    if left is None:
         return False
     before = builder.current
+    if before is not None and left.kind == "verb" and before.verb in _ENDINGS and before.index == left.first:
+        return True
+    if left.kind != "preposition":
+        return False
     if left.text == "without" or (left.text == "to" and before and before.verb in _WISHES):
         return True
     return left.text == "to" and builder.words[builder.phrases[index].first].low in _PURPOSES
 
 
+_ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
 _WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", "wait", "hesitate", "fail"})
 

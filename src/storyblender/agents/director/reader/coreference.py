@@ -22,6 +22,8 @@ _GROUP_MEMORY = 15
 """Sentences for which ``they`` can mean people who acted together; four for ``them``."""
 _GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
 _PAIRS = lexicon.words("pairs")
+_SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
+_LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
 
 
 class Referents(NamedTuple):
@@ -66,7 +68,10 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
         for person in stage.on_stage()
         if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
     ]
-    if "old" in mention.adjectives or "elderly" in mention.adjectives:
+    small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
+    if small or large:
+        pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
+    elif "old" in mention.adjectives or "elderly" in mention.adjectives:
         pool.sort(key=lambda person: -years(person))
     elif young:
         pool = [person for person in pool if years(person) < 31]
@@ -74,6 +79,11 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     else:
         pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
     return pool[:1]
+
+
+def _is_sized(person: Person, sizes: frozenset[str]) -> bool:
+    """Whether somebody was introduced with one of these words."""
+    return any(word in sizes for build in person.build for word in build.lower().split())
 
 
 def _kin(stage: Stage, mention: Mention) -> list[Person]:
@@ -278,6 +288,9 @@ def _it(stage: Stage) -> str | None:
     """The last thing, or the last that suits the verb: a door is opened, a letter is read."""
     suiting = lexicon.SUITING.get(stage.sentence.verb)
     last = stage.discourse.last_thing
+    said = {thing for _, thing in stage.sentence.pronouns.values() if thing}
+    if last in said:
+        return last
     if suiting is None or stage.inventory.head(last) in suiting:
         return last
     return next((thing for thing in stage.discourse.recent_things if stage.inventory.head(thing) in suiting), last)
@@ -295,13 +308,18 @@ def remember(stage: Stage, index: int, referents: Referents) -> Referents:
 
 def _resolve_person(stage: Stage, noun: NounPhrase, mention: Mention) -> list[Person]:
     people = resolve_mention(stage, mention)
+    _record_indirect(stage, mention, people, stage.sentence.words[noun.index].end)
+    return people
+
+
+def _record_indirect(stage: Stage, mention: Mention, people: Sequence[Person], end: int) -> None:
+    """Keep who ``the old woman`` is, once."""
     indirect = mention.kind in ("group", "generic") or (
         mention.kind == "role" and people and mention.head not in people[0].name.lower().split()
     )
     if people and indirect and not mention.recorded:
         mention.recorded = True
-        stage.record(mention.start, stage.noun_text(noun), [person.id for person in people])
-    return people
+        stage.record(mention.start, stage.reading.screenplay.text[mention.start : end], [p.id for p in people])
 
 
 def resolve_owner(
@@ -316,7 +334,9 @@ def resolve_owner(
         return
     word = stage.sentence.words[noun.possessor]
     if word.mention:
-        for person in resolve_mention(stage, word.mention):
+        owners = resolve_mention(stage, word.mention)
+        _record_indirect(stage, word.mention, owners, word.end)
+        for person in owners:
             stage.mention(person, 0.2)
             noun.owner = person.id
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.morphology import singular
+from storyblender.agents.director.reader.morphology import is_person_noun, singular
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
@@ -36,6 +36,8 @@ def describe(person: Person, phrase: str) -> None:
         for word in words:
             if word in _GENDER_WORDS:
                 person.gender = _GENDER_WORDS[word]
+            if person.gender == "unknown" and is_person_noun(word):
+                person.gender = lexicon.gender_of_word(word)
             if not person.age and (word in lexicon.AGE_WORDS or word in lexicon.AGE_NOUNS):
                 person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
             if not person.role and word in lexicon.NEUTER_ROLES:

@@ -100,7 +100,7 @@ def _admit(roster: Roster, role: _Role, text: str) -> None:
 
 
 def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
-    """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``."""
+    """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
     phrase = role.phrase
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
     if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
@@ -108,7 +108,23 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     gender = lexicon.gender_of_word(phrase.noun)
     if phrase.noun in _LATER and phrase.determiner == "the":
         return any(gender in (person.gender, "unknown") or person.gender == "unknown" for person in roster.people)
-    return phrase.determiner in ("a", "an") and text[max(0, role.at - 2) : role.at] == ", "
+    if text[max(0, role.at - 3) : role.at].lower() == "as ":
+        return True
+    apposed = text[max(0, role.at - 2) : role.at] == ", "
+    return apposed and (phrase.determiner in ("a", "an") or _names_before(roster, role, text))
+
+
+def _names_before(roster: Roster, role: _Role, text: str) -> bool:
+    """``Mrs. Crabbe, the old housekeeper,``: she is the housekeeper from then on."""
+    before = text[max(0, role.at - 60) : role.at - 2].lower()
+    person = next((p for p in roster.people for alias in p.aliases if before.endswith(alias)), None)
+    closed = text[role.at : role.at + role.phrase.end - role.phrase.start + 1].endswith((",", ".", ", "))
+    if person is None or not closed:
+        return False
+    roster.call(person, bare(role.phrase.noun))
+    person.role = person.role or role.phrase.noun
+    describe(person, " ".join(role.phrase.adjectives))
+    return True
 
 
 def _add_role(roster: Roster, role: _Role, look: str) -> None:

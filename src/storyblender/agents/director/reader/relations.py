@@ -154,9 +154,10 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
     moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
     for place in roles.places:
         kind = lexicon.relation_of(place.preposition)
-        if kind not in ("on", "in", "under", "next_to", "behind", "against"):
+        if kind not in ("on", "in", "under", "next_to", "behind", "against", "in_front_of"):
             continue
-        anchors = [thing for thing in place.things if stage.inventory.class_of(thing) in _THINGS]
+        anchors = [person.id for person in place.people if kind == "in_front_of"]
+        anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _THINGS]
         if kind == "on" and roles.subjects and any(noun.head in lexicon.BODY for noun in place.nouns):
             anchors.append(roles.subjects[0].id)
         for anchor in anchors:
@@ -174,9 +175,9 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[_St
         place.things[0]
         for place in roles.places
         if place.things
-        and lexicon.relation_of(place.preposition) in ("on", "in")
+        and lexicon.relation_of(place.preposition) in ("on", "in", "at")
         and stage.inventory.class_of(place.things[0]) != "body"
-        and stage.inventory.head(place.things[0]) in lexicon.SEATS
+        and stage.inventory.head(place.things[0]) in lexicon.SEATS | {"table", "desk"}
     ]
     beside = [
         place
@@ -186,7 +187,9 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[_St
         and stage.inventory.class_of(place.things[0]) == "set_piece"
     ]
     at_table = any(kind == "at" for _, kind, _ in found)
-    if not seats or not beside or at_table or stage.inventory.head(seats[0]) in _FLOOR:
+    if not seats or not beside or (at_table and beside[0].preposition == "in front of"):
+        return found
+    if stage.inventory.head(seats[0]) in _FLOOR:
         return found
     window = beside[0].things[0]
     kind = lexicon.relation_of(beside[0].preposition)

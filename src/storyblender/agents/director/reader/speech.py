@@ -36,6 +36,8 @@ _GENDER_OF_ADDRESS: dict[str, Gender] = {
     "ma'am": "female", "madam": "female", "miss": "female", "girl": "female", "mother": "female", "mom": "female",
     "mama": "female",
 }  # fmt: skip
+_TITLED = r"(?:mr|mrs|ms|miss|dr|sir|lady|captain|professor|sergeant|pan|pani|señor|monsieur|madame|herr|frau)\.? "
+"""A title before a name somebody is called by."""
 _TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
 
 
@@ -177,7 +179,8 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
     for person in here:
         names = {alias.split()[-1] for alias in person.aliases} | {alias.split()[0] for alias in person.aliases}
         for name in sorted(names - lexicon.TITLES):
-            if re.search(rf",\s*{re.escape(name)}\s*[.!?,]|^{re.escape(name)}\s*[,!.?]", text, re.IGNORECASE):
+            called = rf"(?:{_TITLED})?{re.escape(name)}"
+            if re.search(rf",\s*{called}\s*[.!?,]|^{called}\s*[,!.?]", text, re.IGNORECASE):
                 return person
     address = _VOCATIVE.search(text.lower().replace("’", "'"))
     if address is None:

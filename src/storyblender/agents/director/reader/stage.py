@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from storyblender.agents.director.reader.clauses import NounPhrase
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reader.words import Word, key_of
@@ -179,9 +178,3 @@ class Stage:
     def flag(self, topic: str, choice: str, reason: str, start: int, end: int) -> None:
         """Note a decision for a person to check."""
         self.reading.flags.append(Flag(topic=topic, choice=choice, reason=reason, start=start, end=end))
-
-    def noun_text(self, noun: NounPhrase) -> str:
-        """The words of a noun as written, for the record."""
-        word = self.sentence.words[noun.index]
-        start = noun.mention.start if noun.mention else word.start
-        return self.reading.screenplay.text[start : word.end]

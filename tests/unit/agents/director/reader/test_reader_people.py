@@ -76,3 +76,29 @@ def test_single_quotation_marks_are_speech() -> None:
 def test_food_on_a_plate_is_not_cast() -> None:
     text = "INT. KITCHEN - DAY\n\nTOM cuts a fish. He fries the fish. The fish burns.\n"
     assert [person.id for person in read_script(read(text)).people] == ["tom"]
+
+
+def test_an_apposition_is_the_same_person() -> None:
+    story = "At the door stood Mrs. Crabbe, the old housekeeper. She waited as a child would. The housekeeper left."
+    assert ids(story) == ["mrs_crabbe"]
+    assert ids("INT. RING - DAY\n\nHer OPPONENT, a YOUNG BOXER, waits. The boxer jumps.\n") == ["opponent"]
+
+
+def test_what_somebody_does_for_a_living_may_tell_the_gender(read_scene: Read) -> None:
+    assert read_scene("XQ (30, waitress, freckles) waits.").people[0].gender == "female"
+
+
+def test_the_small_woman_is_the_one_introduced_as_small(read_scene: Read) -> None:
+    reading = read_scene("ANNA (68, tiny) sits. GRACE (38, tall) kneels. Grace smiles. The small woman nods.")
+    assert reading.units[-1].deeds[0].actor == "anna"
+
+
+def test_a_line_with_a_title_and_a_name_is_for_them() -> None:
+    text = "INT. WARD - DAY\n\nMR. HAAS (70) lies on the bed. LENA and PORTER wait.\n\nLENA\nStay, Mr. Haas.\n"
+    assert read_script(read(text)).units[-1].to == "mr_haas"
+
+
+def test_what_stops_is_not_done_and_before_somebody_is_in_front_of_them(read_scene: Read) -> None:
+    reading = read_scene("WALT (70) mops the floor. Walt stops mopping. He puts the plate before TOM.")
+    assert not [deed for deed in reading.units[1].deeds if deed.motion == "clean"]
+    assert [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations] == [("plate", "in_front_of", "tom")]
