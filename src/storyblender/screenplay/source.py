@@ -181,7 +181,16 @@ def _is_fountain(text: str) -> bool:
         return True
     forced = sum(bool(re.match(r"\.[A-Z]|@\w|>.*TO:$", line)) for line in lines)
     title = bool(re.match(r"(?:title|credit|authors?):", lines[0], re.IGNORECASE))
-    return forced >= 2 or (title and len(lines) > 2)
+    return forced >= 2 or (title and len(lines) > 2) or _cues(lines) >= 2
+
+
+def _cues(lines: list[str]) -> int:
+    """Names in capitals over a line of small letters, as in a scene without a heading."""
+    rows = zip(["", *lines], lines, lines[1:], strict=False)
+    return sum(
+        not before and re.fullmatch(r"[^\W\d_][^a-z.!?:]{1,30}", line) is not None and after != after.upper()
+        for before, line, after in rows
+    )
 
 
 def _refuse_empty(screenplay: Screenplay) -> None:

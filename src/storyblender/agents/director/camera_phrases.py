@@ -11,6 +11,7 @@ from dataclasses import replace
 from typing import Final
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reading import CameraNote
 
 Span = tuple[int, int]
@@ -86,7 +87,7 @@ _WAY = r"(?: (?:SLOWLY|QUICKLY|GENTLY|SHOT|SHOTS|ANGLE|VIEW|LEFT|RIGHT|UP|DOWN|U
 _HOW = r"(?:(?:A|AN|THE|SLOW|SLOWLY|QUICK|QUICKLY|GENTLY|STEADILY|VERY|THEN) )*"
 _TERM = rf"(?:{_SIZE}|{_FORM}|{_MOVE})(?![A-Za-z]){_WAY}"
 _RUN = rf"{_HOW}(?:{_TERM})(?:\s*[,/&-]?\s*(?:AND )?{_HOW}(?:{_TERM}))*"
-_NAME = r"[A-ZÀ-Ý][A-ZÀ-Ý .#0-9'’-]*?"
+_NAME = rf"[{UPPER}][{UPPER} .#0-9'’-]*?"
 _LINK = (
     r"\s*(?:\b(?:UP ON|IN ON|ONTO|ON|OF|THROUGH|FROM|INTO|TOWARDS?|WITH|AT|BEHIND|PAST|ACROSS|ALONG|AROUND|OVER|BETWEEN"
     r"|TO REVEAL|TO FIND|TO SHOW|REVEALING|TO)\b)?\s*[:–—-]*\s*"
@@ -101,7 +102,7 @@ _SHOULDER = re.compile(
     rf"|(?:OVER[- ]THE[- ]SHOULDER|OTS)(?: SHOT)?"
     rf"(?:\s*(?:OF|[-–—:])?\s*(?P<after>(?!(?:ON|OF|THE)\b){_NAME})(?= ON\b| TO\b|\s*[-–—:.,]|\s*$))?)"
 )
-_LEAD = re.compile(rf"\s*(?:{_RUN}|ON(?= [A-ZÀ-Ý]{{2}}))(?![A-Za-z])")
+_LEAD = re.compile(rf"\s*(?:{_RUN}|ON(?= [{UPPER}]{{2}}))(?![A-Za-z])")
 _INSIDE = re.compile(rf"(?<![\w'’]){_HOW}(?:{_MOVE})(?![A-Za-z]){_WAY}")
 _SPOKEN = re.compile(
     rf"\b(?:WE|(?:THE )?CAMERA)\s+(?:SLOWLY |QUICKLY |GENTLY |THEN |ALSO )*(?:{_SPOKEN_MOVE})(?![A-Za-z]){_WAY}",

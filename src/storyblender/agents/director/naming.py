@@ -6,7 +6,19 @@ import re
 import unicodedata
 from collections.abc import Container
 
+_LATIN = [chr(code) for code in (*range(0xC0, 0x250), *range(0x1E00, 0x1F00)) if chr(code).isalpha()]
+UPPER = "A-Z" + "".join(letter for letter in _LATIN if letter.isupper())
+"""Latin capitals of all languages, for a character class: Ł and Ō as well as É."""
+LOWER = "a-zʿʾʻ" + "".join(letter for letter in _LATIN if letter.islower())
+"""Latin small letters of all languages, and the marks that transcribe Arabic."""
+
 _NO_DECOMPOSITION = str.maketrans({"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "ł": "l", "đ": "d", "ð": "d", "þ": "th"})
+
+
+def unaccented(name: str) -> str:
+    """A name in small ASCII letters, what cannot be spelled in them left out: ``Łucja`` -> ``lucja``."""
+    lowered = name.lower().translate(_NO_DECOMPOSITION)
+    return unicodedata.normalize("NFKD", lowered).encode("ascii", "ignore").decode()
 
 
 def asset_id(name: str, taken: Container[str] = ()) -> str:
@@ -19,9 +31,7 @@ def asset_id(name: str, taken: Container[str] = ()) -> str:
     Returns:
         An identifier that starts with a letter; ``asset`` where nothing of the name can be spelled in ASCII.
     """
-    lowered = name.lower().translate(_NO_DECOMPOSITION)
-    plain = unicodedata.normalize("NFKD", lowered).encode("ascii", "ignore").decode()
-    words = re.findall(r"[a-z0-9]+", re.sub(r"(?<=[a-z])'s?\b", "", plain))
+    words = re.findall(r"[a-z0-9]+", re.sub(r"(?<=[a-z])'s?\b", "", unaccented(name)))
     if len(words) > 1 and words[0] in ("the", "a", "an"):
         words = words[1:]
     base = "_".join(words) or "asset"

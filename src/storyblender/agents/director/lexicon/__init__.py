@@ -9,6 +9,7 @@ from __future__ import annotations
 from importlib.resources import files
 from typing import Literal, NamedTuple, cast
 
+from storyblender.agents.director.naming import unaccented
 from storyblender.memory.vocabulary import Gender, Mood, RelationKind, TimeOfDay, Weather
 
 NounClass = Literal["abstract", "body", "set_piece", "prop", "worn", "scenery", "unknown"]
@@ -207,7 +208,8 @@ def words(rule: str) -> frozenset[str]:
 
 
 def gender_of_word(word: str) -> Gender:
-    """The gender a noun or first name carries."""
+    """The gender a noun or first name carries, with or without its accents."""
+    word = unaccented(word)
     if word in FEMALE_NOUNS or word in FEMALE_NAMES or word.endswith("woman"):
         return "female"
     male = word in MALE_NOUNS or word in MALE_NAMES or (word.endswith("man") and len(word) > 5)

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
@@ -13,15 +14,16 @@ from storyblender.agents.director.reader.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
+_CAPITAL = UPPER + "ʿʾʻ"
 _RUN = re.compile(
-    r"(?<![A-Za-z])(?:THE |A |AN |TWO |THREE |FOUR |FIVE |SIX )?"
-    r"(?:(?:MRS|MR|DR|MS|PROF|SGT|LT|CAPT|ST)\.|[A-ZÀ-Ý][A-ZÀ-Ý'’.-]*[A-ZÀ-Ý]|[A-Z]{2,}\.|[A-Z])"
-    r"(?:[ ](?:(?:IN|OF|WITH|THE|A)\s)*(?:[A-ZÀ-Ý][A-ZÀ-Ý'’.-]*[A-ZÀ-Ý]\.?|#?\d+))*(?![a-z])"
+    r"(?<![^\W\d_])(?:THE |A |AN |TWO |THREE |FOUR |FIVE |SIX )?"
+    rf"(?:(?:MRS|MR|DR|MS|PROF|SGT|LT|CAPT|ST)\.|[{_CAPITAL}][{_CAPITAL}'’.-]*[{_CAPITAL}]|[A-Z]{{2,}}\.|[A-Z])"
+    rf"(?:[ ](?:(?:IN|OF|WITH|THE|A)\s)*(?:[{_CAPITAL}][{_CAPITAL}'’.-]*[{_CAPITAL}]\.?|#?\d+))*(?![{LOWER}])"
 )
 """A run of words in capitals."""
 _TITLED = re.compile(
     r"\b(?:Mr|Mrs|Ms|Dr|Miss|Officer|Detective|Sergeant|Captain|Professor|Uncle|Aunt|Sheriff|Lieutenant|Deputy)\.? "
-    r"[A-Z][a-z]+"
+    rf"[{UPPER}][{LOWER}]+"
 )
 _CAPITALISED_ROLE = re.compile(r"\b[Tt]he ((?:[A-Z][a-z]+ ){1,2}[A-Z][a-z]*)\b")
 _ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
@@ -33,7 +35,7 @@ _SOME = 3
 _NAMING = re.compile(
     r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
     r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
-    r"\s+([A-ZÀ-Ý][\w’'-]*(?: [A-ZÀ-Ý][\w’'-]*)*)"
+    rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
 )
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
@@ -162,7 +164,9 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
 
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
     """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
-    before = re.search(r"([A-ZÀ-Ý][A-ZÀ-Ý' -]*[A-ZÀ-Ý]),? (?:a|an|the) $", text[max(0, sighting.at - 40) : sighting.at])
+    before = re.search(
+        rf"([{UPPER}][{UPPER}' -]*[{UPPER}]),? (?:a|an|the) $", text[max(0, sighting.at - 40) : sighting.at]
+    )
     people = roster.find(before.group(1)) if before else []
     comma = before is not None and "," in before.group(0)
     if not comma or not people or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from storyblender.agents.director import camera_phrases
+from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reader.morphology import form_kind
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
@@ -25,11 +26,11 @@ _MARKUP = re.compile(r"[*\\]|(?<!\w)_(?=\S)|(?<=\S)_(?!\w)|\[\[.*?\]\]|/\*.*?\*/
 _BRACKETS = re.compile(r"\([^)]*\)")
 _SENTENCE_END = re.compile(
     r"(?<=[.!?])(?<!\bMR\.)(?<!\bDR\.)(?<!\bMS\.)(?<!\bST\.)(?<!\bMRS\.)(?<!\bMr\.)(?<!\bDr\.)(?<!\bMs\.)(?<!\bSt\.)"
-    r"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[A-ZÀ-Ý\"“'‘0-9#])"
+    rf"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[{UPPER}\"“'‘0-9#])"
 )
 QUOTATION = re.compile(
     r"""["“][^"”]*["”]|«[^»]*»|„[^“”]*[“”]|‘[^‘’]*(?:(?<=\w)’(?=\w)[^‘’]*)*’(?!\w)"""
-    r"""|(?<!\w)'(?=[A-ZÀ-Ý])[^"]{1,400}?[,.!?…—-]'(?!\w)"""
+    rf"""|(?<!\w)'(?=[{UPPER}])[^"]{{1,400}}?[,.!?…—-]'(?!\w)"""
 )
 """Something in quotation marks, also single ones; an apostrophe stands between letters."""
 QUOTATION_MARKS = "\"“”«»„‘’'"

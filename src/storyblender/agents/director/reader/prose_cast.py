@@ -6,6 +6,7 @@ import re
 from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
@@ -16,14 +17,14 @@ _TITLE = (
     r"|Sheriff|Father|Sister|Brother|Professor)"
 )
 _NAME = re.compile(
-    r"(?<![.!?]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[A-ZÀ-Ý][a-zà-ÿ]+(?:[ ][A-ZÀ-Ý][a-zà-ÿ]+)*"
+    rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+"
-    r"|(?:(?<=[.!?]\s)|^|(?<=\n))[A-ZÀ-Ý][a-zà-ÿ]+(?=\s+[a-z]+ed\b|['’]s\s[a-z]|\s+(?:was|had|said|ran|sat|stood|took|went|came|is"
+    rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?=\s+[a-z]+ed\b|['’]s\s[a-z]|\s+(?:was|had|said|ran|sat|stood|took|went|came|is"
     r"|has|put|held|gave|knew|saw|felt|kept|left|and [A-Z]))",
     re.MULTILINE,
 )
-_APPOSED = re.compile(r"\s+([A-ZÀ-Ý][a-zà-ÿ]+)")
-_NAMED = re.compile(r"\s+(?:named|called)\s+([A-ZÀ-Ý][\w’'-]+)")
+_APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
+_NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple"})

@@ -65,7 +65,7 @@ class Word:
         return self.mention is not None or self.text.isalnum()
 
 
-_TOKEN = re.compile(r"[A-Za-zÀ-ÿ]+(?:[-'’][A-Za-zÀ-ÿ]+)*|#?\d+[\w%]*|\.{3}|--|[^\s]")
+_TOKEN = re.compile(r"[^\W\d_]+(?:[-'’][^\W\d_]+)*|#?\d+[\w%]*|\.{3}|--|[^\s]")
 _CLITIC = re.compile(r"^(.+?)(n['’]t|['’](?:s|S|re|ve|ll|d|m))$")
 
 
