@@ -6,8 +6,12 @@ import bpy
 import numpy as np
 import pytest
 
+from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import load_body_pack
 from storyblender.blender.people.person import PersonBuild, build_person
+from storyblender.blender.people.skin import whisker_growth
+from storyblender.blender.people.whiskers import build_whiskers
+from storyblender.catalog.bodies import recipe
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.skeleton import SKELETON
@@ -197,3 +201,26 @@ def test_without_the_data_a_flagged_mannequin_stands_in(monkeypatch: pytest.Monk
     assert person.armature["stand_in"]
     assert person.body.vertices[:, 2].max() == pytest.approx(1.6, abs=0.02)
     assert set(person.body.bone_names) == {bone.name for bone in SKELETON}
+
+
+@needs_data
+def test_a_beard_ends_in_one_clean_line_on_the_cheek() -> None:
+    pack = load_body_pack()
+    assert pack is not None
+    look = CharacterLook(gender="male", age=60, facial_hair="beard")
+    grown = build_whiskers(Figure(pack, pack.shape(recipe(look, 1))), "beard", 1, {})
+    growth = whisker_growth(grown.sheet.base)
+    edge = np.abs(growth) < 1e-6
+    assert edge.sum() > 60
+    assert np.abs(grown.sheet.base[edge, 0]).max() > 0.6
+
+
+@needs_data
+def test_no_lock_falls_on_the_temples_from_under_a_cap() -> None:
+    person = build_person(
+        "ned", CharacterLook(gender="male", age=67, hair="short", garments=(Garment(key="flat_cap"),)), 1
+    )
+    points = _coordinates(_part(person, "hair"))
+    eye = person.armature.data.bones["eye.L"].head_local
+    face = (points[:, 1] < eye.y + 0.025) & (points[:, 2] < eye.z + 0.02) & (points[:, 2] > eye.z - 0.06)
+    assert not face.any()

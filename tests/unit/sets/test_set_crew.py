@@ -241,3 +241,16 @@ def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
         RulesEnvironmentDesigner().propose(EnvironmentView(setup.model_copy(update={"layout_description": ""})))
     )
     assert not [piece.part for piece in bare.pieces if piece.part == "lighthouse"]
+
+
+def test_the_place_itself_is_not_put_on_the_stage() -> None:
+    setup = SceneSetup(scene_type="outdoor", place="harbour")
+    view = DressingView(setup, plan_of(Environment(kit="dock", seed=1)), (asset("pier"), asset("gun")))
+    assert RulesSetDresser().propose(view).pending == ("gun",)
+
+
+def test_the_scripts_fountain_is_the_one_on_the_square() -> None:
+    setup = SceneSetup(scene_type="outdoor", place="market square")
+    view = DressingView(setup, plan_of(Environment(kit="square", seed=1)), (asset("fountain"),))
+    dressing = RulesSetDresser().propose(view)
+    assert [item.node_id for item in dressing.objects if "fountain" in item.node_id] == ["fountain"]

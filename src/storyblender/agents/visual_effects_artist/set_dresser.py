@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.set_plan import Furnishing, SetPlan
+from storyblender.catalog.sets import SETS
 from storyblender.geometry.boxes import Box, penetration
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Frozen, Identifier, Vec2, Vec3, content_hash
@@ -109,7 +110,11 @@ class RulesSetDresser:
         return Dressing(
             assets=tuple(assets.values()),
             objects=tuple(item.placed() for item in kept),
-            pending=tuple(asset.asset_id for asset in view.objects if asset.asset_id not in placed),
+            pending=tuple(
+                asset.asset_id
+                for asset in view.objects
+                if asset.asset_id not in placed and not _is_the_place(asset, view)
+            ),
             dropped=tuple(dropped),
         )
 
@@ -212,6 +217,19 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
             taken[found.node_id] = asset
             where[asset.asset_id] = found.location[:2]
     return taken
+
+
+def _is_the_place(asset: Asset, view: DressingView) -> bool:
+    """Return whether a thing nobody can build as a prop is the set itself, or stands in it as a part of the set.
+
+    A pier in a harbour and a lighthouse above a beach are there already; a box with their name on it is not wanted.
+    """
+    if prop_of(asset) is not None:
+        return False
+    name = asset.name.lower()
+    kit = SETS[view.plan.kit]
+    parts = {piece.part.replace("_", " ") for piece in view.plan.pieces}
+    return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}
 
 
 def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:

@@ -87,7 +87,7 @@ def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> 
     body = Drape(figure, clothes) if spec.knot in ("tail", "braid") else None
     locks: list[Sheet] = []
     for root in _roots(scalp, rng):
-        if scalp.hatted and root[2] > 0.55:
+        if scalp.hatted and (root[2] > 0.55 or root[1] < -0.2):  # under the brim; its tips would fall on the temples
             continue
         if spec.curls:
             locks.append(curl(scalp, root, rng))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.face import Pin
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.sheet import Sheet, join, normals, rigid
+from storyblender.blender.people.sheet import Sheet, clip, join, normals, rigid
 from storyblender.blender.people.skin import keys_for, whisker_growth
 
 Floats = NDArray[np.float64]
@@ -83,15 +83,14 @@ def _beard(rng: np.random.Generator) -> list[tuple[list[Place], float]]:
 
 def _shell(figure: Figure, keys: Mapping[str, Floats], rng: np.random.Generator) -> Whiskers:
     """Return the skin of the jaw, thickened, fullest on the chin."""
-    sheet = figure.part("skin")
+    skin = figure.part("skin")
+    sheet = clip(skin, whisker_growth(skin.base))  # through the faces, or its edge on the cheek is a saw
     growth = whisker_growth(sheet.base)
     outward = normals(sheet)
     chin = np.clip((6.75 - sheet.base[:, 1]) / 0.5, 0, 1) * np.clip((sheet.base[:, 2] - 0.7) / 0.5, 0, 1)
     thick = (0.0005 + (0.004 + 0.010 * chin) * np.clip(growth / 0.12, 0, 1)) * figure.head_scale
     thick = thick * (1 + 0.15 * rng.standard_normal(len(thick)))
     sheet = sheet.moved(sheet.points + outward * thick[:, None])
-    inside = growth > 0
-    sheet = sheet.keep_faces(inside[sheet.faces].all(1))
     return Whiskers(sheet, np.full(len(sheet.points), 0.85), keys_for(sheet, keys))
 
 

@@ -98,6 +98,21 @@ def well(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (lean((0, -r, 0.86), w * 0.7),)
 
 
+@prop("fountain")
+def fountain(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a round basin with a bowl on a column."""
+    (w, _, h), stone, water = spec.size, spec.material("stone"), spec.material("water")
+    r = w / 2
+    rim = [(r, 0), (r * 0.97, 0.1), (r * 0.88, 0.14), (r * 0.88, 0.44), (r * 0.96, 0.5), (r * 0.96, 0.56)]
+    b.lathe(stone, [*rim, (r * 0.8, 0.56), (r * 0.78, 0.3)], segments=32, caps=False)
+    b.lathe(water, [(0.02, 0.46), (r * 0.8, 0.46)], segments=32, caps=False)
+    column = [(0.13, 0.14), (0.09, 0.28), (0.07, 0.5), (0.1, 0.56), (0.27, 0.65), (0.29, 0.68), (0.22, 0.66)]
+    b.lathe(stone, [(x * w / 1.2, z * h) for x, z in (*column, (0.05, 0.65))], segments=24)
+    b.lathe(stone, [(0.1, 0.64 * h), (0.09, 0.8 * h), (0.13, 0.84 * h), (0.04, 0.94 * h), (0.02, h)], segments=16)
+    b.lathe(water, [(0.02, 0.672 * h), (0.2 * w, 0.672 * h)], segments=24, caps=False)
+    return (lean((0, -r, 0.56), w * 0.4),)
+
+
 @prop("gravestone")
 def gravestone(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a round-headed gravestone with an inscription."""

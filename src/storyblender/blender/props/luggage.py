@@ -43,6 +43,20 @@ def briefcase(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return hanging(h - 0.01)
 
 
+@prop("toolbox")
+def toolbox(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a closed toolbox with a sloping lid."""
+    (w, d, h), body, metal = spec.size, spec.material("body"), spec.material("metal")
+    case = h - 0.06
+    b.rounded_box(body, (0, 0, case * 0.36), (w, d, case * 0.72), 0.008)
+    b.box(body, (0, 0, case * 0.86), (w, d, case * 0.28), taper=0.8)
+    b.box(metal, (0, 0, case * 0.72), (w + 0.004, d + 0.004, 0.008))
+    _bail(b, metal, 0.18, case - 0.005, 0.06, 0.009)
+    for x in (-1, 1):
+        b.box(metal, (x * w * 0.28, -d / 2 - 0.004, case * 0.7), (0.04, 0.012, 0.06), bevel=0.003)
+    return hanging(h - 0.01)
+
+
 @prop("suitcase")
 def suitcase(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a standing suitcase with straps and corners."""

@@ -163,6 +163,19 @@ def hammer(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return _shaft(h * 0.2)
 
 
+@prop("wrench")
+def wrench(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build an open wrench, jaws up."""
+    (w, d, h), steel = spec.size, spec.material("body")
+    b.box(steel, (0, 0, h * 0.4), (w * 0.5, d * 0.28, h * 0.8), bevel=0.004)
+    b.cylinder(steel, (-w * 0.3, 0, 0.02), (w * 0.3, 0, 0.02), d * 0.24)
+    jaws = [(-0.2, 0.7), (0.2, 0.7), (0.5, 0.82), (0.42, 1.0), (0.2, 1.0), (0.18, 0.87), (-0.18, 0.87), (-0.2, 0.98),
+            (-0.42, 1.0), (-0.5, 0.82)]  # fmt: skip
+    with b.at((-w / 2, 0, 0), (90, 0, 90)):
+        b.extrude(steel, [(x * d, z * h) for x, z in jaws], w)
+    return _shaft(h * 0.35)
+
+
 @prop("shovel")
 def shovel(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a shovel, blade down."""

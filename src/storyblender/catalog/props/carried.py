@@ -81,6 +81,13 @@ CARRIED: tuple[PropEntry, ...] = (
         "A briefcase, standing.",
     ),
     held(
+        "toolbox",
+        "tool box, tool chest, tool kit, toolkit",
+        (0.46, 0.22, 0.27),
+        {"body": "enamel", "metal": "steel"},
+        "A metal toolbox with a handle.",
+    ),
+    held(
         "suitcase",
         "luggage, trunk, valise, travel bag, baggage",
         (0.68, 0.22, 0.5),

@@ -128,10 +128,18 @@ STREET: tuple[PropEntry, ...] = (
     entry(
         "street",
         "well",
-        "stone well, wishing well, fountain",
+        "stone well, wishing well",
         (1.3, 1.3, 2.3),
         {"stone": "stone", "wood": "wood", "roof": "shingles"},
         "A well under a roof.",
+    ),
+    entry(
+        "street",
+        "fountain",
+        "water fountain, town fountain",
+        (2.4, 2.4, 2.0),
+        {"stone": "stone", "water": "water"},
+        "A round basin with a bowl that water falls from.",
     ),
     entry(
         "street",

@@ -184,6 +184,13 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held("axe", "hatchet, battle axe, tomahawk", (0.04, 0.24, 0.8), {"handle": "wood", "head": "steel"}, "An axe."),
     held("hammer", "mallet, gavel, tool", (0.04, 0.14, 0.32), {"handle": "wood", "head": "steel"}, "A hammer."),
+    held(
+        "wrench",
+        "spanner, monkey wrench, pliers, pincers",
+        (0.026, 0.08, 0.28),
+        {"body": "steel"},
+        "A wrench, jaws up.",
+    ),
     held("shovel", "spade, pitchfork, rake, hoe", (0.22, 0.08, 1.35), {"handle": "wood", "head": "steel"}, "A shovel."),
     held("broom", "mop, besom, sweeping brush", (0.34, 0.09, 1.4), {"handle": "wood", "head": "thatch"}, "A broom."),
     held("bow", "longbow, bow and arrow, crossbow", (0.03, 0.3, 1.5), {"body": "wood", "string": "linen"}, "A bow."),

@@ -61,9 +61,9 @@ SETS: Catalog[SetKit] = Catalog(
         module.KIT
         for module in (
             plain_room, living_room, bedroom, kitchen, bathroom, cafe, bar, office, corridor, hospital_ward, classroom,
-            library, cell, interrogation, shop, lobby, theatre, church, great_hall, cottage, lighthouse, warehouse, carriage,
-            open_ground, street, alley, square, park, forest, beach, dock, airfield, rooftop, bridge, desert, mountain,
-            ship_deck,
+            library, cell, interrogation, shop, lobby, theatre, church, great_hall, cottage, lighthouse, warehouse,
+            carriage, open_ground, street, alley, square, park, forest, beach, dock, airfield, rooftop, bridge, desert,
+            mountain, ship_deck,
         )
     ),
 )  # fmt: skip

@@ -26,7 +26,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         )  # fmt: skip
         square.card("facades", (side * (x + 24), side * 30.0), (side * (x + 24), side * -30.0), -1.0, 12.0)
     square.card("hills", (-70, y + 46), (70, y + 46), -1, 26)
-    square.piece("fountain", x * 0.45, y + 0.2, footprint=(2.6, 2.6))
+    square.furnish("fountain", x * 0.45, y + 0.2)
     square.mark("fountain", x * 0.45 - 1.6, y * 0.75, 90, "fountain", "window")
     for index, px in enumerate((-x + 1.4, -x + 4.2)):
         square.furnish("market_stall", px, y - 0.6, required=index == 0)

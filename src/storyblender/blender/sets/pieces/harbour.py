@@ -282,7 +282,7 @@ def great_lens(builder: MeshBuilder, spec: PieceSpec) -> None:
     for height in np.linspace(1.0, 2.05, 8):
         radius = 0.5 - 0.55 * (height - 1.5) ** 2
         ring = [(radius - 0.05, -0.055), (radius, -0.05), (radius + 0.05, 0.0), (radius, 0.05), (radius - 0.05, 0.055)]
-        builder.lathe(finish("lamp_warm"), ring, origin=(0, 0, float(height)), segments=24, caps=False)
+        builder.lathe(finish("glass"), ring, origin=(0, 0, float(height)), segments=24, caps=False)
     for angle in np.linspace(0, 2 * math.pi, 8, endpoint=False):
         post = [((0.57 - 0.55 * (z - 1.5) ** 2) * math.cos(angle), (0.57 - 0.55 * (z - 1.5) ** 2) * math.sin(angle), z)
                 for z in np.linspace(0.92, 2.12, 9)]  # fmt: skip

@@ -11,6 +11,7 @@ from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import finish
 from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 from storyblender.blender.tags import Surface
+from storyblender.catalog.sets.arcades import arch_radius, piers
 
 
 @piece("column")
@@ -56,12 +57,10 @@ def arcade(builder: MeshBuilder, spec: PieceSpec) -> None:
         spec.finish("trim", "paint_cream"),
     )
     bay = width / count
-    radius = min(bay * 0.36, height - 2.35)
+    radius = arch_radius(width, height, count)
     spring = height - radius - 0.55
     left = -width / 2
-    for index in range(count + 1):
-        x0 = left if index == 0 else left + bay * (index - 0.5) + radius
-        x1 = -left if index == count else left + bay * (index + 0.5) - radius
+    for x0, x1 in piers(width, height, count):
         builder.box(skin, ((x0 + x1) / 2, 0, height / 2), (x1 - x0, depth, height))
         builder.box(trim, ((x0 + x1) / 2, 0, 0.08), (x1 - x0 + 0.04, depth + 0.04, 0.16))
         builder.box(trim, ((x0 + x1) / 2, 0, spring - 0.04), (x1 - x0 + 0.06, depth + 0.06, 0.08))
@@ -191,26 +190,6 @@ def pier(builder: MeshBuilder, spec: PieceSpec) -> None:
     depth, stone = spec.number("depth", 6), spec.finish("material", "stone")
     builder.box(stone, (0, 0, 2.9), (2.2, depth, 5.8), taper=0.9)
     builder.box(stone, (0, 0, 5.4), (3.4, depth + 0.2, 0.9), taper=1.3)
-
-
-@piece("fountain")
-def fountain(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a round basin with a column and a bowl."""
-    stone = finish("stone_light")
-    builder.lathe(
-        stone,
-        [(1.45, 0), (1.4, 0.12), (1.25, 0.16), (1.25, 0.48), (1.38, 0.55), (1.38, 0.62), (1.15, 0.62), (1.12, 0.3)],
-        segments=32,
-        caps=False,
-    )
-    builder.lathe(finish("water"), [(0.02, 0.5), (1.15, 0.5)], segments=32, caps=False)
-    builder.lathe(
-        stone,
-        [(0.3, 0.3), (0.2, 0.6), (0.16, 1.15), (0.24, 1.3), (0.62, 1.5), (0.66, 1.56), (0.5, 1.52), (0.1, 1.48)],
-        segments=24,
-    )
-    builder.lathe(stone, [(0.12, 1.45), (0.1, 1.8), (0.16, 1.9), (0.05, 2.15), (0.02, 2.3)], segments=16)
-    builder.lathe(finish("water"), [(0.02, 1.54), (0.56, 1.54)], segments=24, caps=False)
 
 
 @piece("chimney")
