@@ -156,3 +156,9 @@ def test_an_over_large_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(source, "MAX_BYTES", 10)
     with pytest.raises(InputError, match="far more than a script"):
         load(path)
+
+
+def test_cues_without_a_heading_are_a_screenplay() -> None:
+    play = read("JOHN\nHello.\n\nMARY\nGoodbye.\n")
+    assert [element.kind for element in play.elements] == ["cue", "dialogue", "cue", "dialogue"]
+    assert read("STOP\n\nHe read the sign. A story about A\nB.\n").format == "prose"

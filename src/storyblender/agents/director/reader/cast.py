@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
@@ -38,6 +38,8 @@ _NAMING = re.compile(
     rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
 )
 _NUMBERED = re.compile(r"\s*#?\d+$")
+_CHORUS = lexicon.words("chorus")
+"""Cues that mean whoever is there."""
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
 
 
@@ -57,9 +59,10 @@ def find_cast(script: Manuscript) -> Roster:
     Longer names win: a cue HALE belongs to OFFICER HALE, JO and JOANNA stay two people.
     """
     cues = {paragraph.name for paragraph in script.paragraphs if paragraph.kind == "cue"}
+    cues -= {cue for cue in cues if cue.lower() in _CHORUS}
     sightings: list[_Sighting] = []
     for paragraph in script.paragraphs:
-        if paragraph.kind == "cue":
+        if paragraph.kind == "cue" and paragraph.name.lower() not in _CHORUS:
             sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
         elif paragraph.kind == "action":
             sightings += _in_action(script, paragraph.body, paragraph.start, cues)
@@ -122,7 +125,7 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
         return True
     if head in lexicon.PROPS | lexicon.SET_PIECES:
         return False
-    if head in lexicon.FIRST_NAMES or _INTRODUCED.match(after):
+    if unaccented(head) in lexicon.FIRST_NAMES or _INTRODUCED.match(after):
         return True
     if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
         return False
@@ -164,12 +167,10 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
 
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
     """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
-    before = re.search(
-        rf"([{UPPER}][{UPPER}' -]*[{UPPER}]),? (?:a|an|the) $", text[max(0, sighting.at - 40) : sighting.at]
-    )
+    left = text[max(0, sighting.at - 40) : sighting.at]
+    before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a|an|the) $", left)
     people = roster.find(before.group(1)) if before else []
-    comma = before is not None and "," in before.group(0)
-    if not comma or not people or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
+    if not people or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
         return None
     roster.call(people[0], bare(name))
     roster.call(people[0], name.split()[-1].lower())

@@ -102,3 +102,16 @@ def test_what_stops_is_not_done_and_before_somebody_is_in_front_of_them(read_sce
     reading = read_scene("WALT (70) mops the floor. Walt stops mopping. He puts the plate before TOM.")
     assert not [deed for deed in reading.units[1].deeds if deed.motion == "clean"]
     assert [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations] == [("plate", "in_front_of", "tom")]
+
+
+def test_names_in_any_latin_letters_are_whole_and_have_their_gender() -> None:
+    action = "ŁUCJA ŻÓŁĆ (34) bows to SATŌ KENJIRŌ (60). ʿABD AL-RAHMAN (50) waves. Łucja gives Satō a letter."
+    reading = read_script(read(f"EXT. SOUK - DAY\n\n{action}\n\nALL\nHooray!\n"))
+    assert [person.name for person in reading.people] == ["ŁUCJA ŻÓŁĆ", "SATŌ KENJIRŌ", "ʿABD AL-RAHMAN"]
+    assert reading.people[0].gender == "female"
+    given = [(deed.actor, deed.target, deed.prop) for unit in reading.units for deed in unit.deeds][-1]
+    assert given == ("lucja_zolc", "sato_kenjiro", "letter")
+
+
+def test_what_follows_a_dash_is_no_name() -> None:
+    assert ids("— Where are you going? asked Marie.\n\n— Home, said Paul.\n\nShe took his arm.\n") == ["marie", "paul"]
