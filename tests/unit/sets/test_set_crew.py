@@ -236,7 +236,8 @@ def test_every_lamp_prop_of_the_plan_burns_at_night() -> None:
 def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
     setup = SceneSetup(scene_type="outdoor", place="beach", layout_description="Beach with lighthouse.")
     plan = plan_of(RulesEnvironmentDesigner().propose(EnvironmentView(setup)))
-    assert [piece.part for piece in plan.pieces if piece.part == "lighthouse"]
+    towers = [piece.location for piece in plan.pieces if piece.part == "lighthouse"]
+    assert [math.hypot(*location[:2]) > 40 for location in towers] == [True]  # or a wide picture cuts its 19 m off
     bare = plan_of(
         RulesEnvironmentDesigner().propose(EnvironmentView(setup.model_copy(update={"layout_description": ""})))
     )

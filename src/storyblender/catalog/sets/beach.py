@@ -28,8 +28,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         )
         beach.scatter(("palm_tree",), 6, inner=x + 2, outer=20, gap=3.2, sector=(75, 125), scale=(0.8, 1.2), solid=0.4)
     if params.option("lighthouse"):
-        beach.piece("lighthouse", -x - 15.0, y + 13.0, -0.3, footprint=(7.0, 7.0))
-        beach.scatter(("rock",), 14, inner=4.0, outer=9.0, gap=1.5, scale=(1.2, 2.6), centre=(-x - 15.0, y + 13.0))
+        islet = (-x - 9.0, y + 46.0)  # far enough out that the whole tower is in a wide picture
+        beach.piece("lighthouse", *islet, -0.3, footprint=(7.0, 7.0))
+        beach.scatter(("rock",), 18, inner=4.0, outer=11.0, gap=1.5, scale=(1.2, 3.0), centre=islet)
     beach.furnish("log", -x * 0.74, y * 0.5, yaw=20, required=False)
     beach.furnish("rowing_boat", x * 0.82, y * 0.5, yaw=-55, required=False)
     beach.mark("water", 0, y - 0.3, 180, "window", "water")
