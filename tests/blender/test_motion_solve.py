@@ -237,6 +237,23 @@ def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, Bo
     assert steps.max() < 0.12, "the letter does not jump into the hand"
 
 
+@pytest.mark.parametrize("who", ["man", "girl"])
+def test_a_guitar_is_played_across_the_body(bodies: dict[str, Body], who: str) -> None:
+    guitar = StageProp(_world(0, 0, -5), (0.34, 0.12, 1.0))
+    cue = _cue(who, "play_piano", 2, prop_id="guitar", duration=70)
+    shot = _shot(bodies, (_mark(who, 0, 0, 90, held=(("R", "guitar"),)),), (cue,), 3, props={"guitar": guitar})
+    assert shot.problems == ()
+    matrix = Matrix(shot.props["guitar"][50].tolist())
+    neck, strings = matrix.to_3x3().col[2], -matrix.to_3x3().col[1]
+    assert abs(neck.z) < 0.6
+    assert neck.y > 0.7, "to the left of somebody who faces +X"
+    assert strings.x > 0.7
+    play = _Playback(bodies[who], shot, who)
+    reach = 0.16 + 0.08 * (who == "girl")
+    assert (play.joint("hand.L", 50) - matrix @ Vector((0, 0, 0.64))).length < reach
+    assert (play.joint("hand.R", 50) - matrix @ Vector((0, -0.08, 0.3))).length < reach + 0.06
+
+
 def test_who_walks_into_an_embrace_walks_through_nobody(bodies: dict[str, Body]) -> None:
     end = _mark("man", 0.0, 0.0, 90)
     cues = (_cue("man", "walk", 2, mark=end), _cue("man", "hug", 60, target_id="girl"))

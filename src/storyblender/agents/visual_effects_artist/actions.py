@@ -69,7 +69,10 @@ class Actions:
             a.asset_id == person.asset_id and a.target_id == action.target_id and clip_of(a.motion).key == "sit"
             for a in later
         )
-        if sits_next:
+        goes_on = any(
+            a.asset_id == person.asset_id and a.target_id and clip_of(a.motion).speed is not None for a in later
+        )
+        if sits_next or (person.entering and goes_on and not action.target_id):
             return
         goal, yaw = self.sheet.goal(action, person, partner)
         end = self.sheet.go(person, goal, yaw, start, motion.key)

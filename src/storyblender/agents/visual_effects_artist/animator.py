@@ -42,7 +42,7 @@ class ShotStaging(Frozen):
     cues: tuple[Cue, ...] = ()
     prop_states: tuple[PropState, ...] = ()
     duration: int
-    """Frames; the Director's, or up to half as long again where the actions need it."""
+    """Frames; the Director's, or longer where the actions need it, within the limit of the cue sheet."""
     cheats: tuple[str, ...] = ()
     """What was cut short or moved so that it fits, one sentence each; for the report."""
 
@@ -76,6 +76,7 @@ class AnimatorRules:
         """Stage every shot of the scene in order."""
         floor = Floor(view.layout, view.assets, view.plan)
         rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps)
+        rehearsal.company.find_players(view.shots)
         lines = {shot.shot_id: shot.lines for shot in view.outline.shots} if view.outline else {}
         stagings: list[ShotStaging] = []
         for index, shot in enumerate(view.shots):

@@ -80,6 +80,7 @@ class Company:
         lying: Where every prop lies that nobody holds.
         touched: Props that left their places, in order.
         jumps: Places people are cut to before the next shot, because nobody can walk there.
+        players: Who holds an instrument from the first frame on, and which.
     """
 
     def __init__(self, floor: Floor, assets: Sequence[Asset], objects: Sequence[LayoutObject]) -> None:
@@ -98,6 +99,16 @@ class Company:
         }
         self.touched: dict[str, None] = {}
         self.jumps: dict[str, tuple[Vec2, float]] = {}
+        self.players: dict[str, str] = {}
+
+    def find_players(self, shots: Sequence[ShotContext]) -> None:
+        """Give everybody who will play a carried instrument that instrument, unless it is handled before."""
+        handled: set[str] = set()
+        for action in (each for shot in shots for each in shot.character_actions):
+            prop = self.prop_of(action)
+            if prop is not None and prop not in handled and clip_of(action.motion).key == "play_piano":
+                self.players[action.asset_id] = prop
+            handled |= {prop} if prop is not None else set()
 
     def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
@@ -242,7 +253,13 @@ class Company:
         return thing.world((x, y, 0.0))[:2]
 
     def place_loose_props(self, shot: ShotContext) -> None:
-        """Props that somebody is about to take and that the layout forgot lie on the nearest table, or are in hand."""
+        """Props that somebody is about to take and that the layout forgot lie on the nearest table, or are in hand.
+
+        Instruments are in their players' hands.
+        """
+        for name, prop in self.players.items():
+            if self.people[name].present:
+                self.hand_over(self.people[name], prop)
         for action in shot.character_actions:
             prop, person = self.prop_of(action), self.people.get(action.asset_id)
             if prop is None or person is None or not person.present or prop in self.lying or self.holder(prop):
@@ -282,6 +299,7 @@ class Company:
             return None
         for other in self.people.values():
             other.held = {h: held for h, held in other.held.items() if held != prop}
+        self.players = {name: held for name, held in self.players.items() if held != prop or name == person.asset_id}
         person.held[hand] = prop
         self.lying.pop(prop, None)
         self.touched[prop] = None
@@ -298,6 +316,7 @@ class Company:
 
     def lay(self, person: Person, prop: str, place: Vec3) -> None:
         """Let a prop lie somewhere; nobody holds it any more."""
+        self.players = {name: held for name, held in self.players.items() if held != prop}
         person.held = {hand: held for hand, held in person.held.items() if held != prop}
         self.lying[prop] = place
         self.touched[prop] = None

@@ -18,8 +18,10 @@ CHEAT = math.radians(20)
 """Bodies turn this much from their partner towards the audience, so that faces read; the head makes up for it."""
 PROFILE = math.radians(48)
 """Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
-STRETCH = 1.5
-"""A shot may grow to this many times the Director's length before ways are cut short."""
+STRETCH, EXTRA = 1.5, 3.5
+"""A shot may grow to so many times the Director's length, or by so many seconds, before ways are cut short."""
+HURRY = 1.5
+"""Who is short of time walks up to this many times as fast."""
 SLIDE = 0.75
 """Seconds to come between chair and table, or out."""
 REACH = 0.62
@@ -56,6 +58,11 @@ class CueSheet:
         self.cues: list[Cue] = []
         self.cheats: list[str] = []
         self.clock = 0.2
+
+    @property
+    def limit(self) -> float:
+        """Seconds to which the shot may grow."""
+        return max(STRETCH * self.length, self.length + EXTRA)
 
     def cue(self, person: Person, clip: str, start: float, length: float, **fields: object) -> float:
         """Write a cue and keep the body busy with it; return its end."""
@@ -120,9 +127,10 @@ class CueSheet:
         length = path_length(way)
         if length < 0.12:
             return self.face(person, yaw, t)
-        budget = max(1.8, STRETCH * self.length - t - then - 0.4)
+        budget = max(1.8, self.limit - t - then - 0.4)
         seconds = natural_seconds(motion, distance=length, stature=1.7 * person.k)
-        if seconds > budget:
+        hurried = seconds > budget
+        if hurried:
             speed = (motion.speed or 1.25) * math.sqrt(person.k)
             fits = max(0.8, (budget - motion.seconds) * speed)
             if person.asset_id in self.leaving and person.acted:
@@ -132,12 +140,14 @@ class CueSheet:
                 self.start_at(person, way[0], facing(way[0], way[1]))
                 self.cheats.append(f"{person.asset_id} starts {length - path_length(way):.1f} m nearer")
             length = path_length(way)
-            seconds = min(budget, natural_seconds(motion, distance=length, stature=1.7 * person.k))
+            natural = natural_seconds(motion, distance=length, stature=1.7 * person.k)
+            seconds = min(natural, max(budget, natural / HURRY))
         first, last = facing(way[0], way[1]), facing(way[-2], way[-1])
         turns = (turn_between(person.yaw, first), 0.0 if yaw is None else turn_between(last, yaw))
         person.place, person.yaw = way[-1], last if yaw is None else yaw
         whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.k) for turn in turns)
-        end = self.cue(person, clip, t, whole, mark=person.mark(), duration=None)
+        duration = round(whole * self.fps) if hurried else None
+        end = self.cue(person, clip, t, whole, mark=person.mark(), duration=duration)
         person.acted = True
         return end
 

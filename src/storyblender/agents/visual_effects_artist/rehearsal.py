@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from storyblender.agents.visual_effects_artist.actions import Actions
 from storyblender.agents.visual_effects_artist.company import Company
-from storyblender.agents.visual_effects_artist.cue_sheet import STRETCH, CueSheet
+from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.catalog.motions import clip_of
@@ -82,8 +82,15 @@ class Rehearsal:
         duration = shot.duration
         if "duration" not in shot.locked:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
-            duration = min(max(duration, needed), math.ceil(STRETCH * shot.duration))
+            duration = min(max(duration, needed), math.ceil(sheet.limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         company.leave(stay)
-        cues = tuple(sorted(sheet.cues, key=lambda cue: cue.start))
+        cues = tuple(sorted((_within(cue, duration) for cue in sheet.cues), key=lambda cue: cue.start))
         return ShotPlan(shot.shot_id, blocking, cues, sheet.start_props, duration, tuple(sheet.cheats))
+
+
+def _within(cue: Cue, frames: int) -> Cue:
+    """End what is done on the spot with the shot; ways keep their time."""
+    if cue.duration is None or cue.mark is not None or cue.start + cue.duration <= frames:
+        return cue
+    return cue.model_copy(update={"duration": max(1, frames - cue.start)})

@@ -9,6 +9,7 @@ import pytest
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
+from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
@@ -155,11 +156,40 @@ def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short()
     enters = _shot(2, _do("rick", "walk", target_id="ilsa"), seconds=5)
     _, shot = _stage(alone, enters)
     assert math.dist(_start(shot, "rick").location, DOOR.location) < 0.5
-    hurried = enters.model_copy(update={"duration": 40})
+    hurried = enters.model_copy(update={"duration": 8})
     _, short = _stage(alone, hurried)
-    assert math.dist(_start(short, "rick").location, DOOR.location) > 1.0
+    assert math.dist(_start(short, "rick").location, DOOR.location) > 0.3
     assert short.cheats
-    assert short.duration <= 1.5 * 40
+    assert short.duration <= 8 + 24 * EXTRA
+    walk = next(cue for cue in short.cues if cue.clip == "walk")
+    assert walk.duration is not None, "who is short of time hurries"
+    assert walk.start + walk.duration <= short.duration
+
+
+def test_what_is_done_on_the_spot_ends_with_the_shot() -> None:
+    talks = tuple(_do(who, "talk", target_id="ilsa" if who == "rick" else "rick") for who in ("rick", "ilsa") * 4)
+    (shot,) = _stage(_shot(1, *talks, seconds=2))
+    assert shot.duration <= 2 * 24 + 24 * EXTRA
+    assert max(cue.start + (cue.duration or 0) for cue in shot.cues if cue.start < shot.duration) <= shot.duration
+
+
+def test_who_will_play_a_guitar_holds_it_from_the_first_frame() -> None:
+    guitar = _thing("guitar", (0.34, 0.12, 1.0))
+    shots = (
+        _shot(1),
+        _shot(2, states=(BodyState(asset_id="rick"),)),
+        _shot(3, _do("rick", "play_music", prop_id="guitar")),
+    )
+    layout = LAYOUT.model_copy(update={"objects": (*LAYOUT.objects, _at("guitar", 0, 1.0, z=0.75))})
+    view = _view(*shots).model_copy(update={"assets": (*ASSETS, guitar), "layout": layout})
+    staged = AnimatorRules().propose(view).shots
+    for shot in staged:
+        assert _start(shot, "rick").held == (("R", "guitar"),)
+        assert _end(shot, "rick").held == (("R", "guitar"),)
+    assert "pick_up" not in _cues(staged[2], "rick")
+    taken = (_shot(1, _do("rick", "pick_up", prop_id="guitar"), seconds=6), shots[2].model_copy(update={"shot_id": 2}))
+    first, _ = AnimatorRules().propose(view.model_copy(update={"shots": taken})).shots
+    assert _start(first, "rick").held == (), "the script says when it is taken up"
 
 
 def test_who_opens_the_door_and_walks_in_comes_from_it() -> None:
@@ -242,7 +272,7 @@ def test_every_cue_is_a_clip_and_every_motion_can_be_staged() -> None:
             view = _view(_shot(1, _do("rick", word, target_id=target)))
             (shot,) = AnimatorRules().propose(view).shots
             assert all(cue.clip in MOTIONS for cue in shot.cues), word
-            assert shot.duration <= 1.5 * 96
+            assert shot.duration <= 96 + 24 * EXTRA
 
 
 def test_same_scene_same_staging() -> None:

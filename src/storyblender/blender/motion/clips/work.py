@@ -11,6 +11,7 @@ from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
 from storyblender.blender.motion.clips.handling import approach, come_up, reach_down
 from storyblender.blender.motion.clips.locomotion import step_to
+from storyblender.blender.motion.clips.music import strum
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.using import table_height
 from storyblender.blender.motion.hands import by_chest, hand
@@ -22,6 +23,8 @@ from storyblender.blender.motion.stage import Beat, Stage
 
 WORKING = 1.2
 """Arm lengths on the floor between a person and what their hands work on."""
+STRINGED = 0.45
+"""Metres; what is carried and taller than this is an instrument when somebody plays it."""
 Offset = Callable[[float], Vector]
 """Movement of a hand over time, in the person's frame: aside, forwards, up."""
 
@@ -263,13 +266,16 @@ def type_(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("play_piano", "hands", "head")
 def play_piano(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Play: hands wander over the keys, the trunk sways."""
+    """Play: hands wander over the keys, or the strings of what is carried; the trunk sways."""
+    carried_one = beat.prop or stage.props.get(who.held.get(beat.side, ""))
     t, end = beat.start, beat.start + (beat.duration or 3.0)
     sway = 1
     while t < end - 1.0:
         who.accent.set(t, 1.0, (5 if sway > 0 else 1, 4 * sway, 5 * sway))
         t, sway = t + 1.05, -sway
     who.accent.set(end - 0.4, 0.6, (0, 0, 0))
+    if carried_one is not None and carried_one.size.z > STRINGED:
+        return strum(stage, who, beat, carried_one)
     return _over_keys(stage, who, beat, 2.2, 0.10, 0.03)
 
 

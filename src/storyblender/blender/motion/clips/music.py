@@ -1,0 +1,67 @@
+"""Instruments that are carried: a guitar held across the body, one hand on the neck, one at the strings."""
+
+from __future__ import annotations
+
+import math
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats
+from storyblender.blender.motion.clips.gaze import look_at
+from storyblender.blender.motion.clips.handling import take_in_hand
+from storyblender.blender.motion.hands import chest_yaw, hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.puppets import PropPuppet, carried
+from storyblender.blender.motion.skeleton import SIDES
+from storyblender.blender.motion.stage import Beat, Stage
+
+NECK_RAISED = math.radians(18)
+STRUMS = 2.2
+"""Strokes a second."""
+
+
+def strum(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> float:
+    """Play a stringed instrument that stands upright in its own frame, strings to the front; return the end."""
+    t, end, k = beat.start, beat.start + (beat.duration or 3.0), who.m.k
+    tall, deep = prop.size.z, prop.size.y
+    if prop.holder is not who:
+        take_in_hand(stage, who, "R", prop, t)
+
+    def body() -> Matrix:
+        """Strings away from the chest, the neck to the left and a little up."""
+        turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
+        neck = Vector((math.cos(NECK_RAISED), 0, math.sin(NECK_RAISED)))
+        back = Vector((0, 1, 0))
+        matrix = (turn @ Matrix((back.cross(neck), back, neck)).transposed()).to_4x4()
+        belly = who.point("hips") + turn @ Vector((-0.10 * k, -(who.m.front + deep / 2), 0.16 * k))
+        matrix.translation = belly - matrix.to_3x3() @ Vector((0, 0, 0.25 * tall))
+        return matrix
+
+    def fretting(now: float) -> Floats:
+        matrix = body()
+        turn = matrix.to_3x3()
+        slide = 0.03 * math.sin(1.3 * (now - t))
+        place = matrix @ Vector((0.015, 0.02, (0.64 + slide) * tall))
+        elbow = who.facing @ Vector((0.6, 0.3, -0.8))
+        return hand(place, turn @ Vector((-0.8, -0.5, -0.1)), turn @ Vector((-0.3, -1, 0)), elbow, (68, 70, 25))
+
+    def stroking(now: float) -> Floats:
+        matrix = body()
+        turn = matrix.to_3x3()
+        stroke = 0.035 * k * math.sin(2 * math.pi * STRUMS * (now - t))
+        place = matrix @ Vector((stroke, -deep / 2 - 0.02, 0.3 * tall))
+        elbow = who.facing @ Vector((-0.9, 0.2, -0.3))
+        return hand(place, turn @ Vector((0.45, -0.1, 0.9)), turn @ Vector((0, 1, 0)), elbow, (25, 30, 15))
+
+    who.lean_after.set(t, 0, 0.0)
+    who.hands["L"].set(t, 0.6, fretting)
+    who.hands["R"].set(t, 0.6, stroking)
+    prop.follow(t, lambda _: body(), 0.6)
+    look_at(who, t, lambda now: tuple(body() @ Vector((0, 0, 0.6 * tall))))
+    if end < stage.plan.frames / stage.fps - 0.3:
+        prop.hold(end, who, "R", prop.grip("R"), 0.6)
+        for side in SIDES:
+            who.hands[side].set(end, 0.6, carried(who, side, prop) if side == "R" else who.home[side])
+        who.lean_after.set(end + 0.6, 0, 1.0)
+        look_at(who, end, who.ahead)
+    return end
