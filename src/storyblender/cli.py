@@ -30,15 +30,6 @@ app = typer.Typer(
 )
 
 
-class LookName(StrEnum):
-    """The looks of a frame."""
-
-    BOARD = "board"
-    FAST = "fast"
-    PENCIL = "pencil"
-    RENDER = "render"
-
-
 class ExportName(StrEnum):
     """The exchange formats."""
 
@@ -53,7 +44,7 @@ Folder = Annotated[Path, typer.Argument(help="A project folder, NAME.storyboard.
 Out = Annotated[
     Path | None, typer.Option("--out", "-o", help="The project folder; NAME.storyboard beside the script if not given.")
 ]
-LookOption = Annotated[LookName | None, typer.Option(help="board: lit and inked; fast: quicker light; pencil; render.")]
+LookOption = Annotated[str | None, typer.Option(help="board: lit and inked; fast: quicker light; pencil; render.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing but errors.")]
 Json = Annotated[bool, typer.Option("--json", help="Machine-readable: events or results as JSON, one a line.")]
 Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]

@@ -15,8 +15,8 @@ from pydantic import Field, ValidationError
 
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
+from storyblender.memory.jobs import Look
 
-Look = Literal["board", "fast", "pencil", "render"]
 REMEMBERED = "settings.json"
 """In the project folder."""
 
@@ -28,7 +28,7 @@ class Settings(Frozen):
     crew: Literal["rules"] = "rules"
     """Policy of every role; language models plug in here."""
     aspect: float = Field(default=16 / 9, ge=0.4, le=4)
-    width: int = Field(default=960, ge=160, le=7680)
+    width: int = Field(default=960, ge=160, le=7680, multiple_of=4)
     """Pixels of a frame; the height follows the aspect ratio."""
     fps: int = Field(default=24, ge=6, le=120)
     sensor_width: float = Field(default=36.0, ge=4, le=70)
