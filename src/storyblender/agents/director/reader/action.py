@@ -16,6 +16,8 @@ from storyblender.agents.director.reader.words import joined
 from storyblender.agents.director.reading import Person
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
+_FOLLOWED = frozenset({"follow", "pursue", "chase"})
+"""``walks out, followed by Mia``: it is Mia who follows."""
 _SPOKEN = frozenset({"call", "shout", "yell"})
 _WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
@@ -109,6 +111,10 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if roles.subjects and (clause.main or not stage.sentence.subjects):
         stage.sentence.subjects = roles.subjects
     resolve_objects(stage, clause, roles, previous)
+    followers = roles.people_after("by") if clause.verb in _FOLLOWED and not clause.object else []
+    if followers:
+        roles.subjects, roles.people, clause.passive = followers, roles.subjects, False
+        entrances.subjects_enter(stage, clause, followers)
     _dress(stage, roles)
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):

@@ -316,17 +316,19 @@ def _starts_predicate(word: Word) -> bool:
 
 
 def _turn_around(words: list[Word]) -> list[Word]:
-    """``Behind her, JO holding a doll`` -> JO was behind her, holding a doll."""
+    """``Behind her, JO holding a doll`` -> JO was behind her, holding a doll; ``On it JO`` -> JO was on it."""
     comma = next((index for index, word in enumerate(words) if word.text == ","), None)
     while words and words[-1].text in ".!?":
         words = words[:-1]
-    if comma is None or comma >= 6 or comma + 1 >= len(words):
+    if len(words) > 2 and words[1].low in lexicon.PRONOUNS and words[2].named:
+        place, rest = words[:2], words[2:]
+    elif comma is None or comma >= 6 or comma + 1 >= len(words):
         return words
-    place, rest = words[:comma], words[comma + 1 :]
+    else:
+        place, rest = words[:comma], words[comma + 1 :]
     prepositions = [i for i, word in enumerate(rest) if word.low in lexicon.PREPOSITIONS and not word.mention]
-    cut = len(rest)
-    if prepositions:
-        cut = next((i for i, word in enumerate(rest) if word.text == ","), prepositions[0])
+    first = prepositions[0] if prepositions else len(rest)
+    cut = next((index for index, word in enumerate(rest) if word.text == ","), first)
     return [*rest[:cut], _was(words[0].start), *place, *rest[cut:]]
 
 

@@ -1,8 +1,11 @@
+from collections.abc import Callable
+
 from storyblender.agents.director.reader.clauses import Clause, find_clauses, find_phrases
 from storyblender.agents.director.reader.mentions import mark_mentions
 from storyblender.agents.director.reader.rewrite import regularise
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.words import Word, tokenize
+from storyblender.agents.director.reading import Reading
 
 
 def words_of(sentence: str) -> list[Word]:
@@ -66,3 +69,9 @@ def test_a_new_subject_after_a_conjunction() -> None:
 def test_offsets_point_at_the_verb() -> None:
     sentence = "Slowly, Kira climbs the fence."
     assert sentence[clauses_of(sentence)[0].at :].startswith("climbs")
+
+
+def test_who_is_on_it_and_who_follows(read_scene: Callable[[str], Reading]) -> None:
+    reading = read_scene("TOM pushes a gurney. On it SAM (70), pale, clutching his chest. Tom runs, followed by MIA.")
+    assert ("sam", "on", "gurney") in [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations]
+    assert [(d.actor, d.target) for d in reading.units[-1].deeds] == [("tom", None), ("mia", "tom")]
