@@ -5,19 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from storyblender.agents.layout_artist.camera_brief import pose_at
+from storyblender.agents.layout_artist.camera_scene import story_moment
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line
-from storyblender.geometry.framing import Figure
+from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Frozen, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, Collision, ViewRequest
 from storyblender.memory.shot_context import CameraPose, ShotContext
-from storyblender.pipeline.shooting import story_moment
 
 HIDDEN = 0.30
 SEEN = 0.0004
@@ -86,7 +87,8 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
 
 def _sights(graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) -> dict[str, ShotSight]:
     shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
-    requests = [_request(shot) for shot in shots]
+    film = Film(graph.format.sensor_width, graph.format.aspect)
+    requests = [_request(shot, film) for shot in shots]
     views = engine.look(pack, requests, graph.format.aspect).result() if requests else []
     frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
     figures = engine.read_figures(pack, frames).result() if requests else []
@@ -96,15 +98,14 @@ def _sights(graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) 
     }
 
 
-def _request(shot: ShotContext) -> ViewRequest:
+def _request(shot: ShotContext, film: Film) -> ViewRequest:
     assert shot.camera is not None, "only shots with a camera are looked at"
     frame = story_moment(shot)
-    pose = min(shot.camera.poses, key=lambda item: abs(item.frame - frame))
     return ViewRequest(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,
         frame=frame,
-        pose=pose,
+        pose=pose_at(shot.camera, frame, film),
         sensor_width=shot.camera.sensor_width,
         hidden_node_ids=shot.camera.hidden_node_ids,
         focus_ids=shot.camera_instruction.focus_on_ids,

@@ -69,6 +69,14 @@ DUTCH_ROLL = 12.0
 """Degrees."""
 THIRD = 1 / 6
 """How far a third line is from the middle of the picture."""
+OVER_CROWN = -0.04
+"""Highest that the near head of an over-the-shoulder goes: a little hair may be cut, not the head."""
+_OVER_TALLER = 0.5
+"""How much of a standing partner's height over a sitting subject the camera goes up."""
+_LOWEST = 0.55
+"""Lowest a subject's face goes in an over-the-shoulder, for the head before it."""
+_NEAREST_FACE = 0.8
+"""Metres: nobody of a group is nearer to the camera, or behind it."""
 _CROWN = 0.55
 """Crown above the face's centre, in head heights."""
 
@@ -182,6 +190,8 @@ def group(
     tangent = film.tangent(lens)
     camera = film.look(middle, azimuth, elevation, distance_for(head, SCALES[size].head, tangent), lens)
     for _ in range(3):
+        _, depth = project(camera, faces)
+        camera = replace(camera, distance=camera.distance + max(0.0, _NEAREST_FACE - float(depth.min())))
         screen, depth = project(camera, faces)
         aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
         needed = aside / span - depth + camera.distance
@@ -219,9 +229,15 @@ def over_shoulder(
     aside = max(aside, 0.32)
     lift = distance * math.tan(math.radians(elevation))
     position = np.asarray(over.face) - ahead * behind + left * side * aside
-    position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift
+    taller = max(over.face[2] - focus.face[2], 0.0)
+    position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift + _OVER_TALLER * taller
     camera = between(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
-    return placed(camera, focus.face, 0.5 - side * 0.13, min(face_height(size) + 0.03, 0.42))
+    height = min(face_height(size) + 0.03, 0.42)
+    camera = placed(camera, focus.face, 0.5 - side * 0.13, height)
+    crown = float(project(camera, over.crown)[0][0, 1])
+    if crown >= OVER_CROWN:
+        return camera
+    return placed(camera, focus.face, 0.5 - side * 0.13, max(height, min(height + OVER_CROWN - crown, _LOWEST)))
 
 
 def through_eyes(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:

@@ -7,6 +7,7 @@ from collections.abc import Collection
 from concurrent.futures import Future
 from pathlib import Path
 
+from storyblender.agents.layout_artist.camera_scene import story_moment
 from storyblender.memory.base import shot_name
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
@@ -14,21 +15,7 @@ from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.project import write_atomic
 
-REST = 0.55
-"""Share of a shot at which it is drawn where no action says better."""
 MOTION_WIDTH_STEP = 4
-
-
-def story_moment(shot: ShotContext) -> int:
-    """Return the frame that tells the shot: well into the first cue of whom the camera is on."""
-    focus = set(shot.camera_instruction.focus_on_ids)
-    last = max(0, shot.duration - 1)
-    cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.clip not in ("idle", "look", "listen")]
-    if not cues:
-        return round(last * REST)
-    cue = min(cues, key=lambda item: item.start)
-    length = cue.duration if cue.duration is not None else shot.duration - cue.start
-    return min(last, cue.start + round(length * REST))
 
 
 def light_of(run: Run, shot: ShotContext) -> Lighting:

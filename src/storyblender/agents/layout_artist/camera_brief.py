@@ -17,6 +17,8 @@ from storyblender.memory.vocabulary import LENS_OF_SIZE, SHOT_SIZES, ShotSize
 
 TIGHT = ("MCU", "CU", "ECU")
 """Sizes that hold one face."""
+CROWDED = ("WS", "EWS", "FS")
+"""Sizes that show a place: people who happen to be there may be seen."""
 _ONE_PERSON = ("single", "reaction", "ots")
 _NEARBY = 1.3
 """Metres from somebody within which a thing belongs to them: their table, their chair."""
@@ -64,6 +66,7 @@ class CameraBrief:
         side: Side of the instruction's axis used so far in the scene: 1 left of the line from its first to its
             second person, -1 right, 0 not settled.
         nodes: node_id by asset_id, where they differ.
+        carried: node_ids of the things in somebody's hands, by whose hands they are.
     """
 
     scene_id: int
@@ -80,6 +83,7 @@ class CameraBrief:
     reverse: Cut | None = None
     side: int = 0
     nodes: Mapping[str, str] = field(default_factory=dict)
+    carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def node(self, asset_id: str) -> str:
         """Return the node that shows an asset."""
@@ -118,8 +122,31 @@ class CameraBrief:
 
     @property
     def walks(self) -> bool:
-        """Whether the subject crosses the floor during the shot."""
-        return float(np.hypot(*self.travel[:2])) > TRAVEL
+        """Whether a lone subject crosses the floor during the shot."""
+        faces = {figure.node_id for moment in self.moments for figure in moment.figures}
+        alone = sum(node in faces for node in self.focus) < 2
+        return alone and float(np.hypot(*self.travel[:2])) > TRAVEL
+
+    @property
+    def stages(self) -> tuple[Figure, ...]:
+        """The focus people wherever they stand during the shot: more than ``people`` if one of them walks."""
+        found: list[Figure] = list(self.people)
+        for moment in self.moments:
+            for person in self.people:
+                there = moment.figure(person.node_id)
+                if there is not None and np.hypot(*np.subtract(there.face, person.face)[:2]) > TRAVEL:
+                    found.append(there)
+        return tuple(found)
+
+    @property
+    def strangers(self) -> tuple[str, ...]:
+        """node_ids of the people on stage who have no part in this shot."""
+        instruction = self.instruction
+        own = {*self.focus, *self.in_frame}
+        own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
+        own |= {self.node(asset_id) for asset_id in instruction.focus_on_ids}
+        moment = self.moments[len(self.moments) // 2]
+        return tuple(figure.node_id for figure in moment.figures if figure.node_id not in own)
 
     @property
     def axis(self) -> tuple[Figure, Figure] | None:
@@ -154,6 +181,11 @@ class CameraBrief:
     def size_steps(self, other: ShotSize) -> int:
         """Return how many sizes lie between this shot and another."""
         return abs(SHOT_SIZES.index(self.instruction.size) - SHOT_SIZES.index(other))
+
+
+def share_of(brief: CameraBrief, frame: int) -> float:
+    """Return the share of the shot's time at a frame."""
+    return min(frame / max(brief.duration - 1, 1), 1.0)
 
 
 @dataclass(frozen=True)
@@ -193,6 +225,15 @@ def pose_of(camera: Orbit, frame: int = 0) -> CameraPose:
     return CameraPose(
         frame=frame, pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=camera.lens
     )
+
+
+def pose_at(state: CameraState, frame: int, film: Film) -> CameraPose:
+    """Return where a shot's camera is at a frame counted from the shot's start, eased between its poses."""
+    first, last = state.poses[0], state.poses[-1]
+    if first.frame == last.frame:
+        return first
+    share = min(max((frame - first.frame) / (last.frame - first.frame), 0.0), 1.0)
+    return pose_of(in_between(orbit_of(first, film), orbit_of(last, film), eased(share)), frame)
 
 
 def orbit_of(pose: CameraPose, film: Film) -> Orbit:

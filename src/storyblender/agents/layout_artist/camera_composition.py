@@ -15,6 +15,8 @@ from storyblender.reflection import Fault
 _STRAY = 0.09
 """How far in widths or heights of the picture a face may be from its place."""
 _THING_STRAY = 0.14
+_PAST_OTHERS = 24.0
+"""Degrees up to which several people are seen past each other before it reads as a high angle."""
 
 
 def fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
@@ -46,7 +48,8 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         if abs(off) > _STRAY:
             text = f"the group is {off:+.2f} of the width off the middle"
             found.append(fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
-    found += _headroom(brief, [subject for _, subject in heads])
+    over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
+    found += _headroom(brief, [subject for _, subject in heads], over)
     return found
 
 
@@ -75,6 +78,8 @@ def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
     low, high = framing.ELEVATION_BAND[brief.instruction.angle]
     if brief.things and not brief.people:
         high = max(high, 45.0)
+    if brief.instruction.angle == "eye-level" and (brief.instruction.kind == "ots" or len(brief.people) > 2):
+        high = max(high, _PAST_OTHERS)
     elevation = camera.elevation
     if low <= elevation <= high:
         return []
@@ -109,11 +114,14 @@ def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: Subj
     return [fault("placement", subject.node_id, 0.5 + 2 * abs(off), text, pan_x=off * camera.aspect)]
 
 
-def _headroom(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
+def _headroom(brief: CameraBrief, heads: Sequence[SubjectView], over: SubjectView | None) -> list[Fault]:
+    """The crown at its height; the near head of an over-the-shoulder may need more of it."""
     tops = [subject.head_top for subject in heads if subject.head_top is not None]
     if not tops or brief.instruction.size in ("ECU", "EWS"):
         return []
     crown, top = framing.SCALES[brief.instruction.size].crown, min(tops)
+    if over is not None and over.head_top is not None and over.head_top < top:
+        top = max(over.head_top, min(crown, top))
     low = -0.04 if brief.instruction.size == "CU" else 0.01
     high = crown + (0.24 if len(heads) > 1 or brief.instruction.size == "WS" else 0.14)
     if low <= top <= high:

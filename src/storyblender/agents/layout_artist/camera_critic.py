@@ -9,17 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of
+from storyblender.agents.layout_artist.camera_brief import CROWDED, CameraBrief, Moment, Take, pose_of, share_of
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside
-from storyblender.geometry.framing import FACE_ANGLE
+from storyblender.agents.layout_artist.camera_scout import CLEARED
+from storyblender.agents.layout_artist.camera_start import face_limit
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.ports import Viewfinder, ViewRequest
 from storyblender.reflection import Critique, Fault
 
 _HIDDEN = 0.30
+_SEEN = 0.0004
+"""Share of the picture from which a person counts as seen."""
 _FACE_SHOWN = 0.60
 _VOID = 0.015
 _FOREGROUND = 0.22
@@ -93,11 +96,6 @@ def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
     return sorted(told, key=lambda moment: moment.frame)
 
 
-def share_of(brief: CameraBrief, frame: int) -> float:
-    """Return the share of the shot's time at a frame."""
-    return min(frame / max(brief.duration - 1, 1), 1.0)
-
-
 def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
     return ViewRequest(
         scene_id=brief.scene_id,
@@ -125,6 +123,9 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
         known = {(fault.kind, fault.subject) for fault in told}
         told += [fault for fault in found if (fault.kind, fault.subject) not in known]
     told += cuts(brief, take)
+    for node in brief.strangers:
+        if node in take.hidden:
+            told.append(fault("cleared", node, CLEARED, f"{node} stands aside for this picture"))
     return tuple(told)
 
 
@@ -163,12 +164,15 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
     over = subjects.get(over_node)
     if kind == "ots" and over is not None and over.pixels < 0.02:
         found.append(fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
+    elif kind == "ots" and over is not None and (over.face is None or over.face[1] < 0):
+        text = f"the frame takes the head off {over_node}"
+        found.append(fault("beheaded", over_node, 1.5, text, ops="orbit_up pan_up"))
     return found
 
 
 def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
     node = subject.node_id
-    limit = FACE_ANGLE.get(brief.instruction.kind, 150.0 if brief.walks else 108.0)
+    limit = face_limit(brief)
     if subject.face is None or not (0.02 < subject.face[0] < 0.98 and -0.02 < subject.face[1] < 0.98):
         return [fault("face_out", node, 4.0, f"the face of {node} is out of the picture", ops="zoom_out")]
     found: list[Fault] = []
@@ -223,16 +227,22 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
         found.append(fault("empty", "", 3.0, "nobody of the scene is seen", ops=f"{_AROUND} orbit_up zoom_in"))
     if kind != "pov":
         main = set() if kind == "establishing" else own
-        found += _bystanders(view, main, {*brief.in_frame, *own})
+        found += _bystanders(brief, view, main)
     return found
 
 
-def _bystanders(view: CameraView, own: set[str], meant: set[str]) -> list[Fault]:
-    """People outside the focus are whole from side to side, and do not steal the picture."""
+def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fault]:
+    """People outside the focus are whole from side to side, and only at home where the shot shows a place."""
     found: list[Fault] = []
     largest = max((subject.pixels for subject in view.subjects if subject.node_id in own), default=0.0)
     for subject in view.subjects:
-        if subject.node_id in own or subject.box is None or subject.face is None or subject.pixels < 0.004:
+        if subject.node_id in own or subject.box is None or subject.pixels < _SEEN:
+            continue
+        steals = subject.pixels > max(1.2 * largest, 0.1)
+        if subject.node_id in brief.strangers and (steals or brief.instruction.size not in CROWDED):
+            text = f"{subject.node_id} {'steals the picture' if steals else 'has no part in the picture'}"
+            found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
+        if subject.face is None or subject.pixels < 0.004:
             continue
         if subject.pixels > 0.012 and not 0.0 < subject.face[1] < 1.0:
             text = f"the frame takes the head off {subject.node_id}"
@@ -244,8 +254,4 @@ def _bystanders(view: CameraView, own: set[str], meant: set[str]) -> list[Fault]
             text = f"the frame cuts {subject.node_id}"
             found.append(fault("bystander", subject.node_id, 0.4 + min(3 * subject.pixels, 0.8), text,
                                 azimuth=math.copysign(8, -away), ops=_AROUND))  # fmt: skip
-        if subject.node_id not in meant:
-            steals = subject.pixels > max(1.2 * largest, 0.1)
-            text = f"{subject.node_id} {'steals the picture' if steals else 'has no part in the picture'}"
-            found.append(fault("stranger", subject.node_id, 1.0 if steals else 0.7, text, ops=f"{_AROUND} zoom_in"))
     return found

@@ -7,11 +7,11 @@ them are looked at in one batch, and the best one is kept; the update laws and s
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
 from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
-from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.agents.layout_artist.camera_scout import belongings, cost, scouted, without
 from storyblender.agents.layout_artist.camera_start import F_NUMBER, take
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
@@ -38,12 +38,12 @@ OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
 }
 """The paper's operations and step sizes (appendix, prompt of the Camera Operator)."""
 
-_FIRST, _NEXT = 3, 6
-"""Places of the scout's list that are looked at first, and where small operations do not help."""
+_FIRST, _FIXES, _NEXT = 3, 4, 3
+"""Takes that are looked at: first of the scout's list, of the fixes, and of the list where no fix helps."""
 _ENOUGH = 9.25
 """Points: what is left then is not worth ten looks."""
 _TURNS = 3
-_LOOKS = 36
+_LOOKS = 20
 """Most looks that one shot is worth."""
 _ANSWERED = 2
 """The worst faults, which one turn answers."""
@@ -54,23 +54,35 @@ class CameraRules:
     """The Camera Operator without a model: greedy steps over the critic's fixes."""
 
     critic: CameraCritic
+    _lists: dict[tuple[int, int], list[Take]] = field(default_factory=dict)
 
     def propose(self, view: CameraBrief) -> Take:
         """Return the scout's first place, or the best of his first few where that is not good enough."""
-        first = scouted(view)[0]
+        first = self._scouted(view)[0]
         if self.critic.judge(first, view).score >= _ENOUGH:
             return first
-        best, _ = self._best(scouted(view)[:_FIRST], view)
+        best, _ = self._best(self._scouted(view)[:_FIRST], view)
         return best or first
 
     def refine(self, draft: Take, critique: Critique, view: CameraBrief) -> Take:
         """Return the best of the fixed takes, of the scout's next places if no fix helps, or the draft itself."""
-        best, score = self._best([take(view, camera) for camera in _fixed(draft, critique)], view)
+        known = self.critic.judged(view)
+        cleared = [node for node in draft.hidden if node in belongings(view, view.strangers)]
+        fixed = [without(take(view, camera), cleared) for camera in _fixed(draft, critique)]
+        fixed = sorted((other for other in fixed if other not in known), key=lambda other: cost(view, other))
+        best, score = self._best(fixed[:_FIXES], view)
         if best is not None and score > critique.score + 0.1:
             return best
         known = self.critic.judged(view)
-        best, score = self._best([other for other in scouted(view) if other not in known][:_NEXT], view)
+        best, score = self._best([other for other in self._scouted(view) if other not in known][:_NEXT], view)
         return best if best is not None and score > critique.score + 0.02 else draft
+
+    def _scouted(self, view: CameraBrief) -> list[Take]:
+        """Return the scout's list of a shot; he goes round only once."""
+        key = view.scene_id, view.shot_id
+        if key not in self._lists:
+            self._lists[key] = scouted(view)
+        return self._lists[key]
 
     def _best(self, takes: list[Take], view: CameraBrief) -> tuple[Take | None, float]:
         moments = len(telling_moments(view, takes))

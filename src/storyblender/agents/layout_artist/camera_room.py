@@ -61,11 +61,17 @@ def fitted(plan: SetPlan | None, camera: Orbit, size: str, several: bool = False
     return replace(camera, lens=lens, distance=camera.distance * lens / camera.lens)
 
 
-def walked_in(plan: SetPlan | None, camera: Orbit) -> Orbit:
-    """Return the camera moved along its axis into the room, whatever that does to sizes."""
+def walked_in(plan: SetPlan | None, camera: Orbit, most: float = 0.0) -> Orbit:
+    """Return the camera moved along its axis into the room, whatever that does to sizes.
+
+    Args:
+        plan: The set.
+        camera: Where it would like to be.
+        most: Share of its distance that it keeps at least.
+    """
     if plan is None or not plan.indoor:
         return camera
-    return replace(camera, distance=min(camera.distance, reach_back(plan, camera)))
+    return replace(camera, distance=min(camera.distance, max(reach_back(plan, camera), most * camera.distance)))
 
 
 def reach_back(plan: SetPlan, camera: Orbit) -> float:

@@ -19,16 +19,31 @@ from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
+_REST = 0.55
+"""Share of a shot at which it is drawn where no action says better."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
 Moments = Callable[[ShotContext], Sequence[Moment]]
 """Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
 
 
+def story_moment(shot: ShotContext) -> int:
+    """Return the frame that tells the shot: well into the first cue of whom the camera is on."""
+    focus = set(shot.camera_instruction.focus_on_ids)
+    last = max(0, shot.duration - 1)
+    cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.clip not in ("idle", "look", "listen")]
+    if not cues:
+        return round(last * _REST)
+    cue = min(cues, key=lambda item: item.start)
+    length = cue.duration if cue.duration is not None else shot.duration - cue.start
+    return min(last, cue.start + round(length * _REST))
+
+
 def telling_frames(shot: ShotContext) -> tuple[int, ...]:
-    """Return the frames at which a shot's faces are wanted: start, middle and end."""
+    """Return the frames at which a shot's faces are wanted: start, the moment that is drawn, and end."""
     last = max(shot.duration - 1, 0)
-    return tuple(dict.fromkeys((0, last // 2, last)))
+    middle = min(max(story_moment(shot), 1), max(last - 1, 0))
+    return tuple(dict.fromkeys((0, middle, last)))
 
 
 def shoot_scene(
@@ -94,6 +109,7 @@ def camera_brief(
     layout = graph.scene(shot.scene_id).layout
     props: dict[str, Box] = {}
     nodes: dict[str, str] = {}
+    carried: dict[str, tuple[str, ...]] = {}
     away = {state.asset_id: state for state in shot.prop_states}
     for item in layout.objects if layout is not None else ():
         measure, state = measures.get(item.asset_id), away.get(item.asset_id)
@@ -108,7 +124,9 @@ def camera_brief(
     for state in shot.prop_states:
         held = _held(state.asset_id, state.held_by, measures, moments) if state.visible else None
         if held is not None:
-            props[nodes.get(state.asset_id, state.asset_id)] = held
+            node = nodes.get(state.asset_id, state.asset_id)
+            props[node] = held
+            carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
     return CameraBrief(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,
@@ -120,6 +138,7 @@ def camera_brief(
         in_frame=shot.in_frame,
         film=Film(graph.format.sensor_width, graph.format.aspect),
         nodes=nodes,
+        carried=carried,
     )
 
 

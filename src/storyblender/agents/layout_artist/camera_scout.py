@@ -4,39 +4,84 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take
+from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside
-from storyblender.agents.layout_artist.camera_start import shoulder, start
+from storyblender.agents.layout_artist.camera_solids import body, solids
+from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
-from storyblender.geometry.framing import FACE_ANGLE, SCALES, Figure, project
+from storyblender.geometry.framing import SCALES, Figure, project
 from storyblender.geometry.orbit import Floats, Orbit
+from storyblender.geometry.sight import hidden
 
 _TURNS = (0, 15, -15, 30, -30, 48, -48, 70, -70, 95, -95, 125, -125, 155, -155, 180)
 _OVER_TURNS = (0, 8, -8, 16, -16, 28, -28, 40, -40)
 """Degrees to go round from the preferred azimuth; over a shoulder there is little choice."""
 _RISES = (0, 9)
-_BODY = 0.24
-"""Metres: radius of a person who stands in the way."""
+_CROWD_RISES = (0, 9, 19)
+"""Degrees to go up; three people or more are seen past each other from higher."""
 _NEAR = 0.3
 """Metres a camera needs from things."""
 _MARGIN = 0.03
+_SHOULDER = 0.17
+"""Metres from the middle of a body to its side."""
+_KNEE = 0.35
+"""Share of a height below which a table or a stool may hide somebody."""
+_OWN = 0.3
+"""Metres before a body that are its own: its chair, the pillar it leans at."""
+_MOST = 0.3
+"""Share of somebody that may be hidden."""
+CLEARED = 0.3
+"""Points for sending somebody out of the picture who has no part in it: continuity minds a little."""
 
 
 def scouted(brief: CameraBrief) -> list[Take]:
-    """Return compositions from all around, the most promising first; a point of view has only one."""
+    """Return compositions from all around, the most promising first; a point of view has only one.
+
+    Where people show who have no part in a shot that is not about the place, the same take without them competes.
+    """
     if brief.instruction.kind == "pov":
         return [start(brief)]
     turns = _OVER_TURNS if shoulder(brief) is not None else _TURNS
     takes: dict[Take, float] = {}
-    for rise in _RISES:
+    for rise in _CROWD_RISES if len(brief.people) > 2 else _RISES:
         for turn in turns:
             take = start(brief, turn, rise)
-            takes.setdefault(take, cost(brief, take) + abs(turn) / 240 + rise / 45)
+            away = abs(turn) / 240 + rise / 45
+            takes.setdefault(take, cost(brief, take) + away)
+            if (cleared := _cleared(brief, take)) != take:
+                takes.setdefault(cleared, cost(brief, cleared) + away)
     return sorted(takes, key=lambda take: takes[take])
+
+
+def _cleared(brief: CameraBrief, take: Take) -> Take:
+    """Return the take without the strangers whom it would show, and without what they carry."""
+    if brief.instruction.size in CROWDED:
+        return take
+    moments = brief.moments if take.moves else brief.moments[len(brief.moments) // 2 :][:1]
+    gone: list[str] = []
+    for moment in moments:
+        camera = take.at(share_of(brief, moment.frame))
+        for node in brief.strangers:
+            figure = moment.figure(node)
+            if figure is not None and _inside(camera, figure):
+                gone.append(node)
+    return without(take, belongings(brief, gone))
+
+
+def belongings(brief: CameraBrief, people: Iterable[str]) -> list[str]:
+    """Return the node_ids of people and of what they carry."""
+    return [each for node in people for each in (node, *brief.carried.get(node, ()))]
+
+
+def without(take: Take, nodes: Iterable[str]) -> Take:
+    """Return the take with more hidden."""
+    return replace(take, hidden=tuple(dict.fromkeys((*take.hidden, *nodes))))
 
 
 def cost(brief: CameraBrief, take: Take) -> float:
@@ -44,6 +89,7 @@ def cost(brief: CameraBrief, take: Take) -> float:
     points = sum(fault.severity for fault in cuts(brief, take)) + _position(brief, take)
     if brief.plan is not None:
         points += min(8 * outside(brief.plan, take.camera, take.hidden), 5.0)
+    points += CLEARED * sum(node in take.hidden for node in brief.strangers)
     return points + _people(brief, take) + _things(brief, take) + _kept(brief, take)
 
 
@@ -53,8 +99,7 @@ def _kept(brief: CameraBrief, take: Take) -> float:
     for moment in brief.moments if brief.focus and brief.instruction.kind != "establishing" else ():
         figure = moment.figure(brief.focus[0])
         if figure is not None:
-            share = min(moment.frame / max(brief.duration - 1, 1), 1.0)
-            points += 1.5 * (not _framed(take.at(share), figure))
+            points += 1.5 * (not _framed(take.at(share_of(brief, moment.frame)), figure))
     return points
 
 
@@ -75,11 +120,12 @@ def _things(brief: CameraBrief, take: Take) -> float:
 def _position(brief: CameraBrief, take: Take) -> float:
     """Weigh a camera in the floor, in a thing or in somebody."""
     points = 0.0
+    bodies = [body(figure) for figure in brief.moments[0].figures if figure.node_id not in take.hidden]
     for camera in dict.fromkeys((take.start, take.end)):
         x, y, z = (float(value) for value in camera.position)
         points += 5.0 * (z < 0.12)
         points += 5.0 * any(_meets(box, x, y, z) for box in _solids(brief, take.hidden))
-        points += 5.0 * any(_meets(_body(figure), x, y, z) for figure in brief.moments[0].figures)
+        points += 5.0 * any(_meets(box, x, y, z) for box in bodies)
     return points
 
 
@@ -88,66 +134,64 @@ def _meets(box: Box, x: float, y: float, z: float) -> bool:
 
 
 def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:
-    things = [box for node, box in brief.props.items() if node not in hidden and node not in brief.focus]
-    for piece in brief.plan.pieces if brief.plan is not None else ():
-        if piece.solid and piece.footprint is not None and piece.node_id not in hidden:
-            width, depth = (size * piece.scale for size in piece.footprint)
-            things.append(Box(*piece.location, width, depth, 4.0, math.radians(piece.yaw)))
-    return things
-
-
-def _body(figure: Figure) -> Box:
-    x, y, _ = figure.face
-    low = figure.base[2]
-    return Box(x, y, low, 2 * _BODY, 2 * _BODY, figure.crown[2] - low)
+    return solids(dict(brief.props), brief.plan, (*hidden, *brief.focus))
 
 
 def _people(brief: CameraBrief, take: Take) -> float:
-    """Weigh faces turned away, hidden or out of the picture, and people who have no part in it."""
+    """Weigh faces turned away, people hidden or out of the picture, and people who have no part in it."""
     moment = brief.moments[0] if brief.walks else brief.moments[len(brief.moments) // 2]
-    camera, kind = take.camera, brief.instruction.kind
-    eye, limit = camera.position, FACE_ANGLE.get(kind, 108.0)
-    solids, points, lead = _solids(brief, take.hidden), 0.0, True
-    over = brief.node(brief.instruction.over_id or "")
-    for figure in moment.figures:
-        framed = _framed(camera, figure)
-        others = [_body(other) for other in moment.figures if other is not figure]
-        if figure.node_id in brief.focus and kind != "establishing":
-            weight = 1.0 if figure.node_id == brief.focus[0] else 0.6
-            turned = figure.turned_from(eye)
-            points += weight * 2.0 * max(0.0, (turned - min(limit, 75.0)) / 60)
-            points += 0.0 if framed else 3.0
-            points += weight * 2.0 * (not _sees(eye, figure, [*others, *solids]))
-            away = max(float(project(camera, [figure.face])[1][0]), 0.1)
-            share = figure.head / away / (2 * camera.tangent)
-            points += 0.8 * max(0.0, math.log(SCALES[brief.instruction.size].head / max(share, 1e-3)) - 0.5) * lead
-            lead = False
-        elif figure.node_id in brief.in_frame and brief.instruction.size not in TIGHT:
-            points += 0.8 * (not framed or not _sees(eye, figure, [*others, *solids]))
-        elif figure.node_id != over and brief.focus and _shows(brief, take, figure, solids):
-            points += 0.9
+    camera, instruction, points = take.camera, brief.instruction, 0.0
+    there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
+    solid = _solids(brief, take.hidden)
+    over = brief.node(instruction.over_id or "")
+    for figure in there:
+        others = [body(other) for other in there if other is not figure]
+        if figure.node_id in brief.focus and instruction.kind != "establishing":
+            points += _subject(brief, camera, figure, [*others, *solid])
+        elif figure.node_id in brief.in_frame and instruction.size not in TIGHT and figure.node_id != over:
+            points += 0.8 * (not _framed(camera, figure) or hidden_share(camera, figure, [*others, *solid]) > _MOST)
+        elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
+            points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
     return points
 
 
-def _shows(brief: CameraBrief, take: Take, figure: Figure, solids: Iterable[Box]) -> bool:
-    """Return whether somebody who has no part in the shot is seen at a size that counts."""
-    body = np.linspace(figure.crown, (*figure.face[:2], figure.base[2] + 0.5), 5)
-    wide = take.camera.axes[:, 0] * _BODY
-    screen, depth = project(take.camera, np.concatenate([body - wide, body, body + wide]))
-    if depth.min() < 0.1 or figure.head / float(depth.min()) / (2 * take.camera.tangent) < 0.02:
-        return False
-    return bool(((screen > 0) & (screen < 1)).all(1).any()) and _sees(take.camera.position, figure, solids)
+def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
+    """Weigh one of the people whom the shot is about."""
+    lead = figure.node_id == brief.people[0].node_id if brief.people else True
+    weight = 1.0 if lead else 0.6
+    limit = min(face_limit(brief), 75.0)
+    points = weight * 2.0 * max(0.0, (figure.turned_from(camera.position) - limit) / 60)
+    if not _framed(camera, figure):
+        return points + 3.0
+    share = hidden_share(camera, figure, boxes)
+    points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
+    away = max(float(project(camera, [figure.face])[1][0]), 0.1)
+    share = figure.head / away / (2 * camera.tangent)
+    return points + 0.8 * max(0.0, math.log(SCALES[brief.instruction.size].head / max(share, 1e-3)) - 0.5) * lead
 
 
-def _sees(eye: Floats, figure: Figure, boxes: Iterable[Box]) -> bool:
-    """Return whether the way from the eye to a face is free."""
-    face = np.asarray(figure.face)
-    shares = np.linspace(0.03, 0.97, 24)[:, None]
-    spots = eye + (face - eye) * shares
-    for box in boxes:
-        dx, dy = spots[:, 0] - box.x, spots[:, 1] - box.y
-        u, v = box.cos * dx + box.sin * dy, box.cos * dy - box.sin * dx
-        within = (np.abs(u) < box.width / 2) & (np.abs(v) < box.depth / 2)
-        if bool((within & (spots[:, 2] > box.z) & (spots[:, 2] < box.top)).any()):
-            return False
-    return True
+def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
+    """Return the share of somebody's body in the picture that boxes hide; 1 if nothing of it is in the picture."""
+    spots = _body_spots(camera, figure)
+    screen, depth = project(camera, spots)
+    framed = ((screen > 0) & (screen < 1)).all(1) & (depth > 0.1)
+    return _covered(camera, spots[framed], boxes) if framed.any() else 1.0
+
+
+def _covered(camera: Orbit, spots: ArrayLike, boxes: Sequence[Box]) -> float:
+    """Return the share of points that boxes hide from the camera."""
+    return float(hidden(boxes, camera.position, spots, _OWN).mean())
+
+
+def _body_spots(camera: Orbit, figure: Figure) -> Floats:
+    """Return points down the middle and both sides of a body to its knees, as the camera sees it."""
+    height = figure.crown[2] - figure.base[2]
+    column = np.linspace(figure.crown, (*figure.face[:2], figure.base[2] + _KNEE * height), 7)
+    aside = camera.axes[:, 0] * _SHOULDER
+    return np.concatenate([column - aside, column, column + aside])
+
+
+def _inside(camera: Orbit, figure: Figure) -> bool:
+    """Return whether anything of somebody is in the picture, however small."""
+    screen, depth = project(camera, _body_spots(camera, figure))
+    return bool((((screen > -_MARGIN) & (screen < 1 + _MARGIN)).all(1) & (depth > 0.1)).any())

@@ -27,6 +27,10 @@ _SHORTEST = {"EWS": 0.1}
 _SHORT, _TALL = 0.19, 0.38
 _TALKS = 80.0
 """Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
+_SMALLEST = 0.45
+"""How small heads may get, of what the size wants, so that the picture holds all of a group's walks."""
+_CLOSER = 0.7
+"""How much closer a group may come before somebody leaves the picture."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
@@ -50,6 +54,8 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
             camera = _compose(brief, fit.lens, turn, rise)
         if brief.instruction.kind == "establishing":
             camera = walked_in(brief.plan, camera)
+        elif len(brief.people) > 1:
+            camera = walked_in(brief.plan, camera, _CLOSER)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
     return take(brief, camera)
@@ -59,7 +65,9 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
     """Return the take around a composition: its move, centred on it, and the walls it needs away."""
     instruction = brief.instruction
     first = last = camera
-    if _follows(brief, camera):
+    if _waits(brief):
+        first = last = camera
+    elif _follows(brief, camera):
         last = followed(camera, instruction.movement, brief.travel)
     elif instruction.movement != "static":
         direction = instruction.direction
@@ -82,6 +90,11 @@ def _targets(brief: CameraBrief) -> list[np.ndarray]:
         if (figure := moment.figure(node)) is not None
     ]
     return faces + [np.array([box.x, box.y, box.z + box.height / 2]) for box in brief.things]
+
+
+def _waits(brief: CameraBrief) -> bool:
+    """Return whether the picture holds a group wherever its walkers go, so that the camera need not follow."""
+    return len(brief.people) > 1 and len(brief.stages) > len(brief.people)
 
 
 def _follows(brief: CameraBrief, camera: Orbit) -> bool:
@@ -117,6 +130,9 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         return _swung(camera, turn, rise)
     if len(people) > 1:
         azimuth = _group_azimuth(brief, people) + turn
+        whole = framing.group(film, brief.stages, instruction.size, azimuth, elevation, lens)
+        if lead.head / whole.frame_height > _SMALLEST * framing.SCALES[instruction.size].head:
+            return whole
         return framing.group(film, people, instruction.size, azimuth, elevation, lens)
     if brief.walks and not _tight(brief):
         return _of_walk(brief, lead, lens, turn, elevation)
@@ -125,12 +141,23 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
 
 
 def shoulder(brief: CameraBrief) -> Figure | None:
-    """Return whose shoulder an over-the-shoulder looks past; None if the subject does not look at the partner."""
+    """Return whose shoulder an over-the-shoulder looks past.
+
+    None if the subject does not look at the partner, unless the script asks for that shoulder.
+    """
     over = brief.moments[len(brief.moments) // 2].figure(brief.node(brief.instruction.over_id or ""))
     if brief.instruction.kind != "ots" or over is None or not brief.people:
         return None
     lead = brief.people[0]
-    return over if over.node_id != lead.node_id and lead.turned_from(over.face) < _TALKS else None
+    meets = brief.instruction.explicit or lead.turned_from(over.face) < _TALKS
+    return over if over.node_id != lead.node_id and meets else None
+
+
+def face_limit(brief: CameraBrief) -> float:
+    """Return the degrees a focus face may be turned from the camera: whoever walks, or is watched going, may turn."""
+    if brief.walks or (brief.instruction.kind == "ots" and brief.instruction.explicit):
+        return 150.0
+    return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)
 
 
 def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:

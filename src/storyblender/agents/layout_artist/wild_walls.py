@@ -8,11 +8,14 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan, Wall
-from storyblender.geometry.boxes import Box, distance_to_point
+from storyblender.geometry.boxes import Box
 from storyblender.geometry.orbit import Floats, Orbit
+from storyblender.geometry.sight import hidden as hidden_from
 
 _ON_WALL = 0.45
 """Metres from a taken wall within which a thing goes with it: its pictures, and the shelf before it."""
+_AT_TARGET = 0.3
+"""Metres before a target that are its own: what it leans at is not in the way."""
 _CLOSE = 0.25
 """Metres from a wall at which the camera would scrape it."""
 
@@ -43,7 +46,7 @@ def taken_away(
             if piece.wild and piece.footprint is not None:
                 width, depth = (size * piece.scale for size in piece.footprint)
                 box = Box(*piece.location, width, depth, 4.0, math.radians(piece.yaw))
-                if any(_crosses(box, eye, sight) for sight in sights[: len(targets)]):
+                if _crosses(box, eye, sights[: len(targets)]):
                     hidden[piece.node_id] = None
     return list(hidden)
 
@@ -99,12 +102,8 @@ def _goes_with(box: Box, wall: Wall, eye: Floats, sights: Sequence[Floats]) -> b
     x = float((centre - start) @ along)
     if depth > _ON_WALL or not -0.2 < x < float(np.hypot(*(end - start))) + 0.2:
         return False
-    return box.z > 0.3 or any(_crosses(box, eye, sight) for sight in sights)
+    return box.z > 0.3 or _crosses(box, eye, sights)
 
 
-def _crosses(box: Box, eye: Floats, sight: Floats) -> bool:
-    for share in np.linspace(0.05, 0.9, 18):
-        x, y, z = eye + (sight - eye) * share
-        if box.z < z < box.top and distance_to_point(box, float(x), float(y)) < 0:
-            return True
-    return False
+def _crosses(box: Box, eye: Floats, sights: Sequence[Floats]) -> bool:
+    return bool(sights) and bool(hidden_from([box], eye, np.array(sights), _AT_TARGET).any())

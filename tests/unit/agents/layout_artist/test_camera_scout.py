@@ -1,0 +1,115 @@
+"""What the scout knows of the floor plan: piers, strangers, crowds; and how heads stand over shoulders."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
+
+from storyblender.agents.layout_artist.camera_brief import Moment, pose_at
+from storyblender.agents.layout_artist.camera_operator import operate
+from storyblender.agents.layout_artist.camera_scout import CLEARED, cost, hidden_share, scouted
+from storyblender.agents.layout_artist.camera_solids import piece_boxes, solids
+from storyblender.agents.layout_artist.camera_start import start
+from storyblender.catalog.set_plan import Piece, SetPlan, Slab
+from storyblender.geometry.framing import group, over_shoulder, project
+from storyblender.memory.scene_context import SceneSize
+
+ARCADE = Piece(
+    node_id="arcade_1",
+    part="arcade",
+    location=(0, -2, 0),
+    solid=False,
+    params={"width": 9.0, "height": 3.5, "arches": 3.0, "depth": 0.3},
+)
+PLAN = SetPlan(kit="yard", indoor=False, size=SceneSize(x=6, x_negative=-6, y=6, y_negative=-6), pieces=(ARCADE,))
+
+
+def test_the_piers_of_an_arcade_stand_in_the_way_and_its_arches_do_not() -> None:
+    boxes = piece_boxes(ARCADE)
+    assert [round(box.x, 2) for box in boxes] == pytest.approx([-4.29, -1.5, 1.5, 4.29], abs=0.01)
+    assert all(box.y == -2 and box.height == 3.5 for box in boxes)
+
+
+def test_a_stage_is_a_solid() -> None:
+    corners = ((0, 0), (4, 0), (4, 2), (0, 2))
+    block = Slab(node_id="stage", role="block", polygon=corners, z=1, thickness=1, material="m")
+    (box,) = solids({}, PLAN.model_copy(update={"pieces": (), "slabs": (block,)}), ())
+    assert (box.x, box.y, box.z, box.width, box.depth, box.top) == (2, 1, 0, 4, 2, 1)
+
+
+def test_a_camera_does_not_look_into_a_pier() -> None:
+    view = brief([figure("anna", 1.5, -1, 0)], kind="single", size="FS", focus_on_ids=("anna",), plan=PLAN)
+    best = scouted(view)[0]
+    assert hidden_share(best.camera, view.people[0], piece_boxes(ARCADE)) < 0.3
+    straight = next(take for take in (start(view, turn) for turn in range(-40, 41, 5)) if abs(take.camera.azimuth) < 6)
+    assert hidden_share(straight.camera, view.people[0], piece_boxes(ARCADE)) > 0.5
+
+
+def test_a_stranger_stands_aside_in_a_tight_shot_with_what_he_carries_and_stays_in_a_wide_one() -> None:
+    behind = figure("guard", 0, 1.0, 0)
+    people = {"figures": (ANNA, TOM, behind), "focus_on_ids": ("anna", "tom"), "carried": {"guard": ("lamp",)}}
+    tight = brief(kind="two_shot", size="MS", **people)
+    assert {"guard", "lamp"} <= set(scouted(tight)[0].hidden)
+    assert not any("guard" in take.hidden for take in scouted(brief(kind="two_shot", size="WS", **people)))
+
+
+def test_sending_somebody_away_costs_a_little() -> None:
+    view = brief((ANNA, GUARD), kind="single", size="MS", focus_on_ids=("anna",))
+    take = scouted(view)[0]
+    kept = replace(take, hidden=())
+    away = replace(take, hidden=("guard",))
+    assert cost(view, away) == pytest.approx(cost(view, kept) + CLEARED)
+    assert "guard" not in take.hidden, "who is not in the picture need not go"
+
+
+def test_three_people_in_a_row_are_seen_past_each_other() -> None:
+    crowd = [figure("a", 0, 0, 0), figure("b", 0.3, 0.9, 0), figure("c", -0.2, 1.8, 0)]
+    _, residual, finder = shoot(brief(crowd, kind="group", size="MWS", focus_on_ids=("a", "b", "c")))
+    assert not [text for text in residual if "hidden" in text or "out of" in text]
+    assert finder.looks <= 20
+
+
+def test_a_standing_partner_keeps_the_head_over_whose_shoulder_we_look() -> None:
+    sitting, standing = figure("anna", 0, 0, 90, 1.3), figure("tom", 1.1, 0, -90, 1.8)
+    camera = over_shoulder(FILM, sitting, standing, "MS", 1.0, 0.0, 50.0)
+    crown = project(camera, standing.crown)[0][0, 1]
+    assert crown > -0.15
+    face = project(camera, sitting.face)[0][0]
+    assert 0.2 < face[1] < 0.6
+
+
+def test_a_script_that_asks_for_a_shoulder_gets_it_even_if_the_subject_walks_away() -> None:
+    away = figure("anna", -0.6, 0, -90, 1.65)
+    for explicit, over in ((True, True), (False, False)):
+        view = brief((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=explicit)
+        seen = project(start(view).camera, TOM.face)
+        assert (0 < seen[0][0, 0] < 1 and seen[1][0] > 0) == over
+
+
+def test_a_group_is_held_wherever_one_of_it_walks() -> None:
+    moments = tuple(Moment(index * 10, (TOM, figure("anna", x, 0.4, 90))) for index, x in enumerate((-2.2, -1.4, -0.6)))
+    view = brief(moments=moments, kind="action", size="FS", focus_on_ids=("tom", "anna"), movement="pan")
+    state = operate(replace(view, duration=21), NumberFinder(moments, {}))
+    assert len(state.poses) == 1, "the camera waits"
+    camera = scouted(view)[0].camera
+    for moment in moments:
+        screen, _ = project(camera, [face.face for face in moment.figures])
+        assert ((screen > 0) & (screen < 1)).all()
+
+
+def test_nobody_of_a_deep_group_is_behind_the_camera() -> None:
+    row = [figure("a", 0, -4, 0), figure("b", 0.2, 0, 0), figure("c", 0, 4, 0)]
+    camera = group(FILM, row, "MS", 0.0, 0.0, 18.0)
+    assert project(camera, [each.face for each in row])[1].min() > 0.5
+    assert np.abs(camera.position).max() < 30
+
+
+def test_the_camera_of_a_frame_is_between_its_poses() -> None:
+    view = brief([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
+    state = start(view).state(49, 4.0, 10.0, ())
+    first, last = state.poses
+    assert pose_at(state, 0, FILM).rotation == pytest.approx(first.rotation)
+    assert pose_at(state, 48, FILM).rotation == pytest.approx(last.rotation)
+    middle = np.asarray(pose_at(state, 24, FILM).rotation)
+    assert abs(middle @ first.rotation) == pytest.approx(abs(middle @ last.rotation))
