@@ -16,7 +16,7 @@ from storyblender.blender.render.motion_frames import render_motion  # noqa: E40
 from storyblender.errors import InputError  # noqa: E402
 
 GOLDEN = Path(__file__).parents[1] / "golden"
-SIZE = {"width": 160, "height": 90}
+SIZE = {"width": 320, "height": 176}
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def frame(scene, lighting, look="fast", **fields):
 @pytest.mark.parametrize("look", ["fast", "pencil", "board"])
 @pytest.mark.parametrize("place", ["room", "yard"])
 def test_pictures_stay_as_they_were(place, look, request):
-    """Means of 4 x 4 blocks against the kept picture: small drifts of drivers pass, a lost light or line does not."""
+    """Means of 8 x 8 blocks against the kept picture: small drifts of drivers pass, a lost light or line does not."""
     lighting = render_stage.interior() if place == "room" else render_stage.exterior()
     result = frame(request.getfixturevalue(place), lighting, look)
     path = GOLDEN / f"{place}_{look}.png"
@@ -47,12 +47,12 @@ def test_pictures_stay_as_they_were(place, look, request):
 
 
 def _blocks(image):
-    return np.asarray(image, float)[:88].reshape(22, 4, 40, 4, 3).mean((1, 3))
+    return np.asarray(image, float).reshape(22, 8, 40, 8, 3).mean((1, 3))
 
 
 @pytest.mark.parametrize("look", ["fast", "board"])
 def test_the_same_request_gives_the_same_pixels(room, look):
-    first, second = (frame(room, render_stage.interior(), look, width=96, height=54, seed=5) for _ in range(2))
+    first, second = (frame(room, render_stage.interior(), look, width=96, height=56, seed=5) for _ in range(2))
     assert (first.image == second.image).all()
     assert first.lights == second.lights
 
@@ -94,8 +94,8 @@ def test_void_and_visible_nodes_are_reported(room, yard):
 
 
 def test_render_look_draws_no_lines(room):
-    plain = frame(room, render_stage.interior(), "render", width=96, height=54, samples=4)
-    assert plain.image.shape == (54, 96, 3)
+    plain = frame(room, render_stage.interior(), "render", width=96, height=56, samples=4)
+    assert plain.image.shape == (56, 96, 3)
     assert plain.image.std() > 10
 
 

@@ -20,6 +20,7 @@ from storyblender.blender.props.portrait import render_portrait
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import render_motion
 from storyblender.blender.render.picture import write_png
+from storyblender.blender.still import held_still
 from storyblender.blender.story import compile_story
 from storyblender.errors import InputError
 from storyblender.geometry.framing import Figure
@@ -122,21 +123,21 @@ class Session:
         """Render the board frame of one shot."""
         scene = self._open_pack(job.pack)
         start = job.pack.start_of(job.shot.shot_id)
-        camera = make_camera(scene, scene.collection, job.shot, start)
-        assert job.shot.camera is not None, "make_camera has made sure"
+        assert job.shot.camera is not None, "the Camera Operator comes before the camera"
         request = FrameRequest(
             look=job.look,
             width=job.format.width,
             height=job.format.height,
-            frame=start + job.frame,
             seed=job.format.seed,
             hidden_node_ids=job.shot.camera.hidden_node_ids,
         )
         heads = [_head(figure, job.shot.in_frame) for figure in figures(scene, start + job.frame)]
-        try:
-            result = render_frame(scene, camera, job.lighting, heads, request)
-        finally:
-            _remove_camera(camera)
+        with held_still(scene, start + job.frame) as still:
+            camera = make_camera(still, still.collection, job.shot, start)
+            try:
+                result = render_frame(still, camera, job.lighting, heads, request)
+            finally:
+                _remove_camera(camera)
         write_png(result.image, self._path(job.out))
         cast = {str(obj["node_id"]) for obj in scene.objects if obj.get("kind") == "character"}
         return FrameReport(

@@ -41,12 +41,12 @@ class Look:
     contrast: str = AGX_CONTRAST
     supersample: int = 2
     light_step: int = 2
-    samples: int = 5
+    samples: int = 6
     bounces: int = 3
 
 
 _ALL = (
-    Look("board", "Board", ("storyboard", "default", "inked", "colour"), light="cycles"),
+    Look("board", "Board", ("storyboard", "default", "inked", "colour"), light="cycles", light_step=4),
     Look("fast", "Fast board", ("draft", "quick", "preview"), light="numpy"),
     Look("pencil", "Pencil", ("graphite", "sketch", "drawing", "black and white"), light="numpy", style="pencil"),
     Look(

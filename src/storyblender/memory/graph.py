@@ -36,8 +36,8 @@ class ProjectFormat(Frozen):
 
     @property
     def height(self) -> int:
-        """Pixel rows of a frame: width / aspect, rounded to an even number."""
-        return max(2, round(self.width / self.aspect / 2) * 2)
+        """Pixel rows of a frame: width / aspect, rounded to a multiple of 4, as light at a quarter of the size needs."""
+        return max(4, round(self.width / self.aspect / 4) * 4)
 
 
 class ContinuityMemoryGraph(Frozen):

@@ -20,6 +20,7 @@ from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.render.passes import flat_workbench
 from storyblender.blender.render.session import RenderSession, changed, temporary_camera
+from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure, project
 from storyblender.geometry.orbit import Orbit
 from storyblender.look.surface import Surface
@@ -82,16 +83,20 @@ def look(
     the custom property ``open_sky`` shows sky above the horizon where it shows nothing.
     """
     results: list[CameraView] = []
-    with (
-        temporary_camera(scene, np.eye(4), sensor_fit="HORIZONTAL", clip_start=0.02, clip_end=2000.0) as camera,
-        flat_workbench(scene),
-        changed(scene.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
-    ):
-        for frame, batch in itertools.groupby(sightings, key=lambda sighting: sighting.frame):
-            with RenderSession(scene, camera, frame) as session:
-                stage = _Stage(session)
+    before = scene.frame_current
+    for frame, batch in itertools.groupby(sightings, key=lambda sighting: sighting.frame):
+        with (
+            held_still(scene, frame) as still,
+            temporary_camera(still, np.eye(4), sensor_fit="HORIZONTAL", clip_start=0.02, clip_end=2000.0) as camera,
+            flat_workbench(still),
+            changed(still.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
+        ):
+            people = figures(scene)
+            with RenderSession(still, camera) as session:
+                stage = _Stage(session, people)
                 with _numbered(stage.objects, stage.numbers):
                     results += [stage.see(sighting, width, height) for sighting in batch]
+    scene.frame_set(before)
     return results
 
 
@@ -113,14 +118,15 @@ def _node_id(obj: bpy.types.Object) -> str:
 class _Stage:
     """What is drawn at one frame: objects, their sample points, faces. Shared by all looks of that frame."""
 
-    def __init__(self, session: RenderSession) -> None:
+    def __init__(self, session: RenderSession, people: Sequence[Figure]) -> None:
         self.session = session
         self.objects = session.visible_objects()
         nodes = dict.fromkeys(_node_id(obj) for obj in self.objects)
         self.numbers = {node: number for number, node in enumerate(nodes, 1)}
         self.depsgraph = session.scene.view_layers[0].depsgraph
-        self.faces = {figure.node_id: figure for figure in figures(session.scene) if figure.node_id in nodes}
+        self.faces = {figure.node_id: figure for figure in people if figure.node_id in nodes}
         self._points: dict[str, Floats] = {}
+        self._corners = np.array([_corners(obj) for obj in self.objects]).reshape(-1, 8, 3)
 
     def points(self, node_id: str) -> Floats:
         """Return (n, 3) sample points of a node, sampled at the first asking."""
@@ -147,7 +153,7 @@ class _Stage:
         camera = self.session.camera
         camera.data.lens, camera.data.sensor_width = pose.lens, sighting.sensor_width
         camera.matrix_world = Matrix(orbit.world.tolist())
-        with out_of_picture(obj for obj in self.objects if _node_id(obj) in sighting.hidden):
+        with out_of_picture(self._unseen(orbit, sighting.hidden)):
             channels = self.session.exr(width, height, depth=True)
         red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
         ids, depth = red + 256 * green, channels["Depth.Z"]
@@ -164,6 +170,16 @@ class _Stage:
             inside=self._inside(orbit.position, sighting.hidden),
             below_floor=float(orbit.position[2]) < _FLOOR,
         )
+
+    def _unseen(self, orbit: Orbit, hidden: Sequence[str]) -> list[bpy.types.Object]:
+        """Return what need not be drawn: what is hidden, and what lies outside the picture by its box."""
+        local = (self._corners - orbit.position) @ orbit.axes
+        away = -local[..., 2]
+        across = orbit.tangent * orbit.aspect
+        outside = [local[..., 0] > away * across, -local[..., 0] > away * across]
+        outside += [local[..., 1] > away * orbit.tangent, -local[..., 1] > away * orbit.tangent, away < 0]
+        gone = np.logical_or.reduce([side.all(axis=1) for side in outside])
+        return [obj for obj, out in zip(self.objects, gone, strict=True) if out or _node_id(obj) in hidden]
 
     def _sky(self, ids: Ints, blue: Ints, orbit: Orbit) -> NDArray[np.bool_]:
         """Cards are sky; where nothing is drawn there is sky above the horizon, if the scene has one."""
@@ -227,6 +243,10 @@ class _Stage:
             if away < margin or (hit and (local - nearest).dot(normal) < 0):
                 found[_node_id(obj)] = None
         return tuple(found)
+
+
+def _corners(obj: bpy.types.Object) -> list[Vector]:
+    return [obj.matrix_world @ Vector(corner) for corner in obj.bound_box]
 
 
 def _hit(screen: Floats, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
