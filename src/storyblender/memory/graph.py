@@ -36,7 +36,7 @@ class ProjectFormat(Frozen):
 
     @property
     def height(self) -> int:
-        """Pixel rows of a frame: width / aspect, rounded to a multiple of 4, as light at a quarter of the size needs."""
+        """Pixel rows of a frame: width / aspect, in fours: a board's light is a quarter the size."""
         return max(4, round(self.width / self.aspect / 4) * 4)
 
 

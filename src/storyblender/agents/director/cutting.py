@@ -17,6 +17,7 @@ _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
     "ots": ("MS", "CU"),
     "single": ("MWS", "CU"),
     "reaction": ("MWS", "CU"),
+    "action": ("WS", "CU"),
 }
 """Sizes a kind of shot may take."""
 _SLOW: Final = 9.0
