@@ -47,7 +47,8 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
     """
     camera = _compose(brief, brief.lens, turn, rise)
     if brief.instruction.kind not in ("pov", "ots", "insert"):
-        for _ in range(_FITTINGS):
+        # A lens that was asked for is the lens: then the camera only walks.
+        for _ in range(0 if brief.instruction.lens else _FITTINGS):
             fit = fitted(brief.plan, camera, brief.instruction.size, several=len(brief.people) > 1)
             if fit.lens == camera.lens:
                 break

@@ -77,6 +77,14 @@ def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) ->
     assert 0.17 < max(heights) < 0.75
 
 
+def test_a_lens_that_was_asked_for_is_the_lens() -> None:
+    pair = person("anna", -0.6, 0, 90), person("tom", 0.6, 0, -90)
+    asked = {"kind": "establishing", "size": "WS", "focus_on_ids": ["anna", "tom"]}
+    free, told = start(brief(*pair, **asked)).camera, start(brief(*pair, **asked, lens=35.0)).camera
+    assert free.lens < 35, "the room calls for a wider one"
+    assert told.lens == 35
+
+
 def test_who_has_no_part_is_left_out() -> None:
     anna, guard = person("anna", 0, 0, 0), person("guard", 0.9, 1.4, 0)
     view = brief(anna, guard, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
