@@ -18,7 +18,7 @@ from storyblender.blender.measure.view import WIDTH, Sighting, look
 from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
 from storyblender.blender.props.portrait import render_portrait
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
-from storyblender.blender.render.motion_frames import render_motion
+from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
 from storyblender.blender.still import held_still
 from storyblender.blender.story import compile_story
@@ -37,9 +37,6 @@ from storyblender.memory.jobs import (
     StoryJob,
 )
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
-
-GROWN_HEAD = 0.235
-"""Metres from crown to chin that count as scale 1."""
 
 
 class Session:

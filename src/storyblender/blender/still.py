@@ -11,7 +11,7 @@ from contextlib import contextmanager
 
 import bpy
 
-_DRAWN = frozenset({"MESH", "CURVE", "SURFACE", "FONT", "META"})
+from storyblender.blender.render.session import DRAWN
 
 
 @contextmanager
@@ -37,7 +37,7 @@ def held_still(scene: bpy.types.Scene, frame: int | None = None) -> Iterator[bpy
             if isinstance(scene[name], bool | int | float | str):
                 still[name] = scene[name]
         for obj in scene.objects:
-            if obj.type not in _DRAWN or obj.hide_render:
+            if obj.type not in DRAWN or obj.hide_render:
                 continue
             if obj.modifiers or obj.animation_data or obj.parent or obj.constraints:
                 obj = _posed(obj, depsgraph, copies)

@@ -91,7 +91,7 @@ class RenderSession:
             if self._frame is not None:
                 self.go_to(self._frame)
             for obj in self.scene.objects:
-                if obj.get("node_id") in self._hidden and obj.type in _DRAWN and not obj.hide_render:
+                if obj.get("node_id") in self._hidden and obj.type in DRAWN and not obj.hide_render:
                     self.hidden_objects.append(obj)
             stack.enter_context(out_of_picture(self.hidden_objects))
             self.scene.view_layers[0].update()
@@ -110,7 +110,7 @@ class RenderSession:
 
     def visible_objects(self) -> list[bpy.types.Object]:
         """Return what renders, in the scene's order."""
-        return [obj for obj in self.scene.objects if obj.type in _DRAWN and not obj.hide_render]
+        return [obj for obj in self.scene.objects if obj.type in DRAWN and not obj.hide_render]
 
     def view(self, width: int, height: int, camera: bpy.types.Object | None = None) -> View:
         """Return the pinhole of a camera (the session's, if None) for pictures of that size."""
@@ -179,4 +179,5 @@ def temporary_camera(scene: bpy.types.Scene, matrix: NDArray, **settings: Any) -
         bpy.data.cameras.remove(data)
 
 
-_DRAWN = frozenset({"MESH", "CURVE", "SURFACE", "FONT", "META"})
+DRAWN = frozenset({"MESH", "CURVE", "SURFACE", "FONT", "META"})
+"""Types of objects that show in a picture."""
