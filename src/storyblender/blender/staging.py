@@ -8,11 +8,12 @@ import numpy as np
 
 from storyblender.blender.motion.plan import Obstacle, StageFurniture, StagePerson, StagePlan, StageProp, box_of
 from storyblender.blender.people.body import Body
+from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.solids import transform
 from storyblender.memory.asset_sheet import Anchor, Asset
-from storyblender.memory.base import Vec2, content_hash
+from storyblender.memory.base import content_hash
 from storyblender.memory.jobs import SceneJob
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
@@ -48,7 +49,7 @@ class Stage:
         self._openings = {place.opening.name: _opening(place) for wall in plan.walls for place in openings_of(wall)}
         size = job.scene.layout.scene_size
         self._bounds = (size.x_negative, size.y_negative, size.x, size.y)
-        self._obstacles = (*self._solid_furniture(), *_walls(plan), *_pieces(plan))
+        self._obstacles = (*self._solid_furniture(), *_solid_set(plan))
 
     def plan(self, shot: ShotContext) -> StagePlan:
         """Return one shot's stage."""
@@ -133,33 +134,11 @@ def _prop_world(item: LayoutObject | None, state: PropState | None) -> np.ndarra
     return transform((0.0, 0.0, -5.0), (0.0, 0.0, 0.0), 1.0)
 
 
-def _walls(plan: SetPlan) -> list[Obstacle]:
-    """Walls as boxes, with gaps where a door, an arch or a gap lets people through."""
-    boxes: list[Obstacle] = []
-    for wall in plan.walls:
-        (x0, y0), (x1, y1) = wall.start, wall.end
-        length = math.hypot(x1 - x0, y1 - y0)
-        yaw = math.atan2(y1 - y0, x1 - x0)
-        doors = sorted((o.x, o.x + o.width) for o in wall.openings if o.kind != "window" and o.sill < 0.3)
-        start = 0.0
-        for gap_start, gap_end in [*doors, (length, length)]:
-            if gap_start - start > 0.05:
-                middle = (start + gap_start) / 2
-                centre: Vec2 = (x0 + (x1 - x0) * middle / length, y0 + (y1 - y0) * middle / length)
-                size = (gap_start - start, wall.thickness, wall.height)
-                boxes.append(Obstacle(wall.node_id, (*centre, wall.height / 2), size, yaw))
-            start = gap_end
-    return boxes
-
-
-def _pieces(plan: SetPlan) -> list[Obstacle]:
+def _solid_set(plan: SetPlan) -> list[Obstacle]:
+    """Walls as boxes, with gaps where a door, an arch or a gap lets people through, and solid pieces."""
+    boxes = [(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
+    boxes += [(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece)]
     return [
-        Obstacle(
-            piece.node_id,
-            (piece.location[0], piece.location[1], piece.location[2] + 1.0),
-            (piece.footprint[0], piece.footprint[1], 2.0),
-            math.radians(piece.yaw),
-        )
-        for piece in plan.pieces
-        if piece.solid and piece.footprint is not None
+        Obstacle(name, (box.x, box.y, box.z + box.height / 2), (box.width, box.depth, box.height), box.yaw)
+        for name, box in boxes
     ]

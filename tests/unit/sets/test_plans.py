@@ -8,6 +8,7 @@ from collections import Counter
 import pytest
 
 from storyblender.agents.visual_effects_artist.set_dresser import prop_size
+from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.set_plan import SetPlan
@@ -43,11 +44,7 @@ def boxes(plan: SetPlan, *, required_only: bool = False) -> list[tuple[str, Box]
         if flat or hung or (required_only and not item.required):
             continue
         found.append((item.node_id, Box(*item.location, *size, math.radians(item.yaw))))
-    for piece in plan.pieces:
-        if piece.solid and piece.footprint is not None and piece.location[2] < 1.6:
-            width, depth = (piece.scale * extent for extent in piece.footprint)
-            found.append((piece.node_id, Box(*piece.location, width, depth, 2.0, math.radians(piece.yaw))))
-    return found
+    return found + [(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece) if box.z < 1.6]
 
 
 @pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])

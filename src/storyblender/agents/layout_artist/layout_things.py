@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from storyblender.catalog.set_plan import SetPlan, Wall
+from storyblender.catalog.footprints import piece_boxes, wall_boxes
+from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, separation
 from storyblender.geometry.relations import Room, Surface, Thing, Violation, remedy, violations
 from storyblender.geometry.support import Top
@@ -106,35 +107,14 @@ def hangs(box: Box, plan: SetPlan) -> bool:
 
 
 def walls_of(plan: SetPlan) -> list[Thing]:
-    """Return the walls as fixed boxes outside their line, open where doors and gaps are."""
-    pieces: list[Thing] = []
-    for wall in plan.walls:
-        for index, (first, last) in enumerate(_solid_spans(wall)):
-            pieces.append(Thing(f"{wall.node_id}_{index}", _wall_box(wall, first, last), fixed=True, floats=True))
-    for piece in plan.pieces:
-        if piece.solid and piece.footprint is not None:
-            width, depth = (size * piece.scale for size in piece.footprint)
-            box = Box(*piece.location, width, depth, 3.0, math.radians(piece.yaw))
-            pieces.append(Thing(piece.node_id, box, fixed=True, floats=True))
-    return pieces
-
-
-def _solid_spans(wall: Wall) -> list[tuple[float, float]]:
-    length = math.dist(wall.start, wall.end)
-    spans, x = [], 0.0
-    for hole in sorted((hole for hole in wall.openings if hole.kind != "window"), key=lambda hole: hole.x):
-        spans.append((x, hole.x))
-        x = hole.x + hole.width
-    return [(first, last) for first, last in [*spans, (x, length)] if last - first > 0.02]
-
-
-def _wall_box(wall: Wall, first: float, last: float) -> Box:
-    """The room is on the left of the wall's line; its thickness lies on the right."""
-    length = math.dist(wall.start, wall.end)
-    ux, uy = (wall.end[0] - wall.start[0]) / length, (wall.end[1] - wall.start[1]) / length
-    along, out = (first + last) / 2, wall.thickness / 2
-    x, y = wall.start[0] + ux * along + uy * out, wall.start[1] + uy * along - ux * out
-    return Box(x, y, wall.base, last - first, wall.thickness, wall.height, math.atan2(uy, ux))
+    """Return walls and solid parts of the set as fixed boxes."""
+    solid = [(part.node_id, wall_boxes(part)) for part in plan.walls]
+    solid += [(part.node_id, piece_boxes(part)) for part in plan.pieces]
+    return [
+        Thing(f"{node_id}_{index}", box, fixed=True, floats=True)
+        for node_id, boxes in solid
+        for index, box in enumerate(boxes)
+    ]
 
 
 def laid_out(thing: Thing, asset_id: str) -> LayoutObject:

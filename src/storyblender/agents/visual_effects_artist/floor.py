@@ -9,8 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
-from storyblender.catalog.set_plan import SetPlan, Wall
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.geometry.boxes import Box
 from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, seat_access
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec3
@@ -119,11 +121,8 @@ class Floor:
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self.marks = plan.marks
         self.openings = [_opening(place) for wall in plan.walls for place in openings_of(wall)]
-        self.set_boxes = [box for wall in plan.walls for box in _solid_wall(wall)]
-        for piece in plan.pieces:
-            if piece.solid and piece.footprint is not None:
-                yaw = math.radians(piece.yaw)
-                self.set_boxes.append(Footprint(piece.location[:2], piece.footprint, yaw, name=piece.node_id))
+        self.set_boxes = [_footprint(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
+        self.set_boxes += [_footprint(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece)]
 
     def thing(self, name: str | None) -> Thing | None:
         """Return a placed object by node id, or the first of an asset; a door or window of the set by its kind."""
@@ -267,17 +266,5 @@ def _opening(place: OpeningPlace) -> Thing:
     return Thing(place.opening.name, kind, place.location, place.yaw, place.size, handles)
 
 
-def _solid_wall(wall: Wall) -> list[Footprint]:
-    """A wall without its doors, arches and gaps."""
-    (x0, y0), (x1, y1) = wall.start, wall.end
-    length = math.hypot(x1 - x0, y1 - y0)
-    yaw = math.atan2(y1 - y0, x1 - x0)
-    doors = sorted((o.x, o.x + o.width) for o in wall.openings if o.kind != "window" and o.sill < 0.3)
-    boxes, start = [], 0.0
-    for gap_start, gap_end in [*doors, (length, length)]:
-        if gap_start - start > 0.05:
-            middle = (start + gap_start) / 2 / length
-            centre = (x0 + (x1 - x0) * middle, y0 + (y1 - y0) * middle)
-            boxes.append(Footprint(centre, (gap_start - start, wall.thickness), yaw, name=wall.node_id))
-        start = gap_end
-    return boxes
+def _footprint(name: str, box: Box) -> Footprint:
+    return Footprint((box.x, box.y), (box.width, box.depth), box.yaw, name=name)

@@ -1,0 +1,51 @@
+"""What of a set people and things cannot pass through, as upright boxes: every planner reads the same ones. Pure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from storyblender.catalog.set_plan import Piece, Wall
+from storyblender.catalog.sets.arcades import piers
+from storyblender.geometry.boxes import Box
+
+_HIGH = 4.0
+"""Metres: a solid piece of the set is taken to be this high."""
+_STEP = 0.3
+"""Metres: an opening with a lower sill is walked through."""
+_SLIVER = 0.02
+"""Metres: narrower pieces of wall are left out."""
+
+
+def wall_boxes(wall: Wall) -> list[Box]:
+    """Return the boxes of a wall between its doors, arches and gaps; the room's face of a box is the wall's line."""
+    length = math.dist(wall.start, wall.end)
+    ux, uy = (wall.end[0] - wall.start[0]) / length, (wall.end[1] - wall.start[1]) / length
+    ways = sorted(
+        (hole.x, hole.x + hole.width) for hole in wall.openings if hole.kind != "window" and hole.sill < _STEP
+    )
+    boxes, start, out = [], 0.0, wall.thickness / 2
+    for first, last in [*ways, (length, length)]:
+        if first - start > _SLIVER:
+            along = (start + first) / 2
+            x, y = wall.start[0] + ux * along + uy * out, wall.start[1] + uy * along - ux * out
+            boxes.append(Box(x, y, wall.base, first - start, wall.thickness, wall.height, math.atan2(uy, ux)))
+        start = last
+    return boxes
+
+
+def piece_boxes(piece: Piece) -> list[Box]:
+    """Return the boxes of a set piece: its footprint, or the piers of an arcade; none for what nobody bumps into."""
+    yaw = math.radians(piece.yaw)
+    if piece.part == "arcade":
+        width, height, depth = (float(piece.params[name]) for name in ("width", "height", "depth"))
+        whole = Box(*piece.location, width, depth, height, yaw)
+        return [
+            replace(whole, x=x, y=y, width=right - left)
+            for left, right in piers(width, height, int(piece.params["arches"]))
+            for x, y in [whole.to_world((left + right) / 2, 0.0)]
+        ]
+    if not piece.solid or piece.footprint is None:
+        return []
+    width, depth = (size * piece.scale for size in piece.footprint)
+    return [Box(*piece.location, width, depth, _HIGH, yaw)]
