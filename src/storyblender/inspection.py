@@ -10,6 +10,7 @@ from storyblender.agents.layout_artist.camera_scene import story_moment
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
+from storyblender.deliver.checklist import names_of, plain
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.framing import Figure, Film
@@ -82,7 +83,8 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
         _collision_row(collisions, findings),
         _staging_row(packs, findings),
     ]
-    return Inspection(rows=tuple(rows), findings=tuple(findings))
+    names = names_of(graph)
+    return Inspection(rows=tuple(rows), findings=tuple(plain(finding, names) for finding in findings))
 
 
 def _sights(graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) -> dict[str, ShotSight]:
@@ -141,7 +143,8 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
         off = abs(len(seen) - expected)
         scores.append(math.exp(-off / (OCCM_EPSILON + expected)) if off else 1.0)
         if off:
-            findings.append(f"{name}: shows {sorted(seen)}, meant to show {sorted(shot.in_frame)}")
+            shown, meant = (", ".join(sorted(people)) or "nobody" for people in (seen, shot.in_frame))
+            findings.append(f"{name}: shows {shown}; meant to show {meant}")
     mean = 100 * sum(scores) / max(1, len(scores))
     return CheckRow(name="on-stage count matching", value=f"{mean:.1f}", ok=mean >= 95)
 
@@ -198,7 +201,7 @@ def _collision_row(collisions: list[Collision], findings: list[str]) -> CheckRow
 
 def _staging_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
     problems = [problem for pack in packs for problem in pack.problems]
-    findings += problems
+    findings += [f"{problem.shot}: {problem.message}" for problem in problems]
     return CheckRow(name="staging problems", value=str(len(problems)), ok=True)
 
 

@@ -24,7 +24,7 @@ from storyblender.catalog.sets import plan_of
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import SceneJob
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.shot_context import Flaw, ShotContext
 
 MOTION_STEP = 1
 """Legs are solved on ones: on twos the linear in-between makes feet slide (notes: motion, section 6)."""
@@ -46,8 +46,8 @@ class ScenePacker:
         self._props: dict[str, bpy.types.Object] = {}
         self._cast: dict[str, CastMember] = {}
 
-    def build(self) -> tuple[str, ...]:
-        """Build everything and return what could not be staged, one sentence each."""
+    def build(self) -> tuple[Flaw, ...]:
+        """Build everything and return what could not be staged."""
         bpy.ops.wm.read_factory_settings(use_empty=True)
         scene = bpy.context.scene
         scene.name = self._name
@@ -67,7 +67,7 @@ class ScenePacker:
             for place in openings_of(wall)
             if place.opening.kind == "door"
         ]
-        problems: list[str] = []
+        problems: list[Flaw] = []
         for shot in self._job.shots:
             problems += self._perform(stage, shot, doors)
         swing_doors(doors, built)
@@ -115,7 +115,7 @@ class ScenePacker:
                 mesh.name = f"{self._name}.{mesh.name.split('.')[0]}"
             self._cast[asset.asset_id] = member
 
-    def _perform(self, stage: Stage, shot: ShotContext, doors: list[Door]) -> list[str]:
+    def _perform(self, stage: Stage, shot: ShotContext, doors: list[Door]) -> list[Flaw]:
         plan = stage.plan(shot)
         performance = solve_shot(plan, self._job.fps, MOTION_STEP)
         name = shot_name(shot.scene_id, shot.shot_id)
@@ -123,7 +123,10 @@ class ScenePacker:
         for door in doors:
             door.play(performance, shot.cues, shot.duration)
         bake(performance, armatures, self._props, name, self._starts[shot.shot_id])
-        return [f"{name}: {problem.message}" for problem in performance.problems]
+        return [
+            Flaw(kind=found.kind, subject=found.asset_id, weight=found.amount, message=found.message, shot=name)
+            for found in performance.problems
+        ]
 
     def _key_visibility(self) -> None:
         """People off stage and props out of the picture are hidden shot by shot, with constant keys."""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from html import escape
 from importlib.resources import files
+from itertools import groupby
 from pathlib import Path
 from string import Template
 
+from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import Panel, cue_of, panels
 from storyblender.deliver.speech import subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -22,20 +25,24 @@ FILES = (
 )
 
 
-def write_page(graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Path, report: Sequence[str] = ()) -> None:
+def write_page(
+    graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Path, checks: Sequence[Check] = ()
+) -> None:
     """Write the page.
 
     Args:
         graph: The story.
         frames: Shot name to picture, inside the folder of ``out``.
         out: ``index.html``.
-        report: Sentences for a person to check, in order.
+        checks: What a person should look at, in order.
     """
     folder = out.parent
     shots = panels(graph)
+    counts = Counter(check.shot for check in checks)
     scenes = []
     for scene in graph.outline:
-        cards = "\n".join(_card(panel, frames.get(panel.name), folder) for panel in shots if panel.scene is scene)
+        shown = [panel for panel in shots if panel.scene is scene]
+        cards = "\n".join(_card(panel, frames.get(panel.name), folder, counts[panel.name]) for panel in shown)
         heading = escape(scene.heading or scene.scene_description)
         scenes.append(f'<h2>{heading}</h2>\n<div class="grid">\n{cards}\n</div>')
     minutes, seconds = divmod(round(sum(panel.seconds for panel in shots)), 60)
@@ -47,19 +54,19 @@ def write_page(graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Pa
             title=escape(graph.title or "Storyboard"),
             summary=summary,
             aspect=f"{graph.format.aspect:.4f}",
-            files=_links(folder, report),
+            files=_links(folder, len(checks)),
             video=_video(folder, shots, frames),
             scenes="\n".join(scenes),
-            report=_report(report),
+            checks=_checks(checks),
         ),
         encoding="utf-8",
     )
 
 
-def _links(folder: Path, report: Sequence[str]) -> str:
+def _links(folder: Path, to_check: int) -> str:
     links = [(name, label) for name, label in FILES if (folder / name).exists()]
-    if report:
-        links.append(("#check", f"Please check ({len(report)})"))
+    if to_check:
+        links.append(("#check", f"Please check ({to_check})"))
     return "".join(f'<a href="{name}">{label}</a>' for name, label in links)
 
 
@@ -82,7 +89,7 @@ def _video(folder: Path, shots: Sequence[Panel], frames: Mapping[str, Path]) -> 
     return f'<video controls preload="metadata" src="animatic.mp4"{poster} data-subtitles="{data}"></video>'
 
 
-def _card(panel: Panel, frame: Path | None, folder: Path) -> str:
+def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int) -> str:
     picture = ""
     if frame is not None:
         alt = escape(panel.outline.shot_description, quote=True)
@@ -91,6 +98,8 @@ def _card(panel: Panel, frame: Path | None, folder: Path) -> str:
     words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
     for line in panel.dialogue:
         words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
+    if to_check:
+        words.append(f'<p class="mark"><a href="#check-{panel.name}">{to_check} to check</a></p>')
     return (
         f'<article id="{panel.name}">{picture}<div class="text">'
         f'<div class="slate"><span>{panel.name}</span><span>{panel.seconds:.1f} s</span></div>'
@@ -98,8 +107,12 @@ def _card(panel: Panel, frame: Path | None, folder: Path) -> str:
     )
 
 
-def _report(report: Sequence[str]) -> str:
-    if not report:
+def _checks(checks: Sequence[Check]) -> str:
+    """What to look at, grouped by shot, each with its command."""
+    if not checks:
         return ""
-    items = "".join(f"<li>{escape(sentence)}</li>" for sentence in report)
-    return f'<h2 id="check">Please check</h2><ul class="flags dim">{items}</ul>'
+    shots = []
+    for shot, group in groupby(checks, key=lambda check: check.shot):
+        items = "".join(f"<li>{escape(check.says)} <code>{escape(check.mend)}</code></li>" for check in group)
+        shots.append(f'<dt id="check-{shot}"><a href="#{shot}">{shot}</a></dt><dd><ul>{items}</ul></dd>')
+    return f'<h2 id="check">Please check</h2><dl class="checks">{"".join(shots)}</dl>'

@@ -13,7 +13,7 @@ from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Light, Lighting, SceneContext
-from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.shot_context import Flaw, ShotContext
 
 Look = Literal["board", "fast", "pencil", "render"]
 
@@ -72,7 +72,8 @@ class PackRef(Frozen):
     path: str
     starts: tuple[tuple[int, int], ...]
     """Shot id and its first frame on the scene's timeline."""
-    problems: tuple[str, ...] = ()
+    problems: tuple[Flaw, ...] = ()
+    """What could not be staged as asked."""
 
     def start_of(self, shot_id: int) -> int:
         """Return the first frame of a shot on the scene's timeline."""

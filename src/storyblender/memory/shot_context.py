@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from storyblender.memory.base import Frozen, Identifier, Vec3
 from storyblender.memory.scene_context import Light, Lighting
@@ -156,6 +156,27 @@ class CameraPose(Frozen):
     lens: float = Field(gt=0)
 
 
+class Flaw(Frozen):
+    """What the crew could not make right in a shot; the checklist tells a person those that matter."""
+
+    kind: str = ""
+    """The critic's word for it, e.g. ``hidden`` or ``unreachable``."""
+    subject: str = ""
+    """node_id or asset_id it is about."""
+    weight: float = 0.0
+    """Of a camera, points of ten; of the staging, metres."""
+    message: str
+    """The sentence of the trace."""
+    shot: str = ""
+    """Shot name, where the flaw is not kept with its shot."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_sentence(cls, value: object) -> object:
+        """Older projects kept the sentence alone."""
+        return {"message": value} if isinstance(value, str) else value
+
+
 class CameraState(Frozen):
     """The camera of a shot: one pose if static, two or more if it moves; eased between."""
 
@@ -165,7 +186,7 @@ class CameraState(Frozen):
     hidden_node_ids: tuple[Identifier, ...] = ()
     """Wild walls: set pieces taken away for this shot."""
     score: float = 0.0
-    residual: tuple[str, ...] = ()
+    residual: tuple[Flaw, ...] = ()
     """What the critic still minds."""
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from storyblender.deliver import slate
 from storyblender.deliver.animatic import write_animatic
 from storyblender.deliver.board import write_board
+from storyblender.deliver.checklist import Check, checklist
 from storyblender.deliver.contact_sheet import write_contact_sheet
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import panels
@@ -66,7 +67,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None) -> list[str]:
     if clips is not None and frames:
         write_animatic(graph, clips, frames, folder / "animatic.mp4")
     run.progress("deliver", 5, steps, "index.html")
-    write_page(graph, frames, folder / "index.html", report_of(run))
+    write_page(graph, frames, folder / "index.html", checks_of(run))
     run.progress("deliver", steps, steps)
     names = [
         "index.html", "story.blend", "frames/", "board.pdf", "board_single.pdf", "contact_sheet.jpg", "animatic.mp4",
@@ -75,15 +76,10 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None) -> list[str]:
     return [name for name in names if (folder / name).exists()]
 
 
-def report_of(run: Run) -> list[str]:
-    """Return what a person should check: unsure readings, staging problems, camera residuals."""
-    sentences = [f"{flag.topic}: {flag.choice} ({flag.reason})" for shot in run.graph.shots for flag in shot.flags]
-    for _, pack in sorted(run.packs.items()):
-        sentences += pack.problems
-    for panel in panels(run.graph):
-        if panel.shot.camera is not None:
-            sentences += [f"{panel.name}: {residual}" for residual in panel.shot.camera.residual]
-    return list(dict.fromkeys(sentences))
+def checks_of(run: Run) -> list[Check]:
+    """Return what a person should check: unsure readings, staging problems, pictures with flaws."""
+    staged = [flaw for _, pack in sorted(run.packs.items()) for flaw in pack.problems]
+    return checklist(run.graph, staged, run.project.folder.name)
 
 
 def _with_slates(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:

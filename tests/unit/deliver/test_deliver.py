@@ -16,6 +16,7 @@ from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
 from storyblender.deliver import animatic, board, contact_sheet, page, shot_list, slate, timeline
+from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import cue_of, panels, timecode
 from storyblender.deliver.speech import speeches, subtitles
 from storyblender.geometry import orbit
@@ -197,9 +198,11 @@ def test_animatic_has_every_frame_and_subtitles(
 def test_page_shows_words_escaped_and_names_no_network(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
-    page.write_page(graph, frames, tmp_path / "index.html", ["Who says <this>?"])
+    check = Check("SC010_SH020", "Who says <this>?", "storyblender make my.fountain")
+    page.write_page(graph, frames, tmp_path / "index.html", [check])
     text = (tmp_path / "index.html").read_text("utf-8")
     assert "She waits &amp; listens." in text and "Who says &lt;this&gt;?" in text
+    assert "1 to check" in text and 'id="check-SC010_SH020"><a href="#SC010_SH020">' in text
     assert 'href="#check"' in text and "1 scene, 2 shots, 0:02 minutes" in text and "<video" not in text
     (tmp_path / "animatic.mp4").write_bytes(b"")
     page.write_page(graph, frames, tmp_path / "index.html")

@@ -12,7 +12,7 @@ from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.moves import eased, in_between
 from storyblender.geometry.orbit import Floats, Orbit
-from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
 from storyblender.memory.vocabulary import LENS_OF_SIZE, SHOT_SIZES, ShotSize
 
 TIGHT = ("MCU", "CU", "ECU")
@@ -206,7 +206,7 @@ class Take:
         """Return the camera at a share of the shot's time."""
         return in_between(self.start, self.end, eased(share)) if self.moves else self.start
 
-    def state(self, duration: int, f_number: float, score: float, residual: tuple[str, ...]) -> CameraState:
+    def state(self, duration: int, f_number: float, score: float, residual: tuple[Flaw, ...]) -> CameraState:
         """Return what goes into the graph."""
         cameras = (self.start, self.end) if self.moves else (self.start,)
         frames = (0, max(duration - 1, 1))

@@ -16,7 +16,7 @@ from storyblender.agents.layout_artist.camera_start import F_NUMBER, take
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
 from storyblender.memory.base import shot_name
-from storyblender.memory.shot_context import CameraState
+from storyblender.memory.shot_context import CameraState, Flaw
 from storyblender.ports import Viewfinder
 from storyblender.reflection import Critique, Policy, reflect
 from storyblender.trace import Listener, silent
@@ -145,7 +145,10 @@ def operate(
         fallback=rules if policy is not None else None,
         listener=listener,
     )
-    residual = tuple(fault.message for fault in outcome.critique.faults)
+    residual = tuple(
+        Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message)
+        for fault in outcome.critique.faults
+    )
     chosen = outcome.draft
     return chosen.state(brief.duration, F_NUMBER[brief.instruction.size], outcome.critique.score, residual)
 

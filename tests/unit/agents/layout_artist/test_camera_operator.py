@@ -149,7 +149,7 @@ def test_a_dialogue_stays_on_its_side_of_the_line(side: int) -> None:
         camera, residual, _ = shoot(view)
         # two people 1.2 m apart: a medium single cannot always leave the partner's arm out
         minor = ("the frame cuts", "anna stands aside", "tom stands aside")
-        assert all(text.startswith(minor) for text in residual), (kind, focus, residual)
+        assert all(flaw.message.startswith(minor) for flaw in residual), (kind, focus, residual)
         assert side_of_line(camera.position, ANNA.face, TOM.face) in (side, 0)
 
 

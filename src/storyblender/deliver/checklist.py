@@ -1,0 +1,172 @@
+"""What a person should look at: only what a director would mind, in plain words, with the command that mends it.
+
+The crew keeps every flaw that its critics mind, down to a few hundredths of headroom. Here is decided which of
+them are told, and how; the rest stays in the trace.
+"""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from storyblender.deliver.panel import Panel, panels
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.shot_context import Flag, Flaw
+from storyblender.memory.vocabulary import SHOT_SIZES
+
+CAMERA: dict[str, tuple[float, str, str]] = {
+    "inside": (0.0, "the camera stands inside {who}", "above"),
+    "below_floor": (0.0, "the camera is below the floor", "above"),
+    "empty": (0.0, "nobody is to be seen", "wider"),
+    "out_of_frame": (3.0, "{who} is not in the picture", "wider"),
+    "face_out": (3.0, "{whose} face is outside the picture", "wider"),
+    "missing": (1.0, "{who} belongs in the picture too", "wider"),
+    "beheaded": (1.5, "the frame cuts off {whose} head", "wider"),
+    "hidden": (1.6, "{who} is half hidden", "above"),
+    "face_hidden": (1.6, "something covers {whose} face", "above"),
+    "face_away": (2.0, "{who} is seen from behind", "tighter"),
+    "foreground": (1.0, "something large stands in front", "tighter"),
+    "void": (1.3, "the picture looks past the end of the set", "tighter"),
+    "line": (0.0, "the cut jumps over the line between the two", "wider"),
+    "jump": (1.0, "the cut goes to almost the same picture", "tighter"),
+}
+"""A camera critic's word: the least points of ten that are told, the sentence, and what mends it."""
+
+STAGING: dict[str, tuple[float, str]] = {
+    "missing": (0.0, "{message}"),
+    "no_path": (0.0, "{who} finds no way there and stays"),
+    "no_support": (0.0, "{message}"),
+    "unreachable": (0.15, "{whose} hand does not reach what it should"),
+    "crossing": (0.20, "{who} walks through somebody"),
+    "late": (0.50, "{who} does not get there before the cut"),
+}
+"""The animator's word: the least metres that are told, and the sentence."""
+
+READING: dict[str, str] = {
+    "pronoun": "{who} is meant? {reason}",
+    "addressee": "{who} is spoken to? {reason}",
+    "prop": "a plain stand-in is shown: {reason}",
+    "camera": "{reason}",
+}
+"""What the Director was unsure of, and the sentence."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """One thing to look at.
+
+    Attributes:
+        shot: Shot name.
+        says: A sentence without codes.
+        mend: The command that mends it, or what to change before it.
+    """
+
+    shot: str
+    says: str
+    mend: str
+
+
+def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], folder: str) -> list[Check]:
+    """Return what to look at, shot by shot in story order, nothing twice.
+
+    Args:
+        graph: The story; its cameras hold their own flaws.
+        staged: What could not be staged, of all packs.
+        folder: The project folder as a command names it.
+    """
+    names = names_of(graph)
+    flaws: dict[str, list[Flaw]] = {}
+    for flaw in staged:
+        flaws.setdefault(flaw.shot, []).append(flaw)
+    found: list[Check] = []
+    for panel in panels(graph):
+        found += _unsure(panel, graph.script_name, names)
+        found += _staged(panel, flaws.get(panel.name, []), graph.script_name, names)
+        found += _pictured(panel, folder, names)
+    return list(dict.fromkeys(found))
+
+
+def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:
+    """Return what people call every asset and every placed object: ``Ilsa Lund``, ``the round table``."""
+    names = {
+        asset.asset_id: asset.name if asset.asset_type == "character" and asset.name else f"the {asset.name}"
+        for asset in graph.assets
+        if asset.name
+    }
+    placed = {
+        item.node_id: names[item.asset_id]
+        for scene in graph.scenes
+        if scene.layout is not None
+        for item in scene.layout.objects
+        if item.asset_id in names
+    }
+    return placed | names
+
+
+def plain(text: str, names: Mapping[str, str]) -> str:
+    """Return a sentence of the crew with every code replaced by its name."""
+    return re.sub(r"\b[a-z]\w*", lambda word: names.get(word[0], word[0]), text)
+
+
+def _unsure(panel: Panel, script: str, names: Mapping[str, str]) -> Iterator[Check]:
+    for flag in panel.shot.flags:
+        says = READING.get(flag.topic, "{reason}").format(who=_called(flag.choice, names), reason=flag.reason)
+        yield Check(panel.name, _sentence(says), _script_mend(flag, script))
+
+
+def _script_mend(flag: Flag, script: str) -> str:
+    again = f"storyblender make {shlex.quote(script)}"
+    if flag.topic == "prop":
+        return f"{again} --models FOLDER_WITH_YOUR_MODEL"
+    return f"say it in the script, then: {again}"
+
+
+def _staged(panel: Panel, flaws: Iterable[Flaw], script: str, names: Mapping[str, str]) -> Iterator[Check]:
+    for flaw in flaws:
+        least, says = STAGING.get(flaw.kind, (0.0, "{message}"))
+        if flaw.weight >= least:
+            mend = f"change it in story.blend, or reword the line, then: storyblender make {shlex.quote(script)}"
+            yield Check(panel.name, _told(says, flaw, names), mend)
+
+
+def _pictured(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[Check]:
+    """What is wrong with the picture itself; of one person or thing only the worst."""
+    camera, size = panel.shot.camera, panel.shot.camera_instruction.size
+    worst: dict[str, Flaw] = {}
+    for flaw in camera.residual if camera else ():
+        if flaw.kind not in CAMERA or flaw.weight < CAMERA[flaw.kind][0]:
+            continue
+        if flaw.kind == "face_away" and SHOT_SIZES.index(size) < SHOT_SIZES.index("MWS"):
+            continue
+        if flaw.subject not in worst or flaw.weight > worst[flaw.subject].weight:
+            worst[flaw.subject] = flaw
+    for flaw in worst.values():
+        _, says, way = CAMERA[flaw.kind]
+        command = f"storyblender render {shlex.quote(folder)} --shot {panel.name}"
+        yield Check(panel.name, _told(says, flaw, names), f"{command} {_reframed(way, panel)}")
+
+
+def _reframed(way: str, panel: Panel) -> str:
+    """Return the option that mends a picture: another size, or a look from above."""
+    step = {"wider": -1, "tighter": 1}.get(way)
+    at = SHOT_SIZES.index(panel.shot.camera_instruction.size)
+    if step is None or not 0 <= at + step < len(SHOT_SIZES):
+        return '--angle "high angle"'
+    return f"--size {SHOT_SIZES[at + step]}"
+
+
+def _told(says: str, flaw: Flaw, names: Mapping[str, str]) -> str:
+    who = _called(flaw.subject, names)
+    whose = f"{who}'" if who.endswith("s") else f"{who}'s"
+    return _sentence(says.format(who=who, whose=whose, message=plain(flaw.message, names)))
+
+
+def _called(code: str, names: Mapping[str, str]) -> str:
+    """Return a name; a part of the set has none, and its code without number is its name."""
+    return names.get(code) or f"the {re.sub(r'[_0-9]+', ' ', code).strip() or 'set'}"
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]
