@@ -50,6 +50,8 @@ _nouns, _people, _places, _verbs = _read("nouns.tsv"), _read("people.tsv"), _rea
 _motions, _time = _read("motions.tsv"), _read("times.tsv")
 _rules = _read("rules.tsv")
 _names, _function = _read("names.tsv"), _read("function_words.tsv")
+_wordnet = {kind: frozenset(words) for kind, words in _read("wordnet.tsv").items()}
+"""The large list: what the hand-made lists of a class do not have."""
 
 # -- motions -----------------------------------------------------------------------------------------------------
 MOTION_OF_VERB: dict[str, str] = _inverse(_motions)
@@ -105,8 +107,10 @@ OVERRIDDEN_PARTICLES = frozenset(
 """Verb -> its rules, in order."""
 
 # -- things ------------------------------------------------------------------------------------------------------
-ABSTRACT, BODY, PROPS = frozenset(_nouns["abstract"]), frozenset(_nouns["body"]), frozenset(_nouns["prop"])
-WORN, SET_PIECES, SCENERY = frozenset(_nouns["worn"]), frozenset(_nouns["set_piece"]), frozenset(_nouns["scenery"])
+ABSTRACT, BODY = frozenset(_nouns["abstract"]) | _wordnet["abstract"], frozenset(_nouns["body"])
+PROPS, WORN, SET_PIECES, SCENERY = (
+    frozenset(_nouns[kind]) | _wordnet[kind] for kind in ("prop", "worn", "set_piece", "scenery")
+)
 SEATS, VEHICLES = frozenset(_nouns["seat"]), frozenset(_nouns["vehicle"])
 PORTABLE = frozenset(_nouns["portable"])
 """Nouns that are both set piece and prop, and rather a prop when they stand alone."""
@@ -132,7 +136,7 @@ SOUNDS = _pairs(_nouns["sound"])
 # -- people ------------------------------------------------------------------------------------------------------
 MALE_NOUNS, FEMALE_NOUNS = frozenset(_people["male"]), frozenset(_people["female"])
 ANIMALS = frozenset(_people["animal"])
-PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS
+PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS | _wordnet["person"]
 YOUNG_NOUNS = frozenset(_people["young"])
 CROWDS = frozenset(_people["crowd"])
 NEUTER_ROLES = frozenset(_people["neuter"])
@@ -172,6 +176,8 @@ PARTICLES = frozenset(_function["particle"])
 COMPOUND_PREPOSITIONS: dict[str, tuple[tuple[str, ...], ...]] = _by_first(_function["compound_preposition"])
 """First word -> prepositions of several words."""
 ADVERBS = frozenset(_function["adverb"])
+ADJECTIVES, OTHER_VERBS = _wordnet["adjective"], _wordnet["verb"]
+"""Words that are adjectives before all; verbs whose motion nobody knows."""
 NOT_PEOPLE = frozenset(_function["caps"])
 """Words in capitals that are never people: noises, title cards, transitions."""
 

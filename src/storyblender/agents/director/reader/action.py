@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import changes, deeds, entrances, relations, states
-from storyblender.agents.director.reader.clauses import Clause, Phrase, find_clauses, find_phrases
+from storyblender.agents.director.reader.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.coreference import Referents, remember, resolve_mention, resolve_pronoun
 from storyblender.agents.director.reader.morphology import singular
 from storyblender.agents.director.reader.motions import motion_of
+from storyblender.agents.director.reader.phrases import Phrase, find_phrases
 from storyblender.agents.director.reader.rewrite import regularise
 from storyblender.agents.director.reader.roles import Roles, resolve_objects, resolve_subject
 from storyblender.agents.director.reader.sentences import Sentence

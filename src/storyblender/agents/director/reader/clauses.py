@@ -1,66 +1,18 @@
-"""Clauses of a regular sentence, found in one pass from left to right without a parser.
+"""Clauses of a regular sentence: its phrases put together in one pass from left to right, without a parser.
 
-``rewrite`` has already told verbs from nouns, and names are single words, so phrases follow from closed word classes
-and clauses from the order of phrases. Anything that produces ``Clause`` could stand in its place.
+Clauses follow from the order of phrases. Anything that produces ``Clause`` could stand in place of this.
 """
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field, replace
-from typing import Literal
+from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.morphology import VerbForm, singular
-from storyblender.agents.director.reader.words import Mention, Word
+from storyblender.agents.director.reader.morphology import VerbForm
+from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
+from storyblender.agents.director.reader.words import Word
 
-_SMALL = (
-    frozenset({"open", "shut"})
-    | lexicon.PREPOSITIONS
-    | lexicon.CONJUNCTIONS
-    | lexicon.DETERMINERS
-    | lexicon.POSSESSIVES
-)
-_MODALS = frozenset({"would", "will", "should", "might", "may", "must", "wo", "'ll", "'d"})
-_NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
-_LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
-_THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
-_PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
-_SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
-_SUBJECT_PRONOUNS = frozenset({"he", "she", "they", "it", "i", "you", "we"})
 _HYPOTHETICAL = frozenset({"if", "unless"})
-
-
-@dataclass
-class NounPhrase:
-    """One thing or person in a clause."""
-
-    kind: Literal["person", "pronoun", "thing"]
-    index: int
-    """Position of its head among the words."""
-    head: str = ""
-    """Singular head noun."""
-    key: str = ""
-    """Thing: head with the words that make it a kind of its own, ``coffee cup``."""
-    mention: Mention | None = None
-    possessor: int | None = None
-    """Position of ``her`` or ``Nora('s)``."""
-    owner: str | None = None
-    """Id of the possessor, once resolved."""
-    plural: bool = False
-    determiner: str = ""
-
-
-@dataclass
-class Phrase:
-    """A verb, a noun phrase, a preposition or a link, with the words it covers."""
-
-    kind: Literal["noun", "verb", "preposition", "link", "negation", "mark"]
-    first: int
-    last: int
-    text: str = ""
-    noun: NounPhrase | None = None
-    verb: VerbForm | None = None
 
 
 @dataclass
@@ -92,146 +44,6 @@ class Clause:
     elided: bool = False
     """No subject is written."""
     main: bool = True
-
-
-def find_phrases(words: list[Word]) -> list[Phrase]:
-    """Group the words of a regular sentence."""
-    phrases: list[Phrase] = []
-    at = 0
-    while at < len(words):
-        phrase = _mention_or_verb(words, at) or _pronoun(words, at) or _small_word(words, at)
-        if phrase is None and not _skipped(words, at):
-            phrase = _noun_phrase(words, at)
-        if phrase:
-            if phrase.noun and phrase.noun.possessor is not None and phrase.noun.possessor < phrase.first:
-                del phrases[-2:]  # the owner and its 's now belong to what is owned
-            phrases.append(phrase)
-        at = phrase.last + 1 if phrase else at + 1
-    return phrases
-
-
-def _mention_or_verb(words: list[Word], at: int) -> Phrase | None:
-    word = words[at]
-    if word.mention:
-        noun = NounPhrase("person", at, word.mention.head, mention=word.mention, possessor=_genitive(words, at))
-        return Phrase("noun", at, at, noun=noun)
-    return Phrase("verb", at, at, word.low, verb=word.verb) if word.verb else None
-
-
-def _pronoun(words: list[Word], at: int) -> Phrase | None:
-    word = words[at]
-    if word.inserted:
-        return Phrase("noun", at, at, noun=NounPhrase("pronoun", at, ""))
-    if word.low not in lexicon.PRONOUNS or word.low in ("his", "its", "their"):
-        return None
-    if word.low == "her" and at + 1 < len(words):
-        right = words[at + 1]
-        possessive = right.mention or (
-            right.text.isalpha() and right.low not in _SMALL and not right.low.endswith("ly") and not right.verb
-        )
-        if possessive:
-            return None
-    return Phrase("noun", at, at, noun=NounPhrase("pronoun", at, word.low))
-
-
-def _small_word(words: list[Word], at: int) -> Phrase | None:
-    word = words[at]
-    if word.low in _SUBORDINATING and _subject_follows(words, at):
-        return Phrase("link", at, at, word.low)
-    for compound in lexicon.COMPOUND_PREPOSITIONS.get(word.low, ()):
-        if tuple(w.low for w in words[at : at + len(compound)]) == compound:
-            return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
-    if word.low in lexicon.PREPOSITIONS or word.low in lexicon.PARTICLES:
-        return Phrase("preposition", at, at, word.low)
-    if word.low in _LINKS:
-        return Phrase("link", at, at, word.low)
-    if word.low in _NEGATIONS:
-        return Phrase("negation", at, at, word.low)
-    if word.low in _MODALS or word.low in ("nearly", "almost"):
-        return Phrase("negation", at, at, "modal")
-    return Phrase("mark", at, at, word.text) if not word.text[0].isalnum() else None
-
-
-def _subject_follows(words: list[Word], at: int) -> bool:
-    """``as she reads``, ``before you shoot``: the word links a clause."""
-    right = words[at + 1 : at + 3]
-    return bool(right) and (
-        right[0].low in _SUBJECT_PRONOUNS
-        or (len(right) > 1 and right[0].mention is not None and right[1].verb is not None)
-    )
-
-
-def _skipped(words: list[Word], at: int) -> bool:
-    """Adverbs, and ``each other``."""
-    word = words[at]
-    right = words[at + 1].low if at + 1 < len(words) else ""
-    if word.low in ("each", "one") and right in ("other", "another"):
-        return True
-    if word.low in ("other", "another") and at and words[at - 1].low in ("each", "one"):
-        return True
-    return word.low.endswith("ly") or word.low in lexicon.ADVERBS
-
-
-def _genitive(words: list[Word], at: int) -> int | None:
-    """Position of the owner where ``'s`` stands before ``at``."""
-    return at - 2 if at > 1 and words[at - 1].low == "'s" and words[at - 2].mention else None
-
-
-def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
-    """Determiner, adjectives and head; the last word is the head."""
-    determiner, possessor, first = "", _genitive(words, at), at
-    if words[at].low in lexicon.DETERMINERS:
-        determiner, first = words[at].low, at + 1
-    elif words[at].low in lexicon.POSSESSIVES:
-        possessor, first = at, at + 1
-    end = first
-    while (
-        end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES)
-    ):
-        end += 1
-    if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at):
-        noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]
-        noun.determiner = determiner
-        return Phrase("noun", at, end, noun=noun)
-    if end == first:
-        return None
-    head = end - 1
-    noun = singular(words[head].low)
-    if noun in lexicon.MEASURES and end + 1 < len(words) and words[end].low == "of":
-        inner = _noun_phrase(words, end + 1)
-        if inner and inner.noun and inner.noun.kind == "thing":
-            return replace(inner, first=at)
-    key = _compound(words, first, head, noun)
-    thing = NounPhrase(
-        "thing", head, noun, key, possessor=possessor, plural=noun != words[head].low, determiner=determiner
-    )
-    return Phrase("noun", at, head, noun=thing)
-
-
-def _in_noun_phrase(word: Word) -> bool:
-    return (
-        _PLAIN.match(word.text) is not None
-        and word.mention is None
-        and word.verb is None
-        and word.low not in _SMALL
-        and word.low not in lexicon.ADVERBS
-        and word.low not in lexicon.PRONOUNS
-        and not word.low.endswith("ly")
-    )
-
-
-def _compound(words: list[Word], first: int, head: int, noun: str) -> str:
-    """``coffee cup``, ``rocking chair``, ``BIRTHDAY CARD``: the word before the head, where it names a kind."""
-    if head == first:
-        return noun
-    left = words[head - 1].low
-    if (
-        left in lexicon.CARRIERS
-        or left.endswith("ing")
-        or (left in _THING_NOUNS | lexicon.SCENERY and noun in _THING_NOUNS)
-    ):
-        return f"{left} {noun}"
-    return noun
 
 
 @dataclass

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.clauses import NounPhrase
 from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.phrases import NounPhrase
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Mention
 from storyblender.agents.director.reading import Person

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.clauses import Clause, NounPhrase, Phrase
+from storyblender.agents.director.reader.clauses import Clause
 from storyblender.agents.director.reader.coreference import (
     Referents,
     remember,
@@ -15,6 +15,7 @@ from storyblender.agents.director.reader.coreference import (
     resolve_owner,
     resolve_pronoun,
 )
+from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.states import hold

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.clauses import Clause, NounPhrase
+from storyblender.agents.director.reader.clauses import Clause
 from storyblender.agents.director.reader.coreference import (
     Referents,
     Role,
@@ -15,6 +15,7 @@ from storyblender.agents.director.reader.coreference import (
     resolve_owner,
     resolve_pronoun,
 )
+from storyblender.agents.director.reader.phrases import NounPhrase
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
 

@@ -1,7 +1,8 @@
 from collections.abc import Callable
 
-from storyblender.agents.director.reader.clauses import Clause, find_clauses, find_phrases
+from storyblender.agents.director.reader.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.mentions import mark_mentions
+from storyblender.agents.director.reader.phrases import find_phrases
 from storyblender.agents.director.reader.rewrite import regularise
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.words import Word, tokenize
