@@ -1,4 +1,4 @@
-"""The animatic: moving frames strung to an H.264 film, with the dialogue as subtitles beside it."""
+"""The animatic: moving frames strung to an H.264 film, with the dialogue as a subtitle track and beside it."""
 
 from __future__ import annotations
 
@@ -7,17 +7,28 @@ from fractions import Fraction
 from pathlib import Path
 
 import av
+from av.container import OutputContainer
+from av.subtitles.subtitle import SubtitleSet
 from PIL import Image
 
 from storyblender.deliver.panel import Panel, panels
-from storyblender.deliver.speech import subtitles
+from storyblender.deliver.speech import Subtitle, subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
+
+_STYLE = b"""[V4+ Styles]
+Format: Name, Fontname, Fontsize, PrimaryColour, BackColour, Alignment
+Style: Default,Arial,18,&Hffffff,&H0,2
+[Events]
+Format: Layer, Start, End, Style, Name, MarginL, MarginR, MarginV, Effect, Text
+"""
+"""White words at the foot of the picture, in the one language that the encoder reads styles in."""
+_MILLISECOND = Fraction(1, 1000)
 
 
 def write_animatic(
     graph: ContinuityMemoryGraph, clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path], out: Path
 ) -> None:
-    """Write the film and, beside it, ``.srt`` subtitles.
+    """Write the film with a subtitle track that a player can switch off and, beside it, the same as ``.srt``.
 
     Args:
         graph: The story; its format gives the rate.
@@ -33,6 +44,7 @@ def write_animatic(
         stream.pix_fmt = "yuv420p"
         stream.options = {"crf": "20", "preset": "veryfast", "threads": "1"}
         stream.time_base = Fraction(1, graph.format.fps)
+        _add_subtitles(container, subtitles(shots))
         for index, picture in enumerate(_pictures(shots, clips, stills, size)):
             frame = av.VideoFrame.from_image(picture)
             frame.pts = index
@@ -48,6 +60,24 @@ def subrip(shots: Sequence[Panel]) -> str:
         f"{number}\n{_srt_time(piece.start)} --> {_srt_time(piece.end)}\n{piece.text}\n"
         for number, piece in enumerate(subtitles(shots), start=1)
     )
+
+
+def _add_subtitles(container: OutputContainer, pieces: Sequence[Subtitle]) -> None:
+    """Give the film its track of words; none where nobody speaks."""
+    if not pieces:
+        return
+    track = container.add_stream("mov_text")
+    track.time_base = _MILLISECOND
+    track.codec_context.subtitle_header = _STYLE
+    for number, piece in enumerate(pieces):
+        start, length = round(piece.start * 1000), round((piece.end - piece.start) * 1000)
+        # joiners keep a backslash in the script from being read as a code
+        line = f"{number},0,Default,,0,0,0,," + piece.text.replace("\\", "\u2060\\\u2060")
+        packet = track.codec_context.encode_subtitle(SubtitleSet.create(line.encode(), 0, length, start))
+        packet.stream, packet.time_base = track, _MILLISECOND
+        packet.pts = packet.dts = start
+        packet.duration = length
+        container.mux(packet)
 
 
 def _pictures(

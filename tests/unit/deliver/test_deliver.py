@@ -190,7 +190,10 @@ def test_animatic_has_every_frame_and_subtitles(
     animatic.write_animatic(graph, clips, frames, tmp_path / "animatic.mp4")
     with av.open(str(tmp_path / "animatic.mp4")) as film:
         pictures = [frame.to_ndarray(format="rgb24").mean(axis=(0, 1)) for frame in film.decode(video=0)]
+        film.seek(0)
+        words = [(packet.pts, packet.duration, bytes(packet)[2:].decode()) for packet in film.demux(subtitles=0)]
     assert len(pictures) == 24
+    assert (1000, 1000, "Élodie: =Où est 李?") in words, "the film carries its dialogue"
     assert pictures[0][0] < 60 < pictures[7][0], "the second moving frame fills the second half of the shot"
     assert "00:00:01,000 --> 00:00:02,000\nÉlodie: =Où est 李?" in (tmp_path / "animatic.srt").read_text("utf-8")
 
