@@ -29,6 +29,8 @@ class LayoutBrief:
         targets: Asset ids that somebody walks to, sits on or handles later: they stay reachable.
         reference: The layout of an earlier scene in the same place.
         seed: For the solver.
+        placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it.
+        handlers: Who takes a thing into their hands, in their order, by the thing's asset id.
     """
 
     scene_id: int
@@ -43,7 +45,7 @@ class LayoutBrief:
     reference: Layout | None = None
     seed: int = 0
     placements: Mapping[str, str] = field(default_factory=dict)
-    """``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it."""
+    handlers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -101,6 +103,11 @@ def layout_brief(
         for wanted in (action.target_id, action.prop_id)
         if wanted in objects
     ]
+    handlers: dict[str, tuple[str, ...]] = {}
+    for shot in shots:
+        for action in shot.character_actions:
+            if action.prop_id in objects:
+                handlers[action.prop_id] = (*handlers.get(action.prop_id, ()), action.asset_id)
     reference = scene.setup.reference_scene_id
     return LayoutBrief(
         scene_id=scene_id,
@@ -115,4 +122,5 @@ def layout_brief(
         reference=graph.scene(reference).layout if reference is not None else None,
         seed=graph.format.seed,
         placements=placements or {},
+        handlers=handlers,
     )

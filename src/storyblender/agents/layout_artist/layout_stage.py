@@ -19,6 +19,7 @@ from storyblender.memory.scene_context import LayoutObject
 
 _GRID = 0.2
 """Metres between the places tried."""
+_MASS_OF_BULK = 6.0
 _EDGE = 0.3
 """Metres kept from the border of the playing area."""
 
@@ -54,6 +55,19 @@ class Stage:
     def add(self, thing: Thing, asset_id: str) -> None:
         """Stand a thing."""
         self.things[thing.name], self.assets[thing.name] = thing, asset_id
+
+    def stand(self, asset_id: str, box: Box, **asked: object) -> None:
+        """Stand one of the script's things in a box; ``asked`` are the fields of its ``Thing``."""
+        mass = min(max(_MASS_OF_BULK * box.width * box.depth * max(box.height, 0.3), 0.3), 8.0)
+        self.add(Thing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Where people act: the set's own mark for it, else the middle of the playing area."""
+        mark = next((mark for mark in self.brief.plan.marks if "centre" in mark.tags), None)
+        if mark is not None:
+            return mark.location[0], mark.location[1]
+        return (self.room.x_min + self.room.x_max) / 2, (self.room.y_min + self.room.y_max) / 2
 
     def measure(self, asset_id: str) -> AssetMeasure:
         """Return an asset's measure; a knee-high stand-in's where it is unknown."""

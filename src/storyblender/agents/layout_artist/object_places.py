@@ -7,16 +7,13 @@ import math
 import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
-from storyblender.agents.layout_artist.layout_things import size_of, tops_of
-from storyblender.catalog.set_plan import Wall
+from storyblender.agents.layout_artist.layout_things import anchors_of, size_of, tops_of
+from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing, slid
 from storyblender.geometry.support import Perch, Taken, perch
 from storyblender.memory.scene_context import Relation
 
-_MASS_OF_BULK = 6.0
-_EYE = 1.5
-"""Metres: the middle of what hangs on a wall."""
 _SMALL = 0.6
 """Metres: what is smaller in all directions stands on furniture rather than on the floor."""
 _TABLE = (0.4, 1.15)
@@ -25,6 +22,12 @@ _ACTING = 1.6
 """Metres around the middle of the playing area that are left to people."""
 _BESIDE = 0.12
 """Metres between things that are next to each other."""
+_LUGGAGE = 0.42
+"""Metres: what people carry and is higher than this stands on the floor, not on a table."""
+_LONG_SEAT = 1.0
+"""Metres: a wider seat has room for people and things."""
+_AT_HAND = 0.6
+"""Metres from somebody to what stands on the floor beside them."""
 
 
 def place_objects(stage: Stage, beside_people: bool = False) -> None:
@@ -32,19 +35,28 @@ def place_objects(stage: Stage, beside_people: bool = False) -> None:
 
     Args:
         stage: Changed.
-        beside_people: Place what relates to people, who stand already; else all the rest.
+        beside_people: Place what relates to people or is handled by them, who stand already; else all the rest.
     """
     relations = {relation.asset_id: relation for relation in reversed(stage.brief.setup.relations)}
     people = {state.asset_id for state in stage.brief.states}
     waiting = [asset_id for asset_id in stage.brief.pending if stage.find(asset_id) is None]
     if not beside_people:
-        waiting = [each for each in waiting if each not in relations or relations[each].anchor_asset_id not in people]
+        waiting = [
+            each
+            for each in waiting
+            if (relations[each].anchor_asset_id not in people if each in relations else not _handled(stage, each))
+        ]
     waiting.sort(key=lambda asset_id: (_depth(asset_id, relations), -_bulk(stage, asset_id)))
     for asset_id in waiting:
         relation = relations.get(asset_id)
         anchor = stage.find(relation.anchor_asset_id) if relation is not None else None
         if relation is None or anchor is None or not _relate(stage, asset_id, relation, anchor):
             _stand_alone(stage, asset_id)
+
+
+def _handled(stage: Stage, asset_id: str) -> bool:
+    """Return whether somebody takes a small thing into their hands: it belongs within their reach."""
+    return bool(stage.brief.handlers.get(asset_id)) and stage.brief.placements.get(asset_id) == "surface"
 
 
 def _depth(asset_id: str, relations: dict[str, Relation]) -> int:
@@ -59,11 +71,6 @@ def _bulk(stage: Stage, asset_id: str) -> float:
     return width * depth * height
 
 
-def _add(stage: Stage, asset_id: str, box: Box, **asked: object) -> None:
-    mass = min(max(_MASS_OF_BULK * box.width * box.depth * max(box.height, 0.3), 0.3), 8.0)
-    stage.add(Thing(asset_id, box, mass=mass, **asked), asset_id)  # pyright: ignore[reportArgumentType]
-
-
 def _relate(stage: Stage, asset_id: str, relation: Relation, anchor: Thing) -> bool:
     """Place a thing by its relation; False where the anchor has no room for it."""
     kind = relation.kind
@@ -73,34 +80,37 @@ def _relate(stage: Stage, asset_id: str, relation: Relation, anchor: Thing) -> b
     if kind in ("on", "in", "inside"):
         return _stand_on(stage, asset_id, anchor)
     if kind == "under":
-        _add(stage, asset_id, stage.box(asset_id, base.x, base.y, 0.0, base.yaw), anchor=anchor.name)
+        stage.stand(asset_id, stage.box(asset_id, base.x, base.y, 0.0, base.yaw), anchor=anchor.name)
     elif kind == "over":
         box = stage.box(asset_id, base.x, base.y, 0.0, base.yaw)
-        if not _hang(stage, asset_id, near=(base.x, base.y), lowest=base.top + 0.1):
+        if not hang(stage, asset_id, near=(base.x, base.y), lowest=base.top + 0.1):
             box.z = base.top + 0.3
-            _add(stage, asset_id, box, floats=True, fixed=True)
+            stage.stand(asset_id, box, floats=True, fixed=True)
     elif kind == "between" and (other := stage.find(relation.second_anchor_asset_id)) is not None:
-        _add(stage, asset_id, stage.box(asset_id, (base.x + other.box.x) / 2, (base.y + other.box.y) / 2))
+        stage.stand(asset_id, stage.box(asset_id, (base.x + other.box.x) / 2, (base.y + other.box.y) / 2))
     else:
         _stand_beside(stage, asset_id, kind, anchor)
     return True
 
 
-def _stand_on(stage: Stage, asset_id: str, anchor: Thing) -> bool:
-    chosen = find_perch(stage, asset_id, anchor)
+def _stand_on(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, float] | None = None) -> bool:
+    chosen = find_perch(stage, asset_id, anchor, near)
     if chosen is None:
         return False
     x, y = anchor.box.to_world(chosen.x, chosen.y)
     yaw = anchor.box.yaw + (math.pi / 2 if chosen.turned else 0.0)
     box = stage.box(asset_id, x, y, anchor.box.z + chosen.surface.z, yaw)
-    _add(
-        stage, asset_id, box, anchor=anchor.name, relationship="on_top_of", contact=True, surface=chosen.surface
+    stage.stand(
+        asset_id, box, anchor=anchor.name, relationship="on_top_of", contact=True, surface=chosen.surface
     )  # fmt: skip
     return True
 
 
-def find_perch(stage: Stage, asset_id: str, anchor: Thing) -> Perch | None:
-    """Return where on an anchor there is room for an asset, towards the anchor's front."""
+def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, float] | None = None) -> Perch | None:
+    """Return where on an anchor there is room for an asset: towards who uses it or the anchor's front.
+
+    What is put on a long seat goes to its end, so that people can sit on the rest.
+    """
     taken = []
     for thing in stage.things.values():
         stands = thing.anchor == anchor.name and thing.relationship == "on_top_of"
@@ -112,10 +122,16 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing) -> Perch | None:
             taken.append(Taken(u, v, thing.box.z - anchor.box.z, width, depth))
     tops = tops_of(stage.measure(stage.assets[anchor.name]))
     size = size_of(stage.measure(asset_id))
-    chosen = perch(tops, size, (0.0, -anchor.box.depth / 4), taken)
+    seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
+    wish = (0.0, -anchor.box.depth / 4)
+    if near is not None:
+        wish = anchor.box.to_local(*near)
+    elif seats and anchor.box.width > _LONG_SEAT:
+        wish = (anchor.box.width / 2, 0.0)
+    chosen = perch(tops, size, wish, taken)
     if chosen is None and len(taken):
         smaller = (size[0] * 0.85, size[1] * 0.85, size[2])
-        chosen = perch(tops, smaller, (0.0, -anchor.box.depth / 4), taken)
+        chosen = perch(tops, smaller, wish, taken)
     return chosen
 
 
@@ -151,7 +167,7 @@ def _stand_beside(stage: Stage, asset_id: str, kind: str, anchor: Thing) -> None
     if direction is not None:
         box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
     contact = True if kind == "against" else None
-    _add(stage, asset_id, box, anchor=anchor.name, relationship=side, contact=contact, direction=direction)
+    stage.stand(asset_id, box, anchor=anchor.name, relationship=side, contact=contact, direction=direction)
 
 
 def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float) -> Box:
@@ -161,117 +177,62 @@ def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float
 
 
 def _stand_alone(stage: Stage, asset_id: str) -> None:
-    """Place a thing that nothing is said about: on the wall, on a table, along the walls, or in free floor."""
+    """Place a thing that nothing is said about: on the wall, at hand, on a table, along the walls, or in free floor."""
     width, depth, height = size_of(stage.measure(asset_id))
     placement = stage.brief.placements.get(asset_id)
-    if placement == "wall" and _hang(stage, asset_id):
+    if placement == "wall" and hang(stage, asset_id):
         return
     if placement == "ceiling" and (slab := _ceiling(stage)) is not None:
-        x, y = _middle(stage)
-        _add(stage, asset_id, stage.box(asset_id, x, y, slab - height), floats=True, fixed=True)
+        x, y = stage.middle
+        stage.stand(asset_id, stage.box(asset_id, x, y, slab - height), floats=True, fixed=True)
+        return
+    user = next((user for each in stage.brief.handlers.get(asset_id, ()) if (user := stage.things.get(each))), None)
+    if user is not None and placement == "surface" and height > _LUGGAGE:
+        _stand_at_hand(stage, asset_id, user)
         return
     small = placement == "surface" or (placement is None and max(width, depth, height) < _SMALL)
-    if small and _on_nearest_table(stage, asset_id):
+    if small and _on_nearest_table(stage, asset_id, user):
         return
-    if stage.brief.plan.indoor and max(width, height) > 0.9 and _against_wall(stage, asset_id):
+    if stage.brief.plan.indoor and max(width, height) > 0.9 and stand_against(stage, asset_id):
         return
-    middle = _middle(stage)
+    if user is not None:
+        _stand_at_hand(stage, asset_id, user)
+        return
+    middle = stage.middle
     wish = (middle[0] + 0.9, middle[1] + 1.5)
     x, y = stage.free_spot(
         wish, min(width, depth) / 2 + 0.35, lambda x, y: max(_ACTING - math.dist((x, y), middle), 0.0)
     )
     along = math.pi / 2 if depth > max(1.5 * width, 1.8) else 0.0
-    _add(stage, asset_id, stage.box(asset_id, x, y, 0.0, along))
+    stage.stand(asset_id, stage.box(asset_id, x, y, 0.0, along))
 
 
-def _middle(stage: Stage) -> tuple[float, float]:
-    mark = next((mark for mark in stage.brief.plan.marks if "centre" in mark.tags), None)
-    if mark is not None:
-        return mark.location[0], mark.location[1]
-    room = stage.room
-    return (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
+def _stand_at_hand(stage: Stage, asset_id: str, user: Thing) -> None:
+    """Stand a thing on the floor beside who takes it, out of the way of their feet."""
+    width, depth, _ = size_of(stage.measure(asset_id))
+    aside = _AT_HAND + width / 2
+    sides = [user.box.to_world(turn * aside, -0.1) for turn in (1, -1)]
+    room = stage.clearance(np.array(sides))
+    x, y = stage.free_spot(
+        sides[int(np.argmax(np.round(np.minimum(room, width / 2), 3)))], max(width, depth) / 2 + 0.05
+    )
+    stage.stand(asset_id, stage.box(asset_id, x, y, 0.0, user.box.yaw))
 
 
 def _ceiling(stage: Stage) -> float | None:
     return next((slab.z for slab in stage.brief.plan.slabs if slab.role == "ceiling"), None)
 
 
-def _on_nearest_table(stage: Stage, asset_id: str) -> bool:
-    middle = _middle(stage)
+def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None) -> bool:
+    """Stand a small thing on the table nearest to who takes it, else to the middle; beside a sitter on a long seat."""
+    near = (user.box.x, user.box.y) if user is not None else stage.middle
     tables = []
     for name, thing in stage.things.items():
         measure = stage.measure(stage.assets[name])
-        useful = any(_TABLE[0] <= top.surface.z <= _TABLE[1] for top in tops_of(measure))
+        height = any(_TABLE[0] <= top.surface.z <= _TABLE[1] for top in tops_of(measure))
         seat = any(anchor.kind in ("seat", "bed") for anchor in measure.anchors)
-        if (
-            useful
-            and not seat
-            and not thing.walks
-            and thing.box.z < 0.1
-            and min(thing.box.width, thing.box.depth) > 0.3
-        ):
-            tables.append((round(math.dist((thing.box.x, thing.box.y), middle), 3), name))
-    return any(_stand_on(stage, asset_id, stage.things[name]) for _, name in sorted(tables))
-
-
-def _wall_places(stage: Stage, width: float, reach: float) -> list[tuple[Wall, float, float, float, float]]:
-    """Return (wall, x, y, yaw, dislike) along the walls: the back wall first, openings and the camera's wall out."""
-    places = []
-    for wall in stage.brief.plan.walls:
-        length = math.dist(wall.start, wall.end)
-        ux, uy = (wall.end[0] - wall.start[0]) / length, (wall.end[1] - wall.start[1]) / length
-        inward = (-uy, ux)
-        yaw = facing(*inward)
-        if abs(wrapped(yaw)) > math.radians(135):
-            continue
-        for along in np.arange(width / 2 + 0.05, length - width / 2, 0.15):
-            holes = any(hole.x - width / 2 - 0.1 < along < hole.x + hole.width + width / 2 + 0.1
-                        for hole in wall.openings)  # fmt: skip
-            if not holes:
-                x = wall.start[0] + ux * along + inward[0] * reach
-                y = wall.start[1] + uy * along + inward[1] * reach
-                places.append((wall, float(x), float(y), yaw, abs(wrapped(yaw)) / 2))
-    return places
-
-
-def _hang(
-    stage: Stage, asset_id: str, near: tuple[float, float] | None = None, lowest: float = 0.0
-) -> bool:  # fmt: skip
-    """Hang a thing on the wall, above what stands before it."""
-    width, depth, height = size_of(stage.measure(asset_id))
-    wish = near or _middle(stage)
-    best: tuple[float, Box] | None = None
-    for wall, x, y, yaw, dislike in _wall_places(stage, width, depth / 2 + 0.005):
-        z = 0.0 if height > 1.4 else max(_EYE - height / 2, lowest)
-        box = Box(x, y, z, width, depth, height, yaw)
-        if box.top > wall.base + wall.height:
-            continue
-        taken = sum(
-            separation(box, thing.box)[0] < 0.05 and thing.box.top > z - 0.02 and thing.box.z < box.top
-            for thing in stage.things.values()
-        )
-        cost = dislike + 3 * taken + 0.2 * math.dist((x, y), wish)
-        if best is None or cost < best[0] - 1e-9:
-            best = (cost, box)
-    if best is None or best[0] >= 3:
-        return False
-    _add(stage, asset_id, best[1], floats=True, fixed=True)
-    return True
-
-
-def _against_wall(stage: Stage, asset_id: str) -> bool:
-    """Stand a large thing with its back to a wall that has room for it."""
-    width, depth, _ = size_of(stage.measure(asset_id))
-    best: tuple[float, Box] | None = None
-    middle = _middle(stage)
-    for _, x, y, yaw, dislike in _wall_places(stage, width, depth / 2 + 0.02):
-        box = stage.box(asset_id, x, y, 0.0, yaw)
-        if any(separation(box, thing.box)[0] < 0.03 and thing.box.top > 0.05 for thing in stage.things.values()):
-            continue
-        cost = dislike + 0.15 * math.dist((x, y), middle)
-        if best is None or cost < best[0] - 1e-9:
-            best = (cost, box)
-    if best is None:
-        return False
-    _add(stage, asset_id, best[1])
-    return True
+        own = user is not None and user.anchor == name and thing.box.width > _LONG_SEAT
+        broad = min(thing.box.width, thing.box.depth) > 0.3
+        if height and broad and (own or not seat) and not thing.walks and thing.box.z < 0.1:
+            tables.append((round(math.dist((thing.box.x, thing.box.y), near), 3), name))
+    return any(_stand_on(stage, asset_id, stage.things[name], near) for _, name in sorted(tables))

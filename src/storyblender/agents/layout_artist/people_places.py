@@ -40,6 +40,10 @@ def place_people(stage: Stage) -> None:
         anchor = anchor or (stage.find(relation.anchor_asset_id) if relation is not None else None)
         if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
             _stand_at(stage, state.asset_id, anchor, relation)
+    for relation in relations.values():
+        company = stage.things.get(relation.anchor_asset_id)
+        if relation.asset_id not in stage.things and company is not None and company.walks:
+            _accompany(stage, relation.asset_id, company)
     for members in _groups(stage, list(states)):
         _gather(stage, members)
     _look_at_each_other(stage)
@@ -75,7 +79,7 @@ def _sit(stage: Stage, state: BodyState) -> None:
         for kind in ("bed", "seat") if lies else ("seat",):
             for anchor in _anchors(stage, name, kind, state.support_id is not None):
                 x, y = thing.box.to_world(*anchor.location[:2])
-                if all(math.dist((x, y), (o.box.x, o.box.y)) > 0.45 for o in stage.things.values() if o.walks):
+                if all(math.dist((x, y), (o.box.x, o.box.y)) > 0.45 for o in _on_seats(stage, name)):
                     seats.append((round(math.hypot(x, y), 3), name, anchor))
     if not seats:
         return
@@ -86,6 +90,15 @@ def _sit(stage: Stage, state: BodyState) -> None:
     yaw = base.yaw + facing(dx, dy)
     box = seat_box(x, y, base.z + anchor.location[2], yaw)
     stage.add(Thing(state.asset_id, box, anchor=name, walks=True), state.asset_id)
+
+
+def _on_seats(stage: Stage, name: str) -> list[Thing]:
+    """Return everybody, and the things that lie on a seat."""
+    return [
+        thing
+        for thing in stage.things.values()
+        if thing.walks or (thing.anchor == name and thing.relationship == "on_top_of")
+    ]
 
 
 def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
@@ -141,13 +154,13 @@ def _gather(stage: Stage, members: list[str]) -> None:
         return
     if len(members) == 1:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
-        x, y = stage.free_spot(_focus(stage), 0.5, lambda x, y: _crowding((x, y), others))
+        x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others))
         box = stage.box(members[0], x, y, 0.0, 0.0)
         box.turn_to(facing(*_towards_audience(x, y, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
     radius = TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members))
-    x, y = stage.free_spot(_focus(stage), radius + 0.45)
+    x, y = stage.free_spot(stage.middle, radius + 0.45)
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
@@ -159,6 +172,18 @@ def _gather(stage: Stage, members: list[str]) -> None:
         right.anchor, right.direction = left.name, "facing"
 
 
+def _accompany(stage: Stage, member: str, other: Thing) -> None:
+    """Stand beside somebody, at the shoulder, looking the same way."""
+    x, y = stage.free_spot((other.box.x, other.box.y), 0.42, lambda x, y: _shoulder(other, x, y))
+    stage.add(Thing(member, stage.box(member, x, y, 0.0, other.box.yaw), walks=True), member)
+
+
+def _shoulder(other: Thing, x: float, y: float) -> float:
+    """Dislike being before somebody, or far behind."""
+    across, along = other.box.to_local(x, y)
+    return max(-along - 0.1, 0.0) + 0.5 * max(along - 0.4, 0.0) + max(0.6 - abs(across), 0.0)
+
+
 def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> float:
     """Dislike being in a group one does not belong to, between it and the audience, or in line with it."""
     cost = sum(3 * max(_ALONE - math.dist(place, other), 0.0) for other in others)
@@ -167,15 +192,6 @@ def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> 
         inside = min(place[0] - min(xs), max(xs) - place[0]) + 0.4
         cost += 1.5 * max(sum(ys) / len(ys) + 0.3 - place[1], 0.0) + 2 * max(min(inside, 1.0), 0.0)
     return cost + sum(max(0.5 - abs(place[0] - other[0]), 0.0) for other in others)
-
-
-def _focus(stage: Stage) -> tuple[float, float]:
-    """Return the middle of the playing area, or the set's own mark for it."""
-    mark = next((mark for mark in stage.brief.plan.marks if "centre" in mark.tags), None)
-    if mark is not None:
-        return mark.location[0], mark.location[1]
-    room = stage.room
-    return (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
 
 
 def _join(stage: Stage, member: str, placed: list[Thing]) -> None:

@@ -113,7 +113,8 @@ class Actions:
         self.sheet.done(person, start, end)
 
     def _sit(self, action: CharacterAction, person: Person, start: float, length: float) -> None:
-        seat = self.company.seat_for(person, action.target_id if self.company.floor.seats(action.target_id) else None)
+        name = action.target_id if self.company.floor.seats(action.target_id) else None
+        seat = self.company.seat_for(person, name, self.company.people.get(action.target_id or ""))
         if person.posture == "sit" and (seat is None or seat.node_id == person.support):
             return
         t = start

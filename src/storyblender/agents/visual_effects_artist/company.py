@@ -202,8 +202,19 @@ class Company:
         """Return where everybody else on stage is."""
         return [p.place for p in self.people.values() if p.present and p is not person]
 
-    def seat_for(self, person: Person, name: str | None) -> SeatPlace | None:
-        """Return the free seat of a thing that is nearest, or the nearest free seat of the set if none is named."""
+    def seat_for(self, person: Person, name: str | None, beside: Person | None = None) -> SeatPlace | None:
+        """Return the free seat of a thing that is nearest, or the nearest free seat of the set if none is named.
+
+        Args:
+            person: Who sits down.
+            name: The thing to sit on.
+            beside: Next to whom; a place on the same seat as theirs goes before a nearer chair.
+        """
+        if beside is not None and beside.support is not None:
+            seats = [seat for seat in self.floor.seats(beside.support) if math.dist(seat.edge, beside.place) > 0.4]
+            free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in self.others(person))]
+            if free:
+                return min(free, key=lambda seat: math.dist(seat.edge, beside.place))
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
         names = [name] if name else [thing.node_id for thing in self.floor.things.values()]
         same = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name]

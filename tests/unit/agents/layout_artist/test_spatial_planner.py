@@ -16,12 +16,20 @@ from storyblender.memory.shot_context import BodyState
 SEAT = Anchor(kind="seat", location=(0, -0.24, 0.46), size=(0.46, 0.45))
 DESK = Anchor(kind="top", location=(0, -0.05, 0.76), size=(1.2, 0.4))
 EDGE = Anchor(kind="top", location=(0, 0.22, 1.65), size=(0.8, 0.04))
+BENCH = tuple(
+    Anchor(kind="seat", name=f"seat_{x}", location=(x, -0.21, 0.46), size=(0.5, 0.42)) for x in (-0.5, 0.0, 0.5)
+)
 
 
 def measure(asset_id: str, *size: float, anchors=(), person: bool = False) -> AssetMeasure:
     kind = "character" if person else "object"
     return AssetMeasure(
-        asset_id=asset_id, digest="", geometry_hash="", dimensions=size, anchors=anchors, asset_type=kind
+        asset_id=asset_id,
+        digest="",
+        geometry_hash="",
+        dimensions=(size[0], size[1], size[2]),
+        anchors=anchors,
+        asset_type=kind,
     )
 
 
@@ -37,6 +45,8 @@ MEASURES = {
         measure("cat", 0.2, 0.45, 0.3),
         measure("wardrobe", 1.2, 0.6, 2.0),
         measure("bar", 2.4, 0.6, 1.1),
+        measure("suitcase", 0.68, 0.22, 0.5),
+        measure("bench", 1.5, 0.42, 0.46, anchors=BENCH),
     )
 }
 
@@ -166,3 +176,41 @@ def test_whoever_has_no_place_is_named() -> None:
     view = brief(people=["ana"])
     empty = Layout(scene_size=view.plan.size)
     assert [(fault.kind, fault.subject) for fault in LayoutCritic().judge(empty, view).faults] == [("missing", "ana")]
+
+
+def test_luggage_stands_on_the_floor_beside_who_takes_it() -> None:
+    view = brief(["table", "suitcase"], people=["ana", "ben"], handlers={"suitcase": ("cal", "ana")})
+    at = solved(LayoutBrief(**{**view.__dict__, "placements": {"suitcase": "surface"}}))
+    assert at["suitcase"].location[2] == 0
+    assert math.dist(at["suitcase"].location, at["ana"].location) < 1.2
+
+
+def test_what_somebody_takes_lies_within_their_reach() -> None:
+    tables = tuple(
+        LayoutObject(node_id=f"table_{index}", asset_id="table", location=(x, 1.6, 0), fixed=True)
+        for index, x in enumerate((-1.6, 1.6))
+    )
+    for x, near in ((-1.6, "table_0"), (1.6, "table_1")):
+        chair = LayoutObject(node_id="chair", asset_id="chair", location=(x, 0.7, 0), rotation=(0, 0, 180), fixed=True)
+        sitter = BodyState(asset_id="ana", posture="sit", support_id="chair")
+        view = brief(["jewel_box"], people=[sitter], dressed=(*tables, chair), handlers={"jewel_box": ("ana",)})
+        at = solved(LayoutBrief(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))
+        assert at["jewel_box"].anchor_asset_id == near
+        assert math.dist(at["jewel_box"].location[:2], at["ana"].location[:2]) < 0.7
+
+
+def test_a_thing_on_a_bench_leaves_seats_next_to_each_other() -> None:
+    bench = LayoutObject(node_id="bench", asset_id="bench", location=(0, 1.5, 0), fixed=True)
+    sitters = [BodyState(asset_id=name, posture="sit", support_id="bench") for name in ("ana", "ben")]
+    at = solved(brief(["jewel_box"], [("jewel_box", "on", "bench")], sitters, dressed=(bench,)))
+    ana, ben, box = (at[name].location for name in ("ana", "ben", "jewel_box"))
+    assert math.dist(ana, ben) == pytest.approx(0.5, abs=0.02)
+    assert min(math.dist(box[:2], ana[:2]), math.dist(box[:2], ben[:2])) > 0.4
+
+
+def test_who_stands_with_somebody_stands_at_their_shoulder() -> None:
+    relations = [("ana", "at", "bar"), ("ben", "next_to", "ana"), ("cal", "next_to", "ana")]
+    counter = LayoutObject(node_id="bar", asset_id="bar", location=(-1.2, 1.5, 0), rotation=(0, 0, 90), fixed=True)
+    at = solved(brief(dressed=(counter,), relations=relations, people=["ana", "ben", "cal", "dee"]))
+    for name in ("ben", "cal"):
+        assert math.dist(at[name].location, at["ana"].location) < 1.3
