@@ -126,11 +126,13 @@ def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room:
     """Action, then dialogue, as much as the room holds; an ellipsis says that more was written."""
     style = ParagraphStyle("action", fontName=fonts.REGULAR, fontSize=size * 0.9, leading=size * 1.12, textColor=INK)
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
-    texts = [(panel.action or panel.outline.shot_description, style)] if not panel.dialogue or panel.action else []
+    said = panel.action or ("" if panel.dialogue else panel.outline.shot_description)
+    texts = [(fonts.markup(said), style)] if said else []
     for line in panel.dialogue:
-        texts.append((f"{cue_of(line)}: {line.text}", speech))
+        cue = f'<font color="{GREY.hexval().replace("0x", "#")}">{fonts.markup(cue_of(line))}</font>'
+        texts.append((f"{cue} {fonts.markup(line.text)}", speech))
     for text, kind in texts:
-        paragraph = Paragraph(fonts.markup(text), kind)
+        paragraph = Paragraph(text, kind)
         _, used = paragraph.wrap(width, room)
         if used > room:
             for lines in paragraph.split(width, room)[:1]:

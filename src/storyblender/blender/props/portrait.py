@@ -1,10 +1,11 @@
-"""A small picture of one object, for the catalogue and the asset sheet."""
+"""A small picture of one thing or person, for the catalogue and the asset sheet."""
 
 from __future__ import annotations
 
 import math
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import bpy
@@ -14,21 +15,21 @@ YAW, PITCH, LENS = math.radians(-28), math.radians(18), 70.0
 """Seen a little from its left and from above, like a product photograph."""
 
 
-def render_portrait(obj: bpy.types.Object, path: Path, size: tuple[int, int] = (256, 256)) -> None:
-    """Render ``obj`` alone with Workbench on a plain ground and write a PNG. The scene it is in is not changed.
+def render_portrait(parts: Sequence[bpy.types.Object], path: Path, size: tuple[int, int] = (512, 512)) -> None:
+    """Render objects alone with Workbench on a plain ground and write a PNG. The scene they are in is not changed.
 
     Args:
-        obj: A mesh object.
+        parts: The mesh objects of one thing or person.
         path: Of the PNG.
         size: Pixels across and down.
     """
     scene = bpy.data.scenes.new("PORTRAIT")
-    copy = bpy.data.objects.new("portrait", obj.data)
+    copies = [part.copy() for part in parts]
     camera = bpy.data.objects.new("portrait_camera", bpy.data.cameras.new("portrait_camera"))
-    for member in (copy, camera):
+    for member in (*copies, camera):
         scene.collection.objects.link(member)
-    corners = [mathutils.Vector(corner) for corner in obj.bound_box]
-    middle = sum(corners, mathutils.Vector()) / 8
+    corners = [mathutils.Vector(corner) for part in parts for corner in part.bound_box]
+    middle = sum(corners, mathutils.Vector()) / len(corners)
     radius = max((corner - middle).length for corner in corners)
     camera.data.lens = LENS
     view = 2 * math.atan(camera.data.sensor_width / 2 / LENS)
@@ -47,7 +48,8 @@ def render_portrait(obj: bpy.types.Object, path: Path, size: tuple[int, int] = (
     finally:
         window.scene = before
         bpy.data.cameras.remove(camera.data)
-        bpy.data.objects.remove(copy)
+        for copy in copies:
+            bpy.data.objects.remove(copy)
         bpy.data.worlds.remove(scene.world)
         bpy.data.scenes.remove(scene)
 
@@ -75,7 +77,7 @@ def main(arguments: list[str]) -> None:
 
     key, path = arguments
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    render_portrait(bpy.data.objects.new(key, build_prop(key).mesh), Path(path).resolve())
+    render_portrait([bpy.data.objects.new(key, build_prop(key).mesh)], Path(path).resolve())
 
 
 if __name__ == "__main__":
