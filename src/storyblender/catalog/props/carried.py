@@ -176,7 +176,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "jewel_box",
-        "jewelry box, jewellery box, casket, music box, small box, ring box",
+        "jewelry box, jewellery box, casket, music box, box, small box, ring box",
         (0.24, 0.17, 0.13),
         {"body": "wood_red", "trim": "gold"},
         "A small box with gilt corners.",
