@@ -28,7 +28,11 @@ _TITLED = re.compile(
 _CAPITALISED_ROLE = re.compile(r"\b[Tt]he ((?:[A-Z][a-z]+ ){1,2}[A-Z][a-z]*)\b")
 _ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
 _COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
-_INTRODUCED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |in h)")
+_YEARS = r"(?:eigh|nine|seven|six|fif|four|thir|twen|for)(?:teen|ty|ties)\b|ten\b|eleven\b|twelve\b"
+_INTRODUCED = re.compile(
+    r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |in h|early |mid|late "
+    rf"|barely |not yet |{_YEARS})|\s*\([^)]*(?:{_YEARS})"
+)
 _LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])", re.DOTALL)
 _SOME = 3
 """Members of a group whose number is not told."""
@@ -155,6 +159,8 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
 def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str) -> None:
     """Add a sighting to the cast unless a longer form of the name is introduced elsewhere."""
     base = re.sub(r"^(A|AN) ", "", _COUNT.sub("", sighting.name))
+    if _are_numbered(base, full_names):
+        return
     name = re.sub(r"^THE ", "", base)
     known = roster.find(name)
     if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
@@ -163,6 +169,16 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
     if said:
         describe(person, said.group(1) or said.group(2) or "")
+
+
+def _are_numbered(name: str, full_names: set[str]) -> bool:
+    """``two THUGS`` are THUG #1 and THUG #2."""
+    head = singular(name.split()[-1])
+    plural = head != name.split()[-1].lower() and is_person_noun(head)
+    stem = re.escape(" ".join([*name.split()[:-1], head.upper()]))
+    return plural and any(
+        re.fullmatch(rf"(?:{stem}|{re.escape(head.upper())}) #?(?:\d|ONE|TWO)", full) for full in full_names
+    )
 
 
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.morphology import VerbForm
 from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
+from storyblender.agents.director.reader.tagging import PERCEIVING
 from storyblender.agents.director.reader.words import Word
 
 _HYPOTHETICAL = frozenset({"if", "unless"})
@@ -35,7 +36,9 @@ class Clause:
     opening: int = 0
     """How many of the last places open the sentence: ``Behind the curtain Lena tunes her violin``."""
     participle: bool = False
-    """An -ing form."""
+    """An -ing form, or a bare infinitive."""
+    infinitive: bool = False
+    """``watches her go``."""
     passive: bool = False
     """A past participle: somebody else does it."""
     negated: bool = False
@@ -62,6 +65,8 @@ class _Builder:
     """Within ``, a book in her lap``: its places are the book's, not the clause's."""
     leading: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Places told before the first clause: ``On top of the stone sat a fox``."""
+    closed: bool = False
+    """A comma stands after the last verb: ``feet up`` is no ``slump up``."""
     negated: bool = False
     unreal: bool = False
     passive: bool = False
@@ -91,6 +96,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
             _take_noun(builder, index, phrase.noun)
         elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
             builder.preposition, builder.aside = "", False
+            builder.closed = builder.closed or phrase.text == ","
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
     if builder.clauses:
@@ -109,13 +115,14 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         past = following.verb is not None and following.verb.kind in ("past", "pp")
         builder.passive = past and verb.lemma == "be"
         return
-    participle = verb.kind == "ing"
+    participle = verb.kind in ("ing", "inf")
     clause = Clause(
         phrase.first,
         builder.words[phrase.first].start,
         verb.lemma,
-        subject=list(builder.pending or builder.subject),
+        subject=_subject(builder, index, verb),
         participle=participle,
+        infinitive=verb.kind == "inf",
         passive=verb.kind == "pp" or builder.passive,
         negated=builder.negated,
         unreal=builder.unreal or _is_unreal(builder, index),
@@ -123,12 +130,26 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
     )
     builder.negated = builder.unreal = builder.passive = False
     clause.elided = not clause.subject
-    if builder.pending:
+    if builder.pending and verb.kind not in ("ing", "inf"):
         builder.subject = builder.pending
     elif builder.current and not clause.subject:
         clause.subject = builder.current.subject
-    builder.pending, builder.preposition, builder.aside = [], "", False
+    builder.pending, builder.preposition, builder.aside, builder.closed = [], "", False, False
     builder.clauses.append(clause)
+
+
+def _subject(builder: _Builder, index: int, verb: VerbForm) -> list[NounPhrase]:
+    """Whose verb it is: of the noun before it; of whom is seen doing it; else of the clauses before."""
+    before = builder.current
+    if before and verb.kind == "inf":
+        if before.infinitive:
+            return before.subject
+        return list(before.object) or list(builder.subject)
+    left = builder.phrases[index - 1] if index else None
+    touches = left is not None and left.kind == "noun" and left.noun is not None
+    if before and verb.kind == "ing" and touches and before.verb in PERCEIVING and before.object and not before.places:
+        return list(before.object)
+    return list(builder.pending or builder.subject)
 
 
 def _is_unreal(builder: _Builder, index: int) -> bool:
@@ -155,7 +176,7 @@ def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
     """A particle of the verb (``picks up``) or a preposition with a noun to come."""
     clause = builder.current
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
-    if clause and phrase.text in lexicon.PARTICLES and not clause.particle:
+    if clause and phrase.text in lexicon.PARTICLES and not clause.particle and not builder.closed:
         noun_follows = following is not None and following.kind == "noun"
         pair = f"{clause.verb} {phrase.text}"
         known = (pair in lexicon.MOTION_OF_VERB or pair in lexicon.OVERRIDDEN_PARTICLES) and not clause.object
@@ -170,7 +191,9 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     clause, left = builder.current, builder.phrases[index - 1] if index else None
     listed = left is not None and (left.kind == "mark" or (left.kind == "link" and left.text == "and"))
     linked = left is not None and left.kind in ("link", "mark")
-    starts_clause = not builder.preposition and (clause is None or (linked and _verb_follows(builder.phrases, index)))
+    starts_clause = not builder.preposition and (
+        clause is None or (linked and (_verb_follows(builder.phrases, index) or _is_absolute(builder.phrases, index)))
+    )
     if starts_clause:
         builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
         return
@@ -191,6 +214,13 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and not clause.places:
         clause.object = [noun]
+
+
+def _is_absolute(phrases: list[Phrase], index: int) -> bool:
+    """``, the robot bumping along behind them``, ``, engine running``: somebody or something else does it."""
+    left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
+    participle = following is not None and following.verb is not None and following.verb.kind == "ing"
+    return left.text in (",", "while", "with", "as") and participle
 
 
 def _receives(noun: NounPhrase) -> bool:

@@ -79,6 +79,13 @@ def _after_determiner(words: list[Word]) -> bool:
     return at >= 0 and words[at].low in _OPENERS
 
 
+def _acts(words: list[Word], at: int, noun: str) -> bool:
+    """``and rams the hose back``, ``guards the door``: a verb, because an object follows and nothing stands before."""
+    following = words[at + 1].low if at + 1 < len(words) else ""
+    alone = at > 0 and words[at - 1].low in ("and", ",", "then", "but")
+    return noun != words[at].low and alone and following in _OPENERS | {"him", "her", "it", "them"}
+
+
 def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | None:
     """The old woman, two guards, his niece: a noun for people with its determiner, adjectives and number."""
     word = words[at]
@@ -101,7 +108,9 @@ def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | 
         else:
             adjectives.append(low)
         back -= 1
-    if not determiner:
+    if not determiner and not word.text.isupper():
+        return None
+    if _acts(words, at, noun):
         return None
     several = noun != word.low or number > 1
     candidates = [person for person in people if person.role == noun]

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 from storyblender.agents.director import lexicon
 
-FormKind = Literal["base", "3sg", "past", "ing", "pp", "aux"]
+FormKind = Literal["base", "3sg", "past", "ing", "pp", "aux", "inf"]
 
 
 class VerbForm(NamedTuple):
@@ -64,6 +64,23 @@ FORMS: dict[str, VerbForm] = _all_forms()
 """Every written form of every known verb."""
 
 
+def _rare_forms() -> dict[str, VerbForm]:
+    """Forms of the verbs of the large list, with and without a doubled consonant."""
+    forms: dict[str, VerbForm] = {}
+    for verb in sorted(lexicon.OTHER_VERBS):
+        stems = [verb, verb + verb[-1]] if re.search(r"[^aeiou][aeiou][bdgklmnprt]$", verb) else [verb]
+        forms.setdefault(verb, VerbForm(verb, "base"))
+        forms.setdefault(third_person(verb), VerbForm(verb, "3sg"))
+        for stem in stems:
+            forms.setdefault(present_participle(stem), VerbForm(verb, "ing"))
+            forms.setdefault(past_tense(stem), VerbForm(verb, "past"))
+    return {word: form for word, form in forms.items() if word not in FORMS}
+
+
+RARE_FORMS: dict[str, VerbForm] = _rare_forms()
+"""Forms of verbs whose motion nobody knows; many are nouns or adjectives too."""
+
+
 def form_kind(word: str) -> str:
     """Kind of the verb form a lower-case word can be, or an empty string."""
     form = FORMS.get(word)
@@ -85,6 +102,8 @@ def singular(word: str) -> str:
         return word
     if word in lexicon.IRREGULAR_PLURALS:
         return lexicon.IRREGULAR_PLURALS[word]
+    if word.endswith("men") and len(word) > 5:
+        return word[:-2] + "an"
     if word.endswith("ies") and len(word) > 4:
         return word[:-3] + "y"
     if re.search(r"(ch|sh|x|ss)es$", word):

@@ -8,6 +8,11 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
 
 _GARMENTS = lexicon.WORN | {"ring"}
+_LIGHT = lexicon.words("light_verbs")
+"""``gives a shrug``, ``casts a glance``: the noun tells the motion."""
+_NOT_GOING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lexicon.words("not_going")
+_AWAY = frozenset({"in", "out", "past", "away", "off", "by", "along"})
+_ALONG = frozenset({"into", "out_of", "past", "across", "along", "toward", "towards"})
 _SUPINE = frozenset({"sit", "lie", "kneel", "crouch"})
 """Postures from which ``She stands.`` is getting up."""
 
@@ -42,11 +47,21 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
             return None if rule.motion == "none" else rule.motion
     if clause.verb in lexicon.SILENT_VERBS:
         return None
+    noun = lexicon.MOTION_OF_VERB.get(object_head)
+    if noun and clause.verb in _LIGHT and lexicon.noun_class(object_head) in ("abstract", "unknown"):
+        return noun
     if clause.verb == "stand":
         rises = clause.particle == "up" or (posture in _SUPINE and not clause.places and not clause.participle)
         return "stand_up" if rises else "stand"
     known = lexicon.MOTION_OF_VERB.get(f"{clause.verb} {clause.particle}") if clause.particle else None
-    return known or lexicon.MOTION_OF_VERB.get(clause.verb)
+    return known or lexicon.MOTION_OF_VERB.get(clause.verb) or _going(clause, doing)
+
+
+def _going(clause: Clause, doing: Doing) -> str | None:
+    """A verb without a motion of its own and a direction: ``fishtails past``, ``breezes in``."""
+    if doing.object or clause.verb in _NOT_GOING:
+        return None
+    return "walk" if clause.particle in _AWAY or doing.prepositions & _ALONG else None
 
 
 def _applies(rule: lexicon.Override, doing: Doing) -> bool:

@@ -25,7 +25,13 @@ _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
+_BARE = lexicon.ADJECTIVES | lexicon.words("manner")
+"""``breathes hard``, ``stops dead``, ``lands flat``: alone they are no nouns."""
+_COPULAS = lexicon.words("copulas")
+_PARTS = lexicon.words("parts")
+"""``the handle of the mop`` is the mop."""
 _SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
+_SOME_OF = frozenset({"one", "some", "both", "each", "all", "none", "most", "another", "two", "half"})
 _SUBJECT_PRONOUNS = frozenset({"he", "she", "they", "it", "i", "you", "we"})
 
 
@@ -87,6 +93,11 @@ def _mention_or_verb(words: list[Word], at: int) -> Phrase | None:
 
 def _pronoun(words: list[Word], at: int) -> Phrase | None:
     word = words[at]
+    if word.low in _SOME_OF and [w.low for w in words[at + 1 : at + 2]] == ["of"]:
+        inner = next((i for i in range(at + 2, min(at + 6, len(words))) if words[i].mention), None)
+        mention = words[inner].mention if inner else None
+        if inner and mention:
+            return Phrase("noun", at, inner, noun=NounPhrase("person", inner, mention.head, mention=mention))
     if word.inserted:
         return Phrase("noun", at, at, noun=NounPhrase("pronoun", at, ""))
     if word.low not in lexicon.PRONOUNS or word.low in ("his", "its", "their"):
@@ -164,15 +175,30 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         return None
     head = end - 1
     noun = singular(words[head].low)
-    if noun in lexicon.MEASURES and end + 1 < len(words) and words[end].low == "of":
-        inner = _noun_phrase(words, end + 1)
-        if inner and inner.noun and inner.noun.kind == "thing":
-            return replace(inner, first=at)
+    if end == first + 1 and not determiner and possessor is None and noun in _BARE and not _predicated(words, at):
+        return None
+    whole = _whole(words, end) if noun in lexicon.MEASURES | _PARTS else None
+    if whole:
+        return replace(whole, first=at)
     key = _compound(words, first, head, noun)
     thing = NounPhrase(
         "thing", head, noun, key, possessor=possessor, plural=noun != words[head].low, determiner=determiner
     )
     return Phrase("noun", at, head, noun=thing)
+
+
+def _predicated(words: list[Word], at: int) -> bool:
+    """``turned pale``, ``is asleep``: what somebody becomes is kept."""
+    verb = words[at - 1].verb if at else None
+    return verb is not None and verb.lemma in _COPULAS
+
+
+def _whole(words: list[Word], end: int) -> Phrase | None:
+    """The noun after ``of``: ``a bunch of flowers``, ``the handle of the mop``."""
+    if end + 1 >= len(words) or words[end].low != "of":
+        return None
+    inner = _noun_phrase(words, end + 1)
+    return inner if inner and inner.noun and inner.noun.kind == "thing" else None
 
 
 def _in_noun_phrase(word: Word) -> bool:

@@ -1,0 +1,330 @@
+"""Telling verbs from nouns in a screenplay's present tense, from what stands to the left and to the right.
+
+``Kira sprints down``, ``The phone rings.``, ``grabs his boots, hands her the key``: a word that can be both is tagged
+where a verb fits; the words to its left are already tagged.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.morphology import (
+    FORMS,
+    RARE_FORMS,
+    VerbForm,
+    form_kind,
+    guess_lemma,
+    singular,
+)
+from storyblender.agents.director.reader.words import Word
+
+OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+_OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
+"""Words that start the object of a verb, and hardly ever follow a plural noun."""
+_DIRECTIONS = frozenset(
+    {
+        "up", "to", "twice", "once", "again", "at", "back", "away", "forward", "aside", "into", "toward", "towards",
+        "out", "through", "past", "from", "onto", "across", "off", "around", "along",
+    }
+)  # fmt: skip
+_BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
+_LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
+_CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})
+_PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
+_AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
+_SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
+_PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both"})
+_ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then"})
+_FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
+_NOUNS = _THINGS | lexicon.WORN
+_BEFORE_INFINITIVE = frozenset(
+    {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "let"}
+)
+PERCEIVING = lexicon.words("perceiving")
+"""``sees Tom go``, ``lets her in``: what follows the object is what that does."""
+_INVERTING = lexicon.words("inverting")
+"""Verbs whose subject may follow: ``In the booth sit two thugs``."""
+
+
+@dataclass
+class Row:
+    """The words so far."""
+
+    words: list[Word] = field(default_factory=list)
+    verb_seen: bool = False
+    tail: list[Word] = field(default_factory=list)
+    """``with a canister on his back`` out of an apposition: it is told at the end."""
+    last_kind: str = ""
+    """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
+
+    def insert_subject(self, at: int) -> None:
+        """Put in the elided subject."""
+        self.words.append(Word("", at, at, inserted=True))
+
+    def insert_was(self, at: int) -> None:
+        """Put in the missing verb."""
+        self.words.append(was(at))
+        self.verb_seen = True
+
+    def neighbour(self) -> Word | None:
+        """The last word that is no adverb."""
+        return next((word for word in reversed(self.words) if not _is_adverb(word)), None)
+
+
+def was(at: int) -> Word:
+    """An inserted ``was``."""
+    return Word("", at, at, verb=VerbForm("be", "aux"), inserted=True)
+
+
+def _is_adverb(word: Word) -> bool:
+    adverb = (word.low.endswith("ly") and len(word.low) > 4) or word.low in _PASSED_OVER
+    return adverb and word.mention is None
+
+
+def tag_verb(words: list[Word], at: int, row: Row) -> None:
+    """Decide whether the word at ``at`` is a verb of this sentence; tag it, put in its subject."""
+    word = words[at]
+    following = words[at + 1] if at + 1 < len(words) else None
+    form = FORMS.get(word.low) or _rare_verb(word, following, row)
+    if form is None:
+        return
+    left = row.neighbour()
+    if word.low in _FRAGMENT_NOUNS and following and following.low in ("up", "raised", "drawn"):
+        return
+    if form.kind in ("past", "aux", "pp"):
+        if left is None or left.low not in OPENERS:
+            row.verb_seen = True
+            if word.low not in FORMS:
+                word.verb = form
+    elif form.kind == "base" and _is_bare_infinitive(word, following, row):
+        word.verb, row.last_kind = VerbForm(form.lemma, "inf"), "inf"
+    elif form.kind in ("3sg", "base"):
+        opens = left is None or not any(w.solid for w in row.words)
+        if _opens_sentence(form, word, following) if opens else _is_finite(form, word, following, left, row):
+            if opens:
+                row.insert_subject(word.start)
+            word.verb = VerbForm(form.lemma, "past")
+            row.verb_seen, row.last_kind = True, form.kind
+    elif form.kind == "ing" and not row.verb_seen:
+        _tag_participle(words, at, row)
+
+
+def may_be_verb(word: Word, following: Word | None) -> bool:
+    """Whether a word after an apposition can be the verb it interrupts: known, or shaped like one before an object."""
+    if form_kind(word.low) in ("3sg", "past", "aux"):
+        return True
+    right = following.low if following else "."
+    return word.low in RARE_FORMS and RARE_FORMS[word.low].kind in ("3sg", "past") and right in _AFTER_VERB
+
+
+def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
+    """A verb of the large list, or an unknown word in -s or -ed right after a person: ``the train barrels``."""
+    left = row.neighbour()
+    right = following.low if following else "."
+    form = RARE_FORMS.get(word.low)
+    if left is None or not word.text.islower() or len(word.low) < 4:
+        return form if left is None and form and form.kind == "3sg" and right in _OBJECTS else None
+    if form and form.kind == "3sg" and right in _OBJECTS:
+        return form if left.low not in _BEFORE_NOUN else None
+    after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
+    listed = left.low in ("and", ",", "then", "but") and row.verb_seen
+    after_noun = form is not None and not row.verb_seen and left.solid and left.low not in _BEFORE_NOUN
+    if not (after_person or listed or after_noun) or not _goes_on(right):
+        return None
+    if form is None:
+        form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
+    if form is None or (form.kind == "past" and (listed or after_noun) and right not in _OBJECTS):
+        return None
+    known_noun = form.kind == "3sg" and singular(word.low) in _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
+    return None if known_noun and not after_person else form
+
+
+def _guessed(word: Word) -> VerbForm | None:
+    if re.search(r"[^s]s$", word.low):
+        known_noun = singular(word.low) in _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
+        return None if known_noun else VerbForm(guess_lemma(word.low), "3sg")
+    return VerbForm(word.low[:-2], "past") if word.low.endswith("ed") else None
+
+
+def _goes_on(right: str) -> bool:
+    return right in _AFTER_VERB or right in _OBJECTS | _DIRECTIONS or right.endswith("ly")
+
+
+def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
+    """``watches her go to the window, part the blinds``: a base form after a perceived object, or one more of them."""
+    right = following.low if following else "."
+    left = row.neighbour()
+    if left is None or not _goes_on(right) or (singular(word.low) in _NOUNS and right not in _OBJECTS | _DIRECTIONS):
+        return False
+    if row.last_kind == "inf" and left.low in ("and", ","):
+        return True
+    at = next((i for i in range(len(row.words) - 1, -1, -1) if row.words[i].verb), None)
+    if at is None or (row.words[at].verb or VerbForm("", "past")).lemma not in PERCEIVING:
+        return False
+    between = row.words[at + 1 :]
+    return (
+        0 < len(between) <= 4
+        and not any(w.low in lexicon.PREPOSITIONS | _LINKS for w in between)
+        and (between[-1].mention is not None or between[-1].low in ("him", "her", "it", "them") or len(between) > 1)
+    )
+
+
+def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
+    """``Grabs a shovel.`` is a verb, ``Hands up.`` and ``Sparks.`` are not."""
+    right = following.low if following else "."
+    if form.kind != "3sg" or (right == "." and form.lemma not in lexicon.MOTION_OF_VERB) or right == "of":
+        return False
+    return word.low not in _FRAGMENT_NOUNS or not (right in ("up", "raised", "drawn", ".", ",") or right in FORMS)
+
+
+def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | None, row: Row) -> bool:
+    """Whether a word that can be a verb in the present is one here, from what stands to its left and right."""
+    if left is None or left.inserted:
+        return False
+    third, right = form.kind == "3sg", following.low if following else "."
+    brings = following is not None and (following.mention is not None or right in OPENERS)
+    if left.low in _ENTERING and brings and _opens_clause(row) and (third or form.lemma in _INVERTING):
+        return True
+    if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
+        return False
+    if _is_inverted(form, following, row):
+        return True
+    if left.mention:
+        return form_kind(right) != "past" if third else _is_plural(left, row)
+    if left.low in ("who", "which", "that") and not third:
+        return _goes_on(right) and left.low != "that"
+    if left.low in _SINGULAR_PRONOUNS:
+        return third
+    if left.low in _PLURAL_PRONOUNS:
+        return True
+    if left.low in (")", '"'):
+        return third
+    if left.low in _LINKS:
+        listed = third and left.low in (",", "and") and _reads_as_noun(word, right, row)
+        return _continues(form, left, right, row) and not listed
+    return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(form, left, right)
+
+
+def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
+    """``In the far booth, hats low, sit two THUGS``: a place first, then a verb of being somewhere, then who."""
+    if row.verb_seen or following is None or form.lemma not in _INVERTING:
+        return False
+    first = next((w for w in row.words if w.solid), None)
+    leads = first is not None and first.low in lexicon.PREPOSITIONS | {"there", "here"}
+    return leads and (following.mention is not None or following.low in OPENERS | frozenset(lexicon.NUMBERS))
+
+
+def _new_clause(row: Row) -> bool:
+    """Whether the noun before opens a clause of its own: ``Doyle falls and the lantern rolls off``."""
+    for index in range(len(row.words) - 2, max(len(row.words) - 5, -1), -1):
+        if row.words[index].low in OPENERS:
+            return index > 0 and row.words[index - 1].low in _CLAUSE_LINKS
+    return False
+
+
+def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
+    """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``slips in``."""
+    if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
+        return False
+    if right in _OBJECTS | _DIRECTIONS or right.endswith("ly"):
+        return False
+    before = [w for w in row.words if w.solid]
+    return not (right in lexicon.PREPOSITIONS and row.verb_seen and not _is_bare_plural(before))
+
+
+def _is_bare_plural(before: list[Word]) -> bool:
+    """Whether the words before a link end in a plural without a determiner: the start of a list of nouns."""
+    before = before[:-1] if before and before[-1].low == "and" else before
+    if not before or before[-1].mention or before[-1].verb or singular(before[-1].low) == before[-1].low:
+        return False
+    return len(before) < 2 or before[-2].low not in OPENERS
+
+
+def _opens_clause(row: Row) -> bool:
+    """Whether only one word stands since the start of the clause: ``In`` of ``In walks BOB``."""
+    return len(row.words) < 2 or row.words[-2].low in ("and", ",", "then", ".")
+
+
+def _is_plural(left: Word, row: Row) -> bool:
+    """Two guards / Kira and Tomas / the officers, before a base form."""
+    if left.mention and left.mention.kind == "group":
+        return True
+    coordinated = any(w.low == "and" and i and row.words[i - 1].mention for i, w in enumerate(row.words))
+    return coordinated or left.low.endswith("s")
+
+
+def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
+    """A verb after a comma or conjunction goes on with the verb form before it."""
+    if form.kind == "base":
+        several = any(w.mention and w.mention.kind == "group" for w in row.words)
+        return row.last_kind == "base" or (several and not row.verb_seen and left.low == "," and right in _OBJECTS)
+    if left.low in lexicon.CONJUNCTIONS:
+        return left.low in ("and", "then", "but", "or") and (row.verb_seen or any(w.inserted for w in row.words))
+    somebody = any(w.mention for w in row.words)
+    return (row.verb_seen and right != "of") or (somebody and right in OPENERS | lexicon.PREPOSITIONS)
+
+
+def _after_noun(form: VerbForm, left: Word, right: str) -> bool:
+    """``The phone rings.``, ``The doors slam shut.``"""
+    if form.kind == "3sg":
+        return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly"))
+    plural = singular(left.low) != left.low or left.low.endswith("s")
+    return plural and right in _AFTER_VERB - {",", "slowly"}
+
+
+def _tag_participle(words: list[Word], at: int, row: Row) -> None:
+    """``Watching.`` -> He was watching; ``Jo holding a doll`` -> Jo was holding a doll."""
+    start = words[at].start
+    if not row.words:
+        row.insert_subject(start)
+        row.insert_was(start)
+    elif row.words[-1].mention and not any(
+        form_kind(word.low) in ("3sg", "past", "aux") for word in words[at:] if not word.mention
+    ):
+        row.insert_was(start)
+
+
+def written_verb(words: list[Word], at: int) -> VerbForm | None:
+    """A verb by its form alone: past tenses, participles, auxiliaries, infinitives after ``to``."""
+    word = words[at]
+    before = words[at - 1].low if at else ""
+    form = FORMS.get(word.low) or _rare_participle(words, at)
+    if form is None or form.kind == "3sg":
+        return None
+    if before in OPENERS or before == "'s" or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
+        return None
+    if form.kind == "past" and word.low in _THINGS and not _does_something(words, at):
+        return None
+    after = words[at + 1].low if at + 1 < len(words) else ""
+    modifies = form.kind in ("ing", "pp") and after in lexicon.SET_PIECES | lexicon.PROPS and at > 0
+    return None if modifies and before in lexicon.PREPOSITIONS else form
+
+
+def _rare_participle(words: list[Word], at: int) -> VerbForm | None:
+    """``kneading the dough``, ``strapped to a cot``: a participle of the large list, not before a noun."""
+    form = RARE_FORMS.get(words[at].low)
+    after = words[at + 1].low if at + 1 < len(words) else "."
+    if form is None or not words[at].text.islower():
+        return None
+    if form.kind == "base":
+        return form if words[at - 1].low == "to" and at > 1 and after in _OBJECTS else None
+    opens = after in _OBJECTS | lexicon.PREPOSITIONS or not after[:1].isalpha()
+    if form.kind == "ing":
+        return form if opens else None
+    help_verb = words[at - 1].verb if at else None
+    helped = help_verb is not None and help_verb.kind == "aux"
+    return VerbForm(form.lemma, "pp") if form.kind == "past" and helped and opens else None
+
+
+def _does_something(words: list[Word], at: int) -> bool:
+    """Whether the word before a past tense that is also a noun is its subject: ``he saw``, ``the wind rose``."""
+    left = words[at - 1] if at else None
+    if left is None:
+        return False
+    if left.mention or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS:
+        return True
+    noun = lexicon.noun_class(singular(left.low)) not in ("unknown", "abstract")
+    return noun and any(word.low in OPENERS for word in words[max(0, at - 4) : at - 1])
