@@ -139,3 +139,14 @@ def test_a_larger_room_is_larger() -> None:
 def test_unknown_kits_and_parameters_are_refused(bad: Environment) -> None:
     with pytest.raises(InputError):
         plan_of(bad)
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_open_land_runs_out_at_its_ends(name: str, plan: SetPlan) -> None:
+    land = [card for card in plan.backdrops if card.kind in ("hills", "treeline")]
+    if plan.indoor or not land:
+        return
+    rises = [(card.corners[low][2], card.corners[high]) for card in land for low, high in ((0, 3), (1, 2))]
+    for foot, (x, y, top) in rises:
+        meets = sum(math.dist((x, y, top), other) < 1e-6 for _, other in rises)
+        assert meets > 1 or top - foot < 0.6, f"a square edge at {x:.0f}, {y:.0f}"

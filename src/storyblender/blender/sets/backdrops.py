@@ -55,7 +55,7 @@ def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bp
     if card.kind in ("skyline", "facades"):
         _Town(builder, scene, skin, card.kind == "facades", indoor).raise_between(left, right, height)
     elif card.kind in ("treeline", "hills"):
-        _land(builder, skin, left, right, height, trees=card.kind == "treeline")
+        _land(builder, skin, left, right, (card.corners[3][2] - card.corners[0][2], height), card.kind == "treeline")
     elif card.kind == "sea":
         _sheet(builder, skin("clay", "#86a0ab"), np.stack([left, right]), np.full(2, height))
     else:
@@ -70,9 +70,13 @@ def _sheet(builder: MeshBuilder, skin: bpy.types.Material, foot: Floats, tops: F
     builder.loft(skin, [foot, head], closed=False)
 
 
-def _land(builder: MeshBuilder, skin_of: Skin, left: Floats, right: Floats, height: float, *, trees: bool) -> None:
+def _land(
+    builder: MeshBuilder, skin_of: Skin, left: Floats, right: Floats, heights: tuple[float, float], trees: bool
+) -> None:
+    """Raise woods or hills between two points; ``heights`` are those of the left and the right end."""
     span = float(np.linalg.norm(right - left))
     share = np.linspace(0, 1, max(12, int(span / (0.7 if trees else 1.5))))
+    tall, high = heights[0] + share * (heights[1] - heights[0]), max(heights) > 20
     foot = left + share[:, None] * (right - left)
     angle = np.arctan2(foot[:, 1], foot[:, 0])
     outwards = np.c_[
@@ -80,8 +84,8 @@ def _land(builder: MeshBuilder, skin_of: Skin, left: Floats, right: Floats, heig
     ]
     for layer, (part, code) in enumerate(zip((1.0, 0.8, 0.6), _WOODS if trees else _HILLS, strict=True)):
         phase = 2.3 * layer
-        outline = _crowns(angle, phase) if trees else _peaks(angle, phase) if height > 20 else _swells(angle, phase)
-        _sheet(builder, skin_of("clay", code), foot + outwards * (4.0 - 2.0 * layer), height * part * outline)
+        outline = _crowns(angle, phase) if trees else _peaks(angle, phase) if high else _swells(angle, phase)
+        _sheet(builder, skin_of("clay", code), foot + outwards * (4.0 - 2.0 * layer), tall * part * outline)
 
 
 def _swells(angle: Floats, phase: float) -> Floats:

@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -211,13 +212,25 @@ class Drawing:
         bottom: float,
         top: float,
         emission: float = 1.0,
+        *,
+        right_top: float | None = None,
     ) -> None:
-        """Hang a backdrop between two points, ``left`` and ``right`` as seen from the set."""
+        """Hang a backdrop between two points, ``left`` and ``right`` as seen from the set.
+
+        Args:
+            kind: What it shows.
+            left: Floor point of its left edge.
+            right: And of its right edge.
+            bottom: Height of its lower edge.
+            top: Height of its upper edge; of its left end where ``right_top`` differs.
+            emission: How bright it shines by day.
+            right_top: Height of its upper right corner.
+        """
         self.backdrops.append(
             Backdrop(
                 node_id=self.name(f"backdrop_{kind}"),
                 kind=kind,
-                corners=((*left, bottom), (*right, bottom), (*right, top), (*left, top)),
+                corners=((*left, bottom), (*right, bottom), (*right, right_top or top), (*left, top)),
                 emission=emission,
             )
         )
@@ -233,12 +246,20 @@ class Drawing:
         azimuths: tuple[float, float] = (0.0, 360.0),
         sides: int = 12,
     ) -> None:
-        """Close the horizon with ``sides`` cards; azimuth 0 is +Y, counter-clockwise as yaw."""
+        """Close the horizon with ``sides`` cards; azimuth 0 is +Y, counter-clockwise as yaw.
+
+        Land that does not go all around runs out at its ends: no hill stops at a cliff of its own.
+        """
         start, end = azimuths
-        for index in range(sides):
-            a, b = (math.radians(start + (end - start) * k / sides) for k in (index, index + 1))
-            ends = [(centre[0] - radius * math.sin(t), centre[1] + radius * math.cos(t)) for t in (b, a)]
-            self.card(kind, ends[0], ends[1], bottom, top)
+        runs_out = kind in ("hills", "treeline") and end - start < 360 and sides > 2
+        edges: list[tuple[Vec2, float]] = []
+        for k in range(sides + 1):
+            t = math.radians(start + (end - start) * k / sides)
+            share = min(1.0, (min(k, sides - k) + 0.02) / 2) if runs_out else 1.0
+            edges.append(((centre[0] - radius * math.sin(t), centre[1] + radius * math.cos(t)), share))
+        for (right, low), (left, high) in pairwise(edges):
+            tops = [bottom + (top - bottom) * share for share in (high, low)]
+            self.card(kind, left, right, bottom, tops[0], right_top=tops[1])
 
     def finish(self) -> SetPlan:
         """Return the plan as drawn."""

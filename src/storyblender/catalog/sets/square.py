@@ -25,7 +25,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             material="limewash", shop=not old, seed=float(rng.integers(1000)),
         )  # fmt: skip
         square.card("facades", (side * (x + 24), side * 30.0), (side * (x + 24), side * -30.0), -1.0, 12.0)
-    square.card("hills", (-70, y + 46), (70, y + 46), -1, 26)
+    square.ring("hills", 84, 26, bottom=-1, azimuths=(-66, 66), sides=6)
     square.furnish("fountain", x * 0.45, y + 0.2)
     square.mark("fountain", x * 0.45 - 1.6, y * 0.75, 90, "fountain", "window")
     for index, px in enumerate((-x + 1.4, -x + 4.2)):
