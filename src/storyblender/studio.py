@@ -123,10 +123,11 @@ class Studio:
             if camera:
                 if not names:
                     raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
+                run.engine.warm()
                 edit = CameraEdit.from_words(camera)
                 for shot in shots:
                     apply_camera_edit(run, shot, edit)
-            pack_scenes(run, {shot.scene_id for shot in shots})
+            pack_scenes(run)
             film(run)
             return self._shoot(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
 

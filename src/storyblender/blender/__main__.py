@@ -1,16 +1,10 @@
-"""``python -m storyblender.blender --root FOLDER``: the worker, an MCP server over stdio.
-
-bpy runs on the main thread and takes jobs from a queue; the server lives in a daemon thread (notes: stack,
-section 2). The process ends by ``os._exit``: an interpreter that served bpy and MCP hangs on the way out.
-"""
+"""``python -m storyblender.blender --root FOLDER``: the worker, an MCP server over standard input and output."""
 
 from __future__ import annotations
 
 import argparse
-import asyncio
 import os
 import sys
-import threading
 from pathlib import Path
 
 
@@ -20,23 +14,14 @@ def main() -> None:
     parser.add_argument("--root", type=Path, required=True, help="the project folder; no job may leave it")
     parser.add_argument("--models", type=Path, default=None, help="a folder of models that may be read")
     arguments = parser.parse_args()
-    from storyblender.blender.main_thread import MainThread
-    from storyblender.blender.server import make_server
+    from storyblender.blender.server import serve, take_wire
+
+    wire = take_wire()  # before Blender is imported: it prints as it likes
     from storyblender.blender.session import Session
 
-    main_thread = MainThread()
-    server = make_server(Session(arguments.root, arguments.models), main_thread)
-
-    def serve() -> None:
-        try:
-            asyncio.run(server.run_stdio_async(show_banner=False))
-        finally:
-            main_thread.close()
-
-    threading.Thread(target=serve, name="mcp", daemon=True).start()
-    main_thread.run()
-    sys.stdout.flush()
-    os._exit(0)
+    serve(Session(arguments.root, arguments.models).tools, sys.stdin.buffer, wire)
+    sys.stderr.flush()
+    os._exit(0)  # an interpreter that used Blender may hang on the way out
 
 
 if __name__ == "__main__":

@@ -1,101 +1,116 @@
-"""The MCP server: a closed set of typed tools. No tool runs code, no path leaves the project folder."""
+"""The MCP server: a closed set of typed tools on one line of messages. No tool runs code.
+
+Blender is only ever touched on the thread that serves, the main one: calls are taken one after the other. The protocol
+is written out here because the SDKs cost a second and a half of processor to import, at every start of a worker
+(measured); the tests let an SDK's client list and call the tools.
+"""
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Callable
-from typing import TypeVar
+import json
+import os
+import sys
+import traceback
+from collections.abc import Callable, Iterable, Sequence
+from functools import cached_property
+from inspect import signature
+from typing import Any, BinaryIO, get_type_hints
 
-from fastmcp import FastMCP
+from pydantic import BaseModel, ConfigDict, create_model
+from pydantic_core import to_jsonable_python
 
-from storyblender.blender.main_thread import MainThread
-from storyblender.blender.session import Session
-from storyblender.geometry.framing import Figure
-from storyblender.memory.jobs import (
-    AssetJob,
-    ExportJob,
-    FrameJob,
-    FrameReport,
-    MotionJob,
-    PackRef,
-    SceneJob,
-    StoryJob,
-)
-from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+from storyblender import __version__
 
-Result = TypeVar("Result")
+PROTOCOLS = ("2024-11-05", "2025-03-26", "2025-06-18", "2025-11-25")
+"""Versions of the Model Context Protocol that are spoken; to a client of any other the newest is offered."""
+METHOD_NOT_FOUND, INVALID_PARAMS, PARSE_ERROR = -32601, -32602, -32700
 
 
-def make_server(session: Session, main_thread: MainThread) -> FastMCP:
-    """Return the server whose tools act on ``session``.
+class Tool:
+    """A function that a client may call by name.
 
     Args:
-        session: The Blender state of this process.
-        main_thread: Where every tool's work is done.
+        function: Fully typed, without defaults. A client reads the first line of its documentation.
     """
-    server: FastMCP = FastMCP("storyblender-engine")
 
-    async def on_main(call: Callable[[], Result]) -> Result:
-        return await asyncio.wrap_future(main_thread.submit(call))
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.name, self._function = function.__name__, function
 
-    @server.tool
-    async def health() -> dict[str, str]:
-        """Say that the worker lives, and which Blender it is."""
-        return await on_main(session.health)
+    @cached_property
+    def _arguments(self) -> type[BaseModel]:
+        types = get_type_hints(self._function)
+        fields: dict[str, Any] = {name: (types[name], ...) for name in signature(self._function).parameters}
+        return create_model(self.name, __config__=ConfigDict(extra="forbid"), **fields)
 
-    @server.tool
-    async def build_asset(job: AssetJob) -> AssetMeasure:
-        """Build one canonical asset into the asset cache and measure it."""
-        return await on_main(lambda: session.build_asset(job))
+    def described(self) -> dict[str, Any]:
+        """Return the tool as the protocol lists it."""
+        words = (self._function.__doc__ or "").partition("\n")[0]
+        return {"name": self.name, "description": words, "inputSchema": self._arguments.model_json_schema()}
 
-    @server.tool
-    async def pack_scene(job: SceneJob) -> PackRef:
-        """Build one scene with the motion of all its shots into a pack."""
-        return await on_main(lambda: session.pack_scene(job))
+    def called(self, arguments: dict[str, Any]) -> dict[str, Any]:
+        """Return the answer as the protocol words it. Whatever goes wrong is an answer too: the worker lives on."""
+        try:
+            checked = self._arguments.model_validate(arguments)
+            value = to_jsonable_python(self._function(**dict(checked)))
+        except Exception as error:  # noqa: BLE001 - carried to the client, and told in the log
+            traceback.print_exc(file=sys.stderr)
+            return {"content": [{"type": "text", "text": str(error)}], "isError": True}
+        text = json.dumps(value, ensure_ascii=False)
+        return {"content": [{"type": "text", "text": text}], "structuredContent": {"result": value}, "isError": False}
 
-    @server.tool
-    async def read_figures(pack: PackRef, frames: list[int]) -> list[list[Figure]]:
-        """Say where everybody's face is at frames of the scene's timeline."""
-        return await on_main(lambda: session.figures(pack, frames))
 
-    @server.tool
-    async def look(pack: PackRef, requests: list[ViewRequest], aspect: float) -> list[CameraView]:
-        """Look through the viewfinder: ID masks turned into numbers."""
-        return await on_main(lambda: session.look(pack, requests, aspect))
+def take_wire() -> BinaryIO:
+    """Take standard output for messages; what Blender or a tool prints goes to standard error from here on."""
+    wire = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    return wire
 
-    @server.tool
-    async def find_collisions(pack: PackRef) -> list[Collision]:
-        """Find people inside furniture, in every shot of a pack."""
-        return await on_main(lambda: session.find_collisions(pack))
 
-    @server.tool
-    async def measure_drift(pack: PackRef) -> float:
-        """Measure the Spatial Drift Error of a scene's static things."""
-        return await on_main(lambda: session.measure_drift(pack))
+def serve(functions: Sequence[Callable[..., Any]], requests: Iterable[bytes], answers: BinaryIO) -> None:
+    """Answer requests until there are no more.
 
-    @server.tool
-    async def render_frame(job: FrameJob) -> FrameReport:
-        """Render the board frame of one shot."""
-        return await on_main(lambda: session.render_frame(job))
+    Args:
+        functions: What may be called.
+        requests: One message a line.
+        answers: Where the answers go, one a line.
+    """
+    tools = {tool.name: tool for tool in map(Tool, functions)}
+    for line in requests:
+        answer = _answer(tools, line)
+        if answer is not None:
+            answers.write(json.dumps({"jsonrpc": "2.0", **answer}).encode() + b"\n")
+            answers.flush()
 
-    @server.tool
-    async def render_motion(job: MotionJob) -> int:
-        """Render the moving frames of one shot; returns how many were written."""
-        return await on_main(lambda: session.render_motion(job))
 
-    @server.tool
-    async def compile_story(job: StoryJob) -> str:
-        """Compile the story's .blend from the packs; returns its path."""
-        return await on_main(lambda: session.compile_story(job))
+def _answer(tools: dict[str, Tool], line: bytes) -> dict[str, Any] | None:
+    """Return the answer to a message; None to a notification, which wants none."""
+    try:
+        message = json.loads(line)
+    except ValueError:
+        return {"id": None, "error": {"code": PARSE_ERROR, "message": "not JSON"}}
+    if "id" not in message:
+        return None
+    method, parameters = message.get("method"), message.get("params") or {}
+    match method:
+        case "initialize":
+            result = _welcome(str(parameters.get("protocolVersion")))
+        case "ping":
+            result = {}
+        case "tools/list":
+            result = {"tools": [tool.described() for tool in tools.values()]}
+        case "tools/call":
+            name = parameters.get("name")
+            if name not in tools:
+                return {"id": message["id"], "error": {"code": INVALID_PARAMS, "message": f"no tool {name!r}"}}
+            result = tools[name].called(parameters.get("arguments") or {})
+        case _:
+            return {"id": message["id"], "error": {"code": METHOD_NOT_FOUND, "message": f"no method {method!r}"}}
+    return {"id": message["id"], "result": result}
 
-    @server.tool
-    async def export_scene(job: ExportJob) -> str:
-        """Write one scene as glTF or USD; returns the path."""
-        return await on_main(lambda: session.export_scene(job))
 
-    @server.tool
-    async def portrait(job: AssetJob, out: str) -> str:
-        """Render a small picture of one asset; returns the path."""
-        return await on_main(lambda: session.portrait(job, out))
-
-    return server
+def _welcome(protocol: str) -> dict[str, Any]:
+    return {
+        "protocolVersion": protocol if protocol in PROTOCOLS else PROTOCOLS[-1],
+        "capabilities": {"tools": {}},
+        "serverInfo": {"name": "storyblender-engine", "version": __version__},
+    }

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import bpy
 
@@ -52,9 +52,22 @@ class Session:
         self._store = AssetStore(self._root / "assets", models)
         self._open = ""
 
-    def health(self) -> dict[str, str]:
-        """Return the Blender version and the process id."""
-        return {"blender": bpy.app.version_string, "pid": str(os.getpid())}
+    @property
+    def tools(self) -> list[Callable[..., Any]]:
+        """What a client may ask for, by name; nothing else."""
+        return [
+            self.build_asset,
+            self.pack_scene,
+            self.read_figures,
+            self.look,
+            self.find_collisions,
+            self.measure_drift,
+            self.render_frame,
+            self.render_motion,
+            self.compile_story,
+            self.export_scene,
+            self.portrait,
+        ]
 
     def build_asset(self, job: AssetJob) -> AssetMeasure:
         """Build and measure one asset."""
@@ -62,22 +75,19 @@ class Session:
         return self._store.measure(job)
 
     def pack_scene(self, job: SceneJob) -> PackRef:
-        """Build one scene, or find it built already."""
-        name = f"build/scenes/{scene_name(job.scene.scene_id)}-{job.digest}"
-        path, record = self._path(f"{name}.blend"), self._path(f"{name}.json")
-        if record.exists() and path.exists():
-            return PackRef.model_validate_json(record.read_bytes())
+        """Build one scene; its record comes last, so a pack with a record is whole."""
         self._open = ""
         problems = ScenePacker(job, self._store).build()
-        save_pack(path)
+        save_pack(self._path(job.out))
         starts = tuple(shot_starts(job.shots).items())
-        reference = PackRef(scene_id=job.scene.scene_id, path=f"{name}.blend", starts=starts, problems=problems)
+        reference = PackRef(scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems)
+        record = self._path(job.record)
         part = record.with_suffix(".part")
         part.write_text(reference.model_dump_json())
         part.replace(record)
         return reference
 
-    def figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
+    def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
         """Return everybody's faces at frames of the scene's timeline."""
         scene = self._open_pack(pack)
         return [list(figures(scene, frame)) for frame in frames]
@@ -192,7 +202,7 @@ class Session:
         assert canonical is not None, "a portrait shows what an asset became"
         asset = job.asset.model_copy(update={"canonical": canonical.model_copy(update={"digest": measure.digest})})
         if asset.asset_type == "character":
-            parts = [mesh for mesh in self._store.append_person(asset).meshes]
+            parts = list(self._store.append_person(asset).meshes)
         else:
             parts = [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
         render_portrait(parts, self._path(out))

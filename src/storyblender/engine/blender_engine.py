@@ -32,6 +32,7 @@ class BlenderEngine:
     """
 
     def __init__(self, root: Path, models: Path | None = None, jobs: int = 0) -> None:
+        self._root = root
         command, log = blender_command(root, models), root / "build" / "engine.log"
         log.unlink(missing_ok=True)
         self._pool = WorkerPool(lambda: Worker(command, log), jobs)
@@ -44,6 +45,10 @@ class BlenderEngine:
     ) -> None:
         self._pool.close()
 
+    def warm(self) -> None:
+        """Start Blender now, for a call that is sure to come."""
+        self._pool.warm()
+
     @property
     def processes(self) -> int:
         """How many Blender processes share the work."""
@@ -54,7 +59,12 @@ class BlenderEngine:
         return self._pool.submit("build_asset", {"job": _plain(job)}, AssetMeasure.model_validate)
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
-        """Build one scene with the motion of all its shots."""
+        """Build one scene with the motion of all its shots; a pack that is there already is only looked up."""
+        pack, record = self._root / job.out, self._root / job.record
+        if pack.exists() and record.exists():
+            known: Future[PackRef] = Future()
+            known.set_result(PackRef.model_validate_json(record.read_bytes()))
+            return known
         return self._pool.submit(
             "pack_scene", {"job": _plain(job)}, PackRef.model_validate, affinity=f"scene{job.scene.scene_id}"
         )

@@ -1,4 +1,4 @@
-"""A pool of workers behind one queue. Jobs of one scene prefer the worker that has its pack open."""
+"""A pool of workers behind one queue. A worker is started when all others are busy, so a single job starts one only."""
 
 from __future__ import annotations
 
@@ -13,8 +13,31 @@ from storyblender.engine.worker import Worker
 Result = TypeVar("Result")
 
 
+class _Job:
+    """A call in the queue."""
+
+    def __init__(self, affinity: str, work: Callable[[Worker], Any]) -> None:
+        self.affinity, self._work = affinity, work
+        self.future: Future[Any] = Future()
+        self._result: Any = None
+        self._error: BaseException | None = None
+
+    def run(self, worker: Worker) -> None:
+        try:
+            self._result = self._work(worker)
+        except BaseException as error:  # noqa: BLE001 - carried to whoever waits for the future
+            self._error = error
+
+    def tell(self) -> None:
+        """Give the result to who waits; only once the worker rests, so that the next call of the scene finds it."""
+        if self._error is not None:
+            self.future.set_exception(self._error)
+        else:
+            self.future.set_result(self._result)
+
+
 class WorkerPool:
-    """Runs tool calls on ``size`` Blender processes, started on first use.
+    """Runs tool calls on ``size`` Blender processes at most.
 
     Args:
         make_worker: Starts nothing yet; the process comes with the first call.
@@ -23,15 +46,19 @@ class WorkerPool:
 
     def __init__(self, make_worker: Callable[[], Worker], size: int = 0) -> None:
         self.size = size or min(2, os.cpu_count() or 1)
-        self._pending: list[tuple[str, Callable[[Worker], None]]] = []
+        self._make_worker = make_worker
+        self._workers: list[Worker] = []
+        self._resting: dict[Worker, str] = {}
+        """Workers without a job, and the affinity of their last one."""
+        self._pending: list[_Job] = []
         self._condition = threading.Condition()
         self._closing = False
-        self._threads = [
-            threading.Thread(target=self._serve, args=(make_worker,), name=f"blender-{index}", daemon=True)
-            for index in range(self.size)
-        ]
-        for thread in self._threads:
-            thread.start()
+
+    def warm(self) -> None:
+        """Start a first process now; it comes up while the caller prepares the first job."""
+        with self._condition:
+            if not self._workers:
+                self._hire().start()
 
     def submit(
         self, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result], *, affinity: str = ""
@@ -42,41 +69,53 @@ class WorkerPool:
             tool: Name of the worker's tool.
             arguments: JSON-ready arguments.
             read: Turns the structured answer into the result.
-            affinity: Calls with equal affinity go to the same worker while it has others to choose from.
+            affinity: A call goes to the worker that had the last one of equal affinity, if that one rests.
         """
-        future: Future[Result] = Future()
-
-        def run(worker: Worker) -> None:
-            if not future.set_running_or_notify_cancel():
-                return
-            try:
-                future.set_result(read(worker.call(tool, arguments)))
-            except BaseException as error:  # noqa: BLE001 - carried to whoever waits for the future
-                future.set_exception(error)
-
+        job = _Job(affinity, lambda worker: read(worker.call(tool, arguments)))
         with self._condition:
-            self._pending.append((affinity, run))
-            self._condition.notify()
-        return future
+            self._pending.append(job)
+            if len(self._pending) > len(self._resting) and len(self._workers) < self.size:
+                self._hire()
+            self._condition.notify_all()
+        return job.future
 
     def close(self) -> None:
         """End the workers; jobs not begun are dropped."""
         with self._condition:
             self._closing = True
+            for job in self._pending:
+                job.future.cancel()
             self._pending.clear()
             self._condition.notify_all()
-        for thread in self._threads:
-            thread.join(timeout=30)
+        for worker in self._workers:
+            worker.close()
 
-    def _serve(self, make_worker: Callable[[], Worker]) -> None:
-        worker = make_worker()
-        last = ""
+    def _hire(self) -> Worker:
+        worker = self._make_worker()
+        self._workers.append(worker)
+        self._resting[worker] = ""
+        threading.Thread(target=self._serve, args=(worker,), name="blender", daemon=True).start()
+        return worker
+
+    def _serve(self, worker: Worker) -> None:
         while True:
             with self._condition:
-                self._condition.wait_for(lambda: self._pending or self._closing)
-                if self._closing:
-                    break
-                index = next((i for i, (affinity, _) in enumerate(self._pending) if affinity == last), 0)
-                last, run = self._pending.pop(index)
-            run(worker)
-        worker.close()
+                self._condition.wait_for(lambda: self._closing or self._choice(worker) is not None)
+                choice = self._choice(worker)
+                if choice is None or self._closing:
+                    return
+                job = self._pending.pop(choice)
+                del self._resting[worker]
+            job.run(worker)
+            with self._condition:
+                self._resting[worker] = job.affinity
+                self._condition.notify_all()
+            job.tell()
+
+    def _choice(self, worker: Worker) -> int | None:
+        """Index of the job that a resting worker takes: one of its scene, or one that no other resting worker has."""
+        own = self._resting[worker]
+        others = {last for other, last in self._resting.items() if other is not worker and last}
+        same = (index for index, job in enumerate(self._pending) if job.affinity and job.affinity == own)
+        free = (index for index, job in enumerate(self._pending) if job.affinity not in others)
+        return next(same, next(free, None))

@@ -1,24 +1,32 @@
-"""One Blender process and its MCP client, called from ordinary threads.
+"""One Blender process, spoken to as an MCP server over its standard input and output.
 
 A tool that fails raises EngineError; a process that dies is started again and the call is repeated, because every
-tool is a pure function of its request and of files in the project folder.
+tool is a pure function of its request and of files in the project folder. The client is written out here: the SDKs
+cost two seconds of processor to import, in every command (measured); the tests hold it against one of them.
 """
 
 from __future__ import annotations
 
-import asyncio
-import os
+import json
+import subprocess
 import sys
 import threading
-from collections.abc import Coroutine, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from storyblender.errors import EngineError
 
-if TYPE_CHECKING:
-    from fastmcp import Client
-    from fastmcp.client.transports import StdioTransport
+PROTOCOL = "2025-06-18"
+"""Version of the Model Context Protocol."""
+
+
+class _Lost(Exception):
+    """The process is gone, or says what is no message."""
+
+
+class _Refused(Exception):
+    """The server answered with an error."""
 
 
 class Worker:
@@ -34,65 +42,90 @@ class Worker:
     def __init__(self, command: Sequence[str], log: Path, *, attempts: int = 3, timeout: float = 900) -> None:
         self._command, self._log = command, log
         self._attempts, self._timeout = attempts, timeout
-        self._client: Client[StdioTransport] | None = None
-        self._loop = asyncio.new_event_loop()
-        self._thread = threading.Thread(target=self._loop.run_forever, name="engine-client", daemon=True)
-        self._thread.start()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._greeted = self._closed = False
+        self._sent = 0
+
+    def start(self) -> None:
+        """Start the process, if it does not run, without waiting until it can take a call."""
+        if self._process is None:
+            self._log.parent.mkdir(parents=True, exist_ok=True)
+            with self._log.open("ab") as log:
+                self._process = subprocess.Popen(
+                    self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log
+                )
 
     def call(self, tool: str, arguments: dict[str, Any]) -> Any:
         """Call a tool and return its structured result.
 
         Raises:
-            EngineError: The tool said no, or the process died ``attempts`` times.
+            EngineError: The tool said no, the process died ``attempts`` times, or the worker was closed.
         """
-        # Importing the client takes over a second; only work for Blender is worth it, and only on the worker's thread.
-        from fastmcp.exceptions import ToolError
-
-        trouble = ""
+        trouble: Exception | None = None
         for _ in range(self._attempts):
+            if self._closed:
+                raise EngineError(f"{tool}: Blender was stopped")
             try:
-                return self._wait(self._call(tool, arguments))
-            except ToolError as error:
+                result = self._request("tools/call", {"name": tool, "arguments": arguments})
+            except _Refused as error:
                 raise EngineError(f"{tool}: {error}") from error
-            except Exception as error:  # noqa: BLE001 - the transport raises many kinds; all mean a lost process
-                trouble = f"{type(error).__name__}: {error}"
-                self._wait(self._disconnect())
+            except (_Lost, OSError) as error:
+                trouble = error
+                self._end()
+                continue
+            if result.get("isError"):
+                raise EngineError(f"{tool}: {' '.join(part.get('text', '') for part in result['content'])}")
+            content = result.get("structuredContent") or {}
+            return content["result"] if set(content) == {"result"} else content
         raise EngineError(f"{tool}: Blender died {self._attempts} times ({trouble})")
 
     def close(self) -> None:
-        """End the process."""
-        self._wait(self._disconnect())
-        self._loop.call_soon_threadsafe(self._loop.stop)
-        self._thread.join(timeout=5)
+        """End the process, from any thread; a call under way fails. Nothing is left half-written: tools rename."""
+        self._closed = True
+        self._end()
 
-    def _wait(self, work: Coroutine[Any, Any, Any]) -> Any:
-        return asyncio.run_coroutine_threadsafe(work, self._loop).result()
+    def _end(self) -> None:
+        process, self._process, self._greeted = self._process, None, False
+        if process is not None:
+            process.kill()
+            process.wait()
 
-    async def _call(self, tool: str, arguments: dict[str, Any]) -> Any:
-        if self._client is None:
-            from fastmcp import Client
+    def _request(self, method: str, parameters: dict[str, Any]) -> dict[str, Any]:
+        self.start()
+        if not self._greeted:
+            client = {"name": "storyblender", "version": "1"}
+            self._exchange("initialize", {"protocolVersion": PROTOCOL, "capabilities": {}, "clientInfo": client})
+            self._send({"method": "notifications/initialized"})
+            self._greeted = True
+        return self._exchange(method, parameters)
 
-            self._client = Client(self._transport(), timeout=self._timeout)
-            await self._client.__aenter__()
-        result = await self._client.call_tool(tool, arguments, timeout=self._timeout)
-        content = result.structured_content or {}
-        return content["result"] if set(content) == {"result"} else content
-
-    async def _disconnect(self) -> None:
-        client, self._client = self._client, None
-        if client is None:
-            return
+    def _exchange(self, method: str, parameters: dict[str, Any]) -> dict[str, Any]:
+        """Send a request and wait for its answer; whatever else the server says meanwhile is passed over."""
+        process = self._process
+        if process is None or process.stdout is None:
+            raise _Lost("stopped")
+        self._sent += 1
+        self._send({"id": self._sent, "method": method, "params": parameters})
+        alarm = threading.Timer(self._timeout, process.kill)
+        alarm.daemon = True
+        alarm.start()
         try:
-            await asyncio.wait_for(client.__aexit__(None, None, None), timeout=10)
-        except Exception:  # noqa: BLE001 - the process is gone or going; nothing is left to close
-            return
+            while line := process.stdout.readline():
+                message = _read(line)
+                if message.get("id") == self._sent and "method" not in message:
+                    if "error" in message:
+                        raise _Refused(message["error"].get("message", "refused"))
+                    return message["result"]
+        finally:
+            alarm.cancel()
+        raise _Lost(f"exit {process.wait()}")
 
-    def _transport(self) -> StdioTransport:
-        from fastmcp.client.transports import StdioTransport
-
-        self._log.parent.mkdir(parents=True, exist_ok=True)
-        program, *arguments = self._command
-        return StdioTransport(program, arguments, env=dict(os.environ), keep_alive=False, log_file=self._log)
+    def _send(self, message: dict[str, Any]) -> None:
+        process = self._process
+        if process is None or process.stdin is None:
+            raise _Lost("stopped")
+        process.stdin.write(json.dumps({"jsonrpc": "2.0", **message}).encode() + b"\n")
+        process.stdin.flush()
 
 
 def blender_command(root: Path, models: Path | None = None) -> list[str]:
@@ -104,3 +137,10 @@ def blender_command(root: Path, models: Path | None = None) -> list[str]:
     """
     command = [sys.executable, "-m", "storyblender.blender", "--root", str(root)]
     return command if models is None else [*command, "--models", str(models)]
+
+
+def _read(line: bytes) -> dict[str, Any]:
+    try:
+        return json.loads(line)
+    except ValueError as error:
+        raise _Lost(f"no message: {line[:80]!r}") from error

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.base import Frozen, content_hash, scene_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Light, Lighting, SceneContext
@@ -63,6 +63,16 @@ class SceneJob(Frozen):
         ]
         geometry = [asset.canonical.digest if asset.canonical else asset.asset_id for asset in self.assets]
         return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps)
+
+    @property
+    def out(self) -> str:
+        """Path of the pack."""
+        return f"build/scenes/{scene_name(self.scene.scene_id)}-{self.digest}.blend"
+
+    @property
+    def record(self) -> str:
+        """Path of the pack's reference, written when the pack is whole."""
+        return f"{self.out.removesuffix('.blend')}.json"
 
 
 class PackRef(Frozen):
