@@ -7,134 +7,51 @@ import math
 import bpy
 import numpy as np
 import pytest
-from mathutils import Matrix, Quaternion, Vector
+from mathutils import Matrix, Vector
+from tests.blender.motion_stage import (
+    FPS,
+    Playback,
+    build_bodies,
+    chair_at,
+    cue_of,
+    mark_at,
+    perform,
+    table_at,
+    world_at,
+)
 
 from storyblender.blender.motion.clips import CLIPS
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.plan import (
-    Performance,
     StageFurniture,
     StagePerson,
     StagePlan,
     StageProp,
-    box_of,
 )
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.people.body import Body
-from storyblender.blender.people.person import build_person
 from storyblender.catalog.motions import MOTIONS
-from storyblender.memory.asset_sheet import Anchor, CharacterLook
-from storyblender.memory.shot_context import Blocking, Cue, Mark
-from storyblender.memory.vocabulary import Posture
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.shot_context import Blocking
 
 pytestmark = pytest.mark.blender
-FPS = 24
 
 
 @pytest.fixture(scope="module")
 def bodies() -> dict[str, Body]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    looks = {"man": CharacterLook(age=40, gender="male"), "girl": CharacterLook(age=8, gender="female")}
-    return {name: build_person(name, look, 1).body for name, look in looks.items()}
-
-
-def _mark(who: str, x: float, y: float, yaw: float = 0.0, posture: Posture = "stand", **fields: object) -> Mark:
-    values = {"asset_id": who, "location": (x, y, 0.0), "yaw": yaw, "posture": posture, **fields}
-    return Mark.model_validate(values)
-
-
-def _cue(who: str, clip: str, start: int = 0, **fields: object) -> Cue:
-    return Cue.model_validate({"asset_id": who, "clip": clip, "start": start, **fields})
-
-
-def _world(x: float, y: float, z: float = 0.0, yaw: float = 0.0) -> np.ndarray:
-    return np.array(Matrix.Translation((x, y, z)) @ Matrix.Rotation(math.radians(yaw), 4, "Z"))
-
-
-def _chair(x: float, y: float, yaw: float = 0.0) -> StageFurniture:
-    seat = Anchor(kind="seat", name="seat", location=(0, -0.24, 0.45), size=(0.46, 0.42))
-    return StageFurniture(_world(x, y, 0, yaw), (0.46, 0.48, 0.9), (seat,), "chair")
-
-
-def _table(x: float, y: float) -> StageFurniture:
-    top = Anchor(kind="top", name="top", location=(0, 0, 0.75), size=(1.2, 0.7))
-    return StageFurniture(_world(x, y), (1.2, 0.7, 0.75), (top,), "table")
-
-
-def _shot(
-    bodies: dict[str, Body],
-    marks: tuple[Mark, ...],
-    cues: tuple[Cue, ...],
-    seconds: float,
-    *,
-    ends: tuple[Mark, ...] = (),
-    furniture: dict[str, StageFurniture] | None = None,
-    props: dict[str, StageProp] | None = None,
-) -> Performance:
-    last = {mark.asset_id: mark for mark in (*marks, *ends)}
-    furniture = furniture or {}
-    plan = StagePlan(
-        people={m.asset_id: StagePerson(bodies[m.asset_id], Blocking(start=m, end=last[m.asset_id])) for m in marks},
-        frames=round(seconds * FPS),
-        cues=cues,
-        props=props or {},
-        furniture=furniture,
-        obstacles=tuple(box_of(node, each) for node, each in furniture.items()),
-        seed=3,
-    )
-    return solve_shot(plan, FPS)
-
-
-class _Playback:
-    """Forward kinematics from the solved track alone, as Blender will play it."""
-
-    def __init__(self, body: Body, performance: Performance, who: str) -> None:
-        self.body, self.track = body, performance.people[who]
-        self.index = {name: i for i, name in enumerate(body.bone_names)}
-
-    def matrices(self, frame: int) -> dict[str, Matrix]:
-        """World matrices of the posed bones."""
-        body, track = self.body, self.track
-        x, y, z, yaw = track.root[frame]
-        world = Matrix.Translation((x, y, z)) @ Matrix.Rotation(yaw, 4, "Z")
-        posed: dict[int, Matrix] = {}
-        for i in sorted(range(len(body.bone_names)), key=self._depth):
-            rest = Matrix(body.rest[i].tolist())
-            local = Quaternion(track.rotations[frame, i].tolist()).to_matrix().to_4x4()
-            parent = body.parents[i]
-            if parent < 0:
-                posed[i] = rest @ Matrix.Translation(Vector(track.hips[frame].tolist())) @ local
-            else:
-                posed[i] = posed[parent] @ Matrix(body.rest[parent].tolist()).inverted() @ rest @ local
-        return {body.bone_names[i]: world @ matrix for i, matrix in posed.items()}
-
-    def joint(self, bone: str, frame: int) -> Vector:
-        return self.matrices(frame)[bone].translation
-
-    def skin(self, frame: int) -> np.ndarray:
-        """Skinned vertices, world."""
-        posed = self.matrices(frame)
-        moves = np.array(
-            [np.array(posed[n] @ Matrix(self.body.rest[i].tolist()).inverted()) for n, i in self.index.items()]
-        )
-        blended = np.einsum("vb,bij->vij", self.body.weights, moves)
-        points = np.c_[self.body.vertices, np.ones(len(self.body.vertices))]
-        return np.einsum("vij,vj->vi", blended, points)[:, :3]
-
-    def _depth(self, i: int) -> int:
-        parent = self.body.parents[i]
-        return 0 if parent < 0 else 1 + self._depth(parent)
+    return build_bodies()
 
 
 @pytest.mark.parametrize("who", ["man", "girl"])
 def test_a_walk_arrives_on_the_mark_and_no_planted_foot_slides(bodies: dict[str, Body], who: str) -> None:
-    end = _mark(who, 2.0, 1.0, 45)
-    shot = _shot(bodies, (_mark(who, -2, 0, 90),), (_cue(who, "walk", 4, mark=end),), 6, ends=(end,))
+    end = mark_at(who, 2.0, 1.0, 45)
+    shot = perform(bodies, (mark_at(who, -2, 0, 90),), (cue_of(who, "walk", 4, mark=end),), 6, ends=(end,))
     assert shot.problems == ()
     x, y, _, yaw = shot.people[who].root[-1]
     assert (x, y) == pytest.approx((2, 1), abs=0.01)
     assert math.degrees(yaw) % 360 == pytest.approx(45, abs=1)
-    play = _Playback(bodies[who], shot, who)
+    play = Playback(bodies[who], shot, who)
     floor = measure(bodies[who]).ankle
     for side in "LR":
         feet = [(play.joint(f"toe.{side}", f), play.joint(f"foot.{side}", f)) for f in range(0, len(shot.frames))]
@@ -151,13 +68,13 @@ def test_a_walk_arrives_on_the_mark_and_no_planted_foot_slides(bodies: dict[str,
 
 
 def test_nobody_walks_through_a_table(bodies: dict[str, Body]) -> None:
-    end = _mark("man", 0, 2.2, 0)
-    furniture = {"table": _table(0, 0.5)}
-    shot = _shot(
-        bodies, (_mark("man", 0, -1.5, 180),), (_cue("man", "walk", mark=end),), 7, ends=(end,), furniture=furniture
+    end = mark_at("man", 0, 2.2, 0)
+    furniture = {"table": table_at(0, 0.5)}
+    shot = perform(
+        bodies, (mark_at("man", 0, -1.5, 180),), (cue_of("man", "walk", mark=end),), 7, ends=(end,), furniture=furniture
     )
     assert shot.problems == ()
-    play = _Playback(bodies["man"], shot, "man")
+    play = Playback(bodies["man"], shot, "man")
     for frame in range(0, len(shot.frames), 6):
         skin = play.skin(frame)
         depth = np.minimum(0.6 - np.abs(skin[:, 0]), 0.35 - np.abs(skin[:, 1] - 0.5))
@@ -167,15 +84,15 @@ def test_nobody_walks_through_a_table(bodies: dict[str, Body]) -> None:
 
 @pytest.mark.parametrize("who", ["man", "girl"])
 def test_sitters_touch_the_seat_from_the_first_frame_and_after_sitting_down(bodies: dict[str, Body], who: str) -> None:
-    chair = {"chair": _chair(0, 0.24)}
-    seated = _mark(who, 0, 0, 0, "sit", support_id="chair")
-    already = _shot(bodies, (seated,), (), 1, furniture=chair)
-    down = _shot(
-        bodies, (_mark(who, -1, -1, 30),), (_cue(who, "sit", 2, mark=seated),), 8, ends=(seated,), furniture=chair
+    chair = {"chair": chair_at(0, 0.24)}
+    seated = mark_at(who, 0, 0, 0, "sit", support_id="chair")
+    already = perform(bodies, (seated,), (), 1, furniture=chair)
+    down = perform(
+        bodies, (mark_at(who, -1, -1, 30),), (cue_of(who, "sit", 2, mark=seated),), 8, ends=(seated,), furniture=chair
     )
     assert already.problems == down.problems == ()
     for shot, frame in ((already, 0), (down, -1 % len(down.frames))):
-        play = _Playback(bodies[who], shot, who)
+        play = Playback(bodies[who], shot, who)
         skin = play.skin(frame)
         on_seat = (np.abs(skin[:, 0]) < 0.23) & (skin[:, 1] > 0.02) & (skin[:, 1] < 0.40) & (skin[:, 2] < 0.7)
         lowest = np.percentile(skin[on_seat][:, 2], 1)
@@ -185,23 +102,23 @@ def test_sitters_touch_the_seat_from_the_first_frame_and_after_sitting_down(bodi
 
 
 def test_rising_from_a_seat_at_a_table_goes_to_the_side(bodies: dict[str, Body]) -> None:
-    furniture = {"chair": _chair(0, 0.24), "table": _table(0, -0.55)}
-    seated = _mark("man", 0, 0, 0, "sit", support_id="chair")
-    shot = _shot(bodies, (seated,), (_cue("man", "rise", 4),), 4, furniture=furniture)
+    furniture = {"chair": chair_at(0, 0.24), "table": table_at(0, -0.55)}
+    seated = mark_at("man", 0, 0, 0, "sit", support_id="chair")
+    shot = perform(bodies, (seated,), (cue_of("man", "rise", 4),), 4, furniture=furniture)
     x, y = shot.people["man"].root[-1, :2]
     assert abs(x) > 0.4
     assert y > -0.3
 
 
 def test_a_letter_changes_hands(bodies: dict[str, Body]) -> None:
-    letter = StageProp(_world(0, 0, -5), (0.11, 0.22, 0.01))
-    marks = (_mark("man", -1.0, 0, 90, held=(("R", "letter"),)), _mark("girl", 0.5, 0, -90))
-    shot = _shot(
-        bodies, marks, (_cue("man", "give", 2, target_id="girl", prop_id="letter"),), 6,
-        ends=(_mark("man", -0.3, 0, 90),), props={"letter": letter},
+    letter = StageProp(world_at(0, 0, -5), (0.11, 0.22, 0.01))
+    marks = (mark_at("man", -1.0, 0, 90, held=(("R", "letter"),)), mark_at("girl", 0.5, 0, -90))
+    shot = perform(
+        bodies, marks, (cue_of("man", "give", 2, target_id="girl", prop_id="letter"),), 6,
+        ends=(mark_at("man", -0.3, 0, 90),), props={"letter": letter},
     )  # fmt: skip
     assert [p.kind for p in shot.problems] == []
-    man, girl = (_Playback(bodies[who], shot, who) for who in ("man", "girl"))
+    man, girl = (Playback(bodies[who], shot, who) for who in ("man", "girl"))
     path = shot.props["letter"]
     first, last = Vector(path[0, :3, 3].tolist()), Vector(path[-1, :3, 3].tolist())
     assert (first - man.joint("hand.R", 0)).length < 0.3
@@ -211,10 +128,10 @@ def test_a_letter_changes_hands(bodies: dict[str, Body]) -> None:
 
 
 def test_a_cup_is_picked_up_where_it_stands(bodies: dict[str, Body]) -> None:
-    cup = StageProp(_world(0.1, 0.35, 0.75), (0.08, 0.08, 0.1))
-    furniture = {"table": _table(0, 0.6)}
-    shot = _shot(
-        bodies, (_mark("man", 0, -0.05, 180),), (_cue("man", "pick_up", 2, prop_id="cup"),), 3.5,
+    cup = StageProp(world_at(0.1, 0.35, 0.75), (0.08, 0.08, 0.1))
+    furniture = {"table": table_at(0, 0.6)}
+    shot = perform(
+        bodies, (mark_at("man", 0, -0.05, 180),), (cue_of("man", "pick_up", 2, prop_id="cup"),), 3.5,
         furniture=furniture, props={"cup": cup},
     )  # fmt: skip
     assert [p.kind for p in shot.problems] == []
@@ -227,10 +144,10 @@ def test_a_cup_is_picked_up_where_it_stands(bodies: dict[str, Body]) -> None:
 @pytest.mark.parametrize("yaw", [0, 90, 180, 270])
 def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, Body], yaw: float) -> None:
     grip = Anchor(kind="grip", name="grip_r", location=(-0.01, 0.04, -0.012), direction=(0, -1, 0), normal=(0, 0, 1))
-    letter = StageProp(_world(0.05, 0.475, 0.75, yaw), (0.22, 0.11, 0.006), (grip,))
-    shot = _shot(
-        bodies, (_mark("man", 0, -0.1, 180),), (_cue("man", "pick_up", 2, prop_id="letter"),), 3.5,
-        furniture={"table": _table(0, 0.6)}, props={"letter": letter},
+    letter = StageProp(world_at(0.05, 0.475, 0.75, yaw), (0.22, 0.11, 0.006), (grip,))
+    shot = perform(
+        bodies, (mark_at("man", 0, -0.1, 180),), (cue_of("man", "pick_up", 2, prop_id="letter"),), 3.5,
+        furniture={"table": table_at(0, 0.6)}, props={"letter": letter},
     )  # fmt: skip
     assert shot.problems == ()
     steps = np.linalg.norm(np.diff(shot.props["letter"][:, :3, 3], axis=0), axis=1)
@@ -239,60 +156,60 @@ def test_a_letter_is_reached_across_a_table_however_it_lies(bodies: dict[str, Bo
 
 @pytest.mark.parametrize("who", ["man", "girl"])
 def test_a_guitar_is_played_across_the_body(bodies: dict[str, Body], who: str) -> None:
-    guitar = StageProp(_world(0, 0, -5), (0.34, 0.12, 1.0))
-    cue = _cue(who, "play_piano", 2, prop_id="guitar", duration=70)
-    shot = _shot(bodies, (_mark(who, 0, 0, 90, held=(("R", "guitar"),)),), (cue,), 3, props={"guitar": guitar})
+    guitar = StageProp(world_at(0, 0, -5), (0.34, 0.12, 1.0))
+    cue = cue_of(who, "play_piano", 2, prop_id="guitar", duration=70)
+    shot = perform(bodies, (mark_at(who, 0, 0, 90, held=(("R", "guitar"),)),), (cue,), 3, props={"guitar": guitar})
     assert shot.problems == ()
     matrix = Matrix(shot.props["guitar"][50].tolist())
     neck, strings = matrix.to_3x3().col[2], -matrix.to_3x3().col[1]
     assert abs(neck.z) < 0.6
     assert neck.y > 0.7, "to the left of somebody who faces +X"
     assert strings.x > 0.7
-    play = _Playback(bodies[who], shot, who)
+    play = Playback(bodies[who], shot, who)
     reach = 0.16 + 0.08 * (who == "girl")
     assert (play.joint("hand.L", 50) - matrix @ Vector((0, 0, 0.64))).length < reach
     assert (play.joint("hand.R", 50) - matrix @ Vector((0, -0.08, 0.3))).length < reach + 0.06
 
 
 def test_who_walks_into_an_embrace_walks_through_nobody(bodies: dict[str, Body]) -> None:
-    end = _mark("man", 0.0, 0.0, 90)
-    cues = (_cue("man", "walk", 2, mark=end), _cue("man", "hug", 60, target_id="girl"))
-    marks = (_mark("man", -1.5, 0, 90), _mark("girl", 0.34, 0, -90))
-    shot = _shot(bodies, marks, cues, 6, ends=(end,))
+    end = mark_at("man", 0.0, 0.0, 90)
+    cues = (cue_of("man", "walk", 2, mark=end), cue_of("man", "hug", 60, target_id="girl"))
+    marks = (mark_at("man", -1.5, 0, 90), mark_at("girl", 0.34, 0, -90))
+    shot = perform(bodies, marks, cues, 6, ends=(end,))
     assert [p.kind for p in shot.problems] == []
 
 
 def test_a_door_is_opened_by_its_handle(bodies: dict[str, Body]) -> None:
     handle = Anchor(kind="handle", location=(-0.35, -0.05, 1.0))
-    door = StageFurniture(_world(0, 0.6), (0.9, 0.15, 2.0), (handle,), "door")
+    door = StageFurniture(world_at(0, 0.6), (0.9, 0.15, 2.0), (handle,), "door")
     plan = StagePlan(
-        people={"man": StagePerson(bodies["man"], Blocking(start=(m := _mark("man", -0.3, 0.1, 180)), end=m))},
+        people={"man": StagePerson(bodies["man"], Blocking(start=(m := mark_at("man", -0.3, 0.1, 180)), end=m))},
         frames=3 * FPS,
-        cues=(_cue("man", "open", 2, target_id="door_1"),),
+        cues=(cue_of("man", "open", 2, target_id="door_1"),),
         furniture={"door_1": door},
     )
     shot = solve_shot(plan, FPS)
     assert shot.problems == ()
-    hand = _Playback(bodies["man"], shot, "man").joint("hand.R", 22)
+    hand = Playback(bodies["man"], shot, "man").joint("hand.R", 22)
     assert (hand - Vector((-0.35, 0.55, 1.0))).length < 0.16
 
 
 def test_what_cannot_be_staged_is_told(bodies: dict[str, Body]) -> None:
     walls = {
-        f"wall_{i}": StageFurniture(_world(x, y), size)
+        f"wall_{i}": StageFurniture(world_at(x, y), size)
         for i, (x, y, size) in enumerate(
             [(0, 1, (2, 0.1, 2)), (0, -1, (2, 0.1, 2)), (1, 0, (0.1, 2, 2)), (-1, 0, (0.1, 2, 2))]
         )
     }
-    goal = _mark("man", 3, 0)
-    cues = (_cue("man", "walk", mark=goal), _cue("man", "sit", 30, target_id="throne"))
-    shot = _shot(bodies, (_mark("man", 0, 0),), cues, 2, ends=(goal,), furniture=walls)
+    goal = mark_at("man", 3, 0)
+    cues = (cue_of("man", "walk", mark=goal), cue_of("man", "sit", 30, target_id="throne"))
+    shot = perform(bodies, (mark_at("man", 0, 0),), cues, 2, ends=(goal,), furniture=walls)
     assert {"no_path", "missing", "no_support", "late"} <= {problem.kind for problem in shot.problems}
 
 
 def test_same_plan_same_performance(bodies: dict[str, Body]) -> None:
-    cues = (_cue("man", "talk", 0, duration=40, mood="angry"), _cue("man", "look_around", 50))
-    one, two = (_shot(bodies, (_mark("man", 0, 0),), cues, 3) for _ in range(2))
+    cues = (cue_of("man", "talk", 0, duration=40, mood="angry"), cue_of("man", "look_around", 50))
+    one, two = (perform(bodies, (mark_at("man", 0, 0),), cues, 3) for _ in range(2))
     assert np.array_equal(one.people["man"].rotations, two.people["man"].rotations)
     assert np.array_equal(one.people["man"].face, two.people["man"].face)
 
@@ -303,9 +220,9 @@ def test_the_catalog_and_the_clips_agree() -> None:
 
 @pytest.mark.parametrize("clip", sorted(CLIPS))
 def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[str, Body], clip: str) -> None:
-    furniture = {"table": _table(0, 1.2), "chair": _chair(-1.6, 0.5)}
-    props = {"cup": StageProp(_world(0.2, 0.98, 0.75), (0.08, 0.08, 0.1))}
-    marks = (_mark("man", -0.2, -0.3, 150, held=(("L", "cup"),)), _mark("girl", 1.0, -0.6, -60))
+    furniture = {"table": table_at(0, 1.2), "chair": chair_at(-1.6, 0.5)}
+    props = {"cup": StageProp(world_at(0.2, 0.98, 0.75), (0.08, 0.08, 0.1))}
+    marks = (mark_at("man", -0.2, -0.3, 150, held=(("L", "cup"),)), mark_at("girl", 1.0, -0.6, -60))
     reach = MOTIONS[clip].reach
     target = {"person": "girl", "thing": "table"}.get(reach)
     if clip in ("sit",):
@@ -314,10 +231,10 @@ def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[st
         target = None
     fields: dict[str, object] = {"target_id": target}
     if clip in ("walk", "run", "sneak", "stagger", "crawl"):
-        fields["mark"] = _mark("man", -1.0, -2.0, 20)
+        fields["mark"] = mark_at("man", -1.0, -2.0, 20)
     if MOTIONS[clip].hands == 1:
         fields["prop_id"] = "cup"
-    shot = _shot(bodies, marks, (_cue("man", clip, 2, **fields),), 4, furniture=furniture, props=props)
+    shot = perform(bodies, marks, (cue_of("man", clip, 2, **fields),), 4, furniture=furniture, props=props)
     assert not [p for p in shot.problems if p.kind in ("missing", "no_path")]
     for who in ("man", "girl"):
         track = shot.people[who]
@@ -326,6 +243,6 @@ def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[st
         turns = np.abs(np.einsum("nbq,nbq->nb", track.rotations[1:], track.rotations[:-1]))
         assert np.degrees(2 * np.arccos(np.clip(turns, 0, 1))).max() < 75, "no bone snaps within a frame"
         assert np.abs(np.diff(track.root[:, :2], axis=0)).max() < 0.25
-        play = _Playback(bodies[who], shot, who)
+        play = Playback(bodies[who], shot, who)
         for frame in (len(shot.frames) // 2, len(shot.frames) - 1):
             assert min(m.translation.z for m in play.matrices(frame).values()) > -0.05

@@ -130,7 +130,8 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("shoot", "shoot", ("fire",), 1.7, ("shoot",), before=AWAKE, hands=2),
         # two people
         Motion("give", "hand over", ("pass", "offer"), 2.3, ("give",), reach="person", distance=0.78, hands=1),
-        Motion("take", "take", ("accept", "snatch"), 2.3, ("take", "catch"), reach="thing", distance=0.5, hands=1),
+        Motion("take", "take", ("accept", "snatch"), 2.3, ("take",), reach="thing", distance=0.5, hands=1),
+        Motion("catch", "catch", ("be thrown",), 2.2, ("catch",), before=AWAKE, reach="thing", distance=0.5, hands=1),
         Motion("shake_hands", "shake hands", (), 2.9, ("shake_hands",), reach="person", distance=0.75, hands=1),
         Motion("hug", "hug", ("embrace",), 3.9, ("hug",), reach="person", distance=0.34, hands=2),
         Motion("kiss", "kiss", (), 3.9, ("kiss",), reach="person", distance=0.34, hands=2),

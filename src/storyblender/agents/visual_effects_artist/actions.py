@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.company import SEATED, Company, Person, turn_between
+from storyblender.agents.visual_effects_artist.crossings import across, is_vessel, seat_aboard
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, CueSheet
 from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
@@ -13,6 +14,8 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CharacterAction, Mark
 from storyblender.memory.vocabulary import Posture
 
+GETTING = frozenset({"pick_up", "take", "hold", "catch"})
+"""Motions after which one has something in hand."""
 SEATED_REACH = 0.45
 """Metres from a seat's edge to what its sitter can take."""
 ASIDE = math.radians(60)
@@ -43,15 +46,21 @@ class Actions:
                 start = self.sheet.start_of(person)
                 self.sheet.done(person, start, self.sheet.rise(person, start))
             return
+        if motion.key in ("jump", "climb") and self._cross(action, motion, person):
+            return
+        if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
+            motion = MOTIONS["walk"]  # what one would climb is not there: one goes
+        if motion.key == "take" and partner is not None and prop is None:
+            motion = MOTIONS["touch"]  # somebody is seized, not something
         if motion.speed is not None:
             self._travel(action, motion, person, partner, later)
         elif motion.key in ("sit", "lie_down", "lean", "kneel", "crouch", "hide", "fall", "rise", "sleep"):
             self._pose(action, motion, person, partner)
-        elif partner is not None and (motion.reach == "person" or motion.key in ("take", "push")):
+        elif partner is not None and (motion.reach == "person" or motion.key in ("take", "catch", "push")):
             self._meet(action, motion, person, partner, prop)
         elif prop is not None and motion.hands:
-            self._handle(action, motion, person, prop)
-        elif motion.reach == "thing":
+            self._handle(action, motion, person, prop, later)
+        elif motion.reach == "thing" or motion.key == "jump":
             self._at_thing(action, motion, person)
         else:
             self._sign(action, motion, person, partner)
@@ -72,11 +81,31 @@ class Actions:
         goes_on = any(
             a.asset_id == person.asset_id and a.target_id and clip_of(a.motion).speed is not None for a in later
         )
-        if sits_next or (person.entering and goes_on and not action.target_id):
+        own = [clip_of(a.motion) for a in later if a.asset_id == person.asset_id]
+        goes_over = bool(own) and (own[0].speed is not None or own[0].key in ("jump", "climb"))
+        if sits_next or (not action.target_id and (goes_over or (person.entering and goes_on))):
+            person.pace = motion.key
             return
-        goal, yaw = self.sheet.goal(action, person, partner)
+        goal, yaw = self.sheet.goal(action, person, partner, motion.speed or 0.0)
         end = self.sheet.go(person, goal, yaw, start, motion.key)
         self.sheet.done(person, start, end)
+
+    def _cross(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
+        """Leap or climb over a thing, or into a boat; tell whether there is one to get over."""
+        floor = self.company.floor
+        thing = floor.things.get(getattr(floor.thing(action.target_id), "node_id", ""))
+        if thing is None:
+            return False
+        start = self.sheet.start_of(person)
+        if is_vessel(thing):
+            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.k))
+            return True
+        way = across(floor, thing, person.place, person.k, self.company.others(person))
+        if way is None:
+            return False
+        t = self.sheet.go(person, way.near, facing(way.near, way.far), start)
+        self.sheet.done(person, start, self.sheet.cross(person, way, t, motion.key, thing.node_id))
+        return True
 
     def _pose(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
         start = self.sheet.start_of(person)
@@ -122,7 +151,7 @@ class Actions:
             before = self.company.floor.access(seat, person.k)
             blocked = self.company.floor.room_at(before, (seat.node_id,)) < 0.5 * BODY * person.k
             way = None if blocked else self.company.floor.path(person.place, before, person.k)
-            if way is None and not person.acted:
+            if way is None and not person.acted and not seat_aboard(self.company.floor, seat):
                 self.company.take_seat(person, seat)
                 self.sheet.starts[person.asset_id] = person.mark(held=self.sheet.starts[person.asset_id].held)
                 self.sheet.cheats.append(
@@ -191,15 +220,17 @@ class Actions:
         partner.busy = max(partner.busy, end)
         self.sheet.done(person, start, end, holds=True)
 
-    def _handle(self, action: CharacterAction, motion: Motion, person: Person, prop: str) -> None:
+    def _handle(
+        self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
+    ) -> None:
         """Do something with a prop, after going to it or having it in hand."""
         start = self.sheet.start_of(person)
         t, key = start, motion.key
-        getting = key in ("pick_up", "take", "hold")
+        getting = key in GETTING
         holder = self.company.holder(prop)
         if getting and person.hand_of(prop):
             return
-        if key == "take" and holder is not None and holder is not person and holder.present:
+        if key in ("take", "catch") and holder is not None and holder is not person and holder.present:
             self._meet(action, motion, person, holder, prop)
             return
         lies = self.company.lying.get(prop)
@@ -219,10 +250,22 @@ class Actions:
                 if getting:
                     self.sheet.done(person, start, t)
                     return
+        bag = self.company.bag_for(person, prop) if getting else None
+        if bag is not None:
+            t = self.sheet.cue(
+                person, "take", t, natural_seconds(motion), target_id=bag, prop_id=prop, hand=person.free_hand()
+            )
+            self.company.hand_over(person, prop)
+            self.sheet.done(person, start, t)
+            return
         if not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
             if getting:
                 return
+        catcher = self._catcher(person, prop, later) if key == "throw" else None
+        if catcher is not None:
+            self._pass(person, catcher, prop, t)
+            return
         target = action.target_id if action.target_id != prop else None
         hand = person.hand_of(prop)
         mark = None
@@ -234,6 +277,34 @@ class Actions:
             person, key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
         )
         self.sheet.done(person, start, end)
+
+    def _catcher(self, person: Person, prop: str, later: Sequence[CharacterAction]) -> Person | None:
+        """Return who catches what a person throws."""
+        for action in later:
+            catcher = self.company.people.get(action.asset_id)
+            if catcher is None or catcher is person or self.company.prop_of(action) != prop:
+                continue
+            able = catcher.present and catcher.free_hand() and catcher.posture not in ("lie", "asleep")
+            return catcher if able and clip_of(action.motion).key in GETTING else None
+        return None
+
+    def _pass(self, person: Person, catcher: Person, prop: str, t: float) -> None:
+        """Throw something that somebody catches."""
+        start = t
+        t = self.sheet.face(person, facing(person.place, catcher.place), max(t, catcher.busy))
+        if catcher.upright:
+            t = max(t, self.sheet.face(catcher, facing(catcher.place, person.place), t))
+        hand = person.hand_of(prop)
+        end = self.sheet.cue(
+            person, "throw", t, natural_seconds(MOTIONS["throw"]), target_id=catcher.asset_id, prop_id=prop, hand=hand
+        )
+        free = catcher.free_hand()
+        caught = self.sheet.cue(
+            catcher, "catch", t, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
+        )
+        self.company.hand_over(catcher, prop)
+        self.sheet.done(person, start, end)
+        self.sheet.done(catcher, start, caught, holds=True)
 
     def _let_go(
         self, action: CharacterAction, person: Person, prop: str, t: float, key: str

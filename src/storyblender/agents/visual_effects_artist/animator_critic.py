@@ -6,6 +6,7 @@ import itertools
 import math
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, ShotStaging
+from storyblender.agents.visual_effects_artist.crossings import vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.base import shot_name
@@ -17,6 +18,7 @@ INSIDE = 0.6
 TOGETHER = 0.30
 """Metres: two standing people nearer than this overlap, unless they embrace."""
 EMBRACES = frozenset({"hug", "kiss"})
+LEAPS = frozenset({"jump", "climb"})
 SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
 
 
@@ -54,6 +56,8 @@ def _places(floor: Floor, scale: dict[str, float], blocking: Blocking, name: str
                 faults.append(_fault("support", mark, f"{name}: {mark.asset_id} rests on {mark.support_id}, not there"))
             elif mark.posture == "sit" and mark.support_id is None:
                 faults.append(_fault("support", mark, f"{name}: {mark.asset_id} sits on the ground", severity=0.2))
+            continue
+        if vessel_at(floor, place) is not None:
             continue
         if floor.room_at(place) < INSIDE * BODY * k and not _before_seat(floor, place):
             goal = floor.free_near(place, k)
@@ -100,7 +104,8 @@ def _ways(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -
         if cue.mark is None or here is None or cue.clip == "put_down":
             continue
         start, goal = here.location[:2], cue.mark.location[:2]
-        moves = cue.mark.posture == "stand" and here.posture == "stand" and math.dist(start, goal) > 0.1
+        walks = cue.clip not in LEAPS and cue.mark.posture == "stand" and here.posture == "stand"
+        moves = walks and math.dist(start, goal) > 0.1
         if moves and floor.path(start, goal, scale.get(cue.asset_id, 1.0)) is None:
             faults.append(_fault("no_way", cue.mark, f"{name}: {cue.asset_id} cannot walk to its mark"))
         place[cue.asset_id] = cue.mark

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from storyblender.agents.visual_effects_artist.floor import Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing, facing
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
@@ -16,6 +16,10 @@ from storyblender.memory.shot_context import BodyState, CharacterAction, Mark, P
 from storyblender.memory.vocabulary import Hand, Posture
 
 SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
+RUN_UP = 1.2
+"""Seconds of the way in; who runs is seen running."""
+BESIDE = 2.0
+"""Metres from the middle of a thing within which one is by it."""
 HAND_SIZE = 0.6
 """Metres; the second largest extent of what a person can carry."""
 
@@ -39,6 +43,8 @@ class Person:
     """Has moved in this shot: the start mark stands."""
     entering: bool = False
     """Comes in through a door as the shot begins."""
+    pace: str = ""
+    """How the next way is gone, where the script said so before it said where to."""
 
     @property
     def upright(self) -> bool:
@@ -113,7 +119,7 @@ class Company:
     def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
         for person in cast:
-            person.busy, person.acted, person.entering = 0.0, False, False
+            person.busy, person.acted, person.entering, person.pace = 0.0, False, False, ""
             if person.present:
                 continue
             person.posture, person.support, person.anchor = "stand", None, ""
@@ -121,13 +127,34 @@ class Company:
             first = next((a for a in shot.character_actions if a.asset_id == person.asset_id), None)
             place, yaw = self.home.get(person.asset_id, (self.middle(), 0.0))
             enters = first is not None and (self.opens_a_door(first) or clip_of(first.motion).speed is not None)
-            if enters and self.enter_marks():
-                mark = min(self.enter_marks(), key=lambda spot: math.dist(spot, place))
+            thing = self.floor.thing(first.target_id) if first is not None else None
+            if enters and first is not None and self.enter_marks():
+                mark = self._entrance(place, clip_of(first.motion).speed or 0.0)
+                if self.floor.room_at(mark) < 0.6 * BODY * person.k:
+                    mark = self.floor.free_near(mark, person.k, others)
                 person.place, person.yaw, person.entering = mark, facing(mark, place), True
+            elif thing is not None and first is not None and self._waits_by(first, thing, place):
+                self._wait_by(person, thing, place)
             else:
                 person.place = self.floor.free_near(place, person.k, others)
                 person.yaw = yaw
             person.present = True
+
+    def _entrance(self, place: Vec2, speed: float) -> Vec2:
+        """Return where somebody comes in: nearby, or for a run from as far as a run needs."""
+        marks = sorted(self.enter_marks(), key=lambda spot: math.dist(spot, place))
+        return next((mark for mark in marks if math.dist(mark, place) > RUN_UP * speed), marks[-1 if speed > 2 else 0])
+
+    def _waits_by(self, action: CharacterAction, thing: Thing, place: Vec2) -> bool:
+        """Tell whether somebody is found waiting by a large thing that is not where they are."""
+        large = self.prop_of(action) is None and thing.solid and not thing.of_kind("seat", "bed")
+        return large and clip_of(action.motion).key == "idle" and math.dist(thing.location[:2], place) > BESIDE
+
+    def _wait_by(self, person: Person, thing: Thing, place: Vec2) -> None:
+        """Stand by a thing from the beginning, one's back to it."""
+        person.place = place
+        person.place = self.floor.free_near(self.rail(person, thing), person.k, self.others(person))
+        person.yaw = facing(thing.location[:2], person.place)
 
     def opens_a_door(self, action: CharacterAction) -> bool:
         """Tell whether an action opens a door of the set."""
@@ -153,8 +180,16 @@ class Company:
         x0, y0, x1, y1 = self.floor.bounds
         return (x0 + x1) / 2, (y0 + y1) / 2
 
-    def apply_states(self, states: Sequence[BodyState]) -> None:
-        """Bring people into the postures and hands the script says they are in, between shots."""
+    def apply_states(self, states: Sequence[BodyState], actions: Sequence[CharacterAction] = ()) -> None:
+        """Bring people into the postures and hands the script says they are in, between shots.
+
+        What somebody takes during the shot is not in their hands before.
+        """
+        taken = {
+            (action.asset_id, self.prop_of(action))
+            for action in actions
+            if clip_of(action.motion).key in ("take", "pick_up", "catch")
+        }
         for state in states:
             person = self.people.get(state.asset_id)
             if person is None or not person.present:
@@ -164,7 +199,7 @@ class Company:
                 if prop not in state.held:
                     del person.held[hand]
             for prop in state.held:
-                if prop in self.assets:
+                if prop in self.assets and (state.asset_id, prop) not in taken:
                     self.hand_over(person, prop)
 
     def apply_posture(self, person: Person, state: BodyState) -> None:
@@ -275,7 +310,9 @@ class Company:
             prop, person = self.prop_of(action), self.people.get(action.asset_id)
             if prop is None or person is None or not person.present or prop in self.lying or self.holder(prop):
                 continue
-            if clip_of(action.motion).key in ("pick_up", "take"):
+            if clip_of(action.motion).key in ("pick_up", "take", "catch"):
+                if self.bag_for(person, prop):
+                    continue
                 top = self.floor.nearest_top(person.place, 6.0)
                 near = self.floor.top_of(top, person.place) if top else (*person.place, 0.0)
                 self.lying[prop] = near if top else (near[0] + 0.35 * math.sin(person.yaw), near[1] - 0.35, 0.0)
@@ -299,6 +336,22 @@ class Company:
     def holder(self, prop: str) -> Person | None:
         """Return who holds a prop."""
         return next((p for p in self.people.values() if p.hand_of(prop)), None)
+
+    def bag_for(self, person: Person, prop: str) -> str | None:
+        """Return what somebody holds that a thing can come out of: large enough, and a hand is free for it."""
+        size = self._size_of(prop)
+        if person.free_hand() is None or size is None:
+            return None
+        for held in person.held.values():
+            room = self._size_of(held)
+            if room is not None and all(inner < outer for inner, outer in zip(size, room, strict=True)):
+                return held
+        return None
+
+    def _size_of(self, prop: str) -> list[float] | None:
+        """Return a thing's extents, the smallest first."""
+        asset = self.assets.get(prop)
+        return sorted(asset.canonical.dimensions) if asset is not None and asset.canonical is not None else None
 
     def hand_over(self, person: Person, prop: str) -> Hand | None:
         """Let a person hold a prop; whoever held it does not any more."""

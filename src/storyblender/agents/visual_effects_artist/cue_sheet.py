@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company, Person, turn_between
+from storyblender.agents.visual_effects_artist.crossings import Crossing, aboard, vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, facing
 from storyblender.catalog.motions import MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.paths import Vec2, path_length
@@ -18,12 +19,16 @@ CHEAT = math.radians(20)
 """Bodies turn this much from their partner towards the audience, so that faces read; the head makes up for it."""
 PROFILE = math.radians(48)
 """Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
-STRETCH, EXTRA = 1.5, 3.5
+STRETCH, EXTRA = 1.5, 6.0
 """A shot may grow to so many times the Director's length, or by so many seconds, before ways are cut short."""
 HURRY = 1.5
 """Who is short of time walks up to this many times as fast."""
 SLIDE = 0.75
 """Seconds to come between chair and table, or out."""
+BY_IT = 1.2
+"""Metres; who is that near to what they leave with or through goes on, out of the scene."""
+ON_THE_MOVE = 1.6
+"""Seconds of a way that leads nowhere in particular."""
 REACH = 0.62
 """Metres from which a standing person handles a thing."""
 
@@ -116,7 +121,9 @@ class CueSheet:
             clip: How: a motion that travels.
             then: Seconds that the person needs after arriving.
         """
-        t = self.rise(person, t)
+        t = self._over_the_side(person, goal, self.rise(person, t))
+        if clip == "walk" and person.pace:
+            clip, person.pace = person.pace, ""
         motion = MOTIONS[clip]
         people = [p.place for p in self.company.people.values() if p.present and p is not person]
         people = [spot for spot in people if math.dist(spot, goal) > 0.5 and math.dist(spot, person.place) > 0.3]
@@ -150,6 +157,27 @@ class CueSheet:
         end = self.cue(person, clip, t, whole, mark=person.mark(), duration=duration)
         person.acted = True
         return end
+
+    def cross(self, person: Person, way: Crossing, t: float, clip: str, thing: str) -> float:
+        """Leap or climb over a thing from where the way begins; return the end."""
+        person.place, person.yaw, person.acted = way.far, facing(way.near, way.far), True
+        return self.cue(person, clip, t, natural_seconds(MOTIONS[clip]), mark=person.mark(), target_id=thing)
+
+    def _over_the_side(self, person: Person, goal: Vec2, t: float) -> float:
+        """Leave the boat one is in, or come aboard the one where one is going; return the end."""
+        floor = self.company.floor
+        here, there = vessel_at(floor, person.place), vessel_at(floor, goal)
+        if here is there:
+            return t
+        if here is not None:
+            way = aboard(floor, here, person.place, goal, person.k)
+            t = self.cross(person, way.back, t, "climb", here.node_id) if way else t
+        if there is not None:
+            way = aboard(floor, there, goal, person.place, person.k)
+            if way is not None:
+                t = self.go(person, way.near, facing(way.near, way.far), t)
+                t = self.cross(person, way, t, "climb", there.node_id)
+        return t
 
     def cut_to(self, person: Person, goal: Vec2, yaw: float | None, t: float) -> float:
         """Nobody can walk there: be there from the start of the shot, if the person has not been seen to move."""
@@ -222,18 +250,24 @@ class CueSheet:
         )
         return spot, cheated(facing(spot, partner.place))
 
-    def goal(self, action: CharacterAction, person: Person, partner: Person | None) -> tuple[Vec2, float | None]:
+    def goal(
+        self, action: CharacterAction, person: Person, partner: Person | None, speed: float
+    ) -> tuple[Vec2, float | None]:
         """Return where a way leads: to a person, a thing, out, some metres ahead, or to one's own place."""
         others = self.company.others(person)
         if partner is not None:
             return self.beside(person, partner, TALK_DISTANCE)
+        leaves = person.asset_id in self.leaving and bool(self.company.exit_marks())
         thing = self.company.floor.thing(action.target_id)
-        if thing is not None:
-            point = self.company.rail(person, thing)
+        point = self.company.rail(person, thing) if thing is not None else person.place
+        if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):
             spot = self.company.floor.spot_at(point, person.place, person.k, others, REACH)
             spot = spot or self.company.floor.free_near(point, person.k, others)
             return spot, facing(spot, thing.location[:2])
-        if person.asset_id in self.leaving and self.company.exit_marks():
+        named = self.company.floor.mark_of(action.target_id)
+        if named is not None:
+            return self.company.floor.free_near(named, person.k, others), None
+        if leaves:
             return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
         if action.distance:
             x, y = person.place
@@ -242,8 +276,9 @@ class CueSheet:
         home, yaw = self.company.home.get(person.asset_id, (self.company.middle(), 0.0))
         if math.dist(home, person.place) > 1.0:
             return self.company.floor.free_near(home, person.k, others), yaw
-        across = (self.company.middle()[0] * 2 - person.place[0], person.place[1])
-        step = max(-2.5, min(2.5, across[0] - person.place[0])) or 2.0
+        across = 2 * (self.company.middle()[0] - person.place[0])
+        most = max(2.5, ON_THE_MOVE * speed)
+        step = max(-most, min(most, across)) or 2.0
         return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.k, others), None
 
 

@@ -132,6 +132,12 @@ class Floor:
         kind = _OPENING_WORDS.get(name.rsplit("_", 1)[-1])
         return placed or next((opening for opening in self.openings if opening.asset_id == kind), None)
 
+    def mark_of(self, name: str | None) -> Vec2 | None:
+        """Return the place of the set that has a name: stairs, an altar."""
+        word = (name or "").rsplit("_", 1)[-1]
+        found = (mark for mark in self.marks if word and (mark.name == word or word in mark.tags))
+        return next((mark.location[:2] for mark in found), None)
+
     def obstacles(self, skip: Iterable[str] = ()) -> list[Footprint]:
         """Return everything solid but the things in ``skip`` (node ids or asset ids)."""
         left_out = set(skip)

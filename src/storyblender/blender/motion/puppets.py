@@ -76,6 +76,8 @@ class PropPuppet:
         self._events: list[tuple[float, MatrixOf, float]] = [(-1e9, _still(self.matrix), 0.0)]
         self.holder: Performer | None = None
         """Who holds it after everything planned so far."""
+        self.flight: MatrixOf | None = None
+        """Its last way through the air."""
 
     @property
     def two_handed(self) -> bool:

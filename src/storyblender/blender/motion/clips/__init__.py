@@ -8,17 +8,34 @@ from storyblender.blender.motion.clips import (
     gaze,
     gesture,
     handling,
+    leaps,
     locomotion,
     pairs,
     seat,
     speech,
     support,
+    throwing,
     using,
     work,
 )
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
 
-FAMILIES = (arms, floor, gaze, gesture, handling, locomotion, pairs, seat, speech, support, using, work)
+FAMILIES = (
+    arms,
+    floor,
+    gaze,
+    gesture,
+    handling,
+    leaps,
+    locomotion,
+    pairs,
+    seat,
+    speech,
+    support,
+    throwing,
+    using,
+    work,
+)
 """Importing a family registers its clips."""
 
 __all__ = ["CLIPS", "FAMILIES", "Clip", "play"]

@@ -1,17 +1,17 @@
-"""Hands and props: holding, picking up, putting down, dropping, throwing."""
+"""Hands and props: holding, picking up, putting down, dropping."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp
-from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
+from storyblender.blender.motion.clips.gaze import look_at
 from storyblender.blender.motion.clips.locomotion import face, travel
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import by_chest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
 from storyblender.blender.motion.puppets import SETTLE, Grip, PropPuppet, carried, gripping, standing
@@ -226,7 +226,8 @@ def drop(stage: Stage, who: Performer, beat: Beat) -> float:
     side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
     if prop is None or side is None:
         return beat.start
-    fall = _Flight(prop, beat.start + 0.15, Vector((*(who.position + who.forward * 0.35), 0.0)), 0.0)
+    landing = Vector((*(who.position + who.forward * 0.35), 0.0))
+    fall = Flight(prop, beat.start + 0.15, lambda: landing, 0.0, 0.45)
     let_go(stage, prop)
     prop.holder = None
     prop.follow(beat.start + 0.15, fall, 0.0)
@@ -235,50 +236,38 @@ def drop(stage: Stage, who: Performer, beat: Beat) -> float:
     return beat.start + 1.0
 
 
-@clip("throw", "body", "hand")
-def throw(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Throw a held prop towards the target in an arc."""
-    prop = prop_of(beat)
-    side = next((s for s, held in who.held.items() if prop is not None and held == prop.asset_id), None)
-    if prop is None or side is None:
-        return beat.start
-    aim = stage.ground_of(beat.target) if beat.target else who.position + who.forward * 3
-    t = face(who, beat.start, math.atan2(*_turned(aim - who.position)))
-    look_at_subject(stage, who, t, beat)
-    back = by_chest(who, side, (0.35, -0.25, 0.35), (0.2, -0.3, 0.9), (0, 1, 0.2), pole=(0.9, -0.3, -0.2))
-    forth = by_chest(who, side, (-0.05, 0.95, 0.15), (-0.1, 0.9, 0.1), (0, 0.2, -1), curl=(5, 8, 0))
-    who.hands[side].set(t, 0.5, back)
-    who.accent.set(t, 0.5, (-6, 0, -22 * sign(side)))
-    who.hands[side].set(t + 0.5, 0.18, forth)
-    who.accent.set(t + 0.5, 0.2, (14, 0, 18 * sign(side)))
-    let_go(stage, prop)
-    prop.holder = None
-    prop.follow(t + 0.62, _Flight(prop, t + 0.62, Vector((*aim, 0.0)), 0.35), 0.0)
-    who.hands[side].set(t + 0.9, 0.7, who.home[side])
-    who.accent.set(t + 0.9, 0.6, (0, 0, 0))
-    return t + 1.6
+class Flight:
+    """A prop in the air: from where it is when let go, on a parabola.
 
+    Args:
+        prop: What flies.
+        start: Second at which it is let go.
+        goal: Where it comes down, at the moment being posed.
+        height: Metres of the arc above the straight line.
+        seconds: Of the flight.
+    """
 
-def _turned(direction: Vector) -> tuple[float, float]:
-    return direction.x, -direction.y
-
-
-class _Flight:
-    """A prop in the air: from where it is when let go, on a parabola, to a place on the floor."""
-
-    def __init__(self, prop: PropPuppet, start: float, landing: Vector, height: float) -> None:
-        self.prop, self.start, self.landing, self.height = prop, start, landing, height
+    def __init__(
+        self, prop: PropPuppet, start: float, goal: Callable[[], Vector], height: float, seconds: float
+    ) -> None:
+        self.prop, self.start, self.goal, self.height, self.seconds = prop, start, goal, height, seconds
         self.origin: Matrix | None = None
 
+    @property
+    def end(self) -> float:
+        """Second at which it comes down."""
+        return self.start + self.seconds
+
     def __call__(self, t: float) -> Matrix:
+        """Return where it is at a second."""
         if self.origin is None or t <= self.start:
             self.origin = self.prop.matrix.copy()
-        start = self.origin.translation
-        fall = math.sqrt(2 * max(0.05, start.z - self.landing.z) / 9.81)
-        seconds = max(fall, (self.landing - start).length / 7)
-        w = min(1.0, (t - self.start) / seconds)
-        place = start.lerp(self.landing, w)
-        place.z = start.z + (self.landing.z - start.z) * w * w + 4 * self.height * w * (1 - w)
+        w = clamp((t - self.start) / self.seconds)
+        start, landing = self.origin.translation, self.goal()
+        place = start.lerp(landing, w)
+        if landing.z < 0.1:
+            place.z = start.z + (landing.z - start.z) * w * w
+        place.z += 4 * self.height * w * (1 - w)
         return standing(place, self.origin.to_euler().z + 2.5 * w * (self.height > 0))
 
 

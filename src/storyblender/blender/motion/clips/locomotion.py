@@ -1,17 +1,16 @@
-"""Travelling and turning: walk, run, sneak, stagger, turn, jump."""
+"""Travelling and turning: walk, run, sneak, stagger, turn."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, clamp, smooth, turn_between
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.footsteps import RUN, SNEAK, STAGGER, TURN_FIRST, WALK, Footsteps, Style, Way
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, other
+from storyblender.blender.motion.skeleton import other
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.motions import TURN_STEP, TURN_STEP_SECONDS
 from storyblender.geometry.paths import Vec2, waiting_time
@@ -163,52 +162,3 @@ def turn(stage: Stage, who: Performer, beat: Beat) -> float:
     else:
         yaw = who.yaw + math.pi
     return face(who, beat.start, yaw)
-
-
-@clip("jump", "body")
-def jump(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Jump up on the spot, or forward to a mark that is near."""
-    t, k = beat.start, who.m.k
-    goal = Vector(beat.mark.location).xy if beat.mark else who.position.copy()
-    if (goal - who.position).length > 1.6 * k:
-        t = travel(stage, who, beat, tuple(who.position.lerp(goal, 0.6)))
-        goal = who.position.lerp(goal, min(1.0, 1.2 * k / max(0.01, (goal - who.position).length)))
-    air, height = 0.42, 0.28 * k
-    crouch, off, down = t + 0.35, t + 0.5, t + 0.5 + air
-    stand = who.standing_height
-    who.hips.set(t, 0.35, (0, 0.05 * k, stand - 0.24 * k, 20, 0, 0))
-    who.spine.set(t, 0.35, (22, 0, 0))
-    who.hips.set(crouch, 0.15, (0, 0, stand + 0.05 * k, 0, 0, 0))
-    who.spine.set(crouch, 0.2, (-4, 0, 0))
-    for side in SIDES:
-        who.hands[side].set(t, 0.3, who.home[side])
-    start = who.position.copy()
-
-    def arc(now: float) -> float:
-        u = clamp((now - off) / air)
-        return 4 * height * u * (1 - u)
-
-    def root(now: float) -> tuple[float, float, float]:
-        place = start.lerp(goal, clamp((now - off) / air))
-        return place.x, place.y, who.yaw
-
-    who.root.set(off, 0, root)
-    who.hips.set(off, 0, lambda now: (0, 0, stand + 0.04 * k + arc(now), 0, 0, 0))
-    for side in SIDES:
-        lifted = np.array(who.feet[side](off), float)
-        landed = who.plant(side, goal.x, goal.y, who.yaw, width=1.1)
-
-        def foot(now: float, lifted: Floats = lifted, landed: Floats = landed) -> Floats:
-            u = clamp((now - off) / air)
-            pose = lifted * (1 - u) + landed * u
-            pose[2] += arc(now) + 0.04 * k * math.sin(math.pi * u)
-            pose[4] = -35 * math.sin(math.pi * u)
-            return pose
-
-        who.feet[side].set(off, 0, foot)
-    who.position = goal
-    who.hips.set(down, 0.14, (0, 0.04 * k, stand - 0.16 * k, 14, 0, 0))
-    who.spine.set(down, 0.16, (16, 0, 0))
-    who.hips.set(down + 0.2, 0.5, (0, 0, stand, 0, 0, 0))
-    who.spine.set(down + 0.2, 0.5, (0, 0, 0))
-    return down + 0.6

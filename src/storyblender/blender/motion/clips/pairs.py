@@ -8,6 +8,7 @@ from dataclasses import replace
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp, ease_out
+from storyblender.blender.motion.clips.containers import take_out
 from storyblender.blender.motion.clips.gaze import look_at, mood
 from storyblender.blender.motion.clips.handling import let_go, pick_up, prop_of, take_in_hand
 from storyblender.blender.motion.clips.locomotion import face, step_to, travel
@@ -74,13 +75,15 @@ def give(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("take", "body", "hand", "head")
 def take(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Take a prop: out of the target's hand, or from where it lies."""
+    """Take a prop: out of the target's hand, out of the bag one holds, or from where it lies."""
     prop = prop_of(beat)
     partner = partner_of(beat) or (prop.holder if prop else None)
     if prop is None:
         return beat.start
     if prop.holder is who:
         return beat.start
+    if isinstance(beat.target, PropPuppet) and beat.target.holder is who:
+        return take_out(stage, who, beat, prop, beat.target)
     if partner is None or prop.holder is not partner:
         return pick_up(stage, who, beat)
     return _hand_over(stage, partner, who, prop, beat, beat.start, mover=who)

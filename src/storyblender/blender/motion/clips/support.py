@@ -1,4 +1,4 @@
-"""Held up by the set: leaning on bars and walls, climbing, crawling."""
+"""Held up by the set: leaning on bars and walls, crawling."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from storyblender.blender.motion.clips.locomotion import goal_of, step_to, trave
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import refill_hands
 from storyblender.blender.motion.footsteps import SNEAK
-from storyblender.blender.motion.hands import by_chest, hand, upright
+from storyblender.blender.motion.hands import by_chest, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
@@ -104,34 +104,6 @@ def _lean_back(stage: Stage, who: Performer, t: float) -> float:
     refill_hands(stage, who, t + 0.1, 0.9)
     who.posture = "lean"
     return t + 1.1
-
-
-@clip("climb", "body", "hands")
-def climb(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Climb on the spot: hands reach up in turn, knees follow."""
-    t, k = beat.start, who.m.k
-    if beat.target is not None:
-        place = Vector((*stage.ground_of(beat.target), who.m.shoulder_height))
-        t = approach(stage, who, beat, place, 0.9 * who.m.arm)
-    end = t + max(2.0, beat.duration or 3.0)
-    pulse, index = 0.55, 0
-    while t < end - pulse:
-        side = SIDES[index % 2]
-        for each, high in ((side, 0.75), (other(side), 0.15)):
-            rung = upright(
-                who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25)
-            )
-            who.hands[each].set(t, 0.9 * pulse, rung)
-        foot = other(side)
-        lifted = who.plant_at(foot, (who.position + who.forward * 0.12 * k), who.yaw)
-        lifted[2] += 0.28 * k
-        who.feet[foot].set(t, 0.9 * pulse, lifted)
-        who.feet[side].set(t, 0.9 * pulse, who.plant_at(side, who.position, who.yaw))
-        t, index = t + pulse, index + 1
-    for side in SIDES:
-        who.feet[side].set(t, 0.5, who.plant_at(side, who.position, who.yaw))
-        who.hands[side].set(t, 0.7, who.home[side])
-    return t + 0.8
 
 
 @clip("crawl", "body")

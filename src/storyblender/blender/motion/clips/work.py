@@ -8,8 +8,9 @@ from collections.abc import Callable
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
+from storyblender.blender.motion.clips.containers import open_held
 from storyblender.blender.motion.clips.gaze import look_at, look_at_subject
-from storyblender.blender.motion.clips.handling import approach, come_up, reach_down
+from storyblender.blender.motion.clips.handling import approach, come_up, prop_of, reach_down
 from storyblender.blender.motion.clips.locomotion import step_to
 from storyblender.blender.motion.clips.music import strum
 from storyblender.blender.motion.clips.registry import clip
@@ -98,7 +99,10 @@ def _ease_in(u: float, start: float, length: float) -> float:
 
 @clip("open", "body", "hand", "head")
 def open_(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Grasp the handle of a door or a lid, turn it, pull."""
+    """Grasp the handle of a door or a lid, turn it, pull; a bag in the hands is opened there."""
+    bag = prop_of(beat)
+    if bag is not None and bag.holder is who:
+        return open_held(stage, who, beat, bag)
     return _handle(stage, who, beat, 0.30)
 
 

@@ -1,0 +1,84 @@
+"""Bags and boxes in one's hands: opening them, and taking things out."""
+
+from __future__ import annotations
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import LONG_AGO, Floats, TargetOf
+from storyblender.blender.motion.clips.gaze import look_at
+from storyblender.blender.motion.clips.handling import take_in_hand
+from storyblender.blender.motion.hands import chest_yaw, hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.puppets import PropPuppet, carried
+from storyblender.blender.motion.skeleton import UP, other, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+RAISED = 0.26
+"""Metres, times k, of a bag's opening below the breast."""
+
+
+def open_held(stage: Stage, who: Performer, beat: Beat, bag: PropPuppet) -> float:
+    """Hold a bag before one and open it with the other hand."""
+    t, side = beat.start, _holding(who, bag)
+    free = other(side)
+    _raise(stage, who, side, bag, t)
+    if free not in who.held:
+        who.hands[free].set(t + 0.35, 0.5, _at_opening(who, free, bag, 0.02))
+        who.hands[free].set(t + 0.95, 0.6, _at_opening(who, free, bag, 0.14))
+        who.hands[free].set(t + 1.8, 0.6, who.home[free])
+    return _lower(who, side, bag, t + 1.7)
+
+
+def take_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet, bag: PropPuppet) -> float:
+    """Take a thing out of a bag that the other hand holds; until then it is in there."""
+    t, side = beat.start, _holding(who, bag)
+    free = other(side)
+    if free in who.held:
+        stage.report("unreachable", who, beat, f"{who.asset_id} has no free hand for {prop.asset_id}")
+        return t
+    prop.follow(0.1 * LONG_AGO, lambda _: bag.matrix @ Matrix.Translation((0, 0, 0.2 * bag.size.z)), 0.0)
+    _raise(stage, who, side, bag, t)
+    who.hands[free].set(t + 0.2, 0.5, _at_opening(who, free, bag, 0.08))
+    who.hands[free].set(t + 0.7, 0.3, _at_opening(who, free, bag, -0.10))
+    take_in_hand(stage, who, free, prop, t + 1.05, 0.2)
+    who.hands[free].set(t + 1.1, 0.35, _at_opening(who, free, bag, 0.14))
+    who.hands[free].set(t + 1.5, 0.6, carried(who, free, prop))
+    return _lower(who, side, bag, t + 1.7)
+
+
+def _holding(who: Performer, bag: PropPuppet) -> str:
+    return next((side for side, held in who.held.items() if held == bag.asset_id), "R")
+
+
+def _raise(stage: Stage, who: Performer, side: str, bag: PropPuppet, t: float) -> None:
+    grip = bag.grip(side)
+
+    def before_one(now: float) -> Floats:
+        turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
+        matrix = turn.to_4x4()
+        ahead = who.m.front + 0.5 * bag.size.y + 0.14 * who.m.k
+        opening = who.point("upper_chest") + turn @ Vector((0, -ahead, -RAISED * who.m.k))
+        matrix.translation = opening - UP * bag.size.z
+        return grip.hand(matrix, turn @ Vector((sign(side) * 0.8, 0.5, -0.5)))
+
+    who.hands[side].set(t, 0.6, before_one)
+    look_at(who, t, stage.point_of(bag))
+
+
+def _lower(who: Performer, side: str, bag: PropPuppet, t: float) -> float:
+    who.hands[side].set(t, 0.7, carried(who, side, bag))
+    look_at(who, t + 0.2, who.ahead)
+    return t + 0.6
+
+
+def _at_opening(who: Performer, side: str, bag: PropPuppet, above: float) -> TargetOf:
+    """Where the hand is at the opening of a bag, ``above`` metres over it, fingers down."""
+    s, k = sign(side), who.m.k
+
+    def target(now: float) -> Floats:
+        turn = bag.matrix.to_3x3()
+        spot = bag.matrix @ Vector((s * 0.2 * bag.size.x, 0, bag.size.z + above * k))
+        elbow = who.facing @ Vector((s * 0.9, 0.3, 0.1))
+        return hand(spot, turn @ Vector((-s * 0.3, -0.2, -1)), turn @ Vector((-s, 0, 0.2)), elbow, (30, 36, 15))
+
+    return target

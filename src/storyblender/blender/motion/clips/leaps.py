@@ -1,0 +1,186 @@
+"""Off the ground: jumping, and getting over or up things."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats, clamp, smoothstep
+from storyblender.blender.motion.clips.handling import approach
+from storyblender.blender.motion.clips.locomotion import face, travel
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import fixed, upright
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.plan import StageFurniture
+from storyblender.blender.motion.skeleton import SIDES, other, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+HANDS_FREE = 0.55
+"""Metres, times k: lower things are leapt over without a hand on them."""
+SEATED_OVER = 0.40
+"""Metres, times k, of the hip joints over what one swings across."""
+STRAIGHT = 3.5
+"""Metres; a mark farther away is walked towards first."""
+RUNG = 0.28
+"""Metres, times k, between the holds of somebody who climbs up."""
+
+
+@clip("jump", "body", "hands")
+def jump(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Jump over a thing to the mark behind it; else up on the spot, or forward to a mark that is near."""
+    if beat.mark is not None and isinstance(beat.target, StageFurniture):
+        return _get_over(stage, who, beat, beat.target, 0.70)
+    t, k = beat.start, who.m.k
+    goal = Vector(beat.mark.location).xy if beat.mark else who.position.copy()
+    if (goal - who.position).length > 1.6 * k:
+        t = travel(stage, who, beat, tuple(who.position.lerp(goal, 0.6)))
+        goal = who.position.lerp(goal, min(1.0, 1.2 * k / max(0.01, (goal - who.position).length)))
+    down = _fly(who, t + 0.35, goal, 0.57, 0.28 * k, 0.04 * k, 0.0)
+    return _land(who, down)
+
+
+@clip("climb", "body", "hands")
+def climb(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Climb over a thing to the mark behind it, or up a thing that is higher."""
+    if beat.mark is not None and isinstance(beat.target, StageFurniture):
+        return _get_over(stage, who, beat, beat.target, 1.5)
+    return _climb_up(stage, who, beat)
+
+
+def _get_over(stage: Stage, who: Performer, beat: Beat, thing: StageFurniture, air: float) -> float:
+    """Swing across a thing, a hand on it where it is high; ``air`` seconds off the ground."""
+    k = who.m.k
+    assert beat.mark is not None, "the mark is behind the thing"
+    goal = Vector(beat.mark.location).xy
+    way = goal - who.position
+    t = beat.start
+    if way.length > STRAIGHT:
+        near = goal - way.normalized() * (0.8 * STRAIGHT)
+        t, way = travel(stage, who, beat, tuple(near)), goal - near
+    t = face(who, t, math.atan2(way.x, -way.y))
+    top = float(thing.world[2, 3]) + thing.dimensions[2]
+    air = air * math.sqrt(k) + 0.12 * way.length
+    if top > HANDS_FREE * k:
+        hold = _nearest_on_top(who, thing, top)
+        side = Vector((math.cos(who.yaw), math.sin(who.yaw), 0))
+        for hand in SIDES:
+            palm = hold + side * (sign(hand) * 0.17 * k)
+            elbow = Vector((*(-who.forward), 0)) + side * (sign(hand) * 0.6)
+            down = Vector((0, 0, -1))
+            who.hands[hand].set(t, 0.4, fixed(palm, Vector((*who.forward, -0.2)), down, elbow, (20, 24, 10)))
+            who.hands[hand].set(t + 0.35 + 0.5 * air, 0.35, who.home[hand])
+    rise = max(0.22 * k, top + SEATED_OVER * k - who.standing_height)
+    return _land(who, _fly(who, t + 0.35, goal, air, rise, top + 0.10 * k, 0.22))
+
+
+def _nearest_on_top(who: Performer, thing: StageFurniture, top: float) -> Vector:
+    """The point of a box's upper face that is nearest to a person, a palm's breadth in."""
+    world = Matrix(thing.world.tolist())
+    local = world.inverted() @ Vector((*who.position, 0))
+    half = [max(0.0, size / 2 - 0.05) for size in thing.dimensions[:2]]
+    spot = world @ Vector((*(max(-h, min(h, v)) for h, v in zip(half, local.xy, strict=True)), 0))
+    spot.z = top + 0.02
+    return spot
+
+
+def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift: float, stride: float) -> float:
+    """Crouch, leave the ground at ``off`` and come down at ``goal``; return the second of landing.
+
+    Args:
+        who: Standing.
+        off: Second at which the crouch is deepest.
+        goal: On the floor.
+        air: Seconds from the crouch to the landing.
+        rise: Metres by which the hips rise.
+        lift: Metres by which the feet are lifted.
+        stride: Share of the time by which the second foot follows the first.
+    """
+    k, stand = who.m.k, who.standing_height
+    who.hips.set(off - 0.35, 0.35, (0, 0.05 * k, stand - 0.24 * k, 20, 0, 0))
+    who.spine.set(off - 0.35, 0.35, (22, 0, 0))
+    who.spine.set(off, 0.3 * air, (10 if stride else -4, 0, 0))
+    start = who.position.copy()
+
+    def share(now: float) -> float:
+        return clamp((now - off) / air)
+
+    def root(now: float) -> tuple[float, float, float]:
+        place = start.lerp(goal, smoothstep(share(now)))
+        return place.x, place.y, who.yaw
+
+    def hips(now: float) -> tuple[float, ...]:
+        w = share(now)
+        return (0, 0, stand - 0.24 * k * (1 - min(1.0, 4 * w)) + rise * math.sin(math.pi * w) ** 0.8, 8, 0, 0)
+
+    who.root.set(off, 0, root)
+    who.hips.set(off, 0.2 * air, hips)
+    for index, side in enumerate(SIDES):
+        lifted = np.array(who.feet[side](off), float)
+        landed = who.plant(side, goal.x, goal.y, who.yaw, width=1.1)
+        span = (stride * index + 0.04, 1 - stride * (1 - index))
+        who.feet[side].set(off, 0, _flying_foot(share, span, lifted, landed, lift + 0.28 * k * (not stride)))
+    who.position = goal
+    return off + air
+
+
+def _flying_foot(
+    share: Callable[[float], float], span: tuple[float, float], lifted: Floats, landed: Floats, lift: float
+) -> Callable[[float], Floats]:
+    def foot(now: float) -> Floats:
+        w = clamp((share(now) - span[0]) / (span[1] - span[0]))
+        pose = lifted * (1 - smoothstep(w)) + landed * smoothstep(w)
+        pose[2] += lift * math.sin(math.pi * w) ** 0.7
+        pose[4] = -35 * math.sin(math.pi * w)
+        return pose
+
+    return foot
+
+
+def _land(who: Performer, down: float) -> float:
+    """Give way to the landing and stand; return the end."""
+    k, stand = who.m.k, who.standing_height
+    who.hips.set(down, 0.14, (0, 0.04 * k, stand - 0.16 * k, 14, 0, 0))
+    who.spine.set(down, 0.16, (16, 0, 0))
+    who.hips.set(down + 0.2, 0.5, (0, 0, stand, 0, 0, 0))
+    who.spine.set(down + 0.2, 0.5, (0, 0, 0))
+    return down + 0.6
+
+
+def _climb_up(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Hand over hand up a ladder or a wall; come down again if the shot goes on."""
+    t, k = beat.start, who.m.k
+    height = 3 * RUNG * k
+    if isinstance(beat.target, StageFurniture):
+        place = Vector((*stage.ground_of(beat.target), who.m.shoulder_height))
+        t = approach(stage, who, beat, place, 0.9 * who.m.arm)
+        height = float(beat.target.world[2, 3]) + beat.target.dimensions[2] - 1.1 * who.m.shoulder_height
+    end = t + max(2.0, beat.duration or 3.0)
+    pulse = 0.55
+    rungs = max(1, min(int(height / (RUNG * k)), int((end - t) / pulse)))
+    stays = end > stage.plan.frames / stage.fps - 1.0
+    levels = [*range(1, rungs + 1), *(() if stays else range(rungs - 1, -1, -1))]
+    for index, level in enumerate(levels):
+        t = _pull(who, t, pulse, SIDES[index % 2], level * RUNG * k)
+    for side in () if stays else SIDES:
+        who.feet[side].set(t, 0.4, who.plant_at(side, who.position, who.yaw))
+        who.hands[side].set(t, 0.7, who.home[side])
+    return t + (0.0 if stays else 0.7)
+
+
+def _pull(who: Performer, t: float, pulse: float, side: str, level: float) -> float:
+    """One hold up or down: a hand reaches, the other foot follows, the body is carried to ``level`` metres."""
+    k = who.m.k
+    for each, high in ((side, 0.70), (other(side), 0.15)):
+        rung = upright(
+            who, each, (-0.05, 0.50, high), (0, 0.35, 0.9), (0, 1, 0), pole=(0.7, -0.1, -0.7), curl=(70, 78, 25)
+        )
+        who.hands[each].set(t, 0.9 * pulse, rung)
+    who.hips.set(t, pulse, (0, 0, who.standing_height + level - 0.06 * k, 4, 0, 0))
+    for foot, above in ((other(side), RUNG * k), (side, 0.0)):
+        hold = who.plant_at(foot, who.position + who.forward * (0.10 * k), who.yaw)
+        hold[2] += max(0.0, level - RUNG * k + above)
+        who.feet[foot].set(t, 0.9 * pulse, hold)
+    return t + pulse

@@ -1,0 +1,82 @@
+"""Getting over things, throwing and catching, opening bags: on real bodies, tall and small."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Vector
+from tests.blender.motion_stage import FPS, Playback, build_bodies, cue_of, mark_at, perform, world_at
+
+from storyblender.blender.motion.plan import StageFurniture, StageProp
+from storyblender.blender.people.body import Body
+from storyblender.memory.asset_sheet import Anchor
+
+pytestmark = pytest.mark.blender
+FENCE = StageFurniture(world_at(0, 0), (2.0, 0.08, 1.1))
+LADDER = StageFurniture(world_at(0, 0.3), (0.5, 0.12, 3.2))
+BAG_GRIP = Anchor(kind="grip", name="grip_r", location=(0, 0, 0.33), direction=(0, -1, 0), normal=(0, 0, 1))
+
+
+@pytest.fixture(scope="module")
+def bodies() -> dict[str, Body]:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return build_bodies()
+
+
+@pytest.mark.parametrize("clip", ["jump", "climb"])
+@pytest.mark.parametrize("who", ["man", "girl"])
+def test_feet_clear_the_fence_and_land_behind_it(bodies: dict[str, Body], who: str, clip: str) -> None:
+    end = mark_at(who, 0, 0.5, 180)
+    over = cue_of(who, clip, 2, target_id="fence", mark=end)
+    shot = perform(bodies, (mark_at(who, 0, -0.42, 180),), (over,), 4, ends=(end,), furniture={"fence": FENCE})
+    assert shot.problems == ()
+    play = Playback(bodies[who], shot, who)
+    for frame in range(len(shot.frames)):
+        for bone in ("foot.L", "foot.R", "toe.L", "toe.R"):
+            joint = play.joint(bone, frame)
+            assert abs(joint.y) > 0.05 or joint.z > 1.05, f"{bone} goes through the fence at frame {frame}"
+    assert shot.people[who].root[-1, 1] == pytest.approx(0.5, abs=0.01)
+    assert play.joint("hips", len(shot.frames) - 1).z == pytest.approx(play.joint("hips", 0).z, abs=0.03)
+
+
+def test_a_ladder_is_climbed_up_and_one_stays_there(bodies: dict[str, Body]) -> None:
+    up = cue_of("man", "climb", 2, target_id="ladder", duration=80)
+    shot = perform(bodies, (mark_at("man", 0, -0.2, 180),), (up,), 4, furniture={"ladder": LADDER})
+    play = Playback(bodies["man"], shot, "man")
+    last = len(shot.frames) - 1
+    assert play.joint("hips", last).z - play.joint("hips", 0).z > 0.8
+    assert min(play.joint(f"foot.{side}", last).z for side in "LR") > 0.5
+
+
+def test_what_is_thrown_to_somebody_is_caught(bodies: dict[str, Body]) -> None:
+    ball = StageProp(world_at(0, 0, -5), (0.1, 0.1, 0.1))
+    marks = (mark_at("man", -1.5, 0, 90, held=(("R", "ball"),)), mark_at("girl", 1.5, 0, -90))
+    cues = (
+        cue_of("man", "throw", 2, target_id="girl", prop_id="ball"),
+        cue_of("girl", "catch", 2, target_id="man", prop_id="ball"),
+    )
+    shot = perform(bodies, marks, cues, 4, props={"ball": ball})
+    assert shot.problems == ()
+    path = shot.props["ball"][:, :3, 3]
+    assert np.linalg.norm(np.diff(path, axis=0), axis=1).max() < 0.45, "it flies, it does not jump"
+    assert path[: 2 * FPS, 2].min() > 0.3, "it does not fall to the floor"
+    hand = Playback(bodies["girl"], shot, "girl").joint("hand.R", len(path) - 1)
+    assert (Vector(path[-1].tolist()) - hand).length < 0.25
+
+
+def test_an_orange_comes_out_of_the_satchel_one_holds(bodies: dict[str, Body]) -> None:
+    props = {
+        "satchel": StageProp(world_at(0, 0, -5), (0.32, 0.14, 0.34), (BAG_GRIP,)),
+        "orange": StageProp(world_at(4, 4, 0.7), (0.08, 0.08, 0.09)),
+    }
+    cues = (
+        cue_of("man", "open", 2, prop_id="satchel", hand="R"),
+        cue_of("man", "take", 60, target_id="satchel", prop_id="orange", hand="L"),
+    )
+    shot = perform(bodies, (mark_at("man", 0, 0, held=(("R", "satchel"),)),), cues, 6, props=props)
+    assert shot.problems == ()
+    apart = np.linalg.norm(shot.props["orange"][:, :3, 3] - shot.props["satchel"][:, :3, 3], axis=1)
+    assert apart[:60].max() < 0.1, "it is in the satchel"
+    assert apart[-1] > 0.3, "it is out"
+    assert np.linalg.norm(np.diff(shot.props["orange"][:, :3, 3], axis=0), axis=1).max() < 0.12
