@@ -215,7 +215,7 @@ def _studio(terminal: Terminal, script: Path | None = None, project: Path | None
 
 
 def _folder_of(script: Path) -> Path:
-    return script.with_suffix(".storyboard")
+    return script.parent / f"{script.stem}.storyboard"
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import get_args
 
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
 
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, shot_name
@@ -26,7 +26,8 @@ class CameraEdit(Frozen):
     size: ShotSize | None = None
     angle: Angle | None = None
     movement: Movement | None = None
-    lens: float | None = None
+    lens: float | None = Field(default=None, ge=4, le=1200)
+    """mm."""
 
     @classmethod
     def from_words(cls, words: Mapping[str, str | float]) -> CameraEdit:
@@ -39,7 +40,7 @@ class CameraEdit(Frozen):
             return cls.model_validate(dict(words))
         except ValidationError as error:
             name = str(error.errors()[0]["loc"][0])
-            mend = f"it is one of: {', '.join(CHOICES[name])}" if name in CHOICES else "it is a number"
+            mend = f"it is one of: {', '.join(CHOICES[name])}" if name in CHOICES else "it is a number of mm, 4 to 1200"
             raise InputError(f"{name} cannot be {words[name]!r}", mend=mend) from error
 
 

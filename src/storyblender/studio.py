@@ -115,14 +115,15 @@ class Studio:
             camera: ``size``, ``angle``, ``lens``, ``movement`` for the named shots.
 
         Raises:
-            InputError: No such project or shot, or a camera without a shot.
+            InputError: No such project or shot, a project that is only planned, or a camera without a shot.
         """
         read_project_graph(folder)
         with self._open(None, folder) as run:
             shots = _named_shots(run.graph, names)
+            if camera and not names:
+                raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
+            _refuse_unmade(run)
             if camera:
-                if not names:
-                    raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
                 run.engine.warm()
                 edit = CameraEdit.from_words(camera)
                 for shot in shots:
@@ -152,9 +153,14 @@ class Studio:
             return redo_edit(project)
 
     def check(self, folder: Path) -> Inspection:
-        """Inspect a finished project: layout, framing, continuity, collisions, people in frame."""
+        """Inspect a finished project: layout, framing, continuity, collisions, people in frame.
+
+        Raises:
+            InputError: No such project, or one that is only planned.
+        """
         read_project_graph(folder)
         with self._open(None, folder) as run:
+            _refuse_unmade(run)
             pack_scenes(run)
             return inspect(run.graph, run.engine, list(run.packs.values()))
 
@@ -230,6 +236,13 @@ class Studio:
         ]
         waiting = [run.engine.export_scene(job) for job in jobs]
         return [future.result() for future in waiting]
+
+
+def _refuse_unmade(run: Run) -> None:
+    if any(scene.layout is None for scene in run.graph.scenes):
+        raise InputError(
+            "is planned, not made yet", mend="run `storyblender make SCRIPT` first", path=run.project.folder
+        )
 
 
 def _named_shots(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:

@@ -9,6 +9,8 @@ from storyblender.blender.measure.hashing import geometry_hash  # noqa: E402
 from storyblender.blender.measure.surfaces import find_tops  # noqa: E402
 from storyblender.blender.props.build import build_prop  # noqa: E402
 from storyblender.blender.props.imported import build_from_file  # noqa: E402
+from storyblender.blender.props.parts import bent  # noqa: E402
+from storyblender.blender.props.portrait import render_portrait  # noqa: E402
 from storyblender.blender.props.registry import builders  # noqa: E402
 from storyblender.blender.props.stand_in import build_stand_in  # noqa: E402
 from storyblender.catalog.props import PROPS  # noqa: E402
@@ -144,3 +146,25 @@ def test_a_file_without_a_mesh_is_refused(tmp_path):
         build_from_file(path)
     with pytest.raises(InputError, match="no model"):
         build_from_file(tmp_path / "notes.txt")
+
+
+def test_a_bent_line_goes_through_its_points_without_corners():
+    points = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
+    curve = bent(points, 8)
+    assert curve[::8] == pytest.approx(points)
+    ways = np.diff(curve, axis=0)
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    assert (np.sum(ways[1:] * ways[:-1], axis=1) > 0.8).all(), "no turn of more than 37 degrees"
+
+
+def test_a_portrait_shows_every_part_and_leaves_the_file_alone(tmp_path):
+    parts = [bpy.data.objects.new(key, build_prop(key).mesh) for key in ("crate", "lamppost")]
+    before = [len(data) for data in (bpy.data.objects, bpy.data.scenes, bpy.data.cameras)]
+    render_portrait(parts[:1], tmp_path / "one.png", (32, 32))
+    render_portrait(parts, tmp_path / "both.png", (32, 32))
+    shares = []
+    for name in ("one", "both"):
+        pixels = np.array(bpy.data.images.load(str(tmp_path / f"{name}.png")).pixels).reshape(32, 32, 4)[..., :3]
+        shares.append((np.abs(pixels - pixels[0, 0]).max(axis=2) > 0.05).mean())
+    assert shares[0] > 2 * shares[1] > 0.02, "the crate is small beside the lamp post"
+    assert [len(data) for data in (bpy.data.objects, bpy.data.scenes, bpy.data.cameras)] == before

@@ -94,3 +94,17 @@ def test_plan_reads_a_script(script: Path, tmp_path: Path) -> None:
     code, said = run("plan", script, "--out", tmp_path / "p")
     assert code == 0, said
     assert (tmp_path / "p" / "graph.json").exists()
+
+
+def test_a_folder_is_no_script(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    code, said = run("plan", ".")
+    assert code == 2 and said.count("\n") <= 3 and "Traceback" not in said
+
+
+def test_a_plan_is_not_drawn_before_it_is_made(script: Path, tmp_path: Path) -> None:
+    project = tmp_path / "planned"
+    assert run("plan", script, "--out", project)[0] == 0
+    for command in (["render", project, "--shot", "SC010_SH010", "--lens", "85"], ["check", project]):
+        code, said = run(*command)
+        assert code == 2 and "planned, not made yet" in said

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from storyblender.edits import redo_edit, undo_edit
+from storyblender.edits import CameraEdit, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.history import replace
@@ -60,3 +60,9 @@ def test_nothing_to_redo_after_another_change(project: Project) -> None:
     add(project, "user", "size")
     with pytest.raises(InputError, match="nothing to redo"):
         redo_edit(project)
+
+
+@pytest.mark.parametrize("words", [{"lens": 0.0}, {"lens": 9000.0}, {"size": "HUGE"}])
+def test_a_camera_that_cannot_be_is_refused_with_what_can(words: dict[str, str | float]) -> None:
+    with pytest.raises(InputError, match=r"it is (one of|a number)"):
+        CameraEdit.from_words(words)

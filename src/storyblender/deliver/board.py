@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
 
-from PIL import Image
 from reportlab.lib.colors import Color, HexColor
 from reportlab.lib.pagesizes import A4, landscape
 from reportlab.lib.styles import ParagraphStyle
@@ -41,7 +39,7 @@ def write_board(
 
     Args:
         graph: The story.
-        frames: Shot name to picture; a missing one is drawn as an empty frame.
+        frames: Shot name to picture, JPEG for a small file; a missing one is drawn as an empty frame.
         out: The PDF.
         layout: ``grid`` sets six panels on a page, ``single`` one.
     """
@@ -106,7 +104,7 @@ def _panel(
     left = x + (width - picture_width) / 2
     bottom = top - picture_height
     if frame is not None:
-        canvas.drawImage(_jpeg(frame), left, bottom, picture_width, picture_height)
+        canvas.drawImage(ImageReader(str(frame)), left, bottom, picture_width, picture_height)
     canvas.setStrokeColor(INK)
     canvas.setLineWidth(0.8)
     canvas.rect(left, bottom, picture_width, picture_height)
@@ -114,7 +112,7 @@ def _panel(
         _arrow(canvas, panel.way, left, bottom, picture_width, picture_height)
     size = 13.0 if single else 9.0
     y = bottom - size * 1.35
-    facts = f"{panel.framing}   {panel.lens:.0f} mm   {panel.movement}"
+    facts = f"{panel.framing} · {panel.lens:.0f} mm · {panel.movement}"
     _line(canvas, panel.name, x, y, size, width)
     name_width = canvas.stringWidth(panel.name, fonts.REGULAR, size)
     _line(canvas, facts, x + name_width + 8, y, size * 0.86, width - name_width - 40, color=GREY)
@@ -204,12 +202,3 @@ def _head(canvas: Canvas, start: tuple[float, float], end: tuple[float, float], 
         path.lineTo(end[0] + size * math.cos(angle + turn), end[1] + size * math.sin(angle + turn))
     path.close()
     canvas.drawPath(path, fill=1, stroke=0)
-
-
-def _jpeg(path: Path) -> ImageReader:
-    """Frames go in as JPEG: a board of 200 panels stays a few megabytes."""
-    buffer = io.BytesIO()
-    with Image.open(path) as image:
-        image.convert("RGB").save(buffer, "JPEG", quality=88)
-    buffer.seek(0)
-    return ImageReader(buffer)

@@ -38,7 +38,8 @@ def ground(run: Run, script: Path) -> None:
                 run.tell(Event(kind="propose", role="director", subject=flag.topic, message=flag.reason))
     else:
         _take_over_format(run)
-    run.progress("ground", 1, 1, f"{len(run.graph.scenes)} scenes, {len(run.graph.shots)} shots")
+    counts = ((len(run.graph.scenes), "scene"), (len(run.graph.shots), "shot"))
+    run.progress("ground", 1, 1, ", ".join(f"{count} {word}{'s' * (count != 1)}" for count, word in counts))
 
 
 def _plan(run: Run, script: Path, screenplay: Screenplay, digest: str) -> ContinuityMemoryGraph:

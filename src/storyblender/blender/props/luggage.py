@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.parts import bent, rectangle
 from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
 from storyblender.blender.props.tableware import around
 from storyblender.blender.props.weapons import FIST
@@ -27,7 +28,7 @@ def _bail(b: MeshBuilder, material: MaterialRef, width: float, foot: float, rise
         (width / 2, 0, foot + rise * 0.6),
         (width / 2, 0, foot),
     ]
-    b.tube(material, arc, radius)
+    b.tube(material, bent(arc), radius)
 
 
 @prop("briefcase")
@@ -79,17 +80,11 @@ def bag(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a handbag with a clasp."""
     (w, d, h), body = spec.size, spec.material("body")
     case = h * 0.6
-    outline = [
-        (-w / 2, 0),
-        (w / 2, 0),
-        (w * 0.46, case * 0.6),
-        (w * 0.38, case),
-        (-w * 0.38, case),
-        (-w * 0.46, case * 0.6),
+    rings = [
+        np.c_[rectangle(w * wide, d * deep, 48, d * deep * 0.3), np.full(48, case * z)]
+        for wide, deep, z in ((0.96, 0.92, 0), (1.0, 1.0, 0.06), (0.98, 0.95, 0.3), (0.9, 0.66, 0.7), (0.76, 0.26, 1.0))
     ]
-    for y, s in ((1, 1.0), (-1, 1.0)):
-        with b.at((0, y * d * 0.25 + d * 0.25, 0), (90, 0, 0)):
-            b.extrude(body, np.asarray(outline) * s, d * 0.5, taper=0.94)
+    b.loft(body, rings)
     b.box("brass", (0, 0, case + 0.004), (w * 0.74, d * 0.24, 0.016), bevel=0.005)
     b.sphere("brass", (0, 0, case + 0.02), 0.014, segments=12, rings=8)
     _bail(b, body, w * 0.56, case, h - case - 0.006, 0.007)
@@ -142,7 +137,7 @@ def sack(b: MeshBuilder, spec: PropSpec) -> Anchors:
         rings.append(
             np.c_[reach * w / 2 * fold * np.cos(angle), reach * d / 2 * fold * np.sin(angle), np.full(24, z * h)]
         )
-    b.loft(body, rings)
+    b.loft(body, list(bent(rings)))
     knot = [(0.24 * w / 2 * math.cos(a), 0.24 * d / 2 * math.sin(a), h * 0.815) for a in angle[::2]]
     b.tube(spec.material("rope"), knot, 0.012, closed=True)
     return around(w * 0.12, h * 0.82, FIST)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
 
@@ -137,6 +138,26 @@ def draped_cloth(
         rings.append(np.c_[outline + out * np.asarray(reach)[:, None], np.full(len(outline), z)])
     b.loft(material, rings, caps=False)
     b.polygon(material, rings[-1])
+
+
+def bent(points: ArrayLike, per: int = 4) -> Floats:
+    """Return a smooth curve through a few points: a path for ``tube``, a profile for ``lathe``, radii, or rings.
+
+    Args:
+        points: (n, ...) what it goes through; it begins and ends with them.
+        per: Steps from one to the next.
+
+    Returns:
+        ((n - 1) * per + 1, ...) points of a Catmull-Rom spline.
+    """
+    at = np.asarray(points, float)
+    held = np.concatenate([at[:1], at, at[-1:]])
+    t = (np.arange(per) / per).reshape(per, *[1] * (at.ndim - 1))
+    runs = [
+        b + t / 2 * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)))
+        for a, b, c, d in zip(held, held[1:], held[2:], held[3:], strict=False)
+    ]
+    return np.concatenate([*runs, at[-1:]])
 
 
 def circle(radius: float, count: int = 48) -> Floats:

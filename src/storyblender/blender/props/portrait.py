@@ -19,7 +19,7 @@ def render_portrait(parts: Sequence[bpy.types.Object], path: Path, size: tuple[i
     """Render objects alone with Workbench on a plain ground and write a PNG. The scene they are in is not changed.
 
     Args:
-        parts: The mesh objects of one thing or person.
+        parts: The mesh objects of one thing or person, about one origin.
         path: Of the PNG.
         size: Pixels across and down.
     """

@@ -8,7 +8,7 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.lamps import flame
-from storyblender.blender.props.parts import bottle_profile
+from storyblender.blender.props.parts import bent, bottle_profile
 from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
 from storyblender.memory.base import Vec3
 
@@ -77,7 +77,7 @@ def beer_mug(b: MeshBuilder, spec: PropSpec) -> Anchors:
     h, body, foam, r = spec.size[2], spec.material("body"), spec.material("foam"), 0.05
     b.lathe(body, [(r, 0), (r, 0.012), (r * 0.92, 0.02), (r * 0.92, h - 0.03), (r, h - 0.02)], segments=20)
     b.lathe(foam, [(r * 0.95, h - 0.03), (r * 1.02, h - 0.015), (r * 0.8, h), (0.004, h + 0.004)], segments=20)
-    loop = [(-0.04 - 0.045 * math.sin(a), 0, h * 0.5 + 0.045 * math.cos(a)) for a in np.linspace(0, math.pi, 9)]
+    loop = [(-0.04 - 0.045 * math.sin(a), 0, h * 0.5 + 0.045 * math.cos(a)) for a in np.linspace(0, math.pi, 17)]
     b.tube(body, loop, 0.008)
     return two_hands((-0.085, 0.01, h * 0.5), (0.3, -1, 0), (1, 0.3, 0), (0.85, 0.85, 0.4))
 
@@ -135,32 +135,33 @@ def teapot(b: MeshBuilder, spec: PropSpec) -> Anchors:
     r = d / 2
     b.lathe(
         body,
-        [
-            (r * 0.6, 0),
-            (r * 0.9, h * 0.15),
-            (r, h * 0.38),
-            (r * 0.85, h * 0.62),
-            (r * 0.5, h * 0.72),
-            (r * 0.48, h * 0.76),
-            (r * 0.2, h * 0.86),
-            (r * 0.08, h * 0.88),
-            (r * 0.14, h * 0.95),
-            (0.003, h),
-        ],
+        bent(
+            [
+                (r * 0.6, 0),
+                (r * 0.9, h * 0.15),
+                (r, h * 0.38),
+                (r * 0.85, h * 0.62),
+                (r * 0.5, h * 0.72),
+                (r * 0.48, h * 0.76),
+                (r * 0.2, h * 0.86),
+                (r * 0.08, h * 0.88),
+                (r * 0.14, h * 0.95),
+                (0.003, h),
+            ],
+            3,
+        ),
         segments=24,
     )
-    b.tube(body, [(r * 0.8, 0, h * 0.3), (w * 0.42, 0, h * 0.42), (w * 0.5, 0, h * 0.72)], (0.024, 0.016, 0.011))
-    b.tube(
-        body,
-        [
-            (-r * 0.75, 0, h * 0.62),
-            (-w * 0.42, 0, h * 0.64),
-            (-w * 0.47, 0, h * 0.45),
-            (-w * 0.4, 0, h * 0.25),
-            (-r * 0.9, 0, h * 0.24),
-        ],
-        0.009,
-    )
+    spout = [(r * 0.8, 0, h * 0.3), (w * 0.42, 0, h * 0.42), (w * 0.5, 0, h * 0.72)]
+    b.tube(body, bent(spout), tuple(bent((0.024, 0.016, 0.011))))
+    handle = [
+        (-r * 0.75, 0, h * 0.62),
+        (-w * 0.42, 0, h * 0.64),
+        (-w * 0.47, 0, h * 0.45),
+        (-w * 0.4, 0, h * 0.25),
+        (-r * 0.9, 0, h * 0.24),
+    ]
+    b.tube(body, bent(handle), 0.009)
     return two_hands((-w * 0.47, 0.0, h * 0.45), (0.2, -1, 0), (1, 0.1, 0), (0.85, 0.85, 0.5))
 
 
@@ -229,15 +230,17 @@ def apple(b: MeshBuilder, spec: PropSpec) -> Anchors:
     h, r = spec.size[2], spec.size[0] / 2
     b.lathe(
         spec.material("body"),
-        [
-            (0.004, 0.006),
-            (r * 0.5, 0),
-            (r * 0.92, h * 0.3),
-            (r, h * 0.55),
-            (r * 0.8, h * 0.82),
-            (r * 0.4, h * 0.88),
-            (0.003, h * 0.8),
-        ],
+        bent(
+            [
+                (0.004, 0.006),
+                (r * 0.5, 0),
+                (r * 0.92, h * 0.3),
+                (r, h * 0.55),
+                (r * 0.8, h * 0.82),
+                (r * 0.4, h * 0.88),
+                (0.003, h * 0.8),
+            ]
+        ),
         segments=20,
     )
     b.tube(spec.material("stem"), [(0, 0, h * 0.78), (0.002, 0, h * 0.92), (0.006, 0, h)], 0.0022, segments=6)
