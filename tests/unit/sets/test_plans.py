@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from storyblender.agents.visual_effects_artist.set_dresser import prop_size
+from storyblender.agents.visual_effects_artist.furniture import prop_size
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS

@@ -12,6 +12,7 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentView,
     RulesEnvironmentDesigner,
 )
+from storyblender.agents.visual_effects_artist.furniture import prop_of
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingCritic,
     LightingView,
@@ -19,7 +20,7 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
     light_place,
 )
 from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS
-from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser, prop_of
+from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
 from storyblender.catalog.light_recipes import HOURS, WEATHERS, area_watts, open_sky_light, sun_position
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.look.illumination import light_field
