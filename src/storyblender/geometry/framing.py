@@ -91,6 +91,7 @@ class Figure:
         forward: Unit vector the face looks along.
         head: Crown to chin, metres.
         base: Floor point below.
+        hands: Middles of the left and the right hand, world metres; empty for who has none.
     """
 
     node_id: str
@@ -98,6 +99,7 @@ class Figure:
     forward: tuple[float, float, float]
     head: float
     base: tuple[float, float, float]
+    hands: tuple[tuple[float, float, float], ...] = ()
 
     @property
     def yaw(self) -> float:
@@ -155,6 +157,12 @@ def face_height(size: str) -> float:
     return scale.crown + _CROWN * scale.head
 
 
+def crown_height(head: float) -> float:
+    """Return the screen y of the crown for a head of that share of the picture's height."""
+    heads, crowns = zip(*((scale.head, scale.crown) for scale in SCALES.values()), strict=True)
+    return float(np.interp(head, heads, crowns))
+
+
 @dataclass(frozen=True)
 class Film:
     """What the camera is loaded with: the same for every shot of a project."""
@@ -198,9 +206,44 @@ def group(
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
     tallest = max(figures, key=lambda figure: figure.face[2])
     share = tallest.head / camera.frame_height
-    camera = placed(camera, tallest.face, 0.5, max(SCALES[size].crown, 0.1) + (_CROWN + 0.1) * share)
+    camera = placed(camera, tallest.face, 0.5, max(crown_height(share), 0.1) + (_CROWN + 0.1) * share)
     screen, _ = project(camera, faces)
     return pan(camera, float(screen[:, 0].min() + screen[:, 0].max() - 1) / 2 * film.aspect, 0.0)
+
+
+def group_from(
+    film: Film, figures: Sequence[Figure], size: str, place: ArrayLike, lens: float, widest: float, span: float = 0.72
+) -> Orbit:
+    """Return the camera that stands at a place and turns to hold two or more, as small as its widest lens makes them.
+
+    Args:
+        film: Sensor and aspect.
+        figures: Whose heads are held.
+        size: How large the nearest head should be.
+        place: Of the optical centre, world metres.
+        lens: mm, where it holds them.
+        widest: mm, at the widest.
+        span: Share of the width for the heads.
+    """
+    eye, faces = np.asarray(place, float), np.array([figure.face for figure in figures])
+    ways = faces - eye
+    apart = np.hypot(ways[:, 0], ways[:, 1])
+    middle = ways[:, :2] / np.maximum(apart, 1e-6)[:, None]
+    ahead = float(np.arctan2(*middle.sum(0)))
+    aside = np.array([math.remainder(float(np.arctan2(x, y)) - ahead, math.tau) for x, y in ways[:, :2]])
+    ahead += (aside.min() + aside.max()) / 2
+    half = min(max((aside.max() - aside.min()) / 2, 1e-3), 1.5)
+    holds = film.sensor_width * span / (2 * math.tan(half))
+    heads = np.array([figure.head for figure in figures]) / np.maximum(apart * np.cos(aside - aside.mean()), 0.3)
+    sized = SCALES[size].band[1] / float(heads.max()) * film.sensor_width / film.aspect
+    lens = min(lens, max(min(holds, sized), widest))
+    crowns = np.arctan2([figure.crown[2] - eye[2] for figure in figures], apart)
+    high = int(crowns.argmax())
+    crown = max(crown_height(float(heads[high]) / (2 * film.tangent(lens))), 0.1)
+    pitch = float(crowns[high]) - math.atan((1 - 2 * crown) * film.tangent(lens))
+    way = np.array([math.sin(ahead), math.cos(ahead), math.tan(pitch)])
+    distance = max(float((ways[:, :2] @ way[:2]).mean()), 0.6)
+    return between(eye, eye + way * distance, lens, sensor_width=film.sensor_width, aspect=film.aspect)
 
 
 def over_shoulder(

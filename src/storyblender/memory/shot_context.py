@@ -10,6 +10,7 @@ from storyblender.memory.base import Frozen, Identifier, Vec3
 from storyblender.memory.scene_context import Light, Lighting
 from storyblender.memory.vocabulary import (
     Angle,
+    BodyPart,
     CameraDirection,
     Distance,
     Hand,
@@ -66,6 +67,8 @@ class CameraInstruction(Frozen):
     kind: ShotKind = "action"
     size: ShotSize = "MS"
     angle: Angle = "eye-level"
+    detail: BodyPart | None = None
+    """Of the first focus person: an insert shows this part of them and nothing else."""
     distance: Distance = "medium shot"
     movement: Movement = "static"
     direction: CameraDirection | None = None

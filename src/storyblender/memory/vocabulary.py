@@ -35,6 +35,7 @@ RelationKind = Literal[
 ]  # fmt: skip
 Posture = Literal["stand", "sit", "lie", "kneel", "crouch", "lean", "asleep"]
 Hand = Literal["L", "R"]
+BodyPart = Literal["hand", "eyes", "mouth", "feet"]
 Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]
 TimeOfDay = Literal["dawn", "morning", "day", "noon", "afternoon", "sunset", "dusk", "evening", "night"]
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]

@@ -8,11 +8,20 @@ from typing import cast, get_args
 from storyblender.agents.director.camera_phrases import parse_note
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.reading import CameraNote, Reading, Unit
-from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind, ShotSize
+from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind, ShotSize
 
 _SIZE_OF_KIND: dict[str, ShotSize] = {
     "insert": "CU", "ots": "MS", "two_shot": "MS", "group": "MWS", "pov": "MS", "reverse": "MCU",
 }  # fmt: skip
+
+
+_PARTS: dict[BodyPart, str] = {
+    "hand": r"hands?|fingers?|fingertips?|fists?|knuckles|palms?|thumbs?",
+    "eyes": r"eyes?|eyelids?|tears?",
+    "mouth": r"mouth|lips?|smile",
+    "feet": r"feet|foot|shoes?|boots?|toes?|heels?",
+}
+"""Words that make a direction on somebody an insert of a part of them."""
 
 
 class Names:
@@ -105,9 +114,22 @@ def directed_shot(
     if shot.kind == "pov":
         shot.pov = who or next((each for each in (last.focus if last else []) if each in names.people), None)
         shot.focus = [each for each in focus if each != shot.pov] or [e for e in unit.on_stage if e != shot.pov]
+    if shot.kind not in ("pov", "ots") and shot.focus and shot.focus[0] in names.people:
+        shot.detail = _part(note.subject)
+    if shot.detail:
+        shot.kind, shot.size, shot.focus = "insert", "ECU" if note.size == "ECU" else "CU", shot.focus[:1]
     if shot.kind == "ots":
         _over_shoulder(shot, who, unit, last)
     return shot
+
+
+def _part(subject: str) -> BodyPart | None:
+    """Return the part of a body that a direction ends on: ``Rick's hand``, ``the eyes of the guard``."""
+    head = re.split(r"\b(?:of|on|as|in|with)\b", subject, maxsplit=1, flags=re.IGNORECASE)[0].strip()
+    for part, words in _PARTS.items():
+        if re.search(rf"\b(?:{words})$", head, re.IGNORECASE):
+            return part
+    return None
 
 
 def _over_shoulder(shot: ShotDraft, who: str | None, unit: Unit, last: ShotDraft | None) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from storyblender.agents.director.reading import CameraNote, Unit
-from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotKind, ShotSize
+from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind, ShotSize
 
 
 @dataclass
@@ -43,6 +43,8 @@ class ShotDraft:
     over: str | None = None
     pov: str | None = None
     axis: tuple[str, str] | None = None
+    detail: BodyPart | None = None
+    """An insert: which part of its person."""
     whole_body: bool = False
     """Somebody travels in it: it must not be tightened beyond the body."""
     note: CameraNote | None = None

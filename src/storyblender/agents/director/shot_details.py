@@ -108,6 +108,7 @@ class ShotDetails:
             kind=draft.kind,
             size=draft.size,
             angle=draft.angle,
+            detail=draft.detail,
             distance=DISTANCE_OF_SIZE[draft.size],
             movement=draft.movement,
             direction=draft.direction,

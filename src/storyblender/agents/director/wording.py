@@ -63,6 +63,7 @@ def camera_sentence(draft: ShotDraft, names: Mapping[str, str], place: str) -> s
         form = f"{draft.kind} {form}"
     form = f"static {form}" if draft.movement == "static" else form
     shown = listed([names.get(each, each) for each in draft.focus]) or place or "the place"
+    shown = f"{shown}'s {draft.detail}" if draft.detail else shown
     sentence = f"{'An' if form[0] in 'aeiou' else 'A'} {form} of {shown}"
     if draft.over:
         sentence += f" over {names.get(draft.over, draft.over)}'s shoulder"

@@ -67,6 +67,7 @@ class CameraBrief:
             second person, -1 right, 0 not settled.
         nodes: node_id by asset_id, where they differ.
         carried: node_ids of the things in somebody's hands, by whose hands they are.
+        detail: Where the part of somebody is that an insert shows; None where the shot is about all of them.
     """
 
     scene_id: int
@@ -84,6 +85,7 @@ class CameraBrief:
     side: int = 0
     nodes: Mapping[str, str] = field(default_factory=dict)
     carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    detail: Box | None = None
 
     def node(self, asset_id: str) -> str:
         """Return the node that shows an asset."""
@@ -91,13 +93,23 @@ class CameraBrief:
 
     @property
     def focus(self) -> tuple[str, ...]:
-        """node_ids the shot is about; a tight shot or a single is about the first person only, others may be cut."""
-        nodes = tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
+        """node_ids the shot is about; a tight shot or a single is about the first person only, others may be cut.
+
+        An insert of a hand is about nobody's face: the hand is its only thing.
+        """
+        if self.detail is not None:
+            return ()
+        nodes = self.named
         if self.instruction.size not in TIGHT and self.instruction.kind not in _ONE_PERSON:
             return nodes
         faces = {figure.node_id for moment in self.moments for figure in moment.figures}
         lead = next((node for node in nodes if node in faces), None)
         return tuple(node for node in nodes if node == lead or node not in faces)
+
+    @property
+    def named(self) -> tuple[str, ...]:
+        """node_ids of all that the Director's instruction is about."""
+        return tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
 
     @property
     def people(self) -> tuple[Figure, ...]:
@@ -108,6 +120,8 @@ class CameraBrief:
     @property
     def things(self) -> tuple[Box, ...]:
         """Boxes of the focus things."""
+        if self.detail is not None:
+            return (self.detail,)
         return tuple(self.props[node] for node in self.focus if node in self.props)
 
     @property
@@ -144,7 +158,7 @@ class CameraBrief:
         instruction = self.instruction
         own = {*self.focus, *self.in_frame}
         own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
-        own |= {self.node(asset_id) for asset_id in instruction.focus_on_ids}
+        own |= {*self.named}
         moment = self.moments[len(self.moments) // 2]
         return tuple(figure.node_id for figure in moment.figures if figure.node_id not in own)
 

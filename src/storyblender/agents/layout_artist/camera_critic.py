@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from storyblender.agents.layout_artist.camera_brief import CROWDED, CameraBrief, Moment, Take, pose_of, share_of
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
-from storyblender.agents.layout_artist.camera_room import outside
+from storyblender.agents.layout_artist.camera_room import outside, void_points
 from storyblender.agents.layout_artist.camera_scout import CLEARED
 from storyblender.agents.layout_artist.camera_start import face_limit
 from storyblender.geometry.orbit import Orbit
@@ -24,7 +24,6 @@ _HIDDEN = 0.30
 _SEEN = 0.0004
 """Share of the picture from which a person counts as seen."""
 _FACE_SHOWN = 0.60
-_VOID = 0.015
 _FOREGROUND = 0.22
 _FOREGROUND_OTS = 0.38
 _LEFT_OUT = 1.2
@@ -104,7 +103,7 @@ def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
         pose=pose_of(take.at(share_of(brief, frame)), frame),
         sensor_width=brief.film.sensor_width,
         hidden_node_ids=take.hidden,
-        focus_ids=brief.focus,
+        focus_ids=brief.focus or brief.named,
     )
 
 
@@ -203,11 +202,10 @@ def _nothing(brief: CameraBrief, take: Take, camera: Orbit, view: CameraView) ->
 
 
 def _void(share: float) -> list[Fault]:
-    if share <= _VOID:
+    if not (points := void_points(share)):
         return []
     text = f"{share:.0%} of the picture shows nothing"
-    ops = "orbit_left orbit_right orbit_down zoom_in"
-    return [fault("void", "", min(0.5 + 8 * share, 5.0), text, ops=ops)]
+    return [fault("void", "", points, text, ops="orbit_left orbit_right orbit_down zoom_in")]
 
 
 def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
@@ -219,7 +217,7 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
         text = f"{view.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
         found.append(fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
-    own = {*brief.focus, brief.node(brief.instruction.over_id or "")}
+    own = {*(brief.focus or brief.named), brief.node(brief.instruction.over_id or "")}
     covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
     if covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
         found.append(fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))

@@ -12,15 +12,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.orbit import Floats, Orbit
 
 _RAYS = (24, 14)
 """Columns and rows of the rays that stand for a picture."""
-_BEFORE_WALL, _BEHIND_WALL = 0.35, 0.3
+BEFORE_WALL, _BEHIND_WALL = 0.35, 0.3
 """Metres: room for the camera before a wall that stays; how far it may step behind one that goes."""
-_WIDEST = {"EWS": 18.0, "WS": 18.0, "FS": 20.0, "MWS": 22.0, "MS": 27.0, "MCU": 35.0}
+VOID = 0.015
+"""Share of the picture that may show nothing: the edge of a window, the gap of a door."""
+WIDEST = {"EWS": 18.0, "WS": 18.0, "FS": 20.0, "MWS": 22.0, "MS": 27.0, "MCU": 35.0}
 """mm by shot size: what the lens may be widened to where the room is short; tighter sizes keep theirs."""
 
 
@@ -32,54 +33,55 @@ def outside(plan: SetPlan, camera: Orbit, hidden: Collection[str]) -> float:
     """
     if not plan.indoor:
         return 0.0
-    eye, rays = camera.position, _rays(camera)
+    eye, ways = camera.position, rays(camera, *_RAYS)
     size, top = plan.size, _height(plan)
     low, high = np.array([size.x_negative, size.y_negative, 0.0]), np.array([size.x, size.y, top])
-    steps = np.where(np.abs(rays) < 1e-9, 1e-9, rays)
+    steps = np.where(np.abs(ways) < 1e-9, 1e-9, ways)
     near, far = (low - eye) / steps, (high - eye) / steps
     enter, leave = np.minimum(near, far).max(1), np.maximum(near, far).min(1)
     out = leave <= np.maximum(enter, 0.0)
     for wall in plan.walls:
-        crossed, inward = _crossed(wall, eye, rays)
+        crossed, inward = _crossed(wall, eye, ways)
         out |= crossed & (~inward if wall.node_id in hidden else inward)
     return float(out.mean())
 
 
-def fitted(plan: SetPlan | None, camera: Orbit, size: str, several: bool = False) -> Orbit:
+def void_points(share: float) -> float:
+    """Return the points of ten that a share of the picture costs which shows nothing: no director takes black walls."""
+    return min(0.8 + 16 * share, 5.0) if share > VOID else 0.0
+
+
+def fitted(plan: SetPlan | None, camera: Orbit, size: str) -> Orbit:
     """Return the camera brought into the room with a wider lens, so that what is at its pivot keeps its size.
 
-    Where the widest lens of the shot size (for several people, of a master) is not wide enough, the camera stays as far
-    outside as it must.
+    Where the widest lens of the shot size is not wide enough, the camera stays as far outside as it must.
     """
-    if plan is None or not plan.indoor:
-        return camera
-    reach = reach_back(plan, camera)
+    reach = reach_back(plan, camera) if plan is not None and plan.indoor else camera.distance
     if reach >= camera.distance:
         return camera
-    widest = _WIDEST["WS"] if several and size not in TIGHT else _WIDEST.get(size, camera.lens)
-    lens = min(camera.lens, max(camera.lens * reach / camera.distance, widest))
+    lens = min(camera.lens, max(camera.lens * reach / camera.distance, WIDEST.get(size, camera.lens)))
     return replace(camera, lens=lens, distance=camera.distance * lens / camera.lens)
 
 
-def walked_in(plan: SetPlan | None, camera: Orbit, most: float = 0.0) -> Orbit:
-    """Return the camera moved along its axis into the room, whatever that does to sizes.
+def walked_in(plan: SetPlan | None, camera: Orbit) -> Orbit:
+    """Return the camera moved along its axis into the room, whatever that does to sizes."""
+    if plan is None or not plan.indoor:
+        return camera
+    return replace(camera, distance=min(camera.distance, reach_back(plan, camera)))
+
+
+def reach_back(plan: SetPlan, camera: Orbit, spare: float | None = None) -> float:
+    """Return how far from its pivot the camera may stand in the direction it is in, metres.
 
     Args:
         plan: The set.
-        camera: Where it would like to be.
-        most: Share of its distance that it keeps at least.
+        camera: Its pivot and its direction.
+        spare: Metres it stays before the walls; None steps behind wild ones.
     """
-    if plan is None or not plan.indoor:
-        return camera
-    return replace(camera, distance=min(camera.distance, max(reach_back(plan, camera), most * camera.distance)))
-
-
-def reach_back(plan: SetPlan, camera: Orbit) -> float:
-    """Return how far from its pivot the camera may stand in the direction it is in, metres."""
     pivot, back = np.asarray(camera.pivot), camera.axes[:, 2]
     size = plan.size
-    wild = all(wall.wild for wall in plan.walls)
-    spare = -_BEHIND_WALL if wild else _BEFORE_WALL
+    if spare is None:
+        spare = -_BEHIND_WALL if all(wall.wild for wall in plan.walls) else BEFORE_WALL
     limits = [
         (size.x_negative + spare, size.x - spare),
         (size.y_negative + spare, size.y - spare),
@@ -97,24 +99,24 @@ def _height(plan: SetPlan) -> float:
     return max([*ceilings, *(wall.base + wall.height for wall in plan.walls)], default=3.0)
 
 
-def _rays(camera: Orbit) -> Floats:
-    columns, rows = _RAYS
+def rays(camera: Orbit, columns: int, rows: int) -> Floats:
+    """Return (columns * rows, 3) ways through the picture, row by row, one metre deep; world axes."""
     x = ((np.arange(columns) + 0.5) / columns - 0.5) * 2 * camera.tangent * camera.aspect
     y = (0.5 - (np.arange(rows) + 0.5) / rows) * 2 * camera.tangent
     across, up = (grid.ravel() for grid in np.meshgrid(x, y))
     return np.stack([across, up, -np.ones(len(across))], 1) @ camera.axes.T
 
 
-def _crossed(wall: Wall, eye: Floats, rays: Floats) -> tuple[np.ndarray, np.ndarray]:
+def _crossed(wall: Wall, eye: Floats, ways: Floats) -> tuple[np.ndarray, np.ndarray]:
     """Return which rays meet a wall where it is solid, and which of them come from behind it."""
     start, end = np.asarray(wall.start), np.asarray(wall.end)
     length = float(np.hypot(*(end - start)))
     along = (end - start) / length
     inward = np.array([-along[1], along[0]])
-    off, speed = float((eye[:2] - start) @ inward), rays[:, :2] @ inward
+    off, speed = float((eye[:2] - start) @ inward), ways[:, :2] @ inward
     share = np.where(np.abs(speed) > 1e-9, -off / np.where(np.abs(speed) > 1e-9, speed, 1.0), -1.0)
-    x = (eye[:2] - start) @ along + share * (rays[:, :2] @ along)
-    z = eye[2] + share * rays[:, 2]
+    x = (eye[:2] - start) @ along + share * (ways[:, :2] @ along)
+    z = eye[2] + share * ways[:, 2]
     met = (share > 0) & (x > 0) & (x < length) & (z > wall.base) & (z < wall.base + wall.height)
     for hole in wall.openings:
         met &= ~((x > hole.x) & (x < hole.x + hole.width) & (z > hole.sill) & (z < hole.sill + hole.height))

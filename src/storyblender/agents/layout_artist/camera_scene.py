@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
+from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
 from storyblender.agents.layout_artist.camera_operator import operate, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.set_plan import SetPlan
@@ -122,10 +123,11 @@ def camera_brief(
             props[item.node_id] = Box(*location, *size_of(measure), math.radians(yaw))
         nodes.setdefault(item.asset_id, item.node_id)
     for state in shot.prop_states:
-        held = _held(state.asset_id, state.held_by, measures, moments) if state.visible else None
-        if held is not None:
+        holder = middle_of(moments).figure(state.held_by) if moments and state.visible else None
+        measure = measures.get(state.asset_id)
+        if holder is not None and measure is not None:
             node = nodes.get(state.asset_id, state.asset_id)
-            props[node] = held
+            props[node] = held_at(holder, state.hand, size_of(measure))
             carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
     return CameraBrief(
         scene_id=shot.scene_id,
@@ -139,18 +141,5 @@ def camera_brief(
         film=Film(graph.format.sensor_width, graph.format.aspect),
         nodes=nodes,
         carried=carried,
+        detail=detail_of(shot, moments),
     )
-
-
-def _held(
-    asset_id: str, holder: str | None, measures: Mapping[str, AssetMeasure], moments: Sequence[Moment]
-) -> Box | None:
-    """Return about where a thing in somebody's hands is: before the chest, half an arm ahead."""
-    figure = moments[len(moments) // 2].figure(holder) if moments else None
-    measure = measures.get(asset_id)
-    if figure is None or measure is None:
-        return None
-    x, y, z = figure.face
-    ahead, below = 1.4 * figure.head, 2.0 * figure.head
-    yaw = math.radians(figure.yaw)
-    return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size_of(measure), yaw)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_cuts import cuts
-from storyblender.agents.layout_artist.camera_room import outside
+from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import body, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
@@ -34,8 +34,18 @@ _KNEE = 0.35
 """Share of a height below which a table or a stool may hide somebody."""
 _OWN = 0.3
 """Metres before a body that are its own: its chair, the pillar it leans at."""
+_AT_HAND = 0.12
+"""Metres before a thing in an insert that are its own: the hand that holds it, the cloth it lies on."""
 _MOST = 0.3
 """Share of somebody that may be hidden."""
+_LOOMING = 1.2
+"""Points for a head that is e times as large as the size wants: nobody fills the foreground of a group."""
+_GRID = (15, 8)
+"""Columns and rows of the rays that look for what stands before everybody."""
+_FRONT = 0.08
+"""Share of the picture that a table or a counter before everybody may take."""
+_STANDS, _TAKEN = 0.3, 0.3
+"""Metres below which a thing stands on the floor; points for taking it away with a wall, and half a point a m3."""
 CLEARED = 0.3
 """Points for sending somebody out of the picture who has no part in it: continuity minds a little."""
 
@@ -88,9 +98,25 @@ def cost(brief: CameraBrief, take: Take) -> float:
     """Return about how many points the critic would take off, from boxes and faces alone."""
     points = sum(fault.severity for fault in cuts(brief, take)) + _position(brief, take)
     if brief.plan is not None:
-        points += min(8 * outside(brief.plan, take.camera, take.hidden), 5.0)
+        points += void_points(outside(brief.plan, take.camera, take.hidden))
     points += CLEARED * sum(node in take.hidden for node in brief.strangers)
-    return points + _people(brief, take) + _things(brief, take) + _kept(brief, take)
+    gone = [box for node, box in brief.props.items() if node in take.hidden and box.z < _STANDS]
+    points += sum(min(_TAKEN + 0.5 * box.width * box.depth * box.height, 2.0) for box in gone)
+    return points + _people(brief, take) + _things(brief, take) + _kept(brief, take) + _before(brief, take)
+
+
+def _before(brief: CameraBrief, take: Take) -> float:
+    """Weigh what stands in the picture before its nearest person or thing; the middle third counts twice."""
+    faces = [figure.face for figure in brief.people] or [(box.x, box.y, box.z) for box in brief.things]
+    if not faces or brief.instruction.kind in ("ots", "pov"):
+        return 0.0
+    camera, (columns, rows) = take.camera, _GRID
+    deep = max(float(project(camera, faces)[1].min()), 0.5) - _OWN
+    spots = camera.position + rays(camera, columns, rows) * deep
+    taken = hidden(_solids(brief, take.hidden), camera.position, spots).reshape(rows, columns).mean(0)
+    third = columns // 3
+    share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
+    return 8.0 * max(0.0, float(share) - _FRONT)
 
 
 def _kept(brief: CameraBrief, take: Take) -> float:
@@ -114,6 +140,10 @@ def _things(brief: CameraBrief, take: Take) -> float:
         return 0.0
     screen, depth = project(take.camera, [(box.x, box.y, box.z + box.height / 2) for box in brief.things])
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
+    if brief.instruction.kind == "insert":
+        people = [body(figure) for figure in brief.moments[len(brief.moments) // 2].figures]
+        spots = [(box.x, box.y, box.top) for box in brief.things]
+        framed &= ~hidden([*people, *_solids(brief, take.hidden)], take.camera.position, spots, _AT_HAND)
     return (1.0 if brief.people else 2.5) * float((~framed).sum())
 
 
@@ -134,7 +164,8 @@ def _meets(box: Box, x: float, y: float, z: float) -> bool:
 
 
 def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:
-    return solids(dict(brief.props), brief.plan, (*hidden, *brief.focus))
+    own = belongings(brief, brief.named) if brief.detail is not None else brief.focus
+    return solids(dict(brief.props), brief.plan, (*hidden, *own))
 
 
 def _people(brief: CameraBrief, take: Take) -> float:
@@ -143,13 +174,14 @@ def _people(brief: CameraBrief, take: Take) -> float:
     camera, instruction, points = take.camera, brief.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
     solid = _solids(brief, take.hidden)
-    over = brief.node(instruction.over_id or "")
+    over, wanted = brief.node(instruction.over_id or ""), SCALES[instruction.size].head
     for figure in there:
         others = [body(other) for other in there if other is not figure]
         if figure.node_id in brief.focus and instruction.kind != "establishing":
             points += _subject(brief, camera, figure, [*others, *solid])
         elif figure.node_id in brief.in_frame and instruction.size not in TIGHT and figure.node_id != over:
             points += 0.8 * (not _framed(camera, figure) or hidden_share(camera, figure, [*others, *solid]) > _MOST)
+            points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
     return points
@@ -165,9 +197,14 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
         return points + 3.0
     share = hidden_share(camera, figure, boxes)
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
+    off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)
+    return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
+
+
+def head_share(camera: Orbit, figure: Figure) -> float:
+    """Return the height of somebody's head as a share of the picture's."""
     away = max(float(project(camera, [figure.face])[1][0]), 0.1)
-    share = figure.head / away / (2 * camera.tangent)
-    return points + 0.8 * max(0.0, math.log(SCALES[brief.instruction.size].head / max(share, 1e-3)) - 0.5) * lead
+    return max(figure.head / away / (2 * camera.tangent), 1e-3)
 
 
 def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:

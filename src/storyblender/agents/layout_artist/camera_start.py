@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
-from storyblender.geometry.boxes import corners, wrapped
+from storyblender.geometry.boxes import corners
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import followed, moved
@@ -27,10 +28,6 @@ _SHORTEST = {"EWS": 0.1}
 _SHORT, _TALL = 0.19, 0.38
 _TALKS = 80.0
 """Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
-_SMALLEST = 0.45
-"""How small heads may get, of what the size wants, so that the picture holds all of a group's walks."""
-_CLOSER = 0.7
-"""How much closer a group may come before somebody leaves the picture."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
@@ -47,16 +44,17 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
     """
     camera = _compose(brief, brief.lens, turn, rise)
     if brief.instruction.kind not in ("pov", "ots", "insert"):
-        # A lens that was asked for is the lens: then the camera only walks.
-        for _ in range(0 if brief.instruction.lens else _FITTINGS):
-            fit = fitted(brief.plan, camera, brief.instruction.size, several=len(brief.people) > 1)
-            if fit.lens == camera.lens:
-                break
-            camera = _compose(brief, fit.lens, turn, rise)
+        if brief.instruction.kind != "establishing" and len(brief.people) > 1:
+            camera = inside(brief, camera)
+        else:
+            # A lens that was asked for is the lens: then the camera only walks.
+            for _ in range(0 if brief.instruction.lens else _FITTINGS):
+                fit = fitted(brief.plan, camera, brief.instruction.size)
+                if fit.lens == camera.lens:
+                    break
+                camera = _compose(brief, fit.lens, turn, rise)
         if brief.instruction.kind == "establishing":
             camera = walked_in(brief.plan, camera)
-        elif len(brief.people) > 1:
-            camera = walked_in(brief.plan, camera, _CLOSER)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
     return take(brief, camera)
@@ -130,11 +128,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         return _swung(camera, turn, rise)
     if len(people) > 1:
-        azimuth = _group_azimuth(brief, people) + turn
-        whole = framing.group(film, brief.stages, instruction.size, azimuth, elevation, lens)
-        if lead.head / whole.frame_height > _SMALLEST * framing.SCALES[instruction.size].head:
-            return whole
-        return framing.group(film, people, instruction.size, azimuth, elevation, lens)
+        return grouped(brief, lens, group_azimuth(brief) + turn, elevation)
     if brief.walks and not _tight(brief):
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
@@ -208,7 +202,7 @@ def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orb
     high = points[:, 2].mean() > 1.25 or box.height > 1.2
     angle = framing.ELEVATION[brief.instruction.angle]
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
-    azimuth = _towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
+    azimuth = towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
     fill = framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
     return framing.insert(brief.film, points, azimuth, elevation, lens, fill)
 
@@ -217,19 +211,8 @@ def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, eleva
     """Frame a walk from the side and a little ahead, on the audience's side."""
     heading = math.degrees(math.atan2(brief.travel[0], -brief.travel[1]))
     sides = [heading + 62.0, heading - 62.0]
-    azimuth = min(sides, key=lambda angle: abs(_turned(angle))) + turn
+    azimuth = min(sides, key=lambda angle: abs(turned(angle))) + turn
     return framing.single(brief.film, figure, brief.instruction.size, azimuth, elevation, lens)
-
-
-def _turned(angle: float) -> float:
-    """Return degrees within -180..180."""
-    return math.degrees(wrapped(math.radians(angle)))
-
-
-def _towards_audience(yaw: float, most: float) -> float:
-    """Return the azimuth nearest to the audience (0) from which something of that yaw is seen within ``most``."""
-    yaw = _turned(yaw)
-    return yaw - max(-most, min(most, yaw))
 
 
 def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
@@ -240,14 +223,14 @@ def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
     off = _OFF_FACE.get(size, _WIDE_OFF)
     choices = [figure.yaw + off, figure.yaw - off]
     if brief.instruction.kind == "action" and size not in _OFF_FACE:
-        choices.insert(0, _towards_audience(figure.yaw, 55.0))
+        choices.insert(0, towards_audience(figure.yaw, 55.0))
     choices += [figure.yaw, figure.yaw + 65.0, figure.yaw - 65.0]
     return min(choices, key=lambda angle: (_cost(brief, figure, angle), choices.index(angle)))
 
 
 def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
     """Weigh an azimuth: across the line 4, a jump 2, away from the audience up to 1, a flat full face 0.4."""
-    cost = abs(_turned(azimuth)) / 180
+    cost = abs(turned(azimuth)) / 180
     way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
     if (axis := brief.axis) is not None and brief.side:
         position = np.asarray(figure.face)[:2] + 2 * way
@@ -255,8 +238,8 @@ def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
     if (before := brief.previous) is not None and brief.size_steps(before.instruction.size) < 2:
         same = set(before.instruction.focus_on_ids) == set(brief.instruction.focus_on_ids)
         last = orbit_of(before.state.poses[-1], brief.film)
-        cost += 2.0 * (same and abs(_turned(last.azimuth - azimuth)) < THIRTY)
-    return cost + 0.4 * (abs(_turned(azimuth - figure.yaw)) < 15)
+        cost += 2.0 * (same and abs(turned(last.azimuth - azimuth)) < THIRTY)
+    return cost + 0.4 * (abs(turned(azimuth - figure.yaw)) < 15)
 
 
 def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
@@ -268,30 +251,7 @@ def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
         return None
     partner = orbit_of(brief.reverse.state.poses[0], brief.film)
     azimuth = mirrored(partner.azimuth, first.face, second.face)
-    return azimuth if abs(_turned(azimuth - figure.yaw)) < 75 else None
-
-
-def _group_azimuth(brief: CameraBrief, people: tuple[Figure, ...]) -> float:
-    """Return from where several are taken: where they look if they look one way, else square to their line."""
-    look = np.mean([figure.forward[:2] for figure in people], axis=0)
-    faces = np.array([figure.face[:2] for figure in people])
-    spread = faces - faces.mean(0)
-    _, _, axes = np.linalg.svd(spread)
-    square = math.degrees(math.atan2(axes[1][0], -axes[1][1]))
-    if np.hypot(*look) > 0.55:
-        toward = math.degrees(math.atan2(look[0], -look[1]))
-        return _towards_audience(toward, 40.0)
-    choices = [square, square + 180.0]
-    azimuth = min(choices, key=lambda angle: (_group_cost(brief, people, angle), abs(_turned(angle))))
-    return _turned(azimuth)
-
-
-def _group_cost(brief: CameraBrief, people: tuple[Figure, ...], azimuth: float) -> float:
-    if (axis := brief.axis) is None or not brief.side:
-        return 0.0
-    way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
-    position = np.mean([figure.face[:2] for figure in people], axis=0) + 4 * way
-    return float(side_of_line(position, axis[0].face, axis[1].face) == -brief.side)
+    return azimuth if abs(turned(azimuth - figure.yaw)) < 75 else None
 
 
 def line_side(brief: CameraBrief, focus: Figure, over: Figure) -> float:

@@ -34,7 +34,7 @@ def taken_away(
     hidden: dict[str, None] = {}
     for camera in cameras:
         eye = camera.position
-        sights = [*targets, *_frame_points(camera)]
+        sights = [*targets, *(point for point in _frame_points(camera) if _in_room(plan, point))]
         for wall in plan.walls:
             if wall.wild and _stands_between(wall, eye, sights):
                 hidden[wall.node_id] = None
@@ -49,6 +49,12 @@ def taken_away(
                 if _crosses(box, eye, sights[: len(targets)]):
                     hidden[piece.node_id] = None
     return list(hidden)
+
+
+def _in_room(plan: SetPlan, point: Floats) -> bool:
+    """Return whether a point is on the set: nothing is taken away to look at what lies beyond it."""
+    size = plan.size
+    return not plan.indoor or (size.x_negative < point[0] < size.x and size.y_negative < point[1] < size.y)
 
 
 def _frame_points(camera: Orbit) -> list[Floats]:

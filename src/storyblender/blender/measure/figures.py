@@ -53,7 +53,9 @@ def _of_rig(node_id: str, rig: bpy.types.Object) -> Figure:
     face = eyes + up * below * (_BROW - 1) / 2
     base = world.translation
     hips = world @ bones["hips"].head if "hips" in bones else base
-    return Figure(node_id, tuple(face), tuple(forward), below * (1 + _BROW), (hips.x, hips.y, base.z))
+    sides = [bones[name] for name in ("hand.L", "hand.R") if name in bones]
+    hands = tuple(tuple(world @ ((hand.head + hand.tail) / 2)) for hand in sides)
+    return Figure(node_id, tuple(face), tuple(forward), below * (1 + _BROW), (hips.x, hips.y, base.z), hands)
 
 
 def _of_box(node_id: str, parts: list[bpy.types.Object]) -> Figure:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import pytest
 from handmade import Script
 
 from storyblender.agents.director.coverage import cover
@@ -122,6 +123,17 @@ def test_directions_are_obeyed() -> None:
     assert (over.kind, over.over, over.focus) == ("ots", "ann", ["bob"])
     assert (insert.kind, insert.size, insert.focus) == ("insert", "CU", ["key"])
     assert (pov.kind, pov.pov, pov.focus) == ("pov", "ann", ["bob"])
+
+
+@pytest.mark.parametrize(
+    ("subject", "kind", "detail"),
+    [("Ann's hand", "insert", "hand"), ("the eyes of Ann", "insert", "eyes"), ("Ann", "single", None)],
+)
+def test_a_direction_on_a_part_of_somebody_is_an_insert_of_it(subject: str, kind: str, detail: str | None) -> None:
+    script = Script("Ann", "Bob")
+    script.action("Ann waves.", ("ann", "wave"), camera=CameraNote("CLOSE ON", size="CU", subject=subject))
+    (shot,) = shots(script)
+    assert (shot.kind, shot.size, shot.focus, shot.detail) == (kind, "CU", ["ann"], detail)
 
 
 def test_the_same_subject_is_cut_two_sizes_apart_and_orders_stay() -> None:

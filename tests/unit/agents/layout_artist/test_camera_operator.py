@@ -18,7 +18,7 @@ from storyblender.geometry.framing import SCALES, Figure, Film, project
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 from storyblender.memory.scene_context import SceneSize
-from storyblender.memory.shot_context import CameraInstruction
+from storyblender.memory.shot_context import CameraInstruction, Flaw
 
 FILM = Film()
 
@@ -119,7 +119,7 @@ def brief(figures=(ANNA, TOM), props=None, moments=None, **more) -> CameraBrief:
     return CameraBrief(1, 1, CameraInstruction(**more), 48, moments, props=props or {}, film=FILM, **fields)
 
 
-def shoot(view: CameraBrief) -> tuple[Orbit, tuple[str, ...], NumberFinder]:
+def shoot(view: CameraBrief) -> tuple[Orbit, tuple[Flaw, ...], NumberFinder]:
     finder = NumberFinder(view.moments, dict(view.props))
     state = operate(view, finder)
     return orbit_of(state.poses[0], FILM), state.residual, finder

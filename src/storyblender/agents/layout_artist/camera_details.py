@@ -1,0 +1,75 @@
+"""Where the small things of a shot are when it is drawn: what somebody holds, the part of them an insert shows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from storyblender.agents.layout_artist.camera_brief import Moment
+from storyblender.geometry.boxes import Box
+from storyblender.geometry.framing import Figure
+from storyblender.memory.base import Vec3
+from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.vocabulary import Hand
+
+_HAND = 0.2
+"""Metres: a hand and what is in it."""
+_FEET = (0.5, 0.3)
+"""Metres: width and height of two feet."""
+_EYES, _MOUTH = (0.08, 0.3), (-0.28, 0.25)
+"""Shares of a head: how far above the middle of the face, and how high the part is."""
+
+
+def middle_of(moments: Sequence[Moment]) -> Moment:
+    """Return the moment of a shot that is drawn."""
+    return moments[len(moments) // 2]
+
+
+def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
+    """Return about where a thing in somebody's hands is: at the hand, or half an arm before the chest.
+
+    Args:
+        figure: Who holds it.
+        hand: Which hand; None for both.
+        size: Width, depth and height of the thing, metres.
+    """
+    yaw = math.radians(figure.yaw)
+    if figure.hands and hand is not None:
+        x, y, z = figure.hands[hand == "R"]
+        return Box(x, y, z - size[2] / 2, *size, yaw)
+    x, y, z = figure.face
+    ahead, below = 1.4 * figure.head, 2.0 * figure.head
+    return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size, yaw)
+
+
+def detail_of(shot: ShotContext, moments: Sequence[Moment]) -> Box | None:
+    """Return where the part of a person is that an insert shows; None if it is not about a part of anybody."""
+    instruction = shot.camera_instruction
+    who = instruction.focus_on_ids[0] if instruction.focus_on_ids else None
+    figure = middle_of(moments).figure(who) if moments else None
+    if instruction.detail is None or figure is None:
+        return None
+    yaw, (x, y, z) = math.radians(figure.yaw), figure.face
+    if instruction.detail == "hand":
+        x, y, z = _acting_hand(shot, figure, middle_of(moments).frame)
+        return Box(x, y, z - _HAND / 2, _HAND, _HAND, _HAND, yaw)
+    if instruction.detail == "feet":
+        width, height = _FEET
+        return Box(*figure.base, width, width, height, yaw)
+    up, share = _EYES if instruction.detail == "eyes" else _MOUTH
+    height = share * figure.head
+    width = 2 * height
+    return Box(x, y, z + up * figure.head - height / 2, width, height, height, yaw)
+
+
+def _acting_hand(shot: ShotContext, figure: Figure, frame: int) -> Vec3:
+    """Return the hand that acts at a frame, or holds something, or is furthest ahead."""
+    if not figure.hands:
+        box = held_at(figure, None, (_HAND, _HAND, _HAND))
+        return box.x, box.y, box.z + _HAND / 2
+    acting = [cue.hand for cue in shot.cues if cue.asset_id == figure.node_id and cue.hand and cue.start <= frame]
+    holding = [state.hand for state in shot.prop_states if state.held_by == figure.node_id and state.hand]
+    if hand := next(iter([*reversed(acting), *holding]), None):
+        return figure.hands[hand == "R"]
+    way = figure.forward
+    return max(figure.hands, key=lambda point: sum(a * b for a, b in zip(point, way, strict=True)))

@@ -1,0 +1,91 @@
+"""Several people in one picture: from where they are taken, how far away, and what is done where the room is short."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief
+from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, WIDEST, outside, reach_back
+from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.geometry import framing
+from storyblender.geometry.boxes import wrapped
+from storyblender.geometry.continuity import side_of_line
+from storyblender.geometry.orbit import Orbit
+
+_SMALLEST = 0.45
+"""How small heads may get, of what the size wants, so that the picture holds all of a group's walks."""
+_EDGE = 0.03
+"""Share of the picture at its edges in which a face is not held."""
+
+
+def grouped(brief: CameraBrief, lens: float, azimuth: float, elevation: float) -> Orbit:
+    """Return the camera that holds the focus people wherever they go, or where they are if that is too far."""
+    size = brief.instruction.size
+    whole = framing.group(brief.film, brief.stages, size, azimuth, elevation, lens)
+    if brief.people[0].head / whole.frame_height > _SMALLEST * framing.SCALES[size].head:
+        return whole
+    return framing.group(brief.film, brief.people, size, azimuth, elevation, lens)
+
+
+def inside(brief: CameraBrief, camera: Orbit) -> Orbit:
+    """Return the camera of a group, at the wall if it would stand beyond: there it turns, with a wider lens.
+
+    What a room does not hold is cropped; nobody looks at a group past the edge of its set. A lens that was asked for
+    is the lens.
+    """
+    plan, size = brief.plan, brief.instruction.size
+    if plan is None or not plan.indoor or (reach := reach_back(plan, camera)) >= camera.distance:
+        return camera
+    widest = brief.instruction.lens or (WIDEST.get(size, camera.lens) if size in TIGHT else WIDEST["WS"])
+    held = _held_from(brief, camera, reach, widest)
+    if outside(plan, held, taken_away(plan, {}, [held], [])) < VOID:
+        return held
+    return _held_from(brief, camera, reach_back(plan, camera, BEFORE_WALL), widest)
+
+
+def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -> Orbit:
+    """Return the camera of a group so far from its pivot: all walks held, or the people where they are."""
+    film, size = brief.film, brief.instruction.size
+    place = np.asarray(camera.pivot) + camera.axes[:, 2] * reach
+    whole = framing.group_from(film, brief.stages, size, place, camera.lens, widest)
+    screen, depth = framing.project(whole, [figure.face for figure in brief.stages])
+    if depth.min() > 0 and screen[:, 0].min() > _EDGE and screen[:, 0].max() < 1 - _EDGE:
+        return whole
+    return framing.group_from(film, brief.people, size, place, camera.lens, widest)
+
+
+def group_azimuth(brief: CameraBrief) -> float:
+    """Return from where several are taken: where they look if they look one way, else square to their line."""
+    people = brief.people
+    look = np.mean([figure.forward[:2] for figure in people], axis=0)
+    faces = np.array([figure.face[:2] for figure in people])
+    spread = faces - faces.mean(0)
+    _, _, axes = np.linalg.svd(spread)
+    square = math.degrees(math.atan2(axes[1][0], -axes[1][1]))
+    if np.hypot(*look) > 0.55:
+        toward = math.degrees(math.atan2(look[0], -look[1]))
+        return towards_audience(toward, 40.0)
+    choices = [square, square + 180.0]
+    azimuth = min(choices, key=lambda angle: (_group_cost(brief, angle), abs(turned(angle))))
+    return turned(azimuth)
+
+
+def _group_cost(brief: CameraBrief, azimuth: float) -> float:
+    if (axis := brief.axis) is None or not brief.side:
+        return 0.0
+    way = np.array([math.sin(math.radians(azimuth)), -math.cos(math.radians(azimuth))])
+    position = np.mean([figure.face[:2] for figure in brief.people], axis=0) + 4 * way
+    return float(side_of_line(position, axis[0].face, axis[1].face) == -brief.side)
+
+
+def turned(angle: float) -> float:
+    """Return degrees within -180..180."""
+    return math.degrees(wrapped(math.radians(angle)))
+
+
+def towards_audience(yaw: float, most: float) -> float:
+    """Return the azimuth nearest to the audience (0) from which something of that yaw is seen within ``most``."""
+    yaw = turned(yaw)
+    return yaw - max(-most, min(most, yaw))

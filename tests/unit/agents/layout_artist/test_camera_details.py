@@ -1,0 +1,57 @@
+"""Inserts of a part of somebody: the hand that acts, not the face it belongs to."""
+
+import pytest
+from test_camera_operator import ANNA, TOM, brief
+
+from storyblender.agents.layout_artist.camera_brief import Moment
+from storyblender.agents.layout_artist.camera_details import detail_of, held_at
+from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.geometry.boxes import Box
+from storyblender.geometry.framing import Figure, project
+from storyblender.memory.shot_context import CameraInstruction, Cue, PropState, ShotContext
+from storyblender.memory.vocabulary import BodyPart
+
+LEFT, RIGHT = (-0.4, -0.2, 0.9), (-0.3, 0.25, 1.0)
+HANDED = Figure(ANNA.node_id, ANNA.face, ANNA.forward, ANNA.head, ANNA.base, (LEFT, RIGHT))
+
+
+def shot(part: BodyPart, **more) -> ShotContext:
+    wish = CameraInstruction(focus_on_ids=("anna",), kind="insert", size="CU", detail=part)
+    return ShotContext(scene_id=1, shot_id=1, camera_instruction=wish, **more)
+
+
+def middle(box: Box | None) -> tuple[float, float, float]:
+    assert box is not None
+    return box.x, box.y, box.z + box.height / 2
+
+
+def test_the_hand_is_the_one_that_acts_or_holds_or_reaches_furthest() -> None:
+    moments = [Moment(0, (HANDED, TOM))]
+    cue = Cue(asset_id="anna", clip="pick_up", start=0, hand="L")
+    holds = PropState(asset_id="cup", held_by="anna", hand="L")
+    assert middle(detail_of(shot("hand", cues=(cue,)), moments)) == pytest.approx(LEFT)
+    assert middle(detail_of(shot("hand", prop_states=(holds,)), moments)) == pytest.approx(LEFT)
+    assert middle(detail_of(shot("hand"), moments)) == pytest.approx(RIGHT), "she looks to +X"
+
+
+def test_eyes_are_above_the_mouth_and_feet_on_the_floor() -> None:
+    moments = [Moment(0, (HANDED,))]
+    eyes, mouth = (middle(detail_of(shot(part), moments))[2] for part in ("eyes", "mouth"))
+    feet = detail_of(shot("feet"), moments)
+    assert eyes > HANDED.face[2] > mouth and feet is not None and feet.z == 0
+    assert detail_of(shot("hand"), [Moment(0, (TOM,))]) is None, "she is not there"
+
+
+def test_what_is_held_is_at_the_hand() -> None:
+    assert middle(held_at(HANDED, "R", (0.1, 0.1, 0.2))) == pytest.approx(RIGHT)
+    assert held_at(HANDED, None, (0.1, 0.1, 0.2)).z < HANDED.face[2]
+
+
+def test_an_insert_frames_the_hand_from_where_nobody_stands_before_it() -> None:
+    box = Box(-0.35, 0.1, 0.9, 0.2, 0.2, 0.2)
+    view = brief((HANDED, TOM), kind="insert", size="CU", focus_on_ids=("anna",), detail=box)
+    assert view.people == () and view.things == (box,)
+    camera = scouted(view)[0].camera
+    (hand, face), _ = project(camera, [middle(box), HANDED.face])
+    assert hand == pytest.approx((0.5, 0.5), abs=0.1)
+    assert not ((face > 0) & (face < 1)).all()

@@ -1,0 +1,84 @@
+"""Several people in a room: the camera stays in it, nothing stands before them, and nobody's head fills the picture."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from test_camera_room import ROOM, brief, person
+
+from storyblender.agents.layout_artist.camera_brief import Take
+from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
+from storyblender.agents.layout_artist.camera_scout import cost, scouted
+from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.geometry.boxes import Box
+from storyblender.geometry.framing import Film, crown_height, group, group_from, project
+from storyblender.geometry.orbit import between
+
+APART = person("anna", -2.4, 1.8, 60), person("tom", 2.3, -0.5, -60), person("sam", 1.9, 2.2, -20)
+NAMES = ("anna", "tom", "sam")
+
+
+@pytest.mark.parametrize("size", ["FS", "MWS", "MS"])
+def test_a_group_is_never_taken_from_beyond_the_walls(size: str) -> None:
+    view = brief(*APART, in_frame=NAMES, kind="group", size=size, focus_on_ids=NAMES)
+    for turn in (0, 30, -70, 125, 180):
+        take = start(view, turn)
+        assert outside(ROOM, take.camera, take.hidden) < 0.03
+        assert np.abs(take.camera.position[:2]).max() < 3.31
+    best = scouted(view)[0]
+    screen, depth = project(best.camera, [who.face for who in APART])
+    assert (depth > 0).all() and ((screen > 0) & (screen < 1)).all()
+
+
+def test_a_camera_that_turns_on_its_place_holds_everybody_with_the_longest_lens_that_does() -> None:
+    place = (0.0, -2.6, 1.5)
+    camera = group_from(Film(), APART[::2], "MS", place, 50.0, 18.0)
+    assert camera.position == pytest.approx(place)
+    screen, _ = project(camera, [who.face for who in APART[::2]])
+    assert screen[:, 0].min() == pytest.approx(1 - screen[:, 0].max(), abs=0.06)
+    assert 18 < camera.lens < 30 and screen[:, 0].max() - screen[:, 0].min() > 0.6
+    near = group_from(Film(), APART[2:], "MS", (1.9, 0.0, 1.5), 85.0, 18.0)
+    away = project(near, [APART[2].face])[1][0]
+    assert 0.19 < APART[2].head / away / (2 * near.tangent) < 0.28, "no larger than a medium shot wants"
+
+
+def test_small_heads_stand_lower_in_the_picture_than_large_ones() -> None:
+    assert crown_height(0.03) > crown_height(0.08) > crown_height(0.2)
+    far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
+    camera = group(Film(), far, "MS", 0.0, 2.0, 35.0)
+    assert 1.0 < camera.position[2] < 2.2, "from the height of eyes, not of knees"
+
+
+def test_only_what_hides_the_room_is_taken_away() -> None:
+    camera = between((0.0, -3.2, 1.5), (2.0, 2.0, 1.4), 18.0, sensor_width=36.0, aspect=16 / 9)
+    assert taken_away(ROOM, {}, [camera], [np.array(APART[1].face)]) == ["front"]
+
+
+def test_the_room_before_a_wall_can_be_asked_for() -> None:
+    camera = between((0.0, -8.0, 1.5), (0.0, 0.0, 1.5), 35.0, sensor_width=36.0, aspect=16 / 9)
+    assert reach_back(ROOM, camera) == pytest.approx(3.3)
+    assert reach_back(ROOM, camera, 0.35) == pytest.approx(2.65)
+
+
+def test_nothing_costs_much_more_than_an_edge() -> None:
+    assert void_points(0.01) == 0 and void_points(0.1) > 2 and void_points(1.0) == 5
+
+
+def test_what_stands_before_everybody_looms_and_vanishes_at_a_price() -> None:
+    pair = person("anna", -0.5, 1.5, 20), person("tom", 0.5, 1.5, -20)
+    view = brief(*pair, in_frame=("anna", "tom"), kind="two_shot", size="MWS", focus_on_ids=("anna", "tom"))
+    take = replace(start(view), hidden=("front",))
+    eye, middle = take.camera.position, np.array([0.0, 1.5])
+    x, y = eye[:2] + (middle - eye[:2]) * 0.4
+    blocked = replace(view, props={"pier": Box(float(x), float(y), 0.0, 0.35, 0.35, 3.0)})
+    piano = replace(view, props={"piano": Box(2.2, 0.0, 0.0, 1.5, 1.3, 1.3)})
+    assert cost(blocked, take) > cost(view, take) + 1
+    assert cost(piano, replace(take, hidden=("front", "piano"))) > cost(piano, take) + 1
+
+
+def test_nobody_of_a_group_fills_the_foreground() -> None:
+    view = brief(*APART, in_frame=NAMES, kind="group", size="FS", focus_on_ids=NAMES)
+    near = group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
+    far = group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
+    assert cost(view, Take(near, near, near)) > cost(view, Take(far, far, far)) + 0.5
