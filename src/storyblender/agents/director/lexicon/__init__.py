@@ -175,7 +175,7 @@ PREPOSITIONS, CONJUNCTIONS = frozenset(_function["preposition"]), frozenset(_fun
 PARTICLES = frozenset(_function["particle"])
 COMPOUND_PREPOSITIONS: dict[str, tuple[tuple[str, ...], ...]] = _by_first(_function["compound_preposition"])
 """First word -> prepositions of several words."""
-ADVERBS = frozenset(_function["adverb"])
+ADVERBS = frozenset(_function["adverb"]) | _wordnet["adverb"]
 ADJECTIVES, OTHER_VERBS = _wordnet["adjective"], _wordnet["verb"]
 """Words that are adjectives before all; verbs whose motion nobody knows."""
 NOT_PEOPLE = frozenset(_function["caps"])

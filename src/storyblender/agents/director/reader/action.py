@@ -65,6 +65,7 @@ def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
         if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
             _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
         thing = stage.inventory.id_of(noun.key, word.start)
+        stage.sentence.things.append((noun.index, thing))
         loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
         stage.inventory.seen(thing, "shown" if loud else "seen")
         stage.discourse.recent_things = [thing, *stage.discourse.recent_things[:_RECENT]]
@@ -116,6 +117,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if followers:
         roles.subjects, roles.people, clause.passive = followers, roles.subjects, False
         entrances.subjects_enter(stage, clause, followers)
+    for noun in clause.asides:
+        stage.discourse.last_thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
     _dress(stage, roles)
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
@@ -202,6 +205,12 @@ def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
     if stage.sentence.plural_thing:
         discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
     things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
+    things = [
+        thing for thing in things if inventory.head(thing) not in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
+    ]
+    things = [t for t in things if inventory.class_of(t) != "unknown" or motion in lexicon.HANDLING]
+    if motion == "take" and not things:
+        things = [thing for place in roles.places if place.preposition == "with" for thing in place.things]
     if not things:
         things = [
             thing
@@ -209,8 +218,9 @@ def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
             if inventory.class_of(thing) in _OBJECTLIKE and inventory.head(thing) not in lexicon.LIQUIDS
         ]
         solid = ("set_piece", "prop")
-        if not things and motion not in _TRAVEL:
+        if not things and motion not in _TRAVEL and not roles.subject_things:
             things = [t for place in roles.places for t in place.things if inventory.class_of(t) in solid]
+            things.sort(key=lambda thing: inventory.class_of(thing) != "prop")
     things = [thing for thing in things if inventory.head(thing) not in lexicon.PLURAL_ONLY]
     if things:
         discourse.last_thing = things[0]

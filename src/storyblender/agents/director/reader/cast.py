@@ -30,7 +30,7 @@ _ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
 _COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
 _YEARS = r"(?:eigh|nine|seven|six|fif|four|thir|twen|for)(?:teen|ty|ties)\b|ten\b|eleven\b|twelve\b"
 _INTRODUCED = re.compile(
-    r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |in h|early |mid|late "
+    r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |the |in h|early |mid|late "
     rf"|barely |not yet |{_YEARS})|\s*\([^)]*(?:{_YEARS})"
 )
 _LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])", re.DOTALL)
@@ -122,6 +122,8 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
     base = _ARTICLE_OR_COUNT.sub("", name)
     if base in cues or name in cues:
         return True
+    if " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS:
+        return True
     unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"
     head = singular(unnumbered.split()[-1])
     title = base.split()[0].strip(".").lower()
@@ -167,8 +169,19 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
         return
     person = known[0] if known else _apposed(roster, sighting, name, text) or _newcomer(roster, sighting, base)
     said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
+    _kin_before(roster, person, text[max(0, sighting.at - 40) : sighting.at])
     if said:
         describe(person, said.group(1) or said.group(2) or "")
+
+
+def _kin_before(roster: Roster, person: Person, before: str) -> None:
+    """``Tobin's little sister, LARK``, ``his driver, DOT``: what somebody is to somebody else."""
+    said = re.search(r"(?:\b(?:his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+),? $", before)
+    if said and not person.role and person.kind == "human" and is_person_noun(said.group(1)):
+        person.role = said.group(1)
+        if person.gender == "unknown":
+            person.gender = lexicon.gender_of_word(person.role)
+        roster.call(person, person.role)
 
 
 def _are_numbered(name: str, full_names: set[str]) -> bool:

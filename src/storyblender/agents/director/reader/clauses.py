@@ -33,12 +33,16 @@ class Clause:
     """What somebody or something is said to be: ``The shop is a ruin``, ``Hale is asleep``."""
     places: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Prepositions with their nouns."""
+    asides: list[NounPhrase] = field(default_factory=list)
+    """``stands there, a crate on his shoulder``."""
     opening: int = 0
     """How many of the last places open the sentence: ``Behind the curtain Lena tunes her violin``."""
     participle: bool = False
     """An -ing form, or a bare infinitive."""
     infinitive: bool = False
     """``watches her go``."""
+    absolute: bool = False
+    """A participle with a subject of its own: ``engine running``."""
     passive: bool = False
     """A past participle: somebody else does it."""
     negated: bool = False
@@ -130,9 +134,10 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
     )
     builder.negated = builder.unreal = builder.passive = False
     clause.elided = not clause.subject
-    if builder.pending and verb.kind not in ("ing", "inf"):
+    clause.absolute = bool(builder.pending) and (participle or verb.kind == "pp") and len(builder.clauses) > 0
+    if builder.pending and verb.kind not in ("ing", "inf") and not clause.absolute:
         builder.subject = builder.pending
-    elif builder.current and not clause.subject:
+    elif builder.current and not clause.subject and not builder.current.absolute:
         clause.subject = builder.current.subject
     builder.pending, builder.preposition, builder.aside, builder.closed = [], "", False, False
     builder.clauses.append(clause)
@@ -180,7 +185,7 @@ def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
         noun_follows = following is not None and following.kind == "noun"
         pair = f"{clause.verb} {phrase.text}"
         known = (pair in lexicon.MOTION_OF_VERB or pair in lexicon.OVERRIDDEN_PARTICLES) and not clause.object
-        if not noun_follows or known:
+        if not noun_follows or (known and phrase.text != "through"):
             clause.particle, builder.preposition = phrase.text, ""
             return
     builder.preposition = phrase.text
@@ -206,6 +211,9 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     if clause is None:
         return
     builder.aside = noun.kind == "thing" and left is not None and left.text == ","
+    if builder.aside and not clause.object:
+        clause.asides.append(noun)
+        return
     if left and left.kind == "link" and left.text == "and" and clause.places and not clause.object:
         clause.places[-1][1].append(noun)
     elif linked and clause.object and noun.kind == "person":
@@ -219,7 +227,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
 def _is_absolute(phrases: list[Phrase], index: int) -> bool:
     """``, the robot bumping along behind them``, ``, engine running``: somebody or something else does it."""
     left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
-    participle = following is not None and following.verb is not None and following.verb.kind == "ing"
+    participle = following is not None and following.verb is not None and following.verb.kind in ("ing", "pp")
     return left.text in (",", "while", "with", "as") and participle
 
 

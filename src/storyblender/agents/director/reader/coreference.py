@@ -22,6 +22,10 @@ _GROUP_MEMORY = 15
 """Sentences for which ``they`` can mean people who acted together; four for ``them``."""
 _GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
 _PAIRS = lexicon.words("pairs")
+_LIVING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lexicon.words("living")
+"""Verbs for animals more than for things."""
+_SIDES = frozenset({"edge", "end"})
+"""``perches on the edge``: of the table named last."""
 _SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
 _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
 
@@ -55,12 +59,15 @@ def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
 
 def _generic(stage: Stage, mention: Mention) -> list[Person]:
     """The old woman, the girl: of those on stage, by gender and age."""
-    if mention.candidates:
-        return [max(mention.candidates, key=stage.presence)]
+    here = [person for person in mention.candidates if person.id in stage.scene.on]
+    if here or (mention.candidates and mention.head not in _GENDERED):
+        return [max(here or mention.candidates, key=stage.presence)]
     if mention.determiner in lexicon.POSSESSIVES:
         return _kin(stage, mention)
     if mention.determiner not in ("the", "that", "this"):
         return []
+    if mention.head in ("animal", "beast", "creature"):
+        return sorted((p for p in stage.on_stage() if _is_neuter(p)), key=stage.presence)[-1:]
     gender = lexicon.gender_of_word(mention.head)
     young = mention.head in lexicon.YOUNG_NOUNS
     pool = [
@@ -113,6 +120,8 @@ def _group(stage: Stage, mention: Mention) -> list[Person]:
         if person.role == mention.head
         or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
     ]
+    if mention.determiner in lexicon.POSSESSIVES and mention.head == "man":
+        pool = [person for person in stage.on_stage() if person.count > 1]
     pool = pool or [person for person in stage.roster.people if person.role == mention.head]
     if not pool and (mention.head in _PAIRS or mention.number == 2):
         pool = _pair(stage, mention, gender)
@@ -251,10 +260,17 @@ def resolve(
     role: Role = "object",
     subjects: Sequence[Person] = (),
     previous: Sequence[Person] = (),
+    place: bool = False,
 ) -> Referents:
-    """Decide who or what a noun phrase means, and keep it for the record."""
+    """Decide who or what a noun phrase means, and keep it for the record; ``place``: after a preposition of place."""
     if noun.kind == "person" and noun.mention:
         return Referents(_resolve_person(stage, noun, noun.mention))
+    if place and noun.head == "it" and not any(_is_neuter(person) for person in previous):
+        return remember(stage, noun.index, Referents([], _it_there(stage, noun.index)))
+    if noun.kind == "thing" and noun.head in _SIDES and noun.determiner == "the" and noun.owner is None:
+        whole = next((t for t in stage.discourse.recent_things if stage.inventory.class_of(t) == "set_piece"), None)
+        if whole:
+            return Referents([], whole)
     if noun.kind == "thing":
         return Referents([], stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start))
     if noun.head == "":
@@ -272,11 +288,23 @@ def _resolve_pronoun_phrase(
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
         neuter = [person for person in previous if _is_neuter(person)]
+        if role == "subject" and not neuter:
+            neuter = _animal_named(stage)
+            previous = neuter[:1]
         return Referents(neuter) if neuter and len(previous) == 1 else Referents([], _it(stage))
+    if pronoun.endswith(("self", "selves")) and subjects:
+        return Referents(list(subjects))
     plural = discourse.last_plural
     if kind == "plural" and role == "object" and plural and plural[1] >= discourse.sentence - 1:
         return Referents([], plural[0])
     return Referents(resolve_pronoun(stage, pronoun, role, list(subjects), list(previous)))
+
+
+def _animal_named(stage: Stage) -> list[Person]:
+    """The animal of the last sentence, which may be ``it``."""
+    last = stage.discourse.last_sentence
+    named = [p for p in stage.on_stage() if _is_neuter(p) and last.get(p.id, -9) >= stage.discourse.sentence - 1]
+    return [max(named, key=stage.presence)] if named and stage.sentence.verb in _LIVING else []
 
 
 def _is_neuter(person: Person) -> bool:
@@ -294,6 +322,22 @@ def _it(stage: Stage) -> str | None:
     if suiting is None or stage.inventory.head(last) in suiting:
         return last
     return next((thing for thing in stage.discourse.recent_things if stage.inventory.head(thing) in suiting), last)
+
+
+def _it_there(stage: Stage, index: int) -> str | None:
+    """``crosses to the desk and drops an envelope on it``: the last thing before, but not what is put there."""
+    moved = stage.sentence.object_thing
+    before = [thing for at, thing in stage.sentence.things if at < index and thing != moved]
+    solid = [thing for thing in before if stage.inventory.class_of(thing) in ("set_piece", "prop")]
+    solid.sort(key=lambda thing: stage.inventory.class_of(thing) == "set_piece")
+    if solid and (len(solid) > 1 or stage.inventory.class_of(solid[-1]) == "set_piece" or moved):
+        return solid[-1]
+    last = _it(stage)
+    if last != moved:
+        return last
+    return next(
+        (t for t in stage.discourse.recent_things if t != moved and stage.inventory.class_of(t) == "set_piece"), last
+    )
 
 
 def remember(stage: Stage, index: int, referents: Referents) -> Referents:
@@ -342,7 +386,7 @@ def resolve_owner(
         return
     known = stage.sentence.pronouns.get(noun.possessor)
     if word.low == "its" and known is None:
-        neuter = [person for person in subjects or previous if _is_neuter(person)]
+        neuter = [person for person in [*subjects, *previous] if _is_neuter(person)][:1]
         last = stage.sentence.object_thing or stage.discourse.last_thing
         known = remember(stage, noun.possessor, Referents(neuter) if neuter else Referents([], last))
     elif known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":

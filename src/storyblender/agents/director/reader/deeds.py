@@ -98,6 +98,8 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
         target = _destination(stage, roles, motion, target)
     if motion == "sit" and stage.inventory.head(target) not in _SEATS:
         target = _seat_walked_to(stage, roles.subjects[0]) or target
+    if motion == "take" and not target:
+        prop = target = next((t for place in roles.places if place.preposition == "with" for t in place.things), None)
     if motion == "touch":
         owned = next((noun.owner for place in roles.places for noun in place.nouns if noun.owner), None)
         target = owned if stage.inventory.class_of(target) == "body" else target
@@ -132,7 +134,7 @@ def _in_hand(stage: Stage, person: Person) -> str | None:
 def _destination(stage: Stage, roles: Roles, motion: str, target: str | None) -> str | None:
     """The person or thing after a preposition of direction."""
     for place in sorted(roles.places, key=lambda place: place.preposition != "at"):
-        if motion == "look" and place.preposition in ("in", "from"):
+        if place.preposition == "of" or (motion == "look" and place.preposition in ("in", "from")):
             continue
         directed = place.preposition in _TOWARDS or " " in place.preposition or motion in ("climb", "kneel")
         through = place.preposition == "through" and motion in _THROUGH

@@ -33,18 +33,35 @@ def describe(person: Person, phrase: str) -> None:
             person.age = part
             continue
         _sort(person, part, words)
+        head = _head(words)
+        _name_role(person, part, head)
         for word in words:
             if word in _GENDER_WORDS:
                 person.gender = _GENDER_WORDS[word]
-            if person.gender == "unknown" and is_person_noun(word):
+            if person.gender == "unknown" and word == head and is_person_noun(word):
                 person.gender = lexicon.gender_of_word(word)
             if not person.age and (word in lexicon.AGE_WORDS or word in lexicon.AGE_NOUNS):
                 person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
             if not person.role and word in lexicon.NEUTER_ROLES:
                 person.role = word
-            if word in lexicon.ANIMALS and f"{word} of a" not in part.lower() and "like" not in words:
+            if word in lexicon.ANIMALS and word == head and "of" not in words:
                 person.kind, person.role = "animal", word
                 person.aliases = (*person.aliases, word)
+
+
+def _head(words: list[str]) -> str:
+    """The noun a part of a description is about: ``maintenance robot`` of ``a maintenance robot in a cap``."""
+    end = next((i for i, word in enumerate(words) if i and word in lexicon.PREPOSITIONS | {"who"}), len(words))
+    return words[end - 1]
+
+
+def _name_role(person: Person, part: str, head: str) -> None:
+    """``DADI, her grandmother``, ``PIKE, the district attorney``: what somebody is, who has no other role."""
+    told = re.match(r"(?:the|a|an|her|his|their|[\w.]+['’]s) ", part, re.IGNORECASE)
+    vague = head in _GENDER_WORDS or head in lexicon.YOUNG_NOUNS | lexicon.ANIMALS | lexicon.CROWDS
+    if told and is_person_noun(head) and not vague and person.kind == "human" and head not in person.aliases:
+        person.role = person.role or head
+        person.aliases = (*person.aliases, head)
 
 
 def _sort(person: Person, part: str, words: list[str]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.morphology import FORMS, is_person_noun, singular
+from storyblender.agents.director.reader.morphology import FORMS, form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.words import Mention, Word
 from storyblender.agents.director.reading import Person
@@ -11,6 +11,8 @@ from storyblender.agents.director.reading import Person
 _COUNTS = frozenset(lexicon.NUMBERS) - {"a", "an", "one"}
 _NOT_ALONE = frozenset({"cook", "guide"})
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY
+_SMALL = lexicon.PREPOSITIONS | lexicon.PARTICLES | lexicon.ADVERBS | lexicon.CONJUNCTIONS
 _NO_ADJECTIVES = _OPENERS | lexicon.PREPOSITIONS
 
 
@@ -79,6 +81,14 @@ def _after_determiner(words: list[Word]) -> bool:
     return at >= 0 and words[at].low in _OPENERS
 
 
+def _is_compound(words: list[Word], at: int) -> bool:
+    """``the witness stand``, ``a cowboy hat``: the person is only a kind of thing."""
+    following = words[at + 1] if at + 1 < len(words) else None
+    if following is None or not following.text.islower() or form_kind(following.low) not in ("", "base"):
+        return False
+    return following.low in _THINGS or (form_kind(following.low) == "base" and following.low not in _SMALL)
+
+
 def _acts(words: list[Word], at: int, noun: str) -> bool:
     """``and rams the hose back``, ``guards the door``: a verb, because an object follows and nothing stands before."""
     following = words[at + 1].low if at + 1 < len(words) else ""
@@ -110,10 +120,10 @@ def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | 
         back -= 1
     if not determiner and not word.text.isupper():
         return None
-    if _acts(words, at, noun):
+    if _acts(words, at, noun) or (noun == word.low and _is_compound(words, at)):
         return None
     several = noun != word.low or number > 1
-    candidates = [person for person in people if person.role == noun]
+    candidates = [person for person in people if noun == person.role or noun in person.aliases]
     return Mention(
         "group" if several else "generic",
         candidates,

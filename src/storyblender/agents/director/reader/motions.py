@@ -6,11 +6,13 @@ from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
+from storyblender.agents.director.reader.phrases import NounPhrase
 
 _GARMENTS = lexicon.WORN | {"ring"}
 _LIGHT = lexicon.words("light_verbs")
 """``gives a shrug``, ``casts a glance``: the noun tells the motion."""
 _NOT_GOING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lexicon.words("not_going")
+_COPULAS = lexicon.words("copulas")
 _AWAY = frozenset({"in", "out", "past", "away", "off", "by", "along"})
 _ALONG = frozenset({"into", "out_of", "past", "across", "along", "toward", "towards"})
 _SUPINE = frozenset({"sit", "lie", "kneel", "crouch"})
@@ -41,6 +43,8 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     if clause.recipient:
         prepositions |= {"to"}
     nouns = frozenset(noun.head for _, nouns in clause.places for noun in nouns)
+    if any(noun.kind != "thing" and noun.head != "it" for _, nouns in clause.places for noun in nouns):
+        nouns |= {"person"}
     doing = Doing(clause.particle, object_head, prepositions, nouns)
     for rule in lexicon.OVERRIDES.get(clause.verb, ()):
         if _applies(rule, doing):
@@ -48,13 +52,26 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     if clause.verb in lexicon.SILENT_VERBS:
         return None
     noun = lexicon.MOTION_OF_VERB.get(object_head)
-    if noun and clause.verb in _LIGHT and lexicon.noun_class(object_head) in ("abstract", "unknown"):
+    if noun and clause.verb in _LIGHT and _is_deed(clause.object[-1]) and clause.object[-1].head == object_head:
         return noun
+    if clause.verb in _COPULAS and clause.object and _is_quality(clause.object[0]):
+        return None
     if clause.verb == "stand":
         rises = clause.particle == "up" or (posture in _SUPINE and not clause.places and not clause.participle)
         return "stand_up" if rises else "stand"
     known = lexicon.MOTION_OF_VERB.get(f"{clause.verb} {clause.particle}") if clause.particle else None
     return known or lexicon.MOTION_OF_VERB.get(clause.verb) or _going(clause, doing)
+
+
+def _is_deed(noun: NounPhrase) -> bool:
+    """``a swig``, ``chase``: one of something, that is no thing."""
+    single = not noun.plural and noun.determiner in ("", "a", "an", "one", "another")
+    return single and noun.possessor is None and lexicon.noun_class(noun.head) in ("abstract", "unknown")
+
+
+def _is_quality(noun: NounPhrase) -> bool:
+    """``goes quiet``, ``falls silent``."""
+    return not noun.determiner and noun.head in lexicon.ADJECTIVES
 
 
 def _going(clause: Clause, doing: Doing) -> str | None:

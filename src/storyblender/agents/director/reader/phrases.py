@@ -167,7 +167,8 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES)
     ):
         end += 1
-    if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at):
+    leads = any(_is_thing(word) for word in words[first:end])
+    if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at) and not leads:
         noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]
         noun.determiner = determiner
         return Phrase("noun", at, end, noun=noun)
@@ -185,6 +186,11 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         "thing", head, noun, key, possessor=possessor, plural=noun != words[head].low, determiner=determiner
     )
     return Phrase("noun", at, head, noun=thing)
+
+
+def _is_thing(word: Word) -> bool:
+    """``In the front pew MRS. VOSS``: the noun ends before the name."""
+    return word.text.islower() and lexicon.noun_class(singular(word.low)) in ("set_piece", "prop", "scenery", "body")
 
 
 def _predicated(words: list[Word], at: int) -> bool:

@@ -76,6 +76,10 @@ class Inventory:
             item.notices[how] += 1
             item.determined |= determined and how == "held"
 
+    def ids(self) -> list[str]:
+        """The ids of all nouns so far."""
+        return list(self._by_id)
+
     def is_thing(self, id: str) -> bool:
         """Whether an id was given to a thing, not to a person."""
         return id in self._by_id

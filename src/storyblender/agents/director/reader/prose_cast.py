@@ -27,7 +27,7 @@ _APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
-_NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple"})
+_NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
 _LATER = frozenset(
     {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
 )
@@ -51,7 +51,7 @@ def find_prose_cast(script: Manuscript) -> Roster:
         told = without_quotations(paragraph.raw)
         names += _names(told, paragraph.start)
         for phrase in find_person_nouns(told):
-            if phrase.noun not in _NOT_ROLES:
+            if phrase.noun not in _NOT_ROLES and not _only_compared(told, phrase):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         if not roster.find(name):
@@ -64,6 +64,12 @@ def find_prose_cast(script: Manuscript) -> Roster:
     roster.people.sort(key=lambda person: person.first)
     roster.link_variants()
     return roster
+
+
+def _only_compared(told: str, phrase: PersonNoun) -> bool:
+    """``a man's coat``, ``like a squirrel``: nobody is there."""
+    owned = phrase.determiner in ("a", "an") and re.match(r"['’]s", told[phrase.end :]) is not None
+    return owned or re.search(r"\b(?:like|as|than) $", told[max(0, phrase.start - 5) : phrase.start]) is not None
 
 
 def _names(text: str, start: int) -> list[tuple[int, str]]:
@@ -105,6 +111,8 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     phrase = role.phrase
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
     if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
+        return True
+    if phrase.noun in _LATER and phrase.plural and phrase.determiner in lexicon.POSSESSIVES:
         return True
     gender = lexicon.gender_of_word(phrase.noun)
     if phrase.noun in _LATER and phrase.determiner == "the":

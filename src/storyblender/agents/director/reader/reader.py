@@ -25,6 +25,8 @@ from storyblender.screenplay.model import Screenplay
 
 _THROUGH = re.compile(r"window|binocular|scope|keyhole|screen|glass|monitor", re.IGNORECASE)
 """What a POV looks through at somewhere else."""
+_SURFACES = lexicon.words("surfaces")
+"""What things lie on or in without being an asset: the floor, a corner."""
 _CARRIED = 8
 """Words at the start of a prose scene in which a pronoun brings the people of the last scene along."""
 
@@ -91,12 +93,15 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
             last = None
             continue
         first = lexicon.PRONOUNS.get(sentence.words[0].low) if sentence.words else None
-        if last and first in ("male", "female"):
+        animal = last is not None and any(p.id == last and p.kind == "animal" for p in roster.people)
+        if last and not animal and first in ("male", "female"):
             votes[last][first] += 1
         alone = len({person for _, person in named}) == 1
         if alone:
             start, person = named[0]
-            kinds = (lexicon.PRONOUNS.get(word.low) for word in sentence.words[start:])
+            kind = next(p.kind for p in roster.people if p.id == person)
+            voting = ("he", "she") if kind == "animal" else tuple(lexicon.PRONOUNS)
+            kinds = (lexicon.PRONOUNS[word.low] for word in sentence.words[start:] if word.low in voting)
             votes[person].update(kind for kind in kinds if kind in ("male", "female"))
         gendered = any(lexicon.PRONOUNS.get(word.low) in ("male", "female") for word in sentence.words)
         last = named[0][1] if alone and not gendered else None
@@ -173,10 +178,11 @@ def _close(stage: Stage) -> None:
             end = thing.first + len(thing.name)
             stage.flag("prop", thing.id, f"“{thing.name}” is not a word the reader knows", thing.first, end)
     known = {thing.id for thing in reading.things} | {person.id for person in reading.people}
+    placed = known | {thing for thing in stage.inventory.ids() if stage.inventory.head(thing) in _SURFACES}
     reading.relations[:] = [
         (scene, relation)
         for scene, relation in reading.relations
-        if {relation.asset_id, relation.anchor_asset_id, relation.second_anchor_asset_id or relation.asset_id} <= known
+        if {relation.asset_id, relation.anchor_asset_id, relation.second_anchor_asset_id or relation.asset_id} <= placed
     ]
     for unit in reading.units:
         unit.things = [thing for thing in unit.things if thing in known]

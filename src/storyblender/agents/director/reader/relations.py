@@ -34,12 +34,18 @@ _STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide"
 _PLACING = lexicon.words("placing")
 _ANCHORS = frozenset({"prop", "set_piece", "worn", "unknown", "scenery"})
 _THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
+_ATTACHING, _SURFACES, _GAZE = lexicon.words("attaching"), lexicon.words("surfaces"), lexicon.words("gaze")
+_BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
+"""Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
+_MOVED = frozenset({"put_down", "drop", "throw"})
 _OPENINGS = frozenset({"door", "window", "gate"})
 _FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their|the) (left|right)\b")
 _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
 _GRIPS = frozenset({"hand", "fist", "arm", "paw", "grip"})
 """What is in a hand or under an arm is held."""
+_SEATING = lexicon.words("seating")
+"""``She sat him on a stool``."""
 _OF_THE_NOUN: frozenset[RelationKind] = frozenset(
     {"on", "under", "in_front_of", "behind", "next_to", "in", "over", "against"}
 )
@@ -61,7 +67,9 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     found: list[_Stated] = []
     moved = clause.verb in _PLACING and bool(roles.things)
     still = (clause.verb in _STATIVE and not moved) or clause.verb in _ARRIVING or motion in _STILL
-    if located and (still or (clause.verb in _AT_REST and not roles.subjects)):
+    laid = clause.verb in _AT_REST and not roles.subjects
+    laid = laid or (clause.passive and clause.verb in _PLACING | _AT_REST | _ATTACHING)
+    if located and (still or laid):
         for place in roles.places:
             found += _placed(stage, clause, place, located)
         found += _between(stage, roles, located)
@@ -70,9 +78,18 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             found += _placed(stage, clause, place, located)
     elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
         found += _onto(roles, located)
+    elif located and motion == "fall":
+        for place in roles.places:
+            found += _placed(stage, clause, place, located) if place.preposition in ("on", "in", "into", "onto") else []
+    elif roles.subjects and clause.verb not in _GAZE and not moved:
+        for place in roles.places:
+            if place.preposition in _BESIDE and (place.people or not roles.things):
+                found += _placed(stage, clause, place, located)
     if first and roles.subjects:
         _left_or_right(stage, roles.subjects)
-    if roles.things and (clause.verb in _PLACING or roles.prepositions & {"into", "onto"}):
+    carried = motion in _MOVED or clause.verb in _PLACING or bool(roles.prepositions & {"into", "onto"})
+    seated = clause.verb in _SEATING and bool(roles.people)
+    if (roles.things and carried and not clause.passive) or seated:
         found += _put(stage, roles)
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
@@ -86,6 +103,7 @@ def _onto(roles: Roles, located: list[str]) -> list[_Stated]:
 
 def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> list[_Stated]:
     kind = lexicon.relation_of(place.preposition)
+    kind = "on" if place.preposition == "to" and clause.verb in _ATTACHING else kind
     if kind is None or kind == "between" or place.preposition == "down":
         return []
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
@@ -95,6 +113,8 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
     anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]
     if kind in ("in", "at") and place.things and stage.inventory.class_of(place.things[0]) == "scenery":
         anchors = [person.id for person in place.people]
+        surfaces = kind == "in" or place.preposition in ("on", "onto", "upon")
+        anchors += [thing for thing in place.things if surfaces and stage.inventory.head(thing) in _SURFACES]
     body = next((noun for noun in place.nouns if noun.kind == "thing" and noun.head in lexicon.BODY), None)
     if body and body.owner:
         anchors, kind = [body.owner], ("on" if place.preposition in ("across", "in", "over") else kind)
@@ -153,12 +173,18 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
     """Puts the tray on the table, the ring into the pocket, the bag over one shoulder."""
     found: list[_Stated] = []
     moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
+    moved += [person.id for person in roles.people]
     for place in roles.places:
         kind = lexicon.relation_of(place.preposition)
+        kind = "on" if place.preposition == "to" and stage.sentence.verb in _ATTACHING else kind
         if kind not in ("on", "in", "under", "next_to", "behind", "against", "in_front_of"):
             continue
         anchors = [person.id for person in place.people if kind == "in_front_of"]
-        anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _THINGS]
+        anchors += [
+            thing
+            for thing in place.things
+            if stage.inventory.class_of(thing) in _THINGS or stage.inventory.head(thing) in _SURFACES
+        ]
         if kind == "on" and roles.subjects and any(noun.head in lexicon.BODY for noun in place.nouns):
             anchors.append(roles.subjects[0].id)
         for anchor in anchors:
@@ -183,9 +209,11 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[_St
     beside = [
         place
         for place in roles.places
-        if place.preposition in _BESIDE_FURNITURE
-        and place.things
-        and stage.inventory.class_of(place.things[0]) == "set_piece"
+        if place.things
+        and (
+            (place.preposition in _BESIDE_FURNITURE and stage.inventory.class_of(place.things[0]) == "set_piece")
+            or (place.preposition == "in" and stage.inventory.head(place.things[0]) == "corner")
+        )
     ]
     at_table = any(kind == "at" for _, kind, _ in found)
     if not seats or not beside or (at_table and beside[0].preposition == "in front of"):
@@ -221,8 +249,10 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
             continue
         if left and left.kind == "preposition" and left.text != "with" and kind != "on":
             continue
-        if anchor.head in lexicon.BODY and kind in ("in", "over"):
+        if anchor.head in lexicon.BODY and (kind == "in" or (kind == "over" and anchor.head != "head")):
             kind = "on"
+        if noun.head in _OPENINGS and kind == "behind" and anchor.kind != "thing":
+            continue
         thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
         if anchor.head in _GRIPS:
             for holder in _anchors(stage, anchor, subjects, previous):
@@ -243,7 +273,11 @@ def _anchors(stage: Stage, anchor: NounPhrase, subjects: list[Person], previous:
         stage, anchor, "possessor" if anchor.kind == "pronoun" else "object", subjects, subjects or previous
     )
     if found.thing and (
-        stage.inventory.class_of(found.thing) not in ("prop", "set_piece") or _is_the_place(stage, found.thing)
+        (
+            stage.inventory.class_of(found.thing) not in ("prop", "set_piece")
+            and stage.inventory.head(found.thing) not in _SURFACES
+        )
+        or _is_the_place(stage, found.thing)
     ):
         return []
     return [person.id for person in found.people] + ([found.thing] if found.thing else [])

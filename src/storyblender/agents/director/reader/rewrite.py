@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.morphology import form_kind
-from storyblender.agents.director.reader.tagging import Row, may_be_verb, tag_verb, was, written_verb
+from storyblender.agents.director.reader.tagging import Row, as_participles, may_be_verb, tag_verb, was, written_verb
 from storyblender.agents.director.reader.words import Word
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
@@ -49,6 +49,8 @@ def regularise(words: list[Word]) -> list[Word]:
     for index, word in enumerate(regular):
         if word.verb is None and word.mention is None and not word.inserted:
             word.verb = written_verb(regular, index)
+    if row.last_kind == "3sg":
+        as_participles(regular)
     return regular
 
 
@@ -74,7 +76,11 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
             continue
         inside = words[comma + 1 : at]
         somebody = any(w.mention and w.text[0].isupper() for w in inside)
-        verb = any(form_kind(w.low) in ("3sg", "aux") for w in inside if not w.mention)
+        verb = any(
+            form_kind(w.low) in ("3sg", "aux") and inside[i - 1].low not in lexicon.NUMBERS
+            for i, w in enumerate(inside)
+            if not w.mention
+        )
         return None if somebody or verb or any(w.low == "and" for w in inside) else at
     return None
 

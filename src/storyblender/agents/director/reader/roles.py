@@ -23,7 +23,7 @@ _FALLING = frozenset(
     {"fall", "collapse", "drop", "die", "stagger", "stumble", "crumple", "faint", "slump", "tumble", "crash"}
 )
 _STRIKING = lexicon.words("striking")
-_INVERTED = frozenset({"sit", "stand", "live", "lie", "come", "appear", "be", "emerge", "hang"})
+_INVERTED = lexicon.words("inverting") | {"live", "be"}
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""
 _CONTACT = frozenset({"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"})
 _SIDES = frozenset({"left", "right", "side"})
@@ -108,10 +108,12 @@ def _victim_falls(stage: Stage, clause: Clause, noun: NounPhrase) -> None:
 
 def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequence[Person]) -> None:
     """Resolve everything after the verb into ``roles``."""
+    stage.sentence.object_thing = None
     roles.recipients, roles.recipient_things = _resolve_all(stage, clause, clause.recipient, roles.subjects, previous)
     roles.people, roles.things = _resolve_all(stage, clause, clause.object, roles.subjects, previous)
     for preposition, nouns in clause.places:
-        people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous)
+        placed = preposition in lexicon.RELATION_OF_PREPOSITION
+        people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed)
         roles.places.append(Place(preposition, people, things, nouns))
     _resolve_all(stage, clause, clause.complement, roles.subjects, previous)
     if roles.people and clause.verb in _STRIKING and not clause.negated:
@@ -119,13 +121,18 @@ def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequen
 
 
 def _resolve_all(
-    stage: Stage, clause: Clause, nouns: Sequence[NounPhrase], subjects: list[Person], previous: Sequence[Person]
+    stage: Stage,
+    clause: Clause,
+    nouns: Sequence[NounPhrase],
+    subjects: list[Person],
+    previous: Sequence[Person],
+    place: bool = False,
 ) -> tuple[list[Person], list[str]]:
     people: list[Person] = []
     things: list[str] = []
     for noun in nouns:
         resolve_owner(stage, noun, _owner_role(stage, clause, noun, subjects), subjects, previous)
-        found = resolve(stage, noun, "object", subjects, previous)
+        found = resolve(stage, noun, "object", subjects, previous, place)
         people += found.people
         stage.scene.named |= {person.id for person in found.people}
         if found.thing:

@@ -94,6 +94,8 @@ class SentenceState:
     """Position of a pronoun -> who or what it means."""
     verb: str = ""
     """Of the clause being read."""
+    things: list[tuple[int, str]] = field(default_factory=list)
+    """Position and id of every thing it names."""
     plural_thing: str | None = None
     object_thing: str | None = None
     """The last thing in object position."""

@@ -35,7 +35,7 @@ _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":"
 _PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
 _AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
 _SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
-_PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both"})
+_PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
 _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
@@ -94,7 +94,9 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     left = row.neighbour()
     if word.low in _FRAGMENT_NOUNS and following and following.low in ("up", "raised", "drawn"):
         return
-    if form.kind in ("past", "aux", "pp"):
+    if form.kind == "past" and left is None and following and following.low in lexicon.PREPOSITIONS:
+        word.verb = VerbForm(form.lemma, "pp")
+    elif form.kind in ("past", "aux", "pp"):
         if left is None or left.low not in OPENERS:
             row.verb_seen = True
             if word.low not in FORMS:
@@ -132,11 +134,13 @@ def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
     after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
     listed = left.low in ("and", ",", "then", "but") and row.verb_seen
     after_noun = form is not None and not row.verb_seen and left.solid and left.low not in _BEFORE_NOUN
-    if not (after_person or listed or after_noun) or not _goes_on(right):
+    past = form is not None and form.kind == "past"
+    if not (after_person or listed or after_noun) or not (_goes_on(right) or (past and listed)):
         return None
     if form is None:
         form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
-    if form is None or (form.kind == "past" and (listed or after_noun) and right not in _OBJECTS):
+    told = listed and word.low not in lexicon.ADJECTIVES and not row.last_kind
+    if form is None or (form.kind == "past" and (listed or after_noun) and right not in _OBJECTS and not told):
         return None
     known_noun = form.kind == "3sg" and singular(word.low) in _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
     return None if known_noun and not after_person else form
@@ -205,7 +209,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left.low in _LINKS:
         listed = third and left.low in (",", "and") and _reads_as_noun(word, right, row)
         return _continues(form, left, right, row) and not listed
-    return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(form, left, right)
+    return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(word, form, left, right)
 
 
 def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
@@ -213,7 +217,7 @@ def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
     if row.verb_seen or following is None or form.lemma not in _INVERTING:
         return False
     first = next((w for w in row.words if w.solid), None)
-    leads = first is not None and first.low in lexicon.PREPOSITIONS | {"there", "here"}
+    leads = first is not None and (first.low in lexicon.PREPOSITIONS | {"there", "here"} or first.verb is not None)
     return leads and (following.mention is not None or following.low in OPENERS | frozenset(lexicon.NUMBERS))
 
 
@@ -267,8 +271,12 @@ def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
     return (row.verb_seen and right != "of") or (somebody and right in OPENERS | lexicon.PREPOSITIONS)
 
 
-def _after_noun(form: VerbForm, left: Word, right: str) -> bool:
-    """``The phone rings.``, ``The doors slam shut.``"""
+def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
+    """``The phone rings.``, ``The doors slam shut.``, ``A map lies spread out``, but not ``Two yellow eyes,``."""
+    if form.kind == "3sg" and left.low in lexicon.ADJECTIVES and singular(word.low) in _NOUNS and right not in _OBJECTS:
+        return False
+    if form.kind == "3sg" and form.lemma in ("lie", "stand", "sit", "hang") and form_kind(right) in ("past", "pp"):
+        return True
     if form.kind == "3sg":
         return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly"))
     plural = singular(left.low) != left.low or left.low.endswith("s")
@@ -285,6 +293,16 @@ def _tag_participle(words: list[Word], at: int, row: Row) -> None:
         form_kind(word.low) in ("3sg", "past", "aux") for word in words[at:] if not word.mention
     ):
         row.insert_was(start)
+
+
+def as_participles(words: list[Word]) -> None:
+    """``handcuffed``, ``wrapped in feathers`` in the present tense: done to somebody, unless ``he`` did it."""
+    for index, word in enumerate(words):
+        form = FORMS.get(word.low)
+        left = words[index - 1] if index else None
+        done = left is None or not (left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS or left.mention or left.verb)
+        if word.verb and form and form.kind == "past" and word.low.endswith("ed") and done:
+            word.verb = VerbForm(form.lemma, "pp")
 
 
 def written_verb(words: list[Word], at: int) -> VerbForm | None:
