@@ -112,7 +112,7 @@ def test_moving_frames_are_lit_like_the_board_and_do_not_flicker(room, tmp_path)
     lamp.location.x += 1.0
     lamp.keyframe_insert("location", frame=5)
     paths = render_motion(room, room.camera, range(1, 6, 2), 160, 90, tmp_path, render_stage.interior())
-    assert [path.name for path in paths] == ["00001.png", "00003.png", "00005.png"]
+    assert [path.name for path in paths] == ["00001.jpg", "00003.jpg", "00005.jpg"]
     pictures = [np.asarray(Image.open(path)).astype(float) for path in paths]
     still = frame(room, render_stage.interior(), frame=1).image.astype(float)
     assert abs(pictures[0].mean() - still.mean()) < 25

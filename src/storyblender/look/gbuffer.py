@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.look.raster import Image, Mask, every, shrink
+from storyblender.look.raster import Image, Mask, Window, every, shrink
 from storyblender.look.surface import SKY
 
 FAR = 1e4
@@ -53,6 +53,27 @@ class View:
             self.shift,
         )
 
+    @property
+    def whole(self) -> Window:
+        """All of its picture."""
+        return Window(0, 0, self.height, self.width)
+
+    def cropped(self, window: Window) -> View:
+        """Return the camera of a part of the picture."""
+        rows, columns = window.shape
+        across, down = columns / self.width, rows / self.height
+        right = (window.left + window.right) / self.width - 1 + self.shift[0]
+        up = 1 - (window.top + window.bottom) / self.height + self.shift[1]
+        return View(
+            self.eye,
+            self.axes,
+            columns,
+            rows,
+            self.half_width * across,
+            self.half_height * down,
+            (right / across, up / down),
+        )
+
     def camera_rays(self) -> Image:
         """Return (h, w, 3) rays through the pixel centres in camera space, scaled to depth 1 (z = -1)."""
         x = ((np.arange(self.width, dtype=np.float32) + 0.5) / self.width * 2 - 1 + self.shift[0]) * self.half_width
@@ -73,6 +94,29 @@ class View:
         column = ((local[..., 0] / safe / self.half_width - self.shift[0]) + 1) / 2 * self.width
         row = (1 - (local[..., 1] / safe / self.half_height - self.shift[1])) / 2 * self.height
         return column, row, depth
+
+    def misses(self, boxes: NDArray) -> Mask:
+        """Return which of (n, corners, 3) convex bodies lie outside the picture for certain: beyond one of its sides.
+
+        Args:
+            boxes: World, metres.
+        """
+        local = (np.asarray(boxes, np.float64) - self.eye) @ self.axes
+        away = -local[..., 2]
+        x, y = local[..., 0] / self.half_width, local[..., 1] / self.half_height
+        across, up = self.shift
+        sides = (x > away * (1 + across), -x > away * (1 - across), y > away * (1 + up), -y > away * (1 - up), away < 0)
+        return np.logical_or.reduce([side.all(axis=-1) for side in sides])
+
+
+def same_view(a: View, b: View) -> bool:
+    """Return whether two frames see through the same camera."""
+    return (
+        np.allclose(a.eye, b.eye, atol=1e-5)
+        and np.allclose(a.axes, b.axes, atol=1e-6)
+        and abs(a.half_width - b.half_width) < 1e-6
+        and (a.width, a.height, a.shift) == (b.width, b.height, b.shift)
+    )
 
 
 @dataclass(frozen=True)

@@ -6,15 +6,17 @@ What stands still under a camera that stands still keeps its light, so a frame c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from storyblender.look.atmosphere import add_halos, transmittance, veil
-from storyblender.look.gbuffer import View
+from storyblender.look.gbuffer import View, same_view
 from storyblender.look.illumination import ambient_light, light_field, sky_light, total
 from storyblender.look.occlusion import ambient_occlusion
-from storyblender.look.raster import LUMA, Image, Mask, blur, every, spread
+from storyblender.look.raster import LUMA, Image, Mask, Window, blur, every, spread
+from storyblender.look.relight import upsample_by_depth
 from storyblender.memory.scene_context import Light, Lighting
 
 _MOST_LAMPS = 6
@@ -39,6 +41,7 @@ class FlatFrame:
         glow: (h, w, 3) light given off.
         moving: (h, w) what may have moved since the last frame although its depth has not: the people.
         view: The camera, at this size.
+        window: The part of the picture in which anything may have changed since the last frame; even numbers.
     """
 
     albedo: Image
@@ -47,6 +50,18 @@ class FlatFrame:
     glow: Image
     moving: Mask
     view: View
+    window: Window
+
+
+@dataclass(frozen=True)
+class _Low:
+    """What is lit of a frame: every second pixel each way, because light is smooth."""
+
+    view: View
+    depth: Image
+    albedo: Image
+    coverage: Image
+    moving: Mask
 
 
 @dataclass(frozen=True)
@@ -83,25 +98,34 @@ class MovingLight:
         self._held: _Held | None = None
         self._bounce = np.zeros(3, np.float32)
 
-    def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> Image:
-        """Return the linear picture of the next frame, with its air."""
+    def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> tuple[Window, Image]:
+        """Return the part of the picture that is not as in the last frame, linear, with its air."""
         chosen = tuple(strongest(lamps, frame.view))
-        held = self._held
-        if held is None or not same_view(held.view, frame.view) or _moved(held.lamps, chosen):
-            changed = np.ones(frame.depth.shape, bool)
-            held = None
-        else:
-            changed = frame.moving | (np.abs(frame.depth - held.depth) > _SAME * held.depth)
-        self._held = held = self._worked_out(frame, chosen, changed, held)
-        light = held.light * _contact(frame)[..., None]
-        return (frame.albedo * light + frame.glow) * held.through + held.added
+        low = _reduced(frame)
+        window, held = frame.window, self._held
+        if held is None or not same_view(held.view, low.view) or _moved(held.lamps, chosen):
+            window, held = frame.view.whole, None
+        step = frame.view.width // low.view.width
+        part = window.reduced(step)
+        self._held = held = self._worked_out(low, chosen, part, held)
+        light = held.light[part.cut] * _contact(low, part)[..., None]
+        layers = np.concatenate([light, held.through[part.cut], held.added[part.cut]], axis=2)
+        if step > 1:
+            planes = np.ascontiguousarray(np.moveaxis(layers, 2, 0))
+            layers = np.moveaxis(upsample_by_depth(planes, low.depth[part.cut], frame.depth[window.cut]), 0, 2)
+        light, through, added = layers[..., :3], layers[..., 3:4], layers[..., 4:]
+        return window, (frame.albedo[window.cut] * light + frame.glow[window.cut]) * through + added
 
-    def _worked_out(self, frame: FlatFrame, lamps: tuple[Light, ...], changed: Mask, held: _Held | None) -> _Held:
-        """Light the changed pixels; take the rest from before."""
-        rays = frame.view.rays()
-        positions = rays * frame.depth[..., None] + frame.view.eye.astype(np.float32)
-        normal = _smooth(normals_of(positions, frame.depth, rays), frame.depth)[changed][:, None]
-        places, rays, depth = positions[changed][:, None], rays[changed][:, None], frame.depth[changed][:, None]
+    def _worked_out(self, frame: _Low, lamps: tuple[Light, ...], window: Window, held: _Held | None) -> _Held:
+        """Light what has changed in the window; take the rest from before."""
+        rays, depth = frame.view.cropped(window).rays(), frame.depth[window.cut]
+        changed = np.ones(depth.shape, bool)
+        if held is not None:
+            before = held.depth[window.cut]
+            changed = frame.moving[window.cut] | (np.abs(depth - before) > _SAME * before)
+        positions = rays * depth[..., None] + frame.view.eye.astype(np.float32)
+        normal = _smooth(normals_of(positions, depth, rays), depth)[changed][:, None]
+        places, rays, depth = positions[changed][:, None], rays[changed][:, None], depth[changed][:, None]
         fields = [light_field(lamp, places, normal) for lamp in lamps]
         open_air = np.ones(depth.shape, np.float32)
         light = total(fields, ambient_light(self._plan, self._roofed, normal, open_air))
@@ -110,44 +134,38 @@ class MovingLight:
             solid = frame.coverage > 0.5
             self._bounce = leaving[solid].mean(axis=0) * np.float32(_BOUNCE) if solid.any() else self._bounce
         light += self._bounce
-        through, added = self._air(frame, lamps, rays, depth, changed)
+        open_sky = 1 - frame.coverage[window.cut][changed][:, None, None]
+        through, added = self._air(open_sky, frame.view.eye, lamps, rays, depth)
         if held is None:
-            size = frame.albedo.shape
-            return _Held(
-                frame.view, lamps, frame.depth, light.reshape(size), through.reshape(*size[:2], 1), added.reshape(size)
-            )
-        kept = _Held(frame.view, held.lamps, frame.depth, held.light, held.through, held.added)
-        kept.light[changed], kept.through[changed], kept.added[changed] = light[:, 0], through[:, 0], added[:, 0]
-        return kept
+            size = frame.depth.shape
+            lit, clear, veiled = (part.reshape(*size, -1) for part in (light, through, added))
+            return _Held(frame.view, lamps, frame.depth, lit, clear, veiled)
+        for whole, part in ((held.light, light), (held.through, through), (held.added, added)):
+            whole[window.cut][changed] = part[:, 0]
+        return replace(held, depth=frame.depth)
 
     def _air(
-        self, frame: FlatFrame, lamps: Sequence[Light], rays: Image, depth: Image, changed: Mask
+        self, open_sky: Image, eye: NDArray[np.float64], lamps: Sequence[Light], rays: Image, depth: Image
     ) -> tuple[Image, Image]:
-        plan, eye = self._plan, frame.view.eye
+        plan = self._plan
         through = transmittance(plan.fog, depth, rays, eye)[..., None]
-        open_sky = 1 - frame.coverage[changed][:, None, None]
         added = sky_light(plan.sky, rays) * open_sky * through + veil(plan.fog, rays) * (1 - through)
         return through, add_halos(added, lamps, depth, rays, eye)
 
 
-def same_view(a: View, b: View) -> bool:
-    """Return whether two frames see through the same camera."""
-    return (
-        np.allclose(a.eye, b.eye, atol=1e-5)
-        and np.allclose(a.axes, b.axes, atol=1e-6)
-        and abs(a.half_width - b.half_width) < 1e-6
-        and (a.width, a.height, a.shift) == (b.width, b.height, b.shift)
-    )
-
-
-def _contact(frame: FlatFrame) -> Image:
-    """Return the dark of corners and of what stands on the ground, worked out at half size where the size is even."""
+def _reduced(frame: FlatFrame) -> _Low:
+    """Return the frame at half its size, or whole where its size is odd."""
     step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
-    view, depth = frame.view.reduced(step), every(frame.depth, step)
-    rays = view.rays()
-    positions = rays * depth[..., None] + view.eye.astype(np.float32)
-    openness = ambient_occlusion(depth, view, positions, normals_of(positions, depth, rays))
-    return 0.35 + 0.65 * np.repeat(np.repeat(openness, step, axis=0), step, axis=1)
+    parts = (every(part, step) for part in (frame.depth, frame.albedo, frame.coverage, frame.moving))
+    return _Low(frame.view.reduced(step), *parts)
+
+
+def _contact(frame: _Low, window: Window) -> Image:
+    """Return the dark of corners and of what stands on the ground."""
+    rays = frame.view.rays()
+    positions = rays * frame.depth[..., None] + frame.view.eye.astype(np.float32)
+    normal = normals_of(positions, frame.depth, rays)
+    return 0.35 + 0.65 * ambient_occlusion(frame.depth, frame.view, positions, normal, window)
 
 
 def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:
@@ -186,10 +204,10 @@ def normals_of(positions: Image, depth: Image, rays: Image) -> Image:
 
 
 def _smooth(normal: Image, depth: Image) -> Image:
-    """Round the facets off: mean normal over five pixels, but not across edges of depth."""
+    """Round the facets off: mean normal over three pixels, but not across edges of depth."""
     far, near = spread(spread(depth)), -spread(spread(-depth))
     whole = (far - near < _ROUND * near)[..., None]
-    soft = blur(normal, 2)
+    soft = blur(normal, 1)
     soft /= np.maximum(np.linalg.norm(soft, axis=2, keepdims=True), 1e-6)
     return np.where(whole, soft, normal)
 

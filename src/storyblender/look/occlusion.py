@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from storyblender.look.gbuffer import View
-from storyblender.look.raster import Image, blur
+from storyblender.look.raster import Image, Window, blur
 
 _RADIUS = 0.45
 """Metres over which neighbours count."""
@@ -14,7 +16,7 @@ _GOLDEN = 2.399963
 _STRENGTH = 1.9
 
 
-def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image) -> Image:
+def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image, window: Window | None = None) -> Image:
     """Return the open share, 0.15 to 1, of every pixel (spiral samples in screen space, measured in world space).
 
     Args:
@@ -22,19 +24,27 @@ def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image)
         view: The camera, at this size.
         positions: (h, w, 3) world.
         normal: (h, w, 3) world, float32.
+        window: The part to work out; None is the whole picture.
     """
     height, width = depth.shape
-    reach = np.clip(_RADIUS * view.pixels_per_metre / np.maximum(depth, 0.1), 2, width * 0.06)
-    rows, columns = np.mgrid[0:height, 0:width].astype(np.float32)
+    window = window or view.whole
+    planes = [np.ascontiguousarray(positions[..., axis]) for axis in range(3)]
+    here = [plane[window.cut] for plane in planes]
+    facing = [np.ascontiguousarray(normal[window.cut][..., axis]) for axis in range(3)]
+    reach = np.clip(_RADIUS * view.pixels_per_metre / np.maximum(depth[window.cut], 0.1), 2, width * 0.06)
+    rows, columns = np.mgrid[window.cut].astype(np.float32)
     # A fixed seed: the grain is the same in every frame, so it cannot flicker.
-    turn = np.random.default_rng(1).random((height, width), np.float32) * 2 * np.pi
-    shade = np.zeros((height, width), np.float32)
+    turn = np.random.default_rng(1).random((height, width), np.float32)[window.cut] * np.float32(2 * np.pi)
+    across, down = np.cos(turn) * reach, np.sin(turn) * reach
+    shade = np.zeros(window.shape, np.float32)
     for tap in range(_TAPS):
-        angle, distance = turn + tap * _GOLDEN, np.sqrt((tap + 0.5) / _TAPS) * reach
-        x = np.clip(columns + distance * np.cos(angle), 0, width - 1).astype(np.int32)
-        y = np.clip(rows + distance * np.sin(angle), 0, height - 1).astype(np.int32)
-        toward = positions[y, x] - positions
-        length = np.sqrt(np.einsum("hwc,hwc->hw", toward, toward)) + 1e-4
-        rise = np.einsum("hwc,hwc->hw", toward, normal) / length
+        distance = math.sqrt((tap + 0.5) / _TAPS)
+        cosine, sine = distance * math.cos(tap * _GOLDEN), distance * math.sin(tap * _GOLDEN)
+        x = np.clip(columns + (across * cosine - down * sine), 0, width - 1).astype(np.int32)
+        y = np.clip(rows + (down * cosine + across * sine), 0, height - 1).astype(np.int32)
+        place = y * width + x
+        toward = [plane.take(place) - start for plane, start in zip(planes, here, strict=True)]
+        length = np.sqrt(sum(step * step for step in toward)) + 1e-4
+        rise = sum(step * way for step, way in zip(toward, facing, strict=True)) / length
         shade += np.clip(rise - 0.12, 0, 1) * (length < _RADIUS * 1.6)
     return blur(np.clip(1 - _STRENGTH * shade / _TAPS, 0.15, 1), 1)

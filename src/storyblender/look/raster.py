@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +12,42 @@ Mask = NDArray[np.bool_]
 
 LUMA = np.array([0.2126, 0.7152, 0.0722], np.float32)
 """Weights of Rec. 709 luminance."""
+
+_SMALL = 2
+"""Radius up to which adding shifted rows is faster than running sums."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """A rectangle of a picture, in pixels; ``bottom`` and ``right`` are past its end."""
+
+    top: int
+    left: int
+    bottom: int
+    right: int
+
+    @property
+    def cut(self) -> tuple[slice, slice]:
+        """The index that takes the rectangle out of an (h, w, ...) array."""
+        return slice(self.top, self.bottom), slice(self.left, self.right)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return self.bottom - self.top, self.right - self.left
+
+    def reduced(self, step: int) -> Window:
+        """Return the rectangle in a picture with ``step`` times fewer pixels each way; its edges are multiples."""
+        return Window(self.top // step, self.left // step, self.bottom // step, self.right // step)
+
+    def inner(self, by: int, height: int, width: int) -> Window:
+        """Return it smaller by some pixels on each side that is not the edge of the whole picture."""
+        return Window(
+            self.top + by * (self.top > 0),
+            self.left + by * (self.left > 0),
+            self.bottom - by * (self.bottom < height),
+            self.right - by * (self.right < width),
+        )
 
 
 def luminance(image: Image) -> Image:
@@ -40,9 +78,14 @@ def blur_rows(image: Image, radius: int) -> Image:
     """Box blur along the columns only (a vertical smear); edges repeat."""
     if radius < 1:
         return image
-    count, padding = image.shape[0], [(radius + 1, radius)] + [(0, 0)] * (image.ndim - 1)
-    sums = np.cumsum(np.pad(image, padding, mode="edge"), axis=0, dtype=np.float64)
-    window = 2 * radius + 1
+    count, padding, window = image.shape[0], [(radius + 1, radius)] + [(0, 0)] * (image.ndim - 1), 2 * radius + 1
+    padded = np.pad(image, padding, mode="edge")
+    if radius <= _SMALL:
+        total = padded[1 : 1 + count].astype(np.float32)
+        for shift in range(2, window + 1):
+            total += padded[shift : shift + count]
+        return total / np.float32(window)
+    sums = np.cumsum(padded, axis=0, dtype=np.float64)
     return ((sums[window : window + count] - sums[:count]) / window).astype(np.float32)
 
 

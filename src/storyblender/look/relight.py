@@ -12,6 +12,8 @@ FLOOR = 0.04
 """Reflectance added to every albedo, so that gloss on black survives the division."""
 _BAND = 90
 """Rows upsampled at a time; keeps the temporaries small."""
+_SAME_DEPTH = 0.02
+"""Difference of depth, as a share of it, at which two pixels begin to show different things."""
 
 
 def demodulate(picture: Image, albedo: Image) -> Image:
@@ -75,6 +77,32 @@ def _blend(
             mixed += low[y, x] * weight[..., None]
             weights += weight
     return mixed / weights[..., None]
+
+
+def upsample_by_depth(low: Image, low_depth: Image, depth: Image) -> Image:
+    """Return planes at twice their size: each pixel mixes its four nearest low ones, those at its depth before all.
+
+    Args:
+        low: (c, h, w) planes, which numpy mixes three times as fast as pixels of c values.
+        low_depth: (h, w) metres.
+        depth: (2h, 2w) metres.
+    """
+    planes, (height, width) = low.shape[0], low_depth.shape
+    padded = np.pad(low, ((0, 0), (1, 1), (1, 1)), mode="edge")
+    levels = np.pad(low_depth, 1, mode="edge")
+    result = np.empty((planes, 2 * height, 2 * width), np.float32)
+    for y, x in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        own = depth[y::2, x::2]
+        tolerance = (_SAME_DEPTH * own) ** 2
+        mixed, weights = np.zeros_like(low), np.zeros((height, width), np.float32)
+        for row, down in ((1, 0.75), (2 * y, 0.25)):
+            for column, across in ((1, 0.75), (2 * x, 0.25)):
+                part = (..., slice(row, row + height), slice(column, column + width))
+                weight = down * across * (tolerance / (tolerance + (levels[part] - own) ** 2)) ** 2 + np.float32(1e-6)
+                mixed += padded[part] * weight
+                weights += weight
+        result[:, y::2, x::2] = mixed / weights
+    return result
 
 
 def mean_albedo(gbuffer: GBuffer, step: int, sky: Image | None = None) -> Image:

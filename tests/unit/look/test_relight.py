@@ -68,17 +68,17 @@ def test_moving_light_reuses_what_stands_still_and_relights_what_moves():
     lamp = Light(name="lamp", kind="POINT", location=(1, 1, 2.5), power=80)
     coverage = (~FRAME.sky).astype(np.float32)
     albedo, glow = FRAME.albedo.astype(np.float32), np.zeros((108, 192, 3), np.float32)
-    first = FlatFrame(albedo, coverage, FRAME.depth, glow, FRAME.ids == PERSON, FRAME.view)
+    first = FlatFrame(albedo, coverage, FRAME.depth, glow, FRAME.ids == PERSON, FRAME.view, FRAME.view.whole)
     nearer = np.where(FRAME.ids == PERSON, np.float32(2.5), FRAME.depth)
     second = dataclasses.replace(first, depth=nearer)
 
     mover = MovingLight(plan, 1.0)
     mover.light(first, [lamp])
-    moved = mover.light(second, [lamp])
+    _, moved = mover.light(second, [lamp])
     fresh = MovingLight(plan, 1.0)
     fresh.light(first, [lamp])
     fresh._held = None
-    whole = fresh.light(second, [lamp])
+    _, whole = fresh.light(second, [lamp])
 
     still = (FRAME.ids == WALL) & (np.abs(moved - whole).max(axis=2) < 0.02)
     assert still.sum() > 0.95 * (FRAME.ids == WALL).sum()

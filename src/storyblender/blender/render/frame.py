@@ -44,6 +44,7 @@ class FrameRequest:
         hidden_node_ids: Wild walls, taken away for this shot.
         supersample: Size of the passes over the picture; None takes the look's.
         samples: Paths a pixel; None takes the look's.
+        shadows: Solve the lamps by the shadows they cast.
     """
 
     look: str = "board"
@@ -54,6 +55,7 @@ class FrameRequest:
     hidden_node_ids: tuple[str, ...] = ()
     supersample: int | None = None
     samples: int | None = None
+    shadows: bool = True
 
 
 @dataclass(frozen=True)
@@ -119,7 +121,7 @@ def render_frame(
         passes = render_passes(session, request.width * step, request.height * step)
         set_light = balanced(scene, lighting)
         plan = set_light.plan
-        shot = ShotLight(session, passes, set_light, people, step * look.light_step)
+        shot = ShotLight(session, passes, set_light, people, step * look.light_step, shadows=request.shadows)
         lights = shot.set_lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
     gbuffer = passes.gbuffer.reduced(step)

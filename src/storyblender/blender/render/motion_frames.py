@@ -3,27 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import bpy
 import numpy as np
+from numpy.typing import NDArray
 
 from storyblender.blender.measure.figures import figures
-from storyblender.blender.render.flat_frames import FlatCamera, animatic_workbench
+from storyblender.blender.render.flat_frames import animatic_workbench, draw_flat
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
-from storyblender.blender.render.picture import write_png
+from storyblender.blender.render.movement import watch
+from storyblender.blender.render.picture import write_jpeg
 from storyblender.blender.render.session import RenderSession
+from storyblender.blender.still import held_still
+from storyblender.geometry.framing import Figure
 from storyblender.look.atmosphere import add_rain
 from storyblender.look.grade import to_bytes, to_display
 from storyblender.look.ink import add_lines
 from storyblender.look.moving_light import MovingLight
+from storyblender.look.raster import Image as Picture
+from storyblender.look.raster import Window
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 
 _METER_WIDTH = 320
 """Width of the still whose lamps and exposure the whole shot keeps: exposure that follows the frames would flicker."""
-_LARGE_FACE = 26
-"""Pixels from crown to chin from which a second pass for the colours of faces is worth its time."""
+_RIM = 3
+"""Pixels of a window's edge that are not drawn anew."""
 GROWN_HEAD = 0.235
 """Metres from crown to chin that count as scale 1."""
 
@@ -31,7 +38,7 @@ GROWN_HEAD = 0.235
 def render_motion(
     scene: bpy.types.Scene,
     camera_object: bpy.types.Object,
-    frames: Sequence[int],
+    frames: range,
     width: int,
     height: int,
     out_dir: Path,
@@ -41,7 +48,7 @@ def render_motion(
     in_frame: Sequence[str] | None = None,
     seed: int = 0,
 ) -> tuple[Path, ...]:
-    """Draw the frames of one shot, one PNG for each, named by its number in five digits.
+    """Draw the frames of one shot, one JPEG for each, named by its number in five digits.
 
     Args:
         scene: With set, props and people; posed by its timeline.
@@ -57,50 +64,50 @@ def render_motion(
     """
     if not frames:
         return ()
-    still_request = FrameRequest(
+    paths: list[Path] = []
+    request = FrameRequest(
         look="fast",
         width=_METER_WIDTH,
         height=max(2, round(_METER_WIDTH * height / width / 2) * 2),
-        frame=frames[0],
         hidden_node_ids=tuple(hidden_node_ids),
         supersample=1,
+        shadows=False,
     )
-    paths = []
+    with held_still(scene, frames[0]) as moment:
+        moment.collection.objects.link(camera_object)
+        still = render_frame(moment, camera_object, lighting, _heads(figures(scene), in_frame), request)
+    gain = np.float32(2.0**still.statistics.exposure)
+    plan, light = still.balance.plan, MovingLight(still.balance.plan, still.balance.roofed)
+    shown = np.zeros((height, width, 3), np.uint8)
     with RenderSession(scene, camera_object, frames[0], hidden_node_ids) as session:
-        first = _heads(scene, in_frame)
-        still = render_frame(scene, camera_object, lighting, first, still_request)
-        gain = np.float32(2.0**still.statistics.exposure)
-        plan, light = still.balance.plan, MovingLight(still.balance.plan, still.balance.roofed)
-        close = any(_faces_are_large(session, frame, width, height) for frame in (frames[-1], frames[0]))
-        with animatic_workbench(session, painted=close):
-            camera = FlatCamera(session, width, height, painted=close)
-            for number in frames:
-                session.go_to(number)
-                flat = camera.draw()
-                lamps = still.set_lights + _followed(still.lights, first, _heads(scene, in_frame))
-                picture = light.light(flat, lamps) * gain
-                picture = add_lines(add_rain(picture, flat.depth, plan.rain, seed + number), flat.depth, flat.view)
-                paths.append(out_dir / f"{number:05d}.png")
-                write_png(to_bytes(to_display(picture)), paths[-1], quick=True)
+        movement = watch(session, frames, width, height)
+        people = [_heads(faces, in_frame) for faces in movement.people]
+        with animatic_workbench(session, movement):
+            for number, flat, heads in zip(frames, draw_flat(session, frames, movement), people, strict=True):
+                if plan.rain > 0:
+                    flat = replace(flat, window=flat.view.whole)
+                window, picture = light.light(flat, still.set_lights + _followed(still.lights, people[0], heads))
+                depth = flat.depth[window.cut]
+                picture = add_rain(picture * gain, depth, plan.rain, seed + number)
+                _paste(shown, add_lines(picture, depth, flat.view), window)
+                paths.append(out_dir / f"{number:05d}.jpg")
+                write_jpeg(shown, paths[-1])
     return tuple(paths)
 
 
-def _faces_are_large(session: RenderSession, frame: int, width: int, height: int) -> bool:
-    """Return whether a face in the picture is tall enough to show its brows and lips."""
-    session.go_to(frame)
-    view = session.view(width, height)
-    for figure in figures(session.scene):
-        _, row, depth = view.project(np.asarray(figure.face))
-        rows = figure.head * view.pixels_per_metre / max(float(depth), 0.1)
-        if depth > 0 and -rows < row < height + rows and rows > _LARGE_FACE:
-            return True
-    return False
+def _paste(shown: NDArray[np.uint8], picture: Picture, window: Window) -> None:
+    """Lay the window over the last frame but for its rim, whose lines lack the neighbours beyond it."""
+    height, width = shown.shape[:2]
+    inner = window.inner(_RIM, height, width)
+    top, left = inner.top - window.top, inner.left - window.left
+    rows, columns = inner.shape
+    shown[inner.cut] = to_bytes(to_display(picture[top : top + rows, left : left + columns]))
 
 
-def _heads(scene: bpy.types.Scene, in_frame: Sequence[str] | None) -> tuple[PersonHead, ...]:
+def _heads(faces: Sequence[Figure], in_frame: Sequence[str] | None) -> tuple[PersonHead, ...]:
     return tuple(
         PersonHead(figure.node_id, figure.face, figure.yaw, figure.head / GROWN_HEAD)
-        for figure in figures(scene)
+        for figure in faces
         if in_frame is None or figure.node_id in in_frame
     )
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.session import RenderSession, changed
 from storyblender.look.gbuffer import FAR, GBuffer, View
+from storyblender.look.raster import Window
 from storyblender.look.surface import PERSON, Surface
 
 NORMAL_MATCAP = "check_normal+y.exr"
@@ -84,19 +85,36 @@ def has_painted_skin(obj: bpy.types.Object) -> bool:
     return obj.type == "MESH" and obj.get("surface") in PERSON and len(obj.data.color_attributes) > 0
 
 
-def render_glow(session: RenderSession, width: int, height: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the (h, w, 3) light that the things in the picture give off, and (h, w) depth; no G-buffer needed."""
+def render_glow(
+    session: RenderSession, frames: range, width: int, height: int, *, window: Window | None = None
+) -> list[NDArray[np.float32]]:
+    """Return the (h, w, 3) light that the things in the picture give off, frame by frame; no G-buffer needed.
+
+    Args:
+        session: The shot.
+        frames: Timeline frames.
+        width: Pixels of the whole picture.
+        height: Pixels of the whole picture.
+        window: The part to draw; None is all.
+    """
     materials = list(bpy.data.materials)
     glow_color, glow_gain = _glow_of(materials)
+    used = {slot.material for obj in session.visible_objects() for slot in obj.material_slots}
+    shown = np.array([False, *(material in used for material in materials)])
+    if not (shown & (glow_color.any(axis=1) | (glow_gain > 0))).any():
+        return [np.zeros((*(window.shape if window else (height, width)), 3), np.float32) for _ in frames]
     with flat_workbench(session.scene):
-        with _shading(session.scene, light="FLAT", color_type="SINGLE"):
-            channels = session.exr(width, height, depth=True)
-        material = _material_pass(session, materials, width, height)
-        glow = glow_color[material]
-        if glow_gain[material].any():
+        with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
+            indices = [
+                _index(channels, materials) for channels in session.exr_frames(frames, width, height, window=window)
+            ]
+        glows = [glow_color[index] for index in indices]
+        if any(glow_gain[index].any() for index in indices):
             with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
-                glow += color(session.exr(width, height)) * glow_gain[material][..., None]
-    return glow, np.where(channels["Combined.A"] > 0.5, channels["Depth.Z"], np.float32(FAR))
+                pictures = session.exr_frames(frames, width, height, window=window)
+            for glow, index, channels in zip(glows, indices, pictures, strict=True):
+                glow += color(channels) * glow_gain[index][..., None]
+    return glows
 
 
 @contextmanager
@@ -150,7 +168,10 @@ def _material_pass(
     session: RenderSession, materials: Sequence[bpy.types.Material], width: int, height: int
 ) -> NDArray[np.uint16]:
     with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
-        channels = session.exr(width, height)
+        return _index(session.exr(width, height), materials)
+
+
+def _index(channels: Channels, materials: Sequence[bpy.types.Material]) -> NDArray[np.uint16]:
     index = _number(_levels(channels["Combined.R"]), _levels(channels["Combined.G"]))
     index[index > len(materials)] = 0
     return index

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, read_channels
 from storyblender.look.gbuffer import View
+from storyblender.look.raster import Window
 
 _STILL = {
     "pixel_aspect_x": 1.0,
@@ -153,6 +154,35 @@ class RenderSession:
             bpy.ops.render.render(write_still=True)
         return read_channels(path)
 
+    def exr_frames(
+        self, frames: range, width: int, height: int, *, depth: bool = False, window: Window | None = None
+    ) -> list[Channels]:
+        """Render frames of the timeline with the engine that is set.
+
+        Args:
+            frames: Not empty, forwards.
+            width: Pixels of the whole picture.
+            height: Pixels of the whole picture.
+            depth: Also write the depth pass.
+            window: The part to render and return; None is all.
+        """
+        render = self.scene.render
+        size = {"resolution_x": width, "resolution_y": height, "filepath": str(self._folder / "#####.exr")}
+        image = {"file_format": "OPEN_EXR_MULTILAYER", "color_depth": "16", "exr_codec": "NONE"}
+        border = _border(window, width, height) if window else {}
+        with (
+            changed(render, size | _STILL | border),
+            changed(render.image_settings, image),
+            changed(self.scene.view_layers[0], {"use_pass_z": depth}),
+            changed(self.scene, {"frame_start": frames[0], "frame_end": frames[-1], "frame_step": frames.step}),
+        ):
+            bpy.ops.render.render(animation=True)
+        paths = [self._folder / f"{number:05d}.exr" for number in frames]
+        pictures = [read_channels(path) for path in paths]
+        for path in paths:
+            path.unlink()
+        return pictures
+
     def png(self, width: int, height: int, path: Path) -> None:
         """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run."""
         render = self.scene.render
@@ -160,6 +190,18 @@ class RenderSession:
         image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
         with changed(render, size | _STILL), changed(render.image_settings, image):
             bpy.ops.render.render(write_still=True)
+
+
+def _border(window: Window, width: int, height: int) -> dict[str, Any]:
+    """Return the render border of a window; Blender rounds its edges down to pixels, so they lie a little inside."""
+    return {
+        "use_border": True,
+        "use_crop_to_border": True,
+        "border_min_x": (window.left + 0.2) / width,
+        "border_max_x": (window.right + 0.2) / width,
+        "border_min_y": (height - window.bottom + 0.2) / height,
+        "border_max_y": (height - window.top + 0.2) / height,
+    }
 
 
 @contextmanager

@@ -67,10 +67,18 @@ class ShotLight:
         set_light: Balanced light of the set.
         people: Everyone whose face may show.
         step: Pixels of the G-buffer for one pixel of light.
+        shadows: Draw the shadows of the lamps that matter; else ask of every lamp at each face whether it reaches it.
     """
 
     def __init__(
-        self, session: RenderSession, passes: Passes, set_light: SetLight, people: Sequence[PersonHead], step: int
+        self,
+        session: RenderSession,
+        passes: Passes,
+        set_light: SetLight,
+        people: Sequence[PersonHead],
+        step: int,
+        *,
+        shadows: bool = True,
     ) -> None:
         self.gbuffer: GBuffer = passes.gbuffer.reduced(step)
         self.plan = set_light.plan
@@ -82,7 +90,8 @@ class ShotLight:
         self.roof_light = roof_light(self.plan, set_light.roofed, self._normal) * self._openness[..., None]
         lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)
         fields = [light_field(lamp, self._positions, self._normal) for lamp in lamps]
-        fields = self._with_shadows(session, fields, _pixels_of(people, passes, self.gbuffer))
+        casting = self._casting(fields) if shadows else frozenset[int]()
+        fields = self._with_shadows(session, fields, casting, _pixels_of(people, passes, self.gbuffer))
         from_set = total([f for f in fields if f.light.for_asset is None], ambient)
         bounce = bounce_light(self.albedo, from_set, ~self.gbuffer.sky, self._openness)
         faces = find_faces(self.gbuffer, [(head.asset_id, head.location, head.scale) for head in people])
@@ -105,15 +114,22 @@ class ShotLight:
         """Return the (h, w, 3) illumination by every lamp."""
         return total(self.fields, self._around)
 
+    def _casting(self, fields: Sequence[LightField]) -> frozenset[int]:
+        """Return which lamps matter enough to cast shadows."""
+        shares = [strength(field, self.albedo) for field in fields]
+        whole = max(sum(shares), 1e-9)
+        return _casting(fields, [share / whole for share in shares])
+
     def _with_shadows(
-        self, session: RenderSession, fields: list[LightField], bodies: Sequence[tuple[PersonHead, Mask]]
+        self,
+        session: RenderSession,
+        fields: list[LightField],
+        casting: frozenset[int],
+        bodies: Sequence[tuple[PersonHead, Mask]],
     ) -> list[LightField]:
         """Cast shadows from the lamps that matter; of the others, ask at each face whether they reach it."""
         eye = self.gbuffer.view.eye.astype(np.float32)
         solid = ~self.gbuffer.sky
-        shares = [strength(field, self.albedo) for field in fields]
-        whole = max(sum(shares), 1e-9)
-        casting = _casting(fields, [share / whole for share in shares])
         result = []
         for index, lamp in enumerate(fields):
             if index in casting:

@@ -1,0 +1,109 @@
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+pytestmark = pytest.mark.blender
+bpy = pytest.importorskip("bpy")
+sys.path.insert(0, str(Path(__file__).parent))
+
+import render_stage  # noqa: E402
+
+from storyblender.blender.render import motion_frames  # noqa: E402
+from storyblender.blender.render.complexion import told_in_shades  # noqa: E402
+from storyblender.blender.render.flat_frames import animatic_workbench, draw_flat  # noqa: E402
+from storyblender.blender.render.movement import watch  # noqa: E402
+from storyblender.blender.render.session import RenderSession  # noqa: E402
+
+FRAMES = range(1, 8, 2)
+SIZE = (160, 90)
+
+
+@pytest.fixture
+def room():
+    """The stage with the lamp rolling a metre to the right."""
+    scene = render_stage.build_stage()
+    lamp = (
+        scene.objects["lamp"] if "lamp" in scene.objects else next(o for o in scene.objects if o["node_id"] == "lamp")
+    )
+    lamp.keyframe_insert("location", frame=1)
+    lamp.location.x += 1.0
+    lamp.keyframe_insert("location", frame=7)
+    return scene
+
+
+def drawn(scene, **changes):
+    with RenderSession(scene, scene.camera, FRAMES[0]) as session:
+        movement = replace(watch(session, FRAMES, *SIZE), **changes)
+        with animatic_workbench(session, movement):
+            return movement, list(draw_flat(session, FRAMES, movement))
+
+
+def test_what_moves_and_where_is_seen_before_it_is_drawn(room):
+    behind = render_stage._add(room, "behind", render_stage._box((0, -30, 1), (1, 1, 1)), (1, 1, 1), "prop")
+    with RenderSession(room, room.camera, FRAMES[0]) as session:
+        movement = watch(session, FRAMES, *SIZE)
+    assert [obj["node_id"] for obj in movement.movers] == ["lamp"]
+    assert behind in movement.unseen and movement.movers[0] not in movement.unseen
+    assert movement.is_locked_off and len(movement.views) == len(movement.people) == len(FRAMES)
+    top, left, bottom, right = (getattr(movement.window, side) for side in ("top", "left", "bottom", "right"))
+    assert 0 < top < bottom < 90 and 0 < left < right <= 160
+    assert (bottom - top) * (right - left) < 0.4 * 160 * 90
+    assert not any(edge % 2 for edge in (top, left, bottom, right))
+
+
+def test_only_what_moves_is_drawn_anew_and_the_pictures_are_the_same(room, monkeypatch):
+    movement, quick = drawn(room)
+    monkeypatch.setattr(type(movement), "is_locked_off", property(lambda self: False))
+    _, slow = drawn(room)
+    for a, b in zip(quick, slow, strict=True):
+        assert np.abs(a.depth - b.depth).max() < 1e-3
+        assert np.abs(a.albedo - b.albedo).max() < 1e-3
+        assert np.abs(a.glow - b.glow).max() < 1e-3
+    assert quick[0].window == movement.window and slow[0].window == slow[0].view.whole
+
+
+def test_a_camera_that_moves_draws_everything(room):
+    room.camera.keyframe_insert("location", frame=1)
+    room.camera.location.x += 0.4
+    room.camera.keyframe_insert("location", frame=7)
+    movement, frames = drawn(room)
+    assert not movement.is_locked_off
+    assert all(flat.window == flat.view.whole and flat.moving.all() for flat in frames)
+    assert np.abs(frames[0].depth - frames[-1].depth).max() > 0.1
+
+
+def test_film_of_a_window_is_the_film_of_the_whole_picture(room, monkeypatch, tmp_path):
+    def film(name):
+        (tmp_path / name).mkdir()
+        paths = motion_frames.render_motion(room, room.camera, FRAMES, *SIZE, tmp_path / name, render_stage.interior())
+        return np.array([np.asarray(Image.open(path)).astype(int) for path in paths])
+
+    quick = film("quick")
+    whole = motion_frames.watch
+    monkeypatch.setattr(
+        motion_frames,
+        "watch",
+        lambda *args: replace(found := whole(*args), window=found.views[0].whole),
+    )
+    assert np.abs(quick - film("whole")).mean() < 0.5
+
+
+def test_skin_is_told_in_shades_and_given_back(room):
+    skull = next(obj for obj in room.objects if obj.name.startswith("ana_skin"))
+    mesh, colors = skull.data, skull.data.color_attributes[0]
+    values = np.tile(np.array([0.75, 0.5, 0.4, 1.0], np.float32), (len(mesh.vertices), 1))
+    values[:40, :3] = (0.3, 0.05, 0.05)
+    colors.data.foreach_set("color", values.ravel())
+    materials, count = list(mesh.materials), len(bpy.data.materials)
+    with told_in_shades(skull):
+        shades = {tuple(round(value, 2) for value in slot.diffuse_color[:3]) for slot in mesh.materials}
+        assert {(0.75, 0.5, 0.4), (0.3, 0.05, 0.05)} <= shades
+        face = mesh.polygons[0]
+        own = np.mean([values[vertex, :3] for vertex in face.vertices], axis=0)
+        assert mesh.materials[face.material_index].diffuse_color[:3] == pytest.approx(own, abs=0.03)
+    assert list(mesh.materials) == materials and len(bpy.data.materials) == count
+    assert {face.material_index for face in mesh.polygons} == {0}
