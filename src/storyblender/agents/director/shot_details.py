@@ -9,7 +9,7 @@ from string import capwords
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
-from storyblender.agents.director.motion_families import GETTING, SPOKEN
+from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, Reading, SceneReading, Unit
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import camera_sentence, deed_words, mood_of
@@ -27,6 +27,8 @@ _OUT_OF = (
     r"|from (?:his|her|their|a|the) \w*\s?(?:jacket|coat|pocket|bag|purse|sleeve|belt|satchel))\b"
 )
 _UNSTAGED = ("intercut", "split_screen", "match_cut")
+_TIGHT = ("MCU", "CU", "ECU")
+"""Sizes that hold one face."""
 _POV_LENS = 35.0
 """mm: about what an eye takes in."""
 
@@ -100,6 +102,8 @@ class ShotDetails:
         shown = [*draft.focus, *([draft.over] if draft.over else [])]
         if draft.kind == "establishing" and not draft.explicit:
             shown += on_stage
+        if draft.size not in _TIGHT:
+            shown += _walking_along(draft)
         return [person for person in unique(shown) if person in on_stage and person != draft.pov]
 
     def _camera(self, draft: ShotDraft) -> CameraInstruction:
@@ -214,6 +218,12 @@ class ShotDetails:
                 line_index=index,
             )
         ]
+
+
+def _walking_along(draft: ShotDraft) -> list[str]:
+    """Return who goes where the focus goes: the camera that holds one of them holds the others."""
+    going = [{deed.actor for deed in beat.unit.deeds if deed.actor and deed.motion in TRAVEL} for beat in draft.beats]
+    return sorted(person for walkers in going if walkers & {*draft.focus} for person in walkers)
 
 
 def _brought_out(deed: Deed, unit: Unit, text: str) -> bool:

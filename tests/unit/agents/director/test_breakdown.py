@@ -261,3 +261,13 @@ def test_what_cannot_be_staged_is_flagged() -> None:
     script = Script("Ann").action("Ann waits.", ("ann", "stand"), camera=CameraNote("INTERCUT WITH", kind="intercut"))
     (flag,) = board_of(script).shot_details[0].flags
     assert (flag.topic, flag.start) == ("camera", 0) and "intercut" in flag.reason
+
+
+@pytest.mark.parametrize(("size", "shown"), [("MS", {"ann", "bob", "cat"}), ("CU", {"ann", "cat"})])
+def test_who_walks_along_is_in_the_picture_unless_it_is_tight(size: str, shown: set[str]) -> None:
+    script = Script("Ann", "Bob", "Cat").action("Ann, Bob and Cat wait.", ("ann", "stand"), ("bob", "stand"))
+    over = CameraNote("OVER CAT", kind="ots", size=size, who="Cat", subject="Ann")
+    script.action("Ann and Bob leave.", ("ann", "walk"), ("bob", "walk"), camera=over)
+    last = board_of(script).shot_details[-1]
+    assert last.camera_instruction.focus_on_ids == ("ann",)
+    assert set(last.in_frame) == shown

@@ -106,6 +106,10 @@ OVERRIDDEN_PARTICLES = frozenset(
 """Verb and particle pairs that have a rule: ``pull off``."""
 """Verb -> its rules, in order."""
 
+_BODILY = frozenset({"walk", "run", "sneak", "stagger", "crawl", "sit", "stand", "kneel", "crouch", "lie_down", "ride"})
+INVERTING = frozenset(_rules["inverting"]) | {verb for verb, motion in MOTION_OF_VERB.items() if motion in _BODILY}
+"""Verbs whose subject may follow: ``Behind him trudges SERGEANT OAKE``."""
+
 # -- things ------------------------------------------------------------------------------------------------------
 ABSTRACT, BODY = frozenset(_nouns["abstract"]) | _wordnet["abstract"], frozenset(_nouns["body"])
 PROPS, WORN, SET_PIECES, SCENERY = (
@@ -137,6 +141,8 @@ SOUNDS = _pairs(_nouns["sound"])
 MALE_NOUNS, FEMALE_NOUNS = frozenset(_people["male"]), frozenset(_people["female"])
 ANIMALS = frozenset(_people["animal"])
 PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS | _wordnet["person"]
+RARE_PERSON_NOUNS = _wordnet["person"]
+"""Of the large list: after a title rather a surname."""
 YOUNG_NOUNS = frozenset(_people["young"])
 CROWDS = frozenset(_people["crowd"])
 NEUTER_ROLES = frozenset(_people["neuter"])
@@ -144,8 +150,11 @@ NEUTER_ROLES = frozenset(_people["neuter"])
 TITLE_SYNONYMS = _pairs(_people["title_synonym"])
 CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people["converse"]).items()}
 """Kin -> what they are to each other: the uncle of a niece or nephew."""
+YOUNGER_KIN = frozenset(_people["younger_kin"])
 TITLES = frozenset(_people["title"])
 TITLE_GENDER = cast(dict[str, Gender], _pairs(_people["title_gender"]))
+UNISEX = frozenset(_people["unisex"])
+"""First names of both genders: a pronoun knows better."""
 AGE_WORDS, AGE_NOUNS = _pairs(_people["age_word"]), _pairs(_people["age_noun"])
 VARIANT_WORDS = frozenset(_people["variant"])
 """Words before a name that make the same person at another age or in another costume."""

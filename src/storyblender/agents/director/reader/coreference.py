@@ -75,6 +75,8 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
         for person in stage.on_stage()
         if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
     ]
+    if not pool:
+        pool = [person for person in stage.on_stage() if fits(person, gender) and person.kind == "human"]
     small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
     if small or large:
         pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
@@ -97,7 +99,7 @@ def _kin(stage: Stage, mention: Mention) -> list[Person]:
     """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
     converse = lexicon.CONVERSE_KIN.get(mention.head, ())
     if not any(person.role in converse for person in stage.roster.people):
-        return []
+        return _relative(stage, mention) if converse else []
     gender = lexicon.gender_of_word(mention.head)
     pool = [
         person
@@ -105,6 +107,15 @@ def _kin(stage: Stage, mention: Mention) -> list[Person]:
         if person.kind == "human" and person.gender == gender and person.role not in converse and not person.age
     ]
     return [max(pool, key=stage.presence)] if pool else []
+
+
+def _relative(stage: Stage, mention: Mention) -> list[Person]:
+    """``Her father`` where nobody said whose: the oldest man there, for a daughter the youngest woman."""
+    gender = lexicon.gender_of_word(mention.head)
+    pool = [p for p in stage.on_stage() if p.kind == "human" and p.count == 1 and p.gender == gender]
+    young = mention.head in lexicon.YOUNGER_KIN
+    pool.sort(key=lambda person: (years(person) * (1 if young else -1), -stage.presence(person)[1]))
+    return pool[:1]
 
 
 def _group(stage: Stage, mention: Mention) -> list[Person]:

@@ -76,6 +76,7 @@ def _repeats(stage: Stage, deed: Deed) -> bool:
 def _only_a_pose(clause: Clause, roles: Roles, motion: str) -> bool:
     """Touching oneself; ``reads it, standing``."""
     own = bool(clause.object) and bool(roles.subjects) and clause.object[0].owner == roles.subjects[0].id
+    own = own and not any(place.people or any(n.owner for n in place.nouns) for place in roles.places)
     return own if motion == "touch" else clause.participle and not clause.places
 
 

@@ -27,6 +27,7 @@ _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
 _BARE = lexicon.ADJECTIVES | lexicon.words("manner")
 """``breathes hard``, ``stops dead``, ``lands flat``: alone they are no nouns."""
+_NO_QUALITY = frozenset({"set_piece", "prop", "scenery", "body", "abstract"})
 _COPULAS = lexicon.words("copulas")
 _PARTS = lexicon.words("parts")
 """``the handle of the mop`` is the mop."""
@@ -190,7 +191,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
 
 def _is_thing(word: Word) -> bool:
     """``In the front pew MRS. VOSS``: the noun ends before the name."""
-    return word.text.islower() and lexicon.noun_class(singular(word.low)) in ("set_piece", "prop", "scenery", "body")
+    return word.text.islower() and lexicon.noun_class(singular(word.low)) in _NO_QUALITY
 
 
 def _predicated(words: list[Word], at: int) -> bool:

@@ -6,9 +6,10 @@ import re
 from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
+from storyblender.agents.director.reader.morphology import form_kind, singular
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
 
@@ -19,8 +20,7 @@ _TITLE = (
 _NAME = re.compile(
     rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+"
-    rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?=\s+[a-z]+ed\b|['’]s\s[a-z]|\s+(?:was|had|said|ran|sat|stood|took|went|came|is"
-    r"|has|put|held|gave|knew|saw|felt|kept|left|and [A-Z]))",
+    rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
 _APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
@@ -66,6 +66,16 @@ def find_prose_cast(script: Manuscript) -> Roster:
     return roster
 
 
+def _opens_like_a_name(name: str, following: str) -> bool:
+    """At the start of a sentence every word has a capital: a name is known, or does something next."""
+    first = name.split()[0].lower()
+    acts = form_kind(following) in ("past", "aux") or following in ("and", "who")
+    common = lexicon.noun_class(singular(first)) != "unknown" or first in lexicon.ADJECTIVES | lexicon.ADVERBS
+    return unaccented(first) in lexicon.FIRST_NAMES or (
+        acts and not common and not form_kind(first) and first[-2:] != "ly"
+    )
+
+
 def _only_compared(told: str, phrase: PersonNoun) -> bool:
     """``a man's coat``, ``like a squirrel``: nobody is there."""
     owned = phrase.determiner in ("a", "an") and re.match(r"['’]s", told[phrase.end :]) is not None
@@ -78,6 +88,8 @@ def _names(text: str, start: int) -> list[tuple[int, str]]:
         name = match.group(0)
         first = name.split()[0].lower()
         if first in _SMALL | _NOT_NAMES or name.lower() in lexicon.PRONOUNS:
+            continue
+        if match.group(1) and not _opens_like_a_name(name, match.group(1)):
             continue
         before = text[max(0, match.start() - 6) : match.start()].lower()
         somewhere = re.search(r"\b(in|at|to|from|of|near)\s$", before)
@@ -113,6 +125,9 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
         return True
     if phrase.noun in _LATER and phrase.plural and phrase.determiner in lexicon.POSSESSIVES:
+        return True
+    related = phrase.determiner in lexicon.POSSESSIVES and phrase.noun in lexicon.CONVERSE_KIN | {"cousin": ()}
+    if related and len(re.findall(rf"\b{phrase.noun}\b", text)) < 2 and len(roster.people) > 1:
         return True
     gender = lexicon.gender_of_word(phrase.noun)
     if phrase.noun in _LATER and phrase.determiner == "the":

@@ -23,7 +23,7 @@ _FALLING = frozenset(
     {"fall", "collapse", "drop", "die", "stagger", "stumble", "crumple", "faint", "slump", "tumble", "crash"}
 )
 _STRIKING = lexicon.words("striking")
-_INVERTED = lexicon.words("inverting") | {"live", "be"}
+_INVERTED = lexicon.INVERTING | {"live", "be"}
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""
 _CONTACT = frozenset({"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"})
 _SIDES = frozenset({"left", "right", "side"})
@@ -72,9 +72,9 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
     """
     roles = Roles()
     follows = not clause.subject or all(noun.kind == "pronoun" and noun.head == "" for noun in clause.subject)
-    after = clause.object or clause.complement
+    after = clause.recipient or clause.object or clause.complement
     if not clause.subject and after and clause.verb in _INVERTED and any(n.kind != "pronoun" for n in after):
-        clause.subject, clause.object, clause.complement = after, [], []
+        clause.subject, clause.recipient, clause.object, clause.complement = after, [], [], []
         clause.elided = False
         previous = ()
     for noun in clause.subject:

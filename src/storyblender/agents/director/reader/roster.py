@@ -91,7 +91,8 @@ class Roster:
         numbered = len(words) > 1 and re.match(r"#?\d", words[-1]) is not None
         head = singular(words[-2] if numbered else words[-1])
         title = words[0].strip(".")
-        if is_person_noun(head) and head not in lexicon.FIRST_NAMES:
+        surname = title in lexicon.TITLES and len(words) > 1 and head in lexicon.RARE_PERSON_NOUNS
+        if is_person_noun(head) and head not in lexicon.FIRST_NAMES and not surname:
             person.role, person.gender = head, lexicon.gender_of_word(head)
             person.kind = "animal" if head in lexicon.ANIMALS else "human"
             self.call(person, core)

@@ -32,6 +32,7 @@ _DIRECTIONS = frozenset(
 _BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
 _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})
+_SUBORDINATORS = frozenset({"when", "as", "while", "after", "before", "once", "until", "if", "since", "because"})
 _PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
 _AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
 _SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
@@ -45,7 +46,7 @@ _BEFORE_INFINITIVE = frozenset(
 )
 PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
-_INVERTING = lexicon.words("inverting")
+_INVERTING = lexicon.INVERTING
 """Verbs whose subject may follow: ``In the booth sit two thugs``."""
 
 
@@ -92,7 +93,9 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     if form is None:
         return
     left = row.neighbour()
-    if word.low in _FRAGMENT_NOUNS and following and following.low in ("up", "raised", "drawn"):
+    if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
+        return
+    if form.kind == "base" and word.low in lexicon.PARTICLES:
         return
     if form.kind == "past" and left is None and following and following.low in lexicon.PREPOSITIONS:
         word.verb = VerbForm(form.lemma, "pp")
@@ -154,7 +157,7 @@ def _guessed(word: Word) -> VerbForm | None:
 
 
 def _goes_on(right: str) -> bool:
-    return right in _AFTER_VERB or right in _OBJECTS | _DIRECTIONS or right.endswith("ly")
+    return right in _AFTER_VERB or right in _OBJECTS | _DIRECTIONS | {"not", "to"} or right.endswith("ly")
 
 
 def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
@@ -197,7 +200,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if _is_inverted(form, following, row):
         return True
     if left.mention:
-        return form_kind(right) != "past" if third else _is_plural(left, row)
+        return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
     if left.low in ("who", "which", "that") and not third:
         return _goes_on(right) and left.low != "that"
     if left.low in _SINGULAR_PRONOUNS:
@@ -225,7 +228,8 @@ def _new_clause(row: Row) -> bool:
     """Whether the noun before opens a clause of its own: ``Doyle falls and the lantern rolls off``."""
     for index in range(len(row.words) - 2, max(len(row.words) - 5, -1), -1):
         if row.words[index].low in OPENERS:
-            return index > 0 and row.words[index - 1].low in _CLAUSE_LINKS
+            before = row.words[index - 1].low if index else ""
+            return before in _CLAUSE_LINKS or (before == "," and row.words[0].low in _SUBORDINATORS)
     return False
 
 
@@ -236,7 +240,7 @@ def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
     if right in _OBJECTS | _DIRECTIONS or right.endswith("ly"):
         return False
     before = [w for w in row.words if w.solid]
-    return not (right in lexicon.PREPOSITIONS and row.verb_seen and not _is_bare_plural(before))
+    return not row.verb_seen or _is_bare_plural(before)
 
 
 def _is_bare_plural(before: list[Word]) -> bool:
@@ -301,7 +305,7 @@ def as_participles(words: list[Word]) -> None:
         form = FORMS.get(word.low)
         left = words[index - 1] if index else None
         done = left is None or not (left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS or left.mention or left.verb)
-        if word.verb and form and form.kind == "past" and word.low.endswith("ed") and done:
+        if word.verb and form and form.kind == "past" and word.low != form.lemma and done:
             word.verb = VerbForm(form.lemma, "pp")
 
 
