@@ -1,6 +1,7 @@
 """Studio: everything a user can do, one method each. Opens the project, wires settings, ports and crew.
 
-The command line calls it, and so will every other surface; it has no terminal in it, only events.
+The command line calls it, and so will every other surface; it has no terminal in it, only events. Who reads a script
+and who binds a board are imported where they work: an edit needs no reader, and its frame does not wait for the binder.
 """
 
 from __future__ import annotations
@@ -18,7 +19,6 @@ from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
-from storyblender.deliver.timeline import EXTRA_FORMATS, write_extra
 from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import InputError
@@ -31,13 +31,11 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob, ExportJob
 from storyblender.memory.shot_context import ShotContext
-from storyblender.pipeline.delivery import compile_blend, deliver, frame_paths
+from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.filming import film
-from storyblender.pipeline.grounding import ground
-from storyblender.pipeline.materializing import materialize
+from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import prune, shoot_frames, shoot_motion
-from storyblender.pipeline.staging import pack_scenes, stage
 from storyblender.project import Project, read_project_graph, write_atomic
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Listener, silent
@@ -85,6 +83,8 @@ class Studio:
         Raises:
             InputError: The script or the folder cannot be used.
         """
+        from storyblender.pipeline.grounding import ground
+
         with self._open(script, folder) as run:
             ground(run, script)
             run.project.checkpoint()
@@ -97,6 +97,10 @@ class Studio:
             InputError: The script or the folder cannot be used.
             EngineError: Blender failed for good.
         """
+        from storyblender.pipeline.grounding import ground
+        from storyblender.pipeline.materializing import materialize
+        from storyblender.pipeline.staging import stage
+
         with self._open(script, folder) as run:
             ground(run, script)
             write_atomic(run.project.path(REMEMBERED), self._settings.remembered())
@@ -170,6 +174,9 @@ class Studio:
         Raises:
             InputError: The project has no story.blend yet, or an adapter is missing.
         """
+        from storyblender.deliver.timeline import EXTRA_FORMATS, write_extra
+        from storyblender.pipeline.delivery import frame_paths
+
         read_project_graph(folder)
         with self._open(None, folder) as run:
             files: list[str] = []
@@ -215,12 +222,13 @@ class Studio:
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
         shoot_frames(run, shots)
-        blend = compile_blend(run)
+        story = Compilation(run)
+        from storyblender.pipeline.delivery import deliver
+
         clips = shoot_motion(run, shots) if self._settings.animatic else None
         if len(shots) == len(run.graph.shots):
             prune(run, run.graph.shots)
-        blend.result()
-        return Delivery(run.project.folder, deliver(run, clips), run.graph)
+        return Delivery(run.project.folder, deliver(run, clips, story), run.graph)
 
     def _export_scenes(self, run: Run, kind: str) -> list[str]:
         if not (run.project.folder / "story.blend").exists():

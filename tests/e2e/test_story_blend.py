@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+from tests.e2e.conftest import storyblender
+
 pytestmark = [pytest.mark.blender, pytest.mark.timeout(900), pytest.mark.xdist_group("project")]
 
 READ = """
@@ -33,6 +35,7 @@ facts = {
     "assets": [c.name for c in bpy.data.collections if c.asset_data],
     "missing": [i.name for i in bpy.data.images if i.source == "FILE" and not i.packed_file],
     "libraries": len(bpy.data.libraries),
+    "counts": {kind: len(getattr(bpy.data, kind)) for kind in ("objects", "meshes", "actions", "armatures", "lights")},
 }
 print("FACTS" + json.dumps(facts), flush=True)
 os._exit(0)
@@ -41,6 +44,10 @@ os._exit(0)
 
 @pytest.fixture(scope="module")
 def facts(project: Path) -> dict[str, Any]:
+    return read(project)
+
+
+def read(project: Path) -> dict[str, Any]:
     command = [sys.executable, "-c", READ, str(project / "story.blend")]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     line = next((line for line in done.stdout.splitlines() if line.startswith("FACTS")), "")
@@ -92,3 +99,14 @@ def test_equal_assets_share_their_mesh(facts: dict[str, Any]) -> None:
 def test_assets_are_marked_and_nothing_is_missing(facts: dict[str, Any]) -> None:
     assert {"AST_ada", "AST_tom"} <= set(facts["assets"])
     assert facts["missing"] == [] and facts["libraries"] == 0
+
+
+def test_a_scene_put_in_anew_is_as_in_a_whole_file(project: Path) -> None:
+    name = rows(project)[0]["shot"]
+    for arguments in (["--shot", name, "--lens", "41"], []):
+        done = storyblender("render", project, *arguments, "--quiet")
+        assert done.returncode == 0, done.stderr[-2000:]
+        if arguments:
+            patched = read(project)
+            (project / "build" / "story.json").unlink()
+    assert read(project) == patched

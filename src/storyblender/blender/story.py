@@ -29,25 +29,40 @@ EDIT = "EDIT"
 
 
 def compile_story(job: StoryJob, root: Path, out: Path) -> None:
-    """Compile and save the file.
+    """Compile and save the file, or put the changed scenes into it anew.
 
     Args:
         job: The story and its packs.
         root: The project folder, which the packs' paths are relative to.
-        out: The .blend.
+        out: The .blend; it is there already where only some scenes changed.
     """
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    library = bpy.context.scene
-    library.name = LIBRARY
+    changed = job.changed
+    if changed is None:
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.context.scene.name = LIBRARY
+    else:
+        bpy.ops.wm.open_mainfile(filepath=str(out), load_ui=False, use_scripts=False)
+        _take_out([EDIT, *map(scene_name, changed)])
     scenes = {scene.scene_id: scene for scene in job.scenes}
     for pack in job.packs:
-        shots = tuple(shot for shot in job.shots if shot.scene_id == pack.scene_id)
-        _add_scene(job, pack, scenes[pack.scene_id], shots, root)
-    _add_library(job, library, AssetStore(root / "assets"))
+        if changed is None or pack.scene_id in changed:
+            shots = tuple(shot for shot in job.shots if shot.scene_id == pack.scene_id)
+            _add_scene(job, pack, scenes[pack.scene_id], shots, root)
+    if changed is None:
+        _add_library(job, bpy.data.scenes[LIBRARY], AssetStore(root / "assets"))
     merge_duplicates()
     _add_edit(job)
     bpy.data.orphans_purge(do_recursive=True)
     save_pack(out)
+
+
+def _take_out(names: list[str]) -> None:
+    """Remove scenes with everything that only they use, so that their names are free again."""
+    bpy.context.window.scene = bpy.data.scenes[LIBRARY]
+    for name in names:
+        scene = bpy.data.scenes[name]
+        bpy.data.batch_remove([scene, *scene.objects, *scene.collection.children_recursive])
+    bpy.data.orphans_purge(do_recursive=True)
 
 
 def _add_scene(job: StoryJob, pack: PackRef, context: SceneContext, shots: tuple[ShotContext, ...], root: Path) -> None:

@@ -148,13 +148,14 @@ class MotionJob(Frozen):
 class StoryJob(Frozen):
     """Compile the story's .blend from the packed scenes."""
 
-    title: str
     format: ProjectFormat
     outline: tuple[SceneOutline, ...]
     assets: tuple[Asset, ...]
     scenes: tuple[SceneContext, ...]
     shots: tuple[ShotContext, ...]
     packs: tuple[PackRef, ...]
+    changed: tuple[int, ...] | None = None
+    """Scenes to put in anew; the others stay in the file as they are. None compiles it whole."""
     out: str
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
+import io
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Future
 from pathlib import Path
+
+from PIL import Image
 
 from storyblender.deliver import slate
 from storyblender.deliver.animatic import write_animatic
@@ -15,25 +18,12 @@ from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import panels
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
-from storyblender.memory.jobs import StoryJob
+from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.run import Run
+from storyblender.project import write_atomic
 
-
-def compile_blend(run: Run) -> Future[str]:
-    """Start compiling ``story.blend``; it needs the frames' lights, so it comes after them."""
-    graph = run.graph
-    return run.engine.compile_story(
-        StoryJob(
-            title=graph.title,
-            format=graph.format,
-            outline=graph.outline,
-            assets=graph.assets,
-            scenes=graph.scenes,
-            shots=graph.shots,
-            packs=tuple(run.packs[scene.scene_id] for scene in graph.scenes if scene.scene_id in run.packs),
-            out="story.blend",
-        )
-    )
+PRINTS = "build/prints"
+JPEG_QUALITY = 88
 
 
 def frame_paths(run: Run) -> dict[str, Path]:
@@ -42,12 +32,13 @@ def frame_paths(run: Run) -> dict[str, Path]:
     return {name: path for name, path in paths.items() if path.exists()}
 
 
-def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None) -> list[str]:
-    """Write every deliverable.
+def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compilation) -> list[str]:
+    """Write every deliverable; Blender compiles its file meanwhile.
 
     Args:
         run: With all frames drawn.
         clips: Shot name to moving frames; None where no film is wanted.
+        story: The .blend; it is done before the page that links to it.
 
     Returns:
         Names of what was written, in the order people open them.
@@ -56,17 +47,18 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None) -> list[str]:
     frames = frame_paths(run)
     steps = 6
     run.progress("deliver", 0, steps, "board.pdf")
-    shown = _with_slates(run, frames) if run.settings.slate else frames
-    write_board(graph, shown, folder / "board.pdf")
-    write_board(graph, shown, folder / "board_single.pdf", "single")
+    prints = _prints(run, _with_slates(run, frames) if run.settings.slate else frames)
+    write_board(graph, prints, folder / "board.pdf")
+    write_board(graph, prints, folder / "board_single.pdf", "single")
     run.progress("deliver", 2, steps, "shots.csv")
     write_shot_list(graph, folder / "shots.csv")
     write_timeline(graph, frames, folder / "timeline.otio")
-    write_contact_sheet(frames, folder / "contact_sheet.jpg")
+    write_contact_sheet(prints, folder / "contact_sheet.jpg")
     run.progress("deliver", 3, steps, "animatic.mp4")
     if clips is not None and frames:
         write_animatic(graph, clips, frames, folder / "animatic.mp4")
-    run.progress("deliver", 5, steps, "index.html")
+    run.progress("deliver", 5, steps, "story.blend")
+    story.finish()
     write_page(graph, frames, folder / "index.html", checks_of(run))
     run.progress("deliver", steps, steps)
     names = [
@@ -74,6 +66,25 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None) -> list[str]:
         "animatic.srt", "shots.csv", "timeline.otio", "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]
+
+
+def _prints(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:
+    """Return a JPEG of every picture, named by what it shows: a board of 200 stays small, and is bound quickly."""
+    prints = {name: run.project.path(f"{PRINTS}/{_digest(path)}.jpg") for name, path in frames.items()}
+    for name, path in prints.items():
+        if not path.exists():
+            buffer = io.BytesIO()
+            with Image.open(frames[name]) as image:
+                image.convert("RGB").save(buffer, "JPEG", quality=JPEG_QUALITY)
+            write_atomic(path, buffer.getvalue())
+    for path in run.project.path(PRINTS).glob("*"):
+        if path not in prints.values():
+            path.unlink()
+    return prints
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
 def checks_of(run: Run) -> list[Check]:

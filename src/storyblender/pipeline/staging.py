@@ -1,8 +1,6 @@
-"""Spatial-temporal dynamics: set, dressing, layout, motion and light of every scene, then its pack (paper, 3.4)."""
+"""Spatial-temporal dynamics: set, dressing, layout, motion and light of every scene (paper, section 3.4)."""
 
 from __future__ import annotations
-
-from collections.abc import Collection
 
 from storyblender.agents.layout_artist.layout_brief import layout_brief
 from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
@@ -21,13 +19,12 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
 from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import plan_of
-from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.jobs import SceneJob
 from storyblender.memory.scene_context import Environment, Lighting, SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.materializing import materialize
+from storyblender.pipeline.packing import scene_assets
 from storyblender.pipeline.run import Run
 
 
@@ -39,31 +36,6 @@ def stage(run: Run) -> None:
         if run.graph.scene(scene_id).lighting is None:
             _stage_scene(run, scene_id)
     run.progress("stage", len(scenes), len(scenes))
-
-
-def pack_scenes(run: Run, scene_ids: Collection[int] | None = None) -> None:
-    """Build the packs, all at once over the pool; a pack that is there already is only looked up."""
-    staged = [scene for scene in run.graph.scenes if scene.layout is not None]
-    wanted = [scene for scene in staged if scene_ids is None or scene.scene_id in scene_ids]
-    waiting = {scene.scene_id: run.engine.pack_scene(scene_job(run.graph, scene.scene_id)) for scene in wanted}
-    for step, (scene_id, future) in enumerate(waiting.items()):
-        run.progress("pack", step, len(waiting), scene_name(scene_id))
-        run.packs[scene_id] = future.result()
-    run.progress("pack", len(waiting), len(waiting))
-
-
-def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
-    """Return what the engine needs to build a scene."""
-    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
-    return SceneJob(scene=scene, shots=shots, assets=scene_assets(graph, scene_id), fps=graph.format.fps)
-
-
-def scene_assets(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[Asset, ...]:
-    """Return every asset that a scene shows: the script's and the dressing."""
-    scene = graph.scene(scene_id)
-    placed = {item.asset_id for item in scene.layout.objects} if scene.layout else set()
-    wanted = placed | set(scene.setup.asset_ids)
-    return tuple(asset for asset in graph.assets if asset.asset_id in wanted)
 
 
 def _stage_scene(run: Run, scene_id: int) -> None:

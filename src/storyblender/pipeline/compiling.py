@@ -1,0 +1,93 @@
+"""``story.blend`` from the packs: whole the first time, afterwards only the scenes that changed are put in anew."""
+
+from __future__ import annotations
+
+import hashlib
+from concurrent.futures import Future
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from storyblender import __version__
+from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.jobs import GEOMETRY_VERSION, StoryJob
+from storyblender.pipeline.run import Run
+from storyblender.project import write_atomic
+
+STORY = "story.blend"
+RECORD = "build/story.json"
+
+
+class StoryRecord(Frozen):
+    """What the file on disk was compiled from."""
+
+    file: str = ""
+    """Hash of its bytes: a file that was changed by hand since is compiled whole."""
+    common: str
+    """Hash of what all scenes share."""
+    scenes: dict[int, str]
+    """Scene id and the hash of everything that its part of the file depends on."""
+
+
+class Compilation:
+    """The .blend of a run under way.
+
+    Args:
+        run: With the frames drawn: the file holds the lights that they were solved with.
+    """
+
+    def __init__(self, run: Run) -> None:
+        self._file, self._record = run.project.path(STORY), run.project.path(RECORD)
+        job = _story_job(run)
+        self._fresh, former = _record_of(job), _former(self._record)
+        changed = None
+        if former is not None and former.common == self._fresh.common and former.file == _file_hash(self._file):
+            changed = tuple(key for key, digest in self._fresh.scenes.items() if former.scenes.get(key) != digest)
+        self._compiled: Future[str] | None = None
+        if changed != ():
+            self._compiled = run.engine.compile_story(job.model_copy(update={"changed": changed}))
+
+    def finish(self) -> None:
+        """Wait for the file.
+
+        Raises:
+            EngineError: Blender failed for good.
+        """
+        if self._compiled is not None:
+            self._compiled.result()
+            record = self._fresh.model_copy(update={"file": _file_hash(self._file)})
+            write_atomic(self._record, record.model_dump_json())
+
+
+def _story_job(run: Run) -> StoryJob:
+    graph = run.graph
+    return StoryJob(
+        format=graph.format,
+        outline=graph.outline,
+        assets=graph.assets,
+        scenes=graph.scenes,
+        shots=graph.shots,
+        packs=tuple(run.packs[scene.scene_id] for scene in graph.scenes if scene.scene_id in run.packs),
+        out=STORY,
+    )
+
+
+def _record_of(job: StoryJob) -> StoryRecord:
+    plain = job.model_dump(mode="json")
+    scenes: dict[int, str] = {}
+    for pack in job.packs:
+        of_scene = [[part for part in plain[name] if part["scene_id"] == pack.scene_id] for name in ("scenes", "shots")]
+        scenes[pack.scene_id] = content_hash(pack, list(of_scene))
+    common = [plain[name] for name in ("format", "outline", "assets")]
+    return StoryRecord(common=content_hash(__version__, GEOMETRY_VERSION, common, list(scenes)), scenes=scenes)
+
+
+def _former(path: Path) -> StoryRecord | None:
+    try:
+        return StoryRecord.model_validate_json(path.read_bytes())
+    except (OSError, ValidationError):
+        return None
+
+
+def _file_hash(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16] if path.exists() else "none"

@@ -1,0 +1,33 @@
+"""Scenes as Blender has them: what is staged becomes a pack, named by the hash of all that it depends on."""
+
+from __future__ import annotations
+
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import scene_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import SceneJob
+from storyblender.pipeline.run import Run
+
+
+def pack_scenes(run: Run) -> None:
+    """Build the packs, all at once over the pool; a pack that is there already is only looked up."""
+    staged = [scene.scene_id for scene in run.graph.scenes if scene.layout is not None]
+    waiting = {scene_id: run.engine.pack_scene(scene_job(run.graph, scene_id)) for scene_id in staged}
+    for step, (scene_id, future) in enumerate(waiting.items()):
+        run.progress("pack", step, len(waiting), scene_name(scene_id))
+        run.packs[scene_id] = future.result()
+    run.progress("pack", len(waiting), len(waiting))
+
+
+def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
+    """Return what the engine needs to build a scene."""
+    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
+    return SceneJob(scene=scene, shots=shots, assets=scene_assets(graph, scene_id), fps=graph.format.fps)
+
+
+def scene_assets(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[Asset, ...]:
+    """Return every asset that a scene shows: the script's and the dressing."""
+    scene = graph.scene(scene_id)
+    placed = {item.asset_id for item in scene.layout.objects} if scene.layout else set()
+    wanted = placed | set(scene.setup.asset_ids)
+    return tuple(asset for asset in graph.assets if asset.asset_id in wanted)

@@ -1,0 +1,73 @@
+"""What of ``story.blend`` is compiled: everything once, then the scenes that changed, and nothing where nothing did."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
+from storyblender.memory.jobs import PackRef, StoryJob
+from storyblender.pipeline.compiling import Compilation
+from storyblender.pipeline.run import Run
+from storyblender.project import Project
+from storyblender.settings import Settings
+from storyblender.studio import Studio
+
+SCRIPT = "INT. ROOM - DAY\n\nANNA waits.\n\nEXT. STREET - NIGHT\n\nANNA runs.\n"
+
+
+class Compiler:
+    """Writes what it was asked for into the file."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.asked = folder, []
+
+    def compile_story(self, job: StoryJob) -> Future[str]:
+        self.asked.append(job.changed)
+        (self.folder / job.out).write_text(job.model_dump_json())
+        done: Future[str] = Future()
+        done.set_result(job.out)
+        return done
+
+
+@pytest.fixture(scope="module")
+def graph(tmp_path_factory: pytest.TempPathFactory) -> ContinuityMemoryGraph:
+    folder = tmp_path_factory.mktemp("plan")
+    script = folder / "s.fountain"
+    script.write_text(SCRIPT)
+    return Studio(Settings()).plan(script, folder / "p").graph
+
+
+def test_only_what_changed_is_compiled(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
+    compiler = Compiler(tmp_path)
+    packs = {
+        scene.scene_id: PackRef(scene_id=scene.scene_id, path=f"{scene.scene_id}.blend", starts=((1, 1),))
+        for scene in graph.scenes
+    }
+
+    def compiled(graph: ContinuityMemoryGraph) -> list[Any]:
+        compiler.asked.clear()
+        run = SimpleNamespace(graph=graph, packs=packs, project=project, engine=compiler)
+        Compilation(cast(Run, run)).finish()
+        return list(compiler.asked)
+
+    with Project(tmp_path) as project:
+        assert compiled(graph) == [None]
+        assert compiled(graph) == []
+        shot = graph.shots_of(2)[0]
+        other = replace(graph, shot.model_copy(update={"duration": shot.duration + 1}))
+        assert compiled(other) == [(2,)]
+        assert compiled(graph) == [(2,)]
+        packs[1] = packs[1].model_copy(update={"path": "another.blend"})
+        assert compiled(graph) == [(1,)]
+        wider = graph.model_copy(update={"format": graph.format.model_copy(update={"width": 1280})})
+        assert compiled(wider) == [None]
+        (tmp_path / "story.blend").write_text("painted over")
+        assert compiled(wider) == [None]
+        (tmp_path / "build" / "story.json").write_text("{")
+        assert compiled(wider) == [None]
