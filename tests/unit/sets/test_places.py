@@ -29,6 +29,12 @@ from storyblender.catalog.sets.places import find_kit
         ("MARKET SQUARE", "outdoor", "square"),
         ("PIRATE SHIP - DECK", "outdoor", "ship_deck"),
         ("SNOWY MOUNTAIN PASS", "outdoor", "mountain"),
+        ("STATION WAITING ROOM", "indoor", "waiting_room"),
+        ("TRAIN STATION", "indoor", "lobby"),
+        ("TRAIN PLATFORM", "outdoor", "platform"),
+        ("PLATFORM 4", "outdoor", "platform"),
+        ("SUBWAY PLATFORM", "indoor", "subway"),
+        ("SUBWAY CAR", "indoor", "carriage"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:

@@ -11,6 +11,7 @@ from storyblender.agents.visual_effects_artist.furniture import prop_size
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.catalog.sets.finishes import FINISHES, finish_of
@@ -30,6 +31,9 @@ def plans() -> list[tuple[str, SetPlan]]:
             for period in PERIODS:
                 params = {"width": getattr(kit.width, size), "depth": getattr(kit.depth, size), "period": period}
                 result.append((f"{key}-{size}-{period}", plan_of(Environment(kit=key, params=params, seed=3))))
+        switched: dict[str, ParamValue] = {name: True for name, default in kit.options.items() if default is False}
+        if switched:
+            result.append((f"{key}-options", plan_of(Environment(kit=key, params=switched, seed=3))))
     return result
 
 

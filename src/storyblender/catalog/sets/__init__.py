@@ -40,12 +40,15 @@ from storyblender.catalog.sets import (
     open_ground,
     park,
     plain_room,
+    platform,
     rooftop,
     ship_deck,
     shop,
     square,
     street,
+    subway,
     theatre,
+    waiting_room,
     warehouse,
 )
 from storyblender.catalog.sets.drawing import Period, SetParams
@@ -61,9 +64,9 @@ SETS: Catalog[SetKit] = Catalog(
         module.KIT
         for module in (
             plain_room, living_room, bedroom, kitchen, bathroom, cafe, bar, office, corridor, hospital_ward, classroom,
-            library, cell, interrogation, shop, lobby, theatre, church, great_hall, cottage, lighthouse, warehouse,
-            carriage, open_ground, street, alley, square, park, forest, beach, dock, airfield, rooftop, bridge, desert,
-            mountain, ship_deck,
+            library, cell, interrogation, shop, lobby, waiting_room, theatre, church, great_hall, cottage, lighthouse,
+            warehouse, subway, carriage, open_ground, street, alley, square, park, forest, beach, dock, airfield,
+            rooftop, bridge, platform, desert, mountain, ship_deck,
         )
     ),
 )  # fmt: skip

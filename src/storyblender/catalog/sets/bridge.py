@@ -55,8 +55,6 @@ KIT = SetKit(
         "embankment",
         "aqueduct",
         "promenade",
-        "train platform",
-        "platform",
     ),
     indoor=False,
     draw=draw,

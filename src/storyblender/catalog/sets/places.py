@@ -61,6 +61,7 @@ _OUTSIDE_OF = {
     "room": "street",
     "classroom": "park",
     "interrogation": "alley",
+    "waiting_room": "platform",
     "bathroom": "street",
 }
 """EXT. of an indoor place: what lies before its door; a street unless said otherwise."""
@@ -79,6 +80,7 @@ _INSIDE_OF = {
     "desert": "cottage",
     "mountain": "cell",
     "ship_deck": "carriage",
+    "platform": "subway",
     "open_ground": "cottage",
 }
 """INT. of an outdoor place: the room such a place has."""

@@ -24,6 +24,10 @@ YAW_OF_SIDE: dict[Side, float] = {"back": 0.0, "front": 180.0, "left": 90.0, "ri
 """The yaw of a thing that stands against the side and faces the room."""
 
 
+_PIT = 1.1
+"""Metres that a pit is deep."""
+_KERB = 0.4
+"""Metres of stone along its edge."""
 _VIEW_TOPS = {"skyline": 14.0, "facades": 10.0, "hills": 6.5, "treeline": 5.2, "sea": 1.6}
 """Height of what stands outside, low enough to leave some sky in the windows."""
 
@@ -57,6 +61,8 @@ class Room(Drawing):
         rng: The seeded source of variation.
         finishes: What the shell is made of.
         view: What stands outside the windows.
+        thickness: Of the walls.
+        pit: Metres before the back wall where the floor ends at a pit: a track, a dock. People stay off it.
     """
 
     def __init__(
@@ -68,11 +74,12 @@ class Room(Drawing):
         *,
         view: View = "facades",
         thickness: float = 0.15,
+        pit: float = 0.0,
     ) -> None:
         self.half_x, self.half_y, self.height = params.width / 2, params.depth / 2, params.height
-        size = SceneSize(x=self.half_x, x_negative=-self.half_x, y=self.half_y, y_negative=-self.half_y)
+        size = SceneSize(x=self.half_x, x_negative=-self.half_x, y=self.half_y - pit, y_negative=-self.half_y)
         super().__init__(kit, indoor=True, size=size, rng=rng)
-        self.params, self.finishes, self.thickness = params, finishes, thickness
+        self.params, self.finishes, self.thickness, self.pit = params, finishes, thickness, pit
         self._view = _View(view)
         self._openings: dict[Side, list[Opening]] = {"back": [], "front": [], "left": [], "right": []}
 
@@ -153,12 +160,16 @@ class Room(Drawing):
             x, y = self.spot(side, at, 0.6)
             self.mark(self.name("window_mark"), x, y, YAW_OF_SIDE[side] + 180, "window")
 
+    def gap(self, side: Side, at: float, width: float, height: float) -> None:
+        """Leave a hole in a wall with nothing in it: the mouth of a tunnel."""
+        self._cut(side, at, "gap", "gap", 0.0, width, height, "", "open")
+
     def _cut(
         self,
         side: Side,
         at: float,
         name: str,
-        kind: Literal["door", "window", "arch"],
+        kind: Literal["door", "window", "arch", "gap"],
         sill: float,
         width: float,
         height: float,
@@ -195,7 +206,8 @@ class Room(Drawing):
                     node_id=f"wall_{side}",
                     start=start,
                     end=end,
-                    height=self.height,
+                    height=self.height + (_PIT if self.pit and side == "back" else 0.0),
+                    base=-_PIT if self.pit and side == "back" else 0.0,
                     thickness=self.thickness,
                     material=look.wall,
                     dado=look.dado,
@@ -204,7 +216,11 @@ class Room(Drawing):
                 )
             )
         edge = self.thickness
-        self.slab("floor", rectangle(-x - edge, -y - edge, x + edge, y + edge), look.floor)
+        end = y - self.pit - _KERB if self.pit else y + edge
+        self.slab("floor", rectangle(-x - edge, -y - edge, x + edge, end), look.floor)
+        if self.pit:
+            self.slab("block", rectangle(-x - edge, end, x + edge, y - self.pit), "concrete_light", thickness=_PIT)
+            self.slab("ground", rectangle(-x - edge, y - self.pit, x + edge, y + edge), "gravel", z=-_PIT)
         self.slab(
             "ceiling",
             rectangle(-x - edge, -y - edge, x + edge, y + edge),
