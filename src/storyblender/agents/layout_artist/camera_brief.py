@@ -107,15 +107,19 @@ class CameraBrief:
         return tuple(node for node in nodes if node == lead or node not in faces)
 
     @property
+    def drawn(self) -> Moment:
+        """The moment that the board shows."""
+        return self.moments[len(self.moments) // 2]
+
+    @property
     def named(self) -> tuple[str, ...]:
         """node_ids of all that the Director's instruction is about."""
         return tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
 
     @property
     def people(self) -> tuple[Figure, ...]:
-        """The focus people in the middle of the shot, at its start where they walk."""
-        moment = self.moments[0] if self.walks else self.moments[len(self.moments) // 2]
-        return tuple(figure for node in self.focus if (figure := moment.figure(node)) is not None)
+        """The focus people when the shot is drawn."""
+        return tuple(figure for node in self.focus if (figure := self.drawn.figure(node)) is not None)
 
     @property
     def things(self) -> tuple[Box, ...]:
@@ -159,16 +163,14 @@ class CameraBrief:
         own = {*self.focus, *self.in_frame}
         own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
         own |= {*self.named}
-        moment = self.moments[len(self.moments) // 2]
-        return tuple(figure.node_id for figure in moment.figures if figure.node_id not in own)
+        return tuple(figure.node_id for figure in self.drawn.figures if figure.node_id not in own)
 
     @property
     def axis(self) -> tuple[Figure, Figure] | None:
         """The two people of the 180-degree line, where both are on stage."""
         if self.instruction.axis is None:
             return None
-        moment = self.moments[len(self.moments) // 2]
-        first, second = (moment.figure(self.node(asset_id)) for asset_id in self.instruction.axis)
+        first, second = (self.drawn.figure(self.node(asset_id)) for asset_id in self.instruction.axis)
         return (first, second) if first is not None and second is not None else None
 
     @property

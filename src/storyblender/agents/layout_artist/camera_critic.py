@@ -80,8 +80,7 @@ class CameraCritic:
 
 def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
     """Return the moments worth a look: the middle if nothing moves, all of them if the camera or the subject does."""
-    first, last = brief.moments[0], brief.moments[-1]
-    middle = brief.moments[len(brief.moments) // 2]
+    first, middle, last = brief.moments[0], brief.drawn, brief.moments[-1]
     if brief.walks or any(take.moves for take in takes) or len(brief.moments) == 1:
         return list(brief.moments)
     told = [middle]
@@ -110,7 +109,7 @@ def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
 def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraView]]) -> tuple[Fault, ...]:
     """Judge composition where the take is centred, and visibility everywhere."""
     told: list[Fault] = []
-    main = brief.moments[0 if brief.walks else len(brief.moments) // 2]
+    main = brief.drawn
     for moment, view in sorted(seen, key=lambda pair: pair[0] is not main):
         camera = take.at(share_of(brief, moment.frame))
         found = _visibility(brief, moment, view)

@@ -6,8 +6,11 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
+from storyblender.agents.layout_artist.camera_group import turned
 from storyblender.agents.layout_artist.camera_operator import operate, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.set_plan import SetPlan
@@ -22,6 +25,8 @@ from storyblender.trace import Listener, silent
 
 _REST = 0.55
 """Share of a shot at which it is drawn where no action says better."""
+_WALKED_AROUND = 50.0
+"""Degrees that the line of two people has turned from where it was."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
 Moments = Callable[[ShotContext], Sequence[Moment]]
@@ -74,6 +79,7 @@ def shoot_scene(
     previous: Cut | None = None
     sides: dict[tuple[str, str], int] = {}
     answered: dict[tuple[str, str], Cut] = {}
+    lines: dict[tuple[str, str], float] = {}
     for shot in graph.shots_of(scene_id):
         instruction = shot.camera_instruction
         axis = instruction.axis
@@ -82,8 +88,13 @@ def shoot_scene(
             lens_kit=lens_kit,
             previous=previous,
             side=sides.get(axis, 0) if axis is not None else 0,
-            reverse=_reverse(instruction.focus_on_ids, answered.get(axis)) if axis is not None else None,
         )
+        if axis is not None and (line := _line_of(brief)) is not None:
+            # Once somebody has walked around the other, the pictures before are not answered any more.
+            if abs(turned(line - lines.setdefault(axis, line))) > _WALKED_AROUND:
+                answered.pop(axis, None)
+            lines[axis] = line
+            brief = replace(brief, reverse=_reverse(instruction.focus_on_ids, answered.get(axis)))
         state = shot.camera or operate(brief, viewfinder, listener=listener)
         cameras[shot.shot_id] = state
         previous = Cut(instruction, state)
@@ -92,6 +103,14 @@ def shoot_scene(
             if instruction.kind in _ANSWERS:
                 answered[axis] = previous
     return cameras
+
+
+def _line_of(brief: CameraBrief) -> float | None:
+    """Return where the line of the shot's two people points, degrees; None without two."""
+    if brief.axis is None:
+        return None
+    x, y, _ = np.subtract(brief.axis[1].face, brief.axis[0].face)
+    return math.degrees(math.atan2(y, x))
 
 
 def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:

@@ -73,7 +73,7 @@ def _cleared(brief: CameraBrief, take: Take) -> Take:
     """Return the take without the strangers whom it would show, and without what they carry."""
     if brief.instruction.size in CROWDED:
         return take
-    moments = brief.moments if take.moves else brief.moments[len(brief.moments) // 2 :][:1]
+    moments = brief.moments if take.moves else (brief.drawn,)
     gone: list[str] = []
     for moment in moments:
         camera = take.at(share_of(brief, moment.frame))
@@ -141,7 +141,7 @@ def _things(brief: CameraBrief, take: Take) -> float:
     screen, depth = project(take.camera, [(box.x, box.y, box.z + box.height / 2) for box in brief.things])
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
     if brief.instruction.kind == "insert":
-        people = [body(figure) for figure in brief.moments[len(brief.moments) // 2].figures]
+        people = [body(figure) for figure in brief.drawn.figures]
         spots = [(box.x, box.y, box.top) for box in brief.things]
         framed &= ~hidden([*people, *_solids(brief, take.hidden)], take.camera.position, spots, _AT_HAND)
     return (1.0 if brief.people else 2.5) * float((~framed).sum())
@@ -170,7 +170,7 @@ def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:
 
 def _people(brief: CameraBrief, take: Take) -> float:
     """Weigh faces turned away, people hidden or out of the picture, and people who have no part in it."""
-    moment = brief.moments[0] if brief.walks else brief.moments[len(brief.moments) // 2]
+    moment = brief.drawn
     camera, instruction, points = take.camera, brief.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
     solid = _solids(brief, take.hidden)
@@ -179,7 +179,9 @@ def _people(brief: CameraBrief, take: Take) -> float:
         others = [body(other) for other in there if other is not figure]
         if figure.node_id in brief.focus and instruction.kind != "establishing":
             points += _subject(brief, camera, figure, [*others, *solid])
-        elif figure.node_id in brief.in_frame and instruction.size not in TIGHT and figure.node_id != over:
+        elif figure.node_id == over and instruction.kind == "ots":
+            points += 1.5 * (not _inside(camera, figure))
+        elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
             points += 0.8 * (not _framed(camera, figure) or hidden_share(camera, figure, [*others, *solid]) > _MOST)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of, share_of
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
@@ -15,7 +15,7 @@ from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
-from storyblender.geometry.moves import followed, moved
+from storyblender.geometry.moves import eased, followed, moved
 from storyblender.geometry.orbit import Orbit, orbit, roll
 
 _OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
@@ -67,7 +67,10 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
     if _waits(brief):
         first = last = camera
     elif _follows(brief, camera):
-        last = followed(camera, instruction.movement, brief.travel)
+        # What is drawn is composed; before it and after it the camera goes with the walk.
+        done, travel = eased(share_of(brief, brief.drawn.frame)), np.asarray(brief.travel)
+        first = followed(camera, instruction.movement, tuple(-done * travel))
+        last = followed(camera, instruction.movement, tuple((1 - done) * travel))
     elif instruction.movement != "static":
         direction = instruction.direction
         first, last = (moved(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
@@ -140,7 +143,7 @@ def shoulder(brief: CameraBrief) -> Figure | None:
 
     None if the subject does not look at the partner, unless the script asks for that shoulder.
     """
-    over = brief.moments[len(brief.moments) // 2].figure(brief.node(brief.instruction.over_id or ""))
+    over = brief.drawn.figure(brief.node(brief.instruction.over_id or ""))
     if brief.instruction.kind != "ots" or over is None or not brief.people:
         return None
     lead = brief.people[0]
@@ -184,7 +187,7 @@ def _swung(camera: Orbit, turn: float, rise: float) -> Orbit:
 
 def _pov(brief: CameraBrief, lens: float) -> Orbit | None:
     """Return the view through somebody's eyes to the first focus, or straight ahead."""
-    eyes = brief.moments[len(brief.moments) // 2].figure(brief.node(brief.instruction.pov_id or ""))
+    eyes = brief.drawn.figure(brief.node(brief.instruction.pov_id or ""))
     if eyes is None:
         return None
     target = np.asarray(eyes.face) + 3 * np.asarray(eyes.forward)

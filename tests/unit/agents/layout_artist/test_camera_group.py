@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from test_camera_room import ROOM, brief, person
 
-from storyblender.agents.layout_artist.camera_brief import Take
+from storyblender.agents.layout_artist.camera_brief import Moment, Take
 from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Film, crown_height, group, group_from, project
-from storyblender.geometry.orbit import between
+from storyblender.geometry.orbit import between, orbit
 
 APART = person("anna", -2.4, 1.8, 60), person("tom", 2.3, -0.5, -60), person("sam", 1.9, 2.2, -20)
 NAMES = ("anna", "tom", "sam")
@@ -75,6 +75,28 @@ def test_what_stands_before_everybody_looms_and_vanishes_at_a_price() -> None:
     piano = replace(view, props={"piano": Box(2.2, 0.0, 0.0, 1.5, 1.3, 1.3)})
     assert cost(blocked, take) > cost(view, take) + 1
     assert cost(piano, replace(take, hidden=("front", "piano"))) > cost(piano, take) + 1
+
+
+def test_a_followed_walk_is_composed_when_it_is_drawn() -> None:
+    steps = ((0, -2.0), (20, 1.4), (47, 1.6))
+    moments = tuple(Moment(frame, (person("anna", x, 0.0, 90),)) for frame, x in steps)
+    wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna",), "movement": "track"}
+    view = replace(brief(moments[0].figures[0], in_frame=("anna",), **wish), moments=moments, plan=None)
+    take = start(view)
+    assert take.moves
+    (drawn,), _ = project(take.at(20 / 47), [moments[1].figures[0].face])
+    (composed,), _ = project(take.camera, [moments[1].figures[0].face])
+    assert drawn == pytest.approx(composed, abs=0.02)
+    assert 0.25 < drawn[0] < 0.75
+
+
+def test_a_shoulder_that_is_not_in_the_picture_costs() -> None:
+    pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.5, 180)
+    wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
+    view = brief(*pair, in_frame=("anna", "tom"), **wish)
+    best = scouted(view)[0]
+    aside = replace(best, camera=orbit(best.camera, 60))
+    assert cost(view, aside) > cost(view, best) + 1.4
 
 
 def test_nobody_of_a_group_fills_the_foreground() -> None:

@@ -1,5 +1,8 @@
+from dataclasses import replace
+
 from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 
+from storyblender.agents.layout_artist import camera_scene
 from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of
 from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
 from storyblender.catalog.sets import plan_of
@@ -7,10 +10,11 @@ from storyblender.geometry.continuity import side_of_line
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, Layout, LayoutObject, SceneContext, SceneSetup
-from storyblender.memory.shot_context import CameraInstruction, PropState, ShotContext
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, PropState, ShotContext
 
 PLAN = plan_of(Environment(kit="street"))
 AXIS = ("anna", "tom")
+SET = CameraState(poses=(CameraPose(pivot=(0, 0, 1.6), rotation=(0.7, 0.7, 0, 0), distance=2, lens=50),))
 CUP = AssetMeasure(asset_id="cup", digest="", geometry_hash="", dimensions=(0.08, 0.08, 0.1))
 
 
@@ -80,3 +84,15 @@ def test_props_are_where_the_shot_has_them() -> None:
     assert 0.1 < box.x - ANNA.base[0] < 0.6, "before her, who looks to +X"
     gone = graph(shown, prop_states=(PropState(asset_id="cup", visible=False),))
     assert camera_brief(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
+
+
+def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(monkeypatch) -> None:
+    story = graph(*DIALOGUE[3:])
+    behind = replace(TOM, face=(-0.6, 1.2, TOM.face[2]), base=(-0.6, 1.2, 0.0))
+    for second, answers in ((TOM, True), (behind, False)):
+        briefs = []
+        monkeypatch.setattr(camera_scene, "operate", lambda view, *_, seen=briefs, **more: seen.append(view) or SET)
+        at = {1: (ANNA, TOM), 2: (ANNA, second)}
+        faces = lambda shot, at=at: [Moment(frame, at[shot.shot_id]) for frame in telling_frames(shot)]  # noqa: E731
+        shoot_scene(story, 1, PLAN, {"cup": CUP}, faces, NumberFinder([], {}))
+        assert (briefs[1].reverse is not None) == answers
