@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from pathlib import Path
 
 from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
 from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules
+from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
+from storyblender.trace import Event
 
 MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj")
 
@@ -28,9 +31,25 @@ def materialize(run: Run) -> None:
     built: list[Asset] = []
     for step, (asset, future) in enumerate(waiting):
         run.progress("materialize", step, len(waiting), asset.asset_id)
-        built.append(_measured(asset, future.result()))
+        built.append(_built(run, concept, asset, future))
     run.progress("materialize", len(waiting), len(waiting))
     run.commit("asset_formatter", f"{len(built)} assets built", *built)
+
+
+def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetMeasure]) -> Asset:
+    """Wait for an asset; where the user's model cannot be used, say so and take what else there is."""
+    canonical = asset.canonical
+    assert canonical is not None, "decided before it is built"
+    try:
+        return _measured(asset, future.result())
+    except EngineError as error:
+        if canonical.source != "file":
+            raise
+        message = f"{error}; something else stands in for it"
+        run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))
+    concept.give_up(canonical.key)
+    other = concept.decided(asset.model_copy(update={"canonical": None}))
+    return _built(run, concept, other, run.engine.build_asset(AssetJob(asset=other)))
 
 
 def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
@@ -55,6 +74,10 @@ class ConceptArtist:
         self._retriever = Retriever(lambda: run.embedder)
         self._generator = Generator(lambda: run.embedder)
         self._models = model_files(run.settings.models)
+
+    def give_up(self, path: str) -> None:
+        """Look past a model that cannot be used."""
+        self._models = tuple(model for model in self._models if model.path != path)
 
     def decided(self, asset: Asset) -> Asset:
         """Return the asset with what it is made from, if that is not decided yet."""

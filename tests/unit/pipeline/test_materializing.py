@@ -1,0 +1,73 @@
+"""What assets are made from: a model that cannot be used never stops a run."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
+
+import pytest
+
+from storyblender.errors import EngineError
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import AssetJob
+from storyblender.memory.measure import AssetMeasure
+from storyblender.pipeline.materializing import materialize
+from storyblender.pipeline.run import Run
+from storyblender.reflection import reflect
+from storyblender.settings import Settings
+from storyblender.trace import Event
+
+
+class Builder:
+    """Measures every asset as a cube, but cannot read any file, or nothing at all."""
+
+    def __init__(self, broken: tuple[str, ...]) -> None:
+        self.broken = broken
+
+    def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
+        done: Future[AssetMeasure] = Future()
+        canonical = job.asset.canonical
+        assert canonical is not None
+        if canonical.source in self.broken:
+            done.set_exception(EngineError(f"{canonical.key} cannot be read"))
+        else:
+            done.set_result(
+                AssetMeasure(asset_id=job.asset.asset_id, dimensions=(1, 1, 1), faces=6, digest="d", geometry_hash="g")
+            )
+        return done
+
+
+def materialized(models: Path, broken: tuple[str, ...]) -> tuple[list[Asset], list[Event]]:
+    told: list[Event] = []
+    kept: list[Asset] = []
+    chair = Asset(asset_id="chair", asset_type="object", description="a chair", name="chair")
+    run = SimpleNamespace(
+        graph=ContinuityMemoryGraph(assets=(chair,)),
+        settings=Settings(models=models),
+        engine=Builder(broken),
+        embedder=None,
+        tell=told.append,
+        progress=lambda *_: None,
+        reflect=lambda role, subject, view, policy, critic: reflect(role, subject, view, policy, critic),
+        commit=lambda author, reason, *items: kept.extend(items),
+    )
+    materialize(cast(Run, run))
+    return kept, [event for event in told if event.kind == "warning"]
+
+
+def test_another_thing_stands_in_for_a_model_that_cannot_be_read(tmp_path: Path) -> None:
+    for name in ("chair.glb", "old chair.glb"):
+        (tmp_path / name).write_bytes(b"no model")
+    assets, warnings = materialized(tmp_path, ("file",))
+    assert [(asset.canonical.source, asset.canonical.key) for asset in assets if asset.canonical] == [
+        ("catalog", "chair")
+    ]
+    assert warnings and "chair.glb cannot be read" in warnings[0].message
+
+
+def test_a_library_that_cannot_be_built_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(EngineError):
+        materialized(tmp_path, ("catalog",))
