@@ -175,13 +175,15 @@ class GBuffer:
 
     def emission(self, step: int = 1) -> Image:
         """Return the linear light given off, averaged over blocks of ``step`` pixels."""
-        out = np.empty((self.view.height // step, self.view.width // step, 3), np.float32)
+        out = np.zeros((self.view.height // step, self.view.width // step, 3), np.float32)
+        glows = self.glow_color.any(axis=1) | (self.glow_gain > 0)
         band = 64 * step
         for top in range(0, self.view.height, band):
             rows = slice(top, top + band)
             material = self.material[rows]
-            light = self.albedo[rows] * self.glow_gain[material][..., None] + self.glow_color[material]
-            out[top // step : (top + band) // step] = shrink(light, step)
+            if glows[material].any():
+                light = self.albedo[rows] * self.glow_gain[material][..., None] + self.glow_color[material]
+                out[top // step : (top + band) // step] = shrink(light, step)
         return out
 
     def coverage(self, classes: tuple[int, ...], step: int = 1) -> Image:

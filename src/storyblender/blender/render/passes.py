@@ -69,8 +69,12 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
             albedo = color(session.exr(width, height)).astype(np.float16)
         if skin_colored.any():
+            window = _around(skin_colored)
+            frame = session.scene.frame_current
             with _shading(session.scene, light="FLAT", color_type="VERTEX"):
-                albedo[skin_colored] = color(session.exr(width, height))[skin_colored]
+                (skin,) = session.exr_frames(range(frame, frame + 1), width, height, window=window)
+            painted = skin_colored[window.cut]
+            albedo[window.cut][painted] = color(skin)[painted]
         material = _material_pass(session, materials, width, height)
     material[ids == 0] = 0
     normal[ids == 0] = 0
@@ -185,6 +189,12 @@ def _material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]
             code = (index % 256 / 255, index // 256 / 255, 0.0, 1.0)
             stack.enter_context(changed(material, {"diffuse_color": code}))
         yield
+
+
+def _around(mask: NDArray[np.bool_]) -> Window:
+    """Return the smallest window with all that is true."""
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    return Window(int(rows[0]), int(columns[0]), int(rows[-1]) + 1, int(columns[-1]) + 1)
 
 
 def _levels(channel: NDArray[np.float32]) -> NDArray[np.uint8]:
