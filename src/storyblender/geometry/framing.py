@@ -77,6 +77,8 @@ _LOWEST = 0.55
 """Lowest a subject's face goes in an over-the-shoulder, for the head before it."""
 _NEAREST_FACE = 0.8
 """Metres: nobody of a group is nearer to the camera, or behind it."""
+_HATS = 0.12
+"""Highest that the crowns of a group go: some of them wear hats."""
 _CROWN = 0.55
 """Crown above the face's centre, in head heights."""
 
@@ -206,7 +208,7 @@ def group(
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
     tallest = max(figures, key=lambda figure: figure.face[2])
     share = tallest.head / camera.frame_height
-    camera = placed(camera, tallest.face, 0.5, max(crown_height(share), 0.1) + (_CROWN + 0.1) * share)
+    camera = placed(camera, tallest.face, 0.5, max(crown_height(share), _HATS) + (_CROWN + 0.1) * share)
     screen, _ = project(camera, faces)
     return pan(camera, float(screen[:, 0].min() + screen[:, 0].max() - 1) / 2 * film.aspect, 0.0)
 
@@ -239,7 +241,7 @@ def group_from(
     lens = min(lens, max(min(holds, sized), widest))
     crowns = np.arctan2([figure.crown[2] - eye[2] for figure in figures], apart)
     high = int(crowns.argmax())
-    crown = max(crown_height(float(heads[high]) / (2 * film.tangent(lens))), 0.1)
+    crown = max(crown_height(float(heads[high]) / (2 * film.tangent(lens))), _HATS)
     pitch = float(crowns[high]) - math.atan((1 - 2 * crown) * film.tangent(lens))
     way = np.array([math.sin(ahead), math.cos(ahead), math.tan(pitch)])
     distance = max(float((ways[:, :2] @ way[:2]).mean()), 0.6)

@@ -14,6 +14,8 @@ from storyblender.memory.vocabulary import Hand
 
 _HAND = 0.2
 """Metres: a hand and what is in it."""
+_AHEAD = 0.25
+"""Metres that a hand counts as further ahead of the hips, when it is asked from where it is seen."""
 _FEET = (0.5, 0.3)
 """Metres: width and height of two feet."""
 _EYES, _MOUTH = (0.08, 0.3), (-0.28, 0.25)
@@ -52,7 +54,9 @@ def detail_of(shot: ShotContext, moments: Sequence[Moment]) -> Box | None:
     yaw, (x, y, z) = math.radians(figure.yaw), figure.face
     if instruction.detail == "hand":
         x, y, z = _acting_hand(shot, figure, middle_of(moments).frame)
-        return Box(x, y, z - _HAND / 2, _HAND, _HAND, _HAND, yaw)
+        # A hand is seen from its own side: before the chest from the front, by the hip from the left or right.
+        out_x, out_y = x - figure.base[0] + _AHEAD * figure.forward[0], y - figure.base[1] + _AHEAD * figure.forward[1]
+        return Box(x, y, z - _HAND / 2, _HAND, _HAND, _HAND, math.atan2(out_x, -out_y))
     if instruction.detail == "feet":
         width, height = _FEET
         return Box(*figure.base, width, width, height, yaw)

@@ -43,7 +43,7 @@ _LOOMING = 1.2
 _GRID = (15, 8)
 """Columns and rows of the rays that look for what stands before everybody."""
 _FRONT = 0.08
-"""Share of the picture that a table or a counter before everybody may take."""
+"""Share of the picture that a table or a counter may take before them."""
 _STANDS, _TAKEN = 0.3, 0.3
 """Metres below which a thing stands on the floor; points for taking it away with a wall, and half a point a m3."""
 CLEARED = 0.3
@@ -106,12 +106,12 @@ def cost(brief: CameraBrief, take: Take) -> float:
 
 
 def _before(brief: CameraBrief, take: Take) -> float:
-    """Weigh what stands in the picture before its nearest person or thing; the middle third counts twice."""
+    """Weigh what stands in the picture nearer than its people are, or its things; the middle third counts twice."""
     faces = [figure.face for figure in brief.people] or [(box.x, box.y, box.z) for box in brief.things]
     if not faces or brief.instruction.kind in ("ots", "pov"):
         return 0.0
     camera, (columns, rows) = take.camera, _GRID
-    deep = max(float(project(camera, faces)[1].min()), 0.5) - _OWN
+    deep = max(float(project(camera, faces)[1].mean()), 0.5) - _OWN
     spots = camera.position + rays(camera, columns, rows) * deep
     taken = hidden(_solids(brief, take.hidden), camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3

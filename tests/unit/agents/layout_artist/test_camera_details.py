@@ -1,5 +1,7 @@
 """Inserts of a part of somebody: the hand that acts, not the face it belongs to."""
 
+import math
+
 import pytest
 from test_camera_operator import ANNA, TOM, brief
 
@@ -32,6 +34,13 @@ def test_the_hand_is_the_one_that_acts_or_holds_or_reaches_furthest() -> None:
     assert middle(detail_of(shot("hand", cues=(cue,)), moments)) == pytest.approx(LEFT)
     assert middle(detail_of(shot("hand", prop_states=(holds,)), moments)) == pytest.approx(LEFT)
     assert middle(detail_of(shot("hand"), moments)) == pytest.approx(RIGHT), "she looks to +X"
+
+
+def test_a_hand_by_the_hip_is_seen_from_its_side() -> None:
+    by_hip = Figure("anna", ANNA.face, ANNA.forward, ANNA.head, ANNA.base, ((-0.5, -0.5, 0.8), RIGHT))
+    cue = Cue(asset_id="anna", clip="pick_up", start=0, hand="L")
+    box = detail_of(shot("hand", cues=(cue,)), [Moment(0, (by_hip,))])
+    assert box is not None and 15 < math.degrees(box.yaw) < 60, "between her front, +X, and -Y"
 
 
 def test_eyes_are_above_the_mouth_and_feet_on_the_floor() -> None:
