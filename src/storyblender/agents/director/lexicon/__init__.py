@@ -101,7 +101,11 @@ def _cell(words: str) -> tuple[str, ...]:
 
 OVERRIDES = _overrides()
 OVERRIDDEN_PARTICLES = frozenset(
-    f"{verb} {particle}" for verb, rules in OVERRIDES.items() for rule in rules for particle in rule.particles
+    f"{verb} {particle}"
+    for verb, rules in OVERRIDES.items()
+    for rule in rules
+    if rule.objects != ("-",)
+    for particle in rule.particles
 )
 """Verb and particle pairs that have a rule: ``pull off``."""
 """Verb -> its rules, in order."""

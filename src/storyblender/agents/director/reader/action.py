@@ -112,6 +112,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     seen = entrances.subjects_enter(stage, clause, roles.subjects)
     if roles.subjects and (clause.main or not stage.sentence.subjects):
         stage.sentence.subjects = roles.subjects
+    if not roles.subjects and not stage.sentence.subjects:
+        _owner_is_subject(stage, clause)
     resolve_objects(stage, clause, roles, previous)
     followers = roles.people_after("by") if clause.verb in _FOLLOWED and not clause.object else []
     if followers:
@@ -132,6 +134,14 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if roles.subjects and motion:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
         entrances.leave(stage, clause, roles, motion)
+
+
+def _owner_is_subject(stage: Stage, clause: Clause) -> None:
+    """``Ling's goggles slip off. She goes on``: whose they are is who it is about."""
+    owner = next((stage.person(noun.owner) for noun in clause.subject if noun.owner), None)
+    if owner:
+        stage.sentence.subjects = [owner]
+        stage.mention(owner, 0.6)
 
 
 def _dress(stage: Stage, roles: Roles) -> None:

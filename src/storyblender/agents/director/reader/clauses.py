@@ -13,6 +13,8 @@ from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.tagging import PERCEIVING
 from storyblender.agents.director.reader.words import Word
 
+_SUBJECT_ONLY = frozenset({"he", "she", "they"})
+"""``At seven she pulls herself up``: no object of the preposition before."""
 _HYPOTHETICAL = frozenset({"if", "unless"})
 
 
@@ -165,6 +167,8 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
     before = builder.current
     if before is not None and left.kind == "verb" and before.verb in _ENDINGS and before.index == left.first:
         return True
+    if before is not None and left.kind == "verb" and before.index == left.first and (before.negated or before.unreal):
+        return True
     if left.kind != "preposition":
         return False
     if left.text == "without" or (left.text == "to" and before and before.verb in _WISHES):
@@ -196,8 +200,12 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     clause, left = builder.current, builder.phrases[index - 1] if index else None
     listed = left is not None and (left.kind == "mark" or (left.kind == "link" and left.text == "and"))
     linked = left is not None and left.kind in ("link", "mark")
+    if noun.head in _SUBJECT_ONLY:
+        builder.preposition = ""
     starts_clause = not builder.preposition and (
-        clause is None or (linked and (_verb_follows(builder.phrases, index) or _is_absolute(builder.phrases, index)))
+        clause is None
+        or noun.head in _SUBJECT_ONLY
+        or (linked and (_verb_follows(builder.phrases, index) or _is_absolute(builder.phrases, index)))
     )
     if starts_clause:
         builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]

@@ -68,6 +68,8 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
         return []
     if mention.head in ("animal", "beast", "creature"):
         return sorted((p for p in stage.on_stage() if _is_neuter(p)), key=stage.presence)[-1:]
+    if mention.head in lexicon.ANIMALS:
+        return []
     gender = lexicon.gender_of_word(mention.head)
     young = mention.head in lexicon.YOUNG_NOUNS
     pool = [
@@ -275,7 +277,10 @@ def resolve(
 ) -> Referents:
     """Decide who or what a noun phrase means, and keep it for the record; ``place``: after a preposition of place."""
     if noun.kind == "person" and noun.mention:
-        return Referents(_resolve_person(stage, noun, noun.mention))
+        people = _resolve_person(stage, noun, noun.mention)
+        if people or noun.head not in lexicon.PROPS:
+            return Referents(people)
+        return Referents([], stage.inventory.id_of(noun.head, stage.sentence.words[noun.index].start))
     if place and noun.head == "it" and not any(_is_neuter(person) for person in previous):
         return remember(stage, noun.index, Referents([], _it_there(stage, noun.index)))
     if noun.kind == "thing" and noun.head in _SIDES and noun.determiner == "the" and noun.owner is None:

@@ -21,6 +21,7 @@ _TO_PLACES = _GOING - {"aim", "shoot"} | {"look"}
 """Motions that may go to a piece of scenery."""
 _MUTUAL = frozenset({"hug", "kiss", "shake_hands", "fight", "dance"})
 _PAIRING = frozenset({"walk", "hug", "kiss", "run", "touch", "shake_hands"})
+_QUALITIES = lexicon.ADJECTIVES | lexicon.words("manner")
 _EACH_OTHER = re.compile(r"each other|one another")
 _TRAVEL = frozenset({"walk", "run", "sneak", "crawl", "stagger", "climb"})
 _SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
@@ -82,7 +83,7 @@ def _only_a_pose(clause: Clause, roles: Roles, motion: str) -> bool:
 
 def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tuple[str | None, str | None]:
     """Whom or what a motion is for, and the thing used: ``gives Ben the folder`` -> Ben, folder."""
-    thing = roles.things[0] if roles.things else None
+    thing = next((thing for thing in roles.things if stage.inventory.head(thing) not in _QUALITIES), None)
     if motion == "give":
         return _receiver(stage, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)
     owner = _owner_of_part(stage, clause, roles)

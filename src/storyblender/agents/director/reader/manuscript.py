@@ -95,6 +95,7 @@ def without_quotations(text: str) -> str:
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
     """Lay out a screenplay for reading."""
     paragraphs: list[Paragraph] = []
+    shouted = _is_all_capitals(screenplay)
     for index, element in enumerate(screenplay.elements):
         kind = _KINDS.get(element.kind)
         last = paragraphs[-1] if paragraphs else None
@@ -105,10 +106,27 @@ def open_manuscript(screenplay: Screenplay) -> Manuscript:
             and _only_comment(screenplay.text[last.end : element.start])
         ):
             joined = element.model_copy(update={"start": last.start, "text": f"{last.text} {element.text}"})
-            paragraphs[-1] = _paragraph(screenplay, last.element, joined, kind)
+            paragraphs[-1] = _paragraph(screenplay, last.element, joined, kind, shouted)
         elif kind:
-            paragraphs.append(_paragraph(screenplay, index, element, kind))
+            paragraphs.append(_paragraph(screenplay, index, element, kind, shouted))
     return Manuscript(screenplay, paragraphs)
+
+
+def _is_all_capitals(screenplay: Screenplay) -> bool:
+    """Whether a script writes all its action in capitals."""
+    told = [element.text for element in screenplay.elements if element.kind == "action" and " " in element.text.strip()]
+    return bool(told) and not any(letter.islower() for text in told for letter in text)
+
+
+def _lowered(text: str, screenplay: Screenplay) -> str:
+    """Action in capitals as it is usually written: only those who speak keep theirs."""
+    names = {word for element in screenplay.elements if element.kind == "cue" for word in element.name.split()}
+
+    def write(match: re.Match[str]) -> str:
+        word = match.group(0)
+        return word if word in names or len(word.lower()) != len(word) else word.lower()
+
+    return re.sub(r"[^\W\d_]+", write, text)
 
 
 def _only_comment(between: str) -> bool:
@@ -116,8 +134,9 @@ def _only_comment(between: str) -> bool:
     return between.strip() != "" and not blanked(_MARKUP, between).strip() and not re.search(r"\n\s*\n", between)
 
 
-def _paragraph(screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind) -> Paragraph:
+def _paragraph(screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind, shouted: bool) -> Paragraph:
     raw = blanked(_MARKUP, screenplay.text[element.start : element.end])
+    raw = _lowered(raw, screenplay) if shouted and kind == "action" else raw
     paragraph = Paragraph(
         kind, index, element.start, element.end, element.text, raw, element.name, element.extension, element.dual,
         element.scene_number, body=raw,

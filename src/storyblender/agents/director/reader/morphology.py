@@ -18,6 +18,10 @@ class VerbForm(NamedTuple):
     kind: FormKind
 
 
+_SHORT = re.compile(r"[^aeiouy]+[aeiou][bdgmnprt]$")
+"""One short vowel, one consonant: the consonant is doubled."""
+
+
 def third_person(verb: str) -> str:
     """``watch`` -> ``watches``, ``carry`` -> ``carries``."""
     if re.search(r"(s|x|z|ch|sh|o)$", verb):
@@ -29,7 +33,7 @@ def past_tense(verb: str) -> str:
     """``take`` -> ``took``, ``stop`` -> ``stopped``."""
     if verb in lexicon.IRREGULAR_PAST:
         return lexicon.IRREGULAR_PAST[verb]
-    if verb in lexicon.DOUBLING:
+    if verb in lexicon.DOUBLING or _SHORT.match(verb):
         return verb + verb[-1] + "ed"
     if verb.endswith("e"):
         return verb + "d"
@@ -40,7 +44,7 @@ def present_participle(verb: str) -> str:
     """``lie`` -> ``lying``, ``sit`` -> ``sitting``."""
     if verb in ("lie", "die"):
         return verb[:-2] + "ying"
-    if verb in lexicon.DOUBLING_ING:
+    if verb in lexicon.DOUBLING_ING or _SHORT.match(verb):
         return verb + verb[-1] + "ing"
     return verb + "ing" if verb.endswith("ee") or not verb.endswith("e") else verb[:-1] + "ing"
 

@@ -20,19 +20,26 @@ _SMALL = (
     | lexicon.DETERMINERS
     | lexicon.POSSESSIVES
 )
-_MODALS = frozenset({"would", "will", "should", "might", "may", "must", "wo", "'ll", "'d"})
+_MODALS = frozenset(
+    {"can", "could", "cannot", "ca", "dare", "would", "will", "should", "might", "may", "must", "wo", "'ll", "'d"}
+)
 _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
 _BARE = lexicon.ADJECTIVES | lexicon.words("manner")
 """``breathes hard``, ``stops dead``, ``lands flat``: alone they are no nouns."""
+_QUALITIES = (
+    lexicon.ADJECTIVES | lexicon.BUILD | lexicon.HAIR | lexicon.FACE | lexicon.VARIANT_WORDS | {"poor", "same", "other"}
+)
 _NO_QUALITY = frozenset({"set_piece", "prop", "scenery", "body", "abstract"})
 _COPULAS = lexicon.words("copulas")
 _PARTS = lexicon.words("parts")
 """``the handle of the mop`` is the mop."""
 _SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
 _SOME_OF = frozenset({"one", "some", "both", "each", "all", "none", "most", "another", "two", "half"})
+_NOBODY = frozenset({"we", "i", "you"})
+"""``We see``: the audience."""
 _SUBJECT_PRONOUNS = frozenset({"he", "she", "they", "it", "i", "you", "we"})
 
 
@@ -101,6 +108,8 @@ def _pronoun(words: list[Word], at: int) -> Phrase | None:
             return Phrase("noun", at, inner, noun=NounPhrase("person", inner, mention.head, mention=mention))
     if word.inserted:
         return Phrase("noun", at, at, noun=NounPhrase("pronoun", at, ""))
+    if word.low in _NOBODY:
+        return Phrase("noun", at, at, noun=NounPhrase("thing", at, word.low, word.low))
     if word.low not in lexicon.PRONOUNS or word.low in ("his", "its", "their"):
         return None
     if word.low == "her" and at + 1 < len(words):
@@ -168,7 +177,8 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES)
     ):
         end += 1
-    leads = any(_is_thing(word) for word in words[first:end])
+    name = end < len(words) and words[end].mention is not None and words[end].named and words[end].text[0].isupper()
+    leads = any(_is_thing(word) or (name and not _describes(word)) for word in words[first:end])
     if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at) and not leads:
         noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]
         noun.determiner = determiner
@@ -187,6 +197,15 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         "thing", head, noun, key, possessor=possessor, plural=noun != words[head].low, determiner=determiner
     )
     return Phrase("noun", at, head, noun=thing)
+
+
+def _describes(word: Word) -> bool:
+    """Whether a word can stand between an article and a name: ``the unlucky Ben``, ``a YOUNG OFFICER``."""
+    return (
+        word.text.isupper()
+        or word.low in _QUALITIES
+        or re.search(r"(ed|ing|y|ful|less|ous|ish)$", word.low) is not None
+    )
 
 
 def _is_thing(word: Word) -> bool:
@@ -216,6 +235,7 @@ def _in_noun_phrase(word: Word) -> bool:
         and word.low not in _SMALL
         and word.low not in lexicon.ADVERBS
         and word.low not in lexicon.PRONOUNS
+        and word.low not in _NOBODY
         and not word.low.endswith("ly")
     )
 

@@ -107,9 +107,10 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
         last = named[0][1] if alone and not gendered else None
     for person in roster.people:
         count = votes[person.id]
-        if (person.gender == "unknown" or lexicon.UNISEX & set(person.aliases)) and count:
+        unisex = bool(lexicon.UNISEX & set(person.aliases))
+        if (person.gender == "unknown" or unisex) and count:
             gender, most = count.most_common(1)[0]
-            if most > 0.6 * count.total():
+            if most > 0.6 * count.total() and (person.gender == "unknown" or most > 1):
                 person.gender = _as_gender(gender)
 
 

@@ -37,6 +37,7 @@ _THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
 _ATTACHING, _SURFACES, _GAZE = lexicon.words("attaching"), lexicon.words("surfaces"), lexicon.words("gaze")
 _BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
 """Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
+_COMING_TO_REST, _WHERE = lexicon.words("coming_to_rest"), ("on", "in", "into", "onto", "under", "behind", "beneath")
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _OPENINGS = frozenset({"door", "window", "gate"})
 _FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
@@ -78,9 +79,9 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             found += _placed(stage, clause, place, located)
     elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
         found += _onto(roles, located)
-    elif located and motion == "fall":
+    elif located and (motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST)):
         for place in roles.places:
-            found += _placed(stage, clause, place, located) if place.preposition in ("on", "in", "into", "onto") else []
+            found += _placed(stage, clause, place, located) if place.preposition in _WHERE else []
     elif roles.subjects and clause.verb not in _GAZE and not moved:
         for place in roles.places:
             if place.preposition in _BESIDE and (place.people or not roles.things):

@@ -13,6 +13,17 @@ from storyblender.agents.director.reader.words import Word
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
 _NO_FRAGMENT = frozenset({"of", "with", "to", "as"})
+_TO_AND_FRO = frozenset(
+    {
+        ("up", "down"),
+        ("back", "forth"),
+        ("to", "fro"),
+        ("in", "out"),
+        ("round", "round"),
+        ("over", "over"),
+        ("on", "on"),
+    }
+)
 _LOOK_AHEAD = 16
 """Words an apposition may take."""
 
@@ -26,6 +37,7 @@ def regularise(words: list[Word]) -> list[Word]:
     Returns:
         The words in the order they are to be read; only inserted words are new.
     """
+    words = _without_pairs(words)
     row = Row()
     at = 0
     while at < len(words):
@@ -52,6 +64,13 @@ def regularise(words: list[Word]) -> list[Word]:
     if row.last_kind == "3sg":
         as_participles(regular)
     return regular
+
+
+def _without_pairs(words: list[Word]) -> list[Word]:
+    """``up and down``, ``back and forth`` are adverbs, no directions."""
+    low = [word.low for word in words]
+    pairs = [i for i in range(len(low) - 2) if low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO]
+    return [word for i, word in enumerate(words) if not any(0 <= i - at < 3 for at in pairs)]
 
 
 def _renames(before: list[Word], words: list[Word], at: int) -> bool:

@@ -41,8 +41,9 @@ _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = _THINGS | lexicon.WORN
+_SOLID, _ANY_NOUNS = lexicon.SET_PIECES | lexicon.PROPS, _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
 _BEFORE_INFINITIVE = frozenset(
-    {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "let"}
+    {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "cannot", "let"}
 )
 PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
@@ -145,13 +146,13 @@ def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
     told = listed and word.low not in lexicon.ADJECTIVES and not row.last_kind
     if form is None or (form.kind == "past" and (listed or after_noun) and right not in _OBJECTS and not told):
         return None
-    known_noun = form.kind == "3sg" and singular(word.low) in _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
+    known_noun = form.kind == "3sg" and singular(word.low) in _ANY_NOUNS
     return None if known_noun and not after_person else form
 
 
 def _guessed(word: Word) -> VerbForm | None:
     if re.search(r"[^s]s$", word.low):
-        known_noun = singular(word.low) in _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
+        known_noun = singular(word.low) in _ANY_NOUNS
         return None if known_noun else VerbForm(guess_lemma(word.low), "3sg")
     return VerbForm(word.low[:-2], "past") if word.low.endswith("ed") else None
 
@@ -321,7 +322,7 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
     if form.kind == "past" and word.low in _THINGS and not _does_something(words, at):
         return None
     after = words[at + 1].low if at + 1 < len(words) else ""
-    modifies = form.kind in ("ing", "pp") and after in lexicon.SET_PIECES | lexicon.PROPS and at > 0
+    modifies = form.kind in ("ing", "pp") and after in _SOLID and at > 0
     return None if modifies and before in lexicon.PREPOSITIONS else form
 
 
