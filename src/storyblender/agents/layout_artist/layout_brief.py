@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
@@ -10,7 +11,10 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSetup
-from storyblender.memory.shot_context import BodyState
+from storyblender.memory.shot_context import BodyState, ShotContext
+
+_RESTING = ("idle", "stand", "wait", "sit", "lean")
+"""Motions of people who are somewhere and do nothing else."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +35,7 @@ class LayoutBrief:
         seed: For the solver.
         placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it.
         handlers: Who takes a thing into their hands, in their order, by the thing's asset id.
+        company: Who stands with whom as the scene begins: companion to the one the script places.
     """
 
     scene_id: int
@@ -46,6 +51,7 @@ class LayoutBrief:
     seed: int = 0
     placements: Mapping[str, str] = field(default_factory=dict)
     handlers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    company: Mapping[str, str] = field(default_factory=dict)
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -123,4 +129,21 @@ def layout_brief(
         seed=graph.format.seed,
         placements=placements or {},
         handlers=handlers,
+        company=_company(graph, first) if first is not None else {},
     )
+
+
+def _company(graph: ContinuityMemoryGraph, first: ShotContext) -> dict[str, str]:
+    """Return who stands with whom: ``stands at the piano with the two soldiers``."""
+    names = {asset.asset_id: asset.name for asset in graph.assets if asset.asset_id in first.on_stage}
+    found: dict[str, str] = {}
+    for action in first.character_actions:
+        named = re.search(r"\bwith (.+)", action.action_description.lower())
+        if named is None or action.motion not in _RESTING:
+            continue
+        words = {word.removesuffix("s") for word in re.findall(r"[^\W\d_]+", named[1])}
+        for asset_id, name in names.items():
+            own = [word.lower().removesuffix("s") for word in re.findall(r"[^\W\d_]+", name)]
+            if asset_id != action.asset_id and words & set(own[:1] + own[-1:]):
+                found.setdefault(asset_id, action.asset_id)
+    return found

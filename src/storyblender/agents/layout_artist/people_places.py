@@ -7,16 +7,18 @@ import math
 import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
-from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
+from storyblender.agents.layout_artist.layout_things import PERSON, anchors_of, seat_box
 from storyblender.agents.layout_artist.object_places import angles_of
-from storyblender.geometry.boxes import facing, separation, wrapped
-from storyblender.geometry.relations import BEARING, Thing, slid
+from storyblender.geometry.boxes import Box, facing, separation, wrapped
+from storyblender.geometry.relations import BEARING, Thing
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import BodyState
 
 TALK = 1.15
 """Metres between people who talk."""
+_SHOULDERS = 0.8
+"""Metres between people who stand side by side."""
 _CHEAT = math.radians(16)
 """How far a talker turns towards the audience."""
 _ALONE = 1.5
@@ -36,14 +38,17 @@ def place_people(stage: Stage) -> None:
             _sit(stage, state)
     for state in states.values():
         relation = relations.get(state.asset_id)
-        anchor = stage.find(state.support_id if state.posture == "lean" else None)
+        leaned_on = state.support_id if state.posture == "lean" else None
+        carried = relation is not None and stage.brief.placements.get(leaned_on or "") == "surface"
+        anchor = stage.find(None if carried else leaned_on)  # who leans on a stick by the boat is by the boat
         anchor = anchor or (stage.find(relation.anchor_asset_id) if relation is not None else None)
         if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
             _stand_at(stage, state.asset_id, anchor, relation)
-    for relation in relations.values():
-        company = stage.things.get(relation.anchor_asset_id)
-        if relation.asset_id not in stage.things and company is not None and company.walks:
-            _accompany(stage, relation.asset_id, company)
+    company = {**stage.brief.company, **{each: relation.anchor_asset_id for each, relation in relations.items()}}
+    for member in (each for each in states if each not in stage.things):
+        other = stage.things.get(company.get(member, ""))
+        if other is not None and other.walks:
+            _accompany(stage, member, other)
     for members in _groups(stage, list(states)):
         _gather(stage, members)
     _look_at_each_other(stage)
@@ -115,12 +120,7 @@ def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
 def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | None) -> None:
     """Stand at, behind, before or beside something, on the side that has room; beside it, turned to the audience."""
     kind = relation.kind if relation is not None else "at"
-    places = []
-    for angle in angles_of(kind, anchor.box):
-        box = stage.box(asset_id, anchor.box.x + math.cos(angle), anchor.box.y + math.sin(angle), 0.0)
-        box.turn_to(facing(-math.cos(angle), -math.sin(angle)))
-        box.x, box.y = slid(box, anchor.box, 0.25, angle)
-        places.append(box)
+    places = [box for angle in angles_of(kind, anchor.box) for box in _along_side(stage, asset_id, anchor.box, angle)]
     room = stage.clearance(np.array([(box.x, box.y) for box in places]))
     x_min, x_max, y_min, y_max = stage.room
     outside = [not (x_min < box.x < x_max and y_min < box.y < y_max) for box in places]
@@ -134,6 +134,18 @@ def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | N
         box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
     looks = "facing" if kind in ("at", "facing", "in_front_of", "behind") else None
     stage.add(Thing(asset_id, box, anchor=anchor.name, relationship=side, direction=looks, walks=True), asset_id)
+
+
+def _along_side(stage: Stage, asset_id: str, base: Box, angle: float) -> list[Box]:
+    """Return places before one side of something, its middle first: several people stand side by side at a bar."""
+    out, along = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    spare = max(base.reach(along) - PERSON[0] / 2, 0.0)
+    steps = [0.0, *(side * step for step in np.arange(_SHOULDERS, spare + 1e-6, _SHOULDERS) for side in (1, -1))]
+    yaw, off = facing(-out[0], -out[1]), base.reach(out) + 0.25 + PERSON[1] / 2
+    return [
+        stage.box(asset_id, base.x + out[0] * off + along[0] * step, base.y + out[1] * off + along[1] * step, 0.0, yaw)
+        for step in steps
+    ]
 
 
 def _towards_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:

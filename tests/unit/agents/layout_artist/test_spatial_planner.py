@@ -3,15 +3,16 @@ import math
 
 import pytest
 
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief
+from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules, plan_layout
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
-from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.asset_sheet import Anchor, Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
-from storyblender.memory.scene_context import Environment, Layout, LayoutObject, Relation, SceneSetup
-from storyblender.memory.shot_context import BodyState
+from storyblender.memory.scene_context import Environment, Layout, LayoutObject, Relation, SceneContext, SceneSetup
+from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, ShotContext
 
 SEAT = Anchor(kind="seat", location=(0, -0.24, 0.46), size=(0.46, 0.45))
 DESK = Anchor(kind="top", location=(0, -0.05, 0.76), size=(1.2, 0.4))
@@ -45,6 +46,7 @@ MEASURES = {
         measure("cat", 0.2, 0.45, 0.3),
         measure("wardrobe", 1.2, 0.6, 2.0),
         measure("bar", 2.4, 0.6, 1.1),
+        measure("stick", 0.1, 0.03, 0.9),
         measure("suitcase", 0.68, 0.22, 0.5),
         measure("bench", 1.5, 0.42, 0.46, anchors=BENCH),
     )
@@ -214,3 +216,36 @@ def test_who_stands_with_somebody_stands_at_their_shoulder() -> None:
     at = solved(brief(dressed=(counter,), relations=relations, people=["ana", "ben", "cal", "dee"]))
     for name in ("ben", "cal"):
         assert math.dist(at[name].location, at["ana"].location) < 1.3
+
+
+def test_two_at_a_bar_stand_side_by_side_before_it() -> None:
+    counter = LayoutObject(node_id="bar", asset_id="bar", location=(0, 1.6, 0), fixed=True)
+    at = solved(
+        brief(dressed=(counter,), relations=[("ana", "at", "bar"), ("ben", "at", "bar")], people=["ana", "ben"])
+    )
+    assert all(at[name].location[1] < 1.3 for name in ("ana", "ben"))
+    assert math.dist(at["ana"].location, at["ben"].location) == pytest.approx(0.8, abs=0.15)
+
+
+def test_who_leans_on_a_stick_by_the_table_is_by_the_table() -> None:
+    leaning = BodyState(asset_id="ana", posture="lean", support_id="stick")
+    table = LayoutObject(node_id="table", asset_id="table", location=(-1.6, 1.2, 0), fixed=True)
+    view = brief(["stick"], [("ana", "next_to", "table")], [leaning, "ben"], dressed=(table,))
+    at = solved(LayoutBrief(**{**view.__dict__, "placements": {"stick": "surface"}}))
+    assert at["ana"].anchor_asset_id == "table"
+
+
+def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None:
+    people = [
+        Asset(asset_id=each, asset_type="character", description="", name=each.title())
+        for each in ("ana", "ben", "cal")
+    ]
+    action = CharacterAction(asset_id="ana", action_description="stands at the bar with old Ben", motion="idle")
+    camera = CameraInstruction(focus_on_ids=("ana",))
+    shot = ShotContext(
+        scene_id=1, shot_id=1, on_stage=("ana", "ben", "cal"), character_actions=(action,), camera_instruction=camera
+    )
+    graph = ContinuityMemoryGraph(
+        assets=tuple(people), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(shot,)
+    )
+    assert layout_brief(graph, 1, plan()).company == {"ben": "ana"}
