@@ -65,13 +65,16 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
         engine: Looks and measures.
         packs: The scenes as built.
     """
+    waiting = [
+        (_Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
+    ]
     sights: dict[str, ShotSight] = {}
     collisions: list[Collision] = []
     drift = 0.0
-    for pack in packs:
-        sights |= _sights(graph, engine, pack)
-        collisions += engine.find_collisions(pack).result()
-        drift = max(drift, engine.measure_drift(pack).result())
+    for sighting, hits, drifted in waiting:
+        sights |= sighting.seen()
+        collisions += hits.result()
+        drift = max(drift, drifted.result())
     findings: list[str] = []
     rows = [
         _layout_row(graph, findings),
@@ -87,17 +90,22 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
     return Inspection(rows=tuple(rows), findings=tuple(plain(finding, names) for finding in findings))
 
 
-def _sights(graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) -> dict[str, ShotSight]:
-    shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
-    film = Film(graph.format.sensor_width, graph.format.aspect)
-    requests = [_request(shot, film) for shot in shots]
-    views = engine.look(pack, requests, graph.format.aspect).result() if requests else []
-    frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
-    figures = engine.read_figures(pack, frames).result() if requests else []
-    return {
-        shot_name(shot.scene_id, shot.shot_id): ShotSight(view=view, figures=tuple(faces))
-        for shot, view, faces in zip(shots, views, figures, strict=True)
-    }
+class _Sighting:
+    """What every camera of a scene sees at its story moment, asked for and not yet answered."""
+
+    def __init__(self, graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) -> None:
+        shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
+        film = Film(graph.format.sensor_width, graph.format.aspect)
+        requests = [_request(shot, film) for shot in shots]
+        frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
+        self._names = [shot_name(shot.scene_id, shot.shot_id) for shot in shots]
+        self._views = engine.look(pack, requests, graph.format.aspect)
+        self._figures = engine.read_figures(pack, frames)
+
+    def seen(self) -> dict[str, ShotSight]:
+        """Return the sight of every shot by name."""
+        answers = zip(self._names, self._views.result(), self._figures.result(), strict=True)
+        return {name: ShotSight(view=view, figures=tuple(faces)) for name, view, faces in answers}
 
 
 def _request(shot: ShotContext, film: Film) -> ViewRequest:

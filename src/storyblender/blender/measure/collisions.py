@@ -7,6 +7,7 @@ they hold things.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 
 import bpy
 import numpy as np
@@ -19,6 +20,8 @@ from storyblender.memory.measure import Collision
 
 TOLERANCE = 0.03
 """Metres: cushions and cloth give way this far."""
+STILL = 0.01
+"""Metres: a body that moved less since it was tested is where it was."""
 EVERY = 4
 """Every which skin vertex is tested."""
 _HANDS = ("hand.", "thumb.", "index1.", "index2.", "fingers1.", "fingers2.")
@@ -26,6 +29,28 @@ _PROBES = (Vector((0.06, 0.11, 1.0)), Vector((1.0, 0.07, 0.05)), Vector((0.05, 1
 """Directions of the parity rays, a little off the axes so that they do not graze edges."""
 
 Floats = NDArray[np.float64]
+
+
+class _Thing:
+    """A thing that stands: its surface and its bounds, in its own space."""
+
+    def __init__(self, obj: bpy.types.Object) -> None:
+        self.obj, self.node_id = obj, str(obj["node_id"])
+        self._local = np.array(obj.matrix_world.inverted())
+        corners = np.array(obj.bound_box)
+        self._low, self._high = corners.min(axis=0) + TOLERANCE, corners.max(axis=0) - TOLERANCE
+
+    @cached_property
+    def _tree(self) -> BVHTree:
+        mesh = self.obj.data
+        points, faces = [vertex.co.copy() for vertex in mesh.vertices], [tuple(face.vertices) for face in mesh.polygons]
+        return BVHTree.FromPolygons(points, faces)
+
+    def depth(self, skin: Floats) -> float:
+        """Return how far the deepest of some points in the world is under the surface, metres; 0 if none is."""
+        points = skin @ self._local[:3, :3].T + self._local[:3, 3]
+        near = points[((points > self._low) & (points < self._high)).all(axis=1)]
+        return max((_depth(self._tree, Vector(point)) for point in near), default=0.0)
 
 
 def find_collisions(
@@ -37,20 +62,25 @@ def find_collisions(
         scene: The packed scene, in the window.
         bodies: Person's asset id to body.
         frames: Shot name to its timeline frames.
-        step: Frames between the tests.
+        step: Frames between the tests; who has kept still since the last one is not tested again.
     """
-    things = [obj for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None]
-    trees = {obj.name: BVHTree.FromPolygons(*_polygons(obj.data)) for obj in things}
+    scene.frame_set(min((span.start for span in frames.values()), default=scene.frame_start))
+    things = [_Thing(obj) for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None]
     rigs = {str(obj["asset_id"]): obj for obj in scene.objects if obj.type == "ARMATURE"}
     worst: dict[tuple[str, str, str], Collision] = {}
     for shot, span in frames.items():
+        tested: dict[str, Floats] = {}
         for frame in range(span.start, span.stop, step):
             scene.frame_set(frame)
             for asset_id, body in bodies.items():
                 rig = rigs.get(asset_id)
                 if rig is None or rig.hide_render:
                     continue
-                for collision in _of_person(shot, frame - span.start, asset_id, posed_skin(rig, body), things, trees):
+                skin = posed_skin(rig, body)
+                if asset_id in tested and np.abs(skin - tested[asset_id]).max() < STILL:
+                    continue
+                tested[asset_id] = skin
+                for collision in _of_person(shot, frame - span.start, asset_id, skin, things):
                     key = (shot, asset_id, collision.node_id)
                     if key not in worst or collision.depth > worst[key].depth:
                         worst[key] = collision
@@ -61,36 +91,18 @@ def posed_skin(rig: bpy.types.Object, body: Body) -> Floats:
     """Return (n, 3) world positions of every EVERYth skin vertex that is not on a hand."""
     hands = np.array([name.startswith(_HANDS) for name in body.bone_names])
     free = np.flatnonzero(body.weights[:, hands].sum(axis=1) < 0.1)[::EVERY]
-    world = np.array(rig.matrix_world)
-    matrices = np.stack(
-        [
-            world @ np.array(rig.pose.bones[name].matrix) @ np.linalg.inv(rest)
-            for name, rest in zip(body.bone_names, body.rest, strict=True)
-        ]
-    )
+    poses = np.array([rig.pose.bones[name].matrix for name in body.bone_names])
+    matrices = np.array(rig.matrix_world) @ poses @ np.linalg.inv(body.rest)
     blended = np.einsum("vb,bij->vij", body.weights[free], matrices)
     points = np.c_[body.vertices[free], np.ones(len(free))]
     return np.einsum("vij,vj->vi", blended, points)[:, :3]
 
 
-def _of_person(
-    shot: str,
-    frame: int,
-    asset_id: str,
-    skin: Floats,
-    things: list[bpy.types.Object],
-    trees: Mapping[str, BVHTree],
-) -> Iterator[Collision]:
+def _of_person(shot: str, frame: int, asset_id: str, skin: Floats, things: list[_Thing]) -> Iterator[Collision]:
     for thing in things:
-        if thing.hide_render:
-            continue
-        local = np.array(thing.matrix_world.inverted())
-        points = skin @ local[:3, :3].T + local[:3, 3]
-        low, high = np.array(thing.bound_box).min(axis=0), np.array(thing.bound_box).max(axis=0)
-        near = points[((points > low + TOLERANCE) & (points < high - TOLERANCE)).all(axis=1)]
-        depth = max((_depth(trees[thing.name], Vector(point)) for point in near), default=0.0)
+        depth = 0.0 if thing.obj.hide_render else thing.depth(skin)
         if depth > TOLERANCE:
-            yield Collision(shot=shot, frame=frame, asset_id=asset_id, node_id=str(thing["node_id"]), depth=depth)
+            yield Collision(shot=shot, frame=frame, asset_id=asset_id, node_id=thing.node_id, depth=depth)
 
 
 def _depth(tree: BVHTree, point: Vector) -> float:
@@ -98,8 +110,9 @@ def _depth(tree: BVHTree, point: Vector) -> float:
     nearest = tree.find_nearest(point)[3]
     if nearest is None or nearest <= TOLERANCE:
         return 0.0
-    odd = sum(_walls(tree, point, direction) % 2 for direction in _PROBES)
-    return float(nearest) if odd >= 2 else 0.0
+    first, second = (_walls(tree, point, direction) % 2 for direction in _PROBES[:2])
+    inside = first if first == second else _walls(tree, point, _PROBES[2]) % 2
+    return float(nearest) if inside else 0.0
 
 
 def _walls(tree: BVHTree, point: Vector, direction: Vector) -> int:
@@ -111,7 +124,3 @@ def _walls(tree: BVHTree, point: Vector, direction: Vector) -> int:
         count += 1
         origin = hit + direction.normalized() * 1e-4
     return count
-
-
-def _polygons(mesh: bpy.types.Mesh) -> tuple[list[Vector], list[tuple[int, ...]]]:
-    return [vertex.co.copy() for vertex in mesh.vertices], [tuple(face.vertices) for face in mesh.polygons]
