@@ -55,10 +55,22 @@ class FlatFrame:
 
 @dataclass(frozen=True)
 class _Low:
-    """What is lit of a frame: every second pixel each way, because light is smooth."""
+    """What is lit of a frame: every second pixel each way, because light is smooth.
+
+    Attributes:
+        view: The camera, at this size.
+        depth: (h, w).
+        rays: (h, w, 3).
+        positions: (h, w, 3) world.
+        albedo: (h, w, 3).
+        coverage: (h, w).
+        moving: (h, w).
+    """
 
     view: View
     depth: Image
+    rays: Image
+    positions: Image
     albedo: Image
     coverage: Image
     moving: Mask
@@ -107,8 +119,10 @@ class MovingLight:
             window, held = frame.view.whole, None
         step = frame.view.width // low.view.width
         part = window.reduced(step)
-        self._held = held = self._worked_out(low, chosen, part, held)
-        light = held.light[part.cut] * _contact(low, part)[..., None]
+        normal = normals_of(low.positions[part.cut], low.depth[part.cut], low.rays[part.cut])
+        self._held = held = self._worked_out(low, chosen, part, normal, held)
+        contact = 0.35 + 0.65 * ambient_occlusion(low.depth, low.view, low.positions, normal, part)
+        light = held.light[part.cut] * contact[..., None]
         layers = np.concatenate([light, held.through[part.cut], held.added[part.cut]], axis=2)
         if step > 1:
             planes = np.ascontiguousarray(np.moveaxis(layers, 2, 0))
@@ -116,16 +130,18 @@ class MovingLight:
         light, through, added = layers[..., :3], layers[..., 3:4], layers[..., 4:]
         return window, (frame.albedo[window.cut] * light + frame.glow[window.cut]) * through + added
 
-    def _worked_out(self, frame: _Low, lamps: tuple[Light, ...], window: Window, held: _Held | None) -> _Held:
-        """Light what has changed in the window; take the rest from before."""
-        rays, depth = frame.view.cropped(window).rays(), frame.depth[window.cut]
+    def _worked_out(
+        self, frame: _Low, lamps: tuple[Light, ...], window: Window, normal: Image, held: _Held | None
+    ) -> _Held:
+        """Light what has changed in the window, given its normals; take the rest from before."""
+        depth = frame.depth[window.cut]
         changed = np.ones(depth.shape, bool)
         if held is not None:
             before = held.depth[window.cut]
             changed = frame.moving[window.cut] | (np.abs(depth - before) > _SAME * before)
-        positions = rays * depth[..., None] + frame.view.eye.astype(np.float32)
-        normal = _smooth(normals_of(positions, depth, rays), depth)[changed][:, None]
-        places, rays, depth = positions[changed][:, None], rays[changed][:, None], depth[changed][:, None]
+        normal = _smooth(normal, depth)[changed][:, None]
+        parts = (frame.positions[window.cut], frame.rays[window.cut], depth)
+        places, rays, depth = (part[changed][:, None] for part in parts)
         fields = [light_field(lamp, places, normal) for lamp in lamps]
         open_air = np.ones(depth.shape, np.float32)
         light = total(fields, ambient_light(self._plan, self._roofed, normal, open_air))
@@ -156,16 +172,13 @@ class MovingLight:
 def _reduced(frame: FlatFrame) -> _Low:
     """Return the frame at half its size, or whole where its size is odd."""
     step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
-    parts = (every(part, step) for part in (frame.depth, frame.albedo, frame.coverage, frame.moving))
-    return _Low(frame.view.reduced(step), *parts)
-
-
-def _contact(frame: _Low, window: Window) -> Image:
-    """Return the dark of corners and of what stands on the ground."""
-    rays = frame.view.rays()
-    positions = rays * frame.depth[..., None] + frame.view.eye.astype(np.float32)
-    normal = normals_of(positions, frame.depth, rays)
-    return 0.35 + 0.65 * ambient_occlusion(frame.depth, frame.view, positions, normal, window)
+    view = frame.view.reduced(step)
+    depth, albedo, coverage, moving = (
+        every(part, step) for part in (frame.depth, frame.albedo, frame.coverage, frame.moving)
+    )
+    rays = view.rays()
+    positions = rays * depth[..., None] + view.eye.astype(np.float32)
+    return _Low(view, depth, rays, positions, albedo, coverage, moving)
 
 
 def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:

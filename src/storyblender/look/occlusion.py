@@ -23,14 +23,14 @@ def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image,
         depth: (h, w) metres, at the resolution of the light.
         view: The camera, at this size.
         positions: (h, w, 3) world.
-        normal: (h, w, 3) world, float32.
+        normal: (h, w, 3) world, float32; of the window only.
         window: The part to work out; None is the whole picture.
     """
     height, width = depth.shape
     window = window or view.whole
     planes = [np.ascontiguousarray(positions[..., axis]) for axis in range(3)]
     here = [plane[window.cut] for plane in planes]
-    facing = [np.ascontiguousarray(normal[window.cut][..., axis]) for axis in range(3)]
+    facing = [np.ascontiguousarray(normal[..., axis]) for axis in range(3)]
     reach = np.clip(_RADIUS * view.pixels_per_metre / np.maximum(depth[window.cut], 0.1), 2, width * 0.06)
     rows, columns = np.mgrid[window.cut].astype(np.float32)
     # A fixed seed: the grain is the same in every frame, so it cannot flicker.
