@@ -124,7 +124,8 @@ class Figure:
 def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
     """Return screen positions (n, 2) and depths (n,) in metres; behind the camera the depth is not positive."""
     world = np.atleast_2d(np.asarray(points, float))
-    seen = world @ camera.view[:3, :3].T + camera.view[:3, 3]
+    axes = camera.axes
+    seen = (world - camera.pivot) @ axes - (0.0, 0.0, camera.distance)
     depth = -seen[:, 2]
     safe = np.maximum(depth, 1e-3)
     x = 0.5 + seen[:, 0] / safe / (2 * camera.tangent * camera.aspect)
