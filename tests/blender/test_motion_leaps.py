@@ -80,3 +80,33 @@ def test_an_orange_comes_out_of_the_satchel_one_holds(bodies: dict[str, Body]) -
     assert apart[:60].max() < 0.1, "it is in the satchel"
     assert apart[-1] > 0.3, "it is out"
     assert np.linalg.norm(np.diff(shot.props["orange"][:, :3, 3], axis=0), axis=1).max() < 0.12
+
+
+def test_a_child_is_lifted_eye_to_eye_and_put_down(bodies: dict[str, Body]) -> None:
+    end = mark_at("man", 0.2, 0, 90)
+    lift = cue_of("man", "lift", 2, target_id="girl")
+    shot = perform(bodies, (mark_at("man", -0.6, 0, 90), mark_at("girl", 0.6, 0, -90)), (lift,), 6, ends=(end,))
+    assert shot.problems == ()
+    man, girl = (Playback(bodies[who], shot, who) for who in ("man", "girl"))
+    heights = [girl.joint("eye.L", frame).z - man.joint("eye.L", frame).z for frame in range(0, 144, 6)]
+    assert max(heights) > -0.08
+    assert girl.joint("foot.L", 143).z == pytest.approx(girl.joint("foot.L", 0).z, abs=0.02)
+    top = heights.index(max(heights)) * 6
+    assert (man.joint("hand.L", top) - girl.joint("upper_chest", top)).length < 0.35, "held under the arms"
+
+
+def test_a_staff_stands_on_the_floor(bodies: dict[str, Body]) -> None:
+    stick = {"stick": StageProp(world_at(0, 0, -5), (0.04, 0.04, 0.95))}
+    shot = perform(bodies, (mark_at("man", 0, 0, held=(("R", "stick"),)),), (), 1, props=stick)
+    assert shot.props["stick"][10, 2, 3] == pytest.approx(0.0, abs=0.03)
+    assert shot.props["stick"][10, 2, 2] > 0.98, "upright"
+
+
+def test_a_match_is_struck_before_the_breast_not_where_it_lay(bodies: dict[str, Body]) -> None:
+    props = {"match": StageProp(world_at(3, 0, 0.75), (0.01, 0.01, 0.06))}
+    marks = (mark_at("man", 0, 0, held=(("R", "match"),)),)
+    shot = perform(bodies, marks, (cue_of("man", "press", 2, prop_id="match", hand="R"),), 3, props=props)
+    assert shot.problems == ()
+    hands = [Playback(bodies["man"], shot, "man").joint(f"hand.{side}", 18) for side in "LR"]
+    assert (hands[0] - hands[1]).length < 0.35
+    assert min(hand.z for hand in hands) > 0.9

@@ -134,6 +134,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("catch", "catch", ("be thrown",), 2.2, ("catch",), before=AWAKE, reach="thing", distance=0.5, hands=1),
         Motion("shake_hands", "shake hands", (), 2.9, ("shake_hands",), reach="person", distance=0.75, hands=1),
         Motion("hug", "hug", ("embrace",), 3.9, ("hug",), reach="person", distance=0.34, hands=2),
+        Motion("lift", "lift somebody", ("swing up", "raise"), 3.6, (), None, False, UPRIGHT, None, "person", 0.5, 2),
         Motion("kiss", "kiss", (), 3.9, ("kiss",), reach="person", distance=0.34, hands=2),
         Motion("touch", "touch", ("stroke", "comfort"), 2.5, ("touch",), reach="person", distance=0.6, hands=1),
         Motion("hit", "hit", ("slap", "punch"), 1.5, ("hit", "fight"), None, False, UPRIGHT, None, "person", 0.55, 1),

@@ -5,21 +5,29 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.visual_effects_artist.company import SEATED, Company, Person, turn_between
+from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import across, is_vessel, seat_aboard
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, CueSheet
 from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
+from storyblender.agents.visual_effects_artist.handling import Handling
+from storyblender.agents.visual_effects_artist.person import SEATED, Person, turn_between
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
-from storyblender.memory.base import Vec3
-from storyblender.memory.shot_context import CharacterAction, Mark
+from storyblender.geometry.paths import Vec2
+from storyblender.memory.shot_context import CharacterAction
 from storyblender.memory.vocabulary import Posture
 
-GETTING = frozenset({"pick_up", "take", "hold", "catch"})
-"""Motions after which one has something in hand."""
-SEATED_REACH = 0.45
-"""Metres from a seat's edge to what its sitter can take."""
-ASIDE = math.radians(60)
-"""What is farther aside than this is turned to before it is handled."""
+WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
+"""What is done with somebody instead of something."""
+LIGHTER = 0.82
+"""Share of one's own stature up to which one lifts somebody."""
+TOGETHER = frozenset({"hug", "kiss"})
+LOW = frozenset({"kneel", "crouch"})
+BY_KNEES = 1.1
+"""Metres from which who kneels reaches somebody without getting up."""
+IN_ARMS = 0.08
+"""Metres more than an embrace's distance that are not walked."""
+BEFORE_SITTER = 0.68
+"""Metres from a seat's edge to who bends to the one who sits there."""
 
 
 class Actions:
@@ -31,7 +39,7 @@ class Actions:
     """
 
     def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet = company, sheet
+        self.company, self.sheet, self.hands = company, sheet, Handling(company, sheet)
 
     def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""
@@ -39,6 +47,8 @@ class Actions:
         partner = self.company.people.get(action.target_id or "")
         partner = partner if partner is not None and partner.present and partner is not person else None
         prop = self.company.prop_of(action)
+        if partner is None and motion.reach == "person":
+            partner = self._nearest(person)
         if person.entering and not person.acted and self.company.opens_a_door(action):
             return  # the door swings for who comes in
         if motion.key in ("idle", "stand"):
@@ -48,10 +58,9 @@ class Actions:
             return
         if motion.key in ("jump", "climb") and self._cross(action, motion, person):
             return
-        if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
-            motion = MOTIONS["walk"]  # what one would climb is not there: one goes
-        if motion.key == "take" and partner is not None and prop is None:
-            motion = MOTIONS["touch"]  # somebody is seized, not something
+        if motion.key == "put_down" and partner is not None and prop is None:
+            return  # who was lifted has been put down
+        motion = self._meant(action, motion, person, partner if prop is None else None)
         if motion.speed is not None:
             self._travel(action, motion, person, partner, later)
         elif motion.key in ("sit", "lie_down", "lean", "kneel", "crouch", "hide", "fall", "rise", "sleep"):
@@ -59,7 +68,7 @@ class Actions:
         elif partner is not None and (motion.reach == "person" or motion.key in ("take", "catch", "push")):
             self._meet(action, motion, person, partner, prop)
         elif prop is not None and motion.hands:
-            self._handle(action, motion, person, prop, later)
+            self._use(action, motion, person, prop, later)
         elif motion.reach == "thing" or motion.key == "jump":
             self._at_thing(action, motion, person)
         else:
@@ -83,12 +92,35 @@ class Actions:
         )
         own = [clip_of(a.motion) for a in later if a.asset_id == person.asset_id]
         goes_over = bool(own) and (own[0].speed is not None or own[0].key in ("jump", "climb"))
-        if sits_next or (not action.target_id and (goes_over or (person.entering and goes_on))):
+        meets_next = bool(own) and own[0].reach == "person" and self._next_of(person, later) == action.target_id
+        if (
+            sits_next
+            or (partner is not None and meets_next)
+            or (not action.target_id and (goes_over or (person.entering and goes_on)))
+        ):
             person.pace = motion.key
             return
         goal, yaw = self.sheet.goal(action, person, partner, motion.speed or 0.0)
         end = self.sheet.go(person, goal, yaw, start, motion.key)
         self.sheet.done(person, start, end)
+
+    def _meant(self, action: CharacterAction, motion: Motion, person: Person, instead: Person | None) -> Motion:
+        """Return what is done: with somebody instead of a thing, or going where there is nothing to climb."""
+        if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
+            return MOTIONS["walk"]
+        if instead is None or motion.key not in WITH_SOMEBODY:
+            return motion
+        key = WITH_SOMEBODY[motion.key]
+        return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
+
+    def _nearest(self, person: Person) -> Person | None:
+        """Return who is meant where the script does not say with whom."""
+        others = [p for p in self.company.people.values() if p.present and p is not person]
+        return min(others, key=lambda p: math.dist(p.place, person.place), default=None)
+
+    def _next_of(self, person: Person, later: Sequence[CharacterAction]) -> str | None:
+        """Return what a person's next action is about."""
+        return next((a.target_id for a in later if a.asset_id == person.asset_id), None)
 
     def _cross(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
         """Leap or climb over a thing, or into a boat; tell whether there is one to get over."""
@@ -201,12 +233,22 @@ class Actions:
         if partner.posture in SEATED:
             distance = max(distance, 0.68)
         gap = math.dist(person.place, partner.place)
-        if person.posture not in SEATED and (gap > distance + 0.3 or gap < distance - 0.3):
+        near = IN_ARMS if motion.key in TOGETHER else 0.3
+        low = person.posture in SEATED or (person.posture in LOW and gap < BY_KNEES)
+        if not low and (gap > distance + near or gap < distance - 0.3):
             spot, _ = self.sheet.beside(person, partner, distance)
-            t = self.sheet.go(person, spot, facing(spot, partner.place), t, then=natural_seconds(motion))
+            toward = partner.place
+            if motion.key in TOGETHER and partner.posture == "sit":
+                spot = self._before(partner, person) or spot
+            elif partner.posture in ("lie", "asleep") and partner.support is None:
+                spot, toward = self._beside_breast(partner, person)
+            t = self.sheet.go(person, spot, facing(spot, toward), t, then=natural_seconds(motion))
+        if partner.posture in ("lie", "asleep") and partner.support is None and person.upright:
+            t = self.sheet.cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
+            person.posture = "kneel"
         if partner.upright:
             partner.yaw, partner.acted = facing(partner.place, person.place), True
-        if person.upright:
+        if person.upright and partner.posture not in ("lie", "asleep"):
             person.yaw = facing(person.place, partner.place)
         length = natural_seconds(motion)
         hand = person.hand_of(prop) if prop else None
@@ -220,128 +262,30 @@ class Actions:
         partner.busy = max(partner.busy, end)
         self.sheet.done(person, start, end, holds=True)
 
-    def _handle(
+    def _beside_breast(self, partner: Person, person: Person) -> tuple[Vec2, Vec2]:
+        """Return where one kneels beside somebody who lies on the floor, feet where they stood, and their breast."""
+        ahead, right = (math.sin(partner.yaw), -math.cos(partner.yaw)), (math.cos(partner.yaw), math.sin(partner.yaw))
+        x, y = (v - 0.75 * partner.k * a for v, a in zip(partner.place, ahead, strict=True))
+        sides = [(x + way * 0.6 * right[0], y + way * 0.6 * right[1]) for way in (1, -1)]
+        room = self.company.floor.room_at
+        spot = max(sides, key=lambda side: 4 * min(0.3, room(side)) - math.dist(side, person.place))
+        return spot, (x, y)
+
+    def _use(
         self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
     ) -> None:
-        """Do something with a prop, after going to it or having it in hand."""
-        start = self.sheet.start_of(person)
-        t, key = start, motion.key
-        getting = key in GETTING
+        """Do something with a prop; what somebody else holds is taken from them."""
         holder = self.company.holder(prop)
-        if getting and person.hand_of(prop):
-            return
-        if key in ("take", "catch") and holder is not None and holder is not person and holder.present:
+        if motion.key in ("take", "catch") and holder is not None and holder is not person and holder.present:
             self._meet(action, motion, person, holder, prop)
-            return
-        lies = self.company.lying.get(prop)
-        if lies is not None and not person.hand_of(prop):
-            near = math.dist(lies[:2], person.place)
-            if person.upright and REACH < near < 5.0:
-                spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
-                if spot is not None:
-                    t = self.sheet.go(person, spot, facing(spot, lies[:2]), t)
-                    near = math.dist(lies[:2], person.place)
-            if near <= (REACH + 0.25 if person.upright else SEATED_REACH):
-                t = self._turn_to(person, lies, t)
-                t = self.sheet.cue(
-                    person, "pick_up", t, natural_seconds(MOTIONS["pick_up"]), prop_id=prop, hand=person.free_hand()
-                )
-                self.company.hand_over(person, prop)
-                if getting:
-                    self.sheet.done(person, start, t)
-                    return
-        bag = self.company.bag_for(person, prop) if getting else None
-        if bag is not None:
-            t = self.sheet.cue(
-                person, "take", t, natural_seconds(motion), target_id=bag, prop_id=prop, hand=person.free_hand()
-            )
-            self.company.hand_over(person, prop)
-            self.sheet.done(person, start, t)
-            return
-        if not person.hand_of(prop):
-            self.sheet.found_in_hand(person, prop)
-            if getting:
-                return
-        catcher = self._catcher(person, prop, later) if key == "throw" else None
-        if catcher is not None:
-            self._pass(person, catcher, prop, t)
-            return
-        target = action.target_id if action.target_id != prop else None
-        hand = person.hand_of(prop)
-        mark = None
-        if key in ("put_down", "drop", "throw"):
-            t, mark = self._let_go(action, person, prop, t, key)
-        known = target if target in self.company.people or self.company.floor.thing(target) else None
-        length = natural_seconds(motion)
-        end = self.sheet.cue(
-            person, key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
-        )
-        self.sheet.done(person, start, end)
-
-    def _catcher(self, person: Person, prop: str, later: Sequence[CharacterAction]) -> Person | None:
-        """Return who catches what a person throws."""
-        for action in later:
-            catcher = self.company.people.get(action.asset_id)
-            if catcher is None or catcher is person or self.company.prop_of(action) != prop:
-                continue
-            able = catcher.present and catcher.free_hand() and catcher.posture not in ("lie", "asleep")
-            return catcher if able and clip_of(action.motion).key in GETTING else None
-        return None
-
-    def _pass(self, person: Person, catcher: Person, prop: str, t: float) -> None:
-        """Throw something that somebody catches."""
-        start = t
-        t = self.sheet.face(person, facing(person.place, catcher.place), max(t, catcher.busy))
-        if catcher.upright:
-            t = max(t, self.sheet.face(catcher, facing(catcher.place, person.place), t))
-        hand = person.hand_of(prop)
-        end = self.sheet.cue(
-            person, "throw", t, natural_seconds(MOTIONS["throw"]), target_id=catcher.asset_id, prop_id=prop, hand=hand
-        )
-        free = catcher.free_hand()
-        caught = self.sheet.cue(
-            catcher, "catch", t, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
-        )
-        self.company.hand_over(catcher, prop)
-        self.sheet.done(person, start, end)
-        self.sheet.done(catcher, start, caught, holds=True)
-
-    def _let_go(
-        self, action: CharacterAction, person: Person, prop: str, t: float, key: str
-    ) -> tuple[float, Mark | None]:
-        """Choose where a prop goes when it leaves the hand, and go there."""
-        thing = self.company.floor.thing(action.target_id) if action.target_id != prop else None
-        if key != "put_down":
-            partner = self.company.people.get(action.target_id or "")
-            goal = partner.place if partner is not None and partner.present else None
-            ahead = 0.35 if key == "drop" else 3.0
-            x, y = person.place
-            landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
-            self.company.lay(person, prop, (*landing, 0.0))
-            return t, None
-        if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
-            thing = self.company.floor.nearest_top(person.place, 2.5)
-        if thing is None:
-            x, y = person.place
-            spot: Vec3 = (x + 0.42 * person.k * math.sin(person.yaw), y - 0.42 * person.k * math.cos(person.yaw), 0.0)
         else:
-            spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
-            if person.upright and math.dist(spot[:2], person.place) > REACH:
-                stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
-                if stand is not None:
-                    t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
-                    spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
-        t = self._turn_to(person, spot, t)
-        self.company.lay(person, prop, spot)
-        rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
-        return t, Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))
+            self.hands.handle(action, motion, person, prop, later)
 
-    def _turn_to(self, person: Person, spot: Vec3, t: float) -> float:
-        """Face what the hands are about to work on; return the end."""
-        if math.dist(spot[:2], person.place) < 0.2:
-            return t
-        yaw = facing(person.place, spot[:2])
-        return self.sheet.face(person, yaw, t) if abs(turn_between(person.yaw, yaw)) > ASIDE else t
+    def _before(self, partner: Person, person: Person) -> Vec2 | None:
+        """Return the place in front of somebody who sits, if there is room."""
+        x, y = partner.place
+        spot = (x + BEFORE_SITTER * math.sin(partner.yaw), y - BEFORE_SITTER * math.cos(partner.yaw))
+        return spot if self.company.floor.room_at(spot) > 0.8 * BODY * person.k else None
 
     def _at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
         """Go to a door, a window, a table and work there."""

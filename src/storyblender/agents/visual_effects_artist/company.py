@@ -4,73 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import BodyState, CharacterAction, Mark, PropState, ShotContext
+from storyblender.memory.shot_context import BodyState, CharacterAction, PropState, ShotContext
 from storyblender.memory.vocabulary import Hand, Posture
 
-SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
 RUN_UP = 1.2
 """Seconds of the way in; who runs is seen running."""
 BESIDE = 2.0
 """Metres from the middle of a thing within which one is by it."""
+STICK = 0.2
+"""Metres across of what one leans on by holding it."""
 HAND_SIZE = 0.6
 """Metres; the second largest extent of what a person can carry."""
-
-
-@dataclass
-class Person:
-    """Somebody of the scene, as of the cue written last."""
-
-    asset_id: str
-    k: float
-    place: Vec2 = (0.0, 0.0)
-    yaw: float = 0.0
-    posture: Posture = "stand"
-    support: str | None = None
-    anchor: str = ""
-    held: dict[Hand, str] = field(default_factory=dict)
-    present: bool = False
-    busy: float = 0.0
-    """Second of the shot until which the body acts."""
-    acted: bool = False
-    """Has moved in this shot: the start mark stands."""
-    entering: bool = False
-    """Comes in through a door as the shot begins."""
-    pace: str = ""
-    """How the next way is gone, where the script said so before it said where to."""
-
-    @property
-    def upright(self) -> bool:
-        """Can walk off without getting up."""
-        return self.posture == "stand"
-
-    def mark(self, **changes: object) -> Mark:
-        """Return where this person is."""
-        values: dict[str, object] = {
-            "asset_id": self.asset_id,
-            "location": (round(self.place[0], 3), round(self.place[1], 3), 0.0),
-            "yaw": round(math.degrees(self.yaw) % 360.0, 1),
-            "posture": self.posture,
-            "support_id": self.support,
-            "anchor_name": self.anchor,
-            "held": tuple(sorted(self.held.items())),
-        }
-        return Mark.model_validate({**values, **changes})
-
-    def hand_of(self, prop: str) -> Hand | None:
-        """Return the hand that holds a prop."""
-        return next((hand for hand, held in self.held.items() if held == prop), None)
-
-    def free_hand(self) -> Hand | None:
-        """Return an empty hand, the right one first."""
-        return "R" if "R" not in self.held else "L" if "L" not in self.held else None
 
 
 class Company:
@@ -119,7 +71,8 @@ class Company:
     def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
         for person in cast:
-            person.busy, person.acted, person.entering, person.pace = 0.0, False, False, ""
+            person.busy, person.acted, person.entering = 0.0, False, False
+            person.pace, person.opened = "", ""
             if person.present:
                 continue
             person.posture, person.support, person.anchor = "stand", None, ""
@@ -195,10 +148,11 @@ class Company:
             if person is None or not person.present:
                 continue
             self.apply_posture(person, state)
+            in_hand = (*state.held, *self._stick_of(state))
             for hand, prop in list(person.held.items()):
-                if prop not in state.held:
+                if prop not in in_hand:
                     del person.held[hand]
-            for prop in state.held:
+            for prop in in_hand:
                 if prop in self.assets and (state.asset_id, prop) not in taken:
                     self.hand_over(person, prop)
 
@@ -207,6 +161,8 @@ class Company:
         support = self.floor.thing(state.support_id)
         same_support = support is None or person.support == support.node_id
         if state.posture == person.posture and (same_support or person.posture == "stand"):
+            return
+        if self._stick_of(state):
             return
         if state.posture == "stand":
             if not person.upright:
@@ -225,6 +181,11 @@ class Company:
             if state.posture == "lean" and support is not None:
                 self.go_to_rail(person, support)
             person.posture = state.posture
+
+    def _stick_of(self, state: BodyState) -> tuple[str, ...]:
+        """Return what one leans on by holding it, if it is that: a walking stick, a spear."""
+        size = self.size_of(state.support_id or "") if state.posture == "lean" else None
+        return (str(state.support_id),) if size is not None and size[1] < STICK else ()
 
     def stand_beside(self, person: Person) -> None:
         """Stand up by a cut: before the seat, or at the nearest free spot."""
@@ -338,17 +299,17 @@ class Company:
         return next((p for p in self.people.values() if p.hand_of(prop)), None)
 
     def bag_for(self, person: Person, prop: str) -> str | None:
-        """Return what somebody holds that a thing can come out of: large enough, and a hand is free for it."""
-        size = self._size_of(prop)
+        """Return what somebody holds or has opened that a thing can come out of: large enough, and a hand is free."""
+        size = self.size_of(prop)
         if person.free_hand() is None or size is None:
             return None
-        for held in person.held.values():
-            room = self._size_of(held)
+        for held in (person.opened, *person.held.values()):
+            room = self.size_of(held)
             if room is not None and all(inner < outer for inner, outer in zip(size, room, strict=True)):
                 return held
         return None
 
-    def _size_of(self, prop: str) -> list[float] | None:
+    def size_of(self, prop: str) -> list[float] | None:
         """Return a thing's extents, the smallest first."""
         asset = self.assets.get(prop)
         return sorted(asset.canonical.dimensions) if asset is not None and asset.canonical is not None else None
@@ -410,11 +371,6 @@ class Company:
                 location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
                 states.append(PropState(asset_id=prop, visible=place is not None, location=location))
         return tuple(states)
-
-
-def turn_between(a: float, b: float) -> float:
-    """Return the shortest turn from yaw ``a`` to ``b``, radians."""
-    return (b - a + math.pi) % (2 * math.pi) - math.pi
 
 
 def _stature(asset: Asset) -> float:

@@ -6,8 +6,9 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 
-from storyblender.agents.visual_effects_artist.company import Company, Person
+from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.motions import MOTIONS, clip_of
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext

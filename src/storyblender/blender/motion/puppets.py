@@ -21,6 +21,8 @@ TWO_HANDED = 0.36
 """Metres; things wider and deeper than this are carried with both hands."""
 HANGING = 0.25
 """Metres; things taller than this with a grip near the top hang from a straight arm."""
+STAFF, SLENDER, STAFF_GRIP = 0.7, 0.16, 1.0
+"""Metres: how tall and how thin a staff is, and at most how high it is held."""
 SETTLE = 0.3
 """Seconds in which a prop comes to its place in a new hand, while both move."""
 
@@ -93,6 +95,11 @@ class PropPuppet:
         return self.size.z > HANGING and grip.palm.z > 0.75 * self.size.z and not self.two_handed
 
     @property
+    def is_staff(self) -> bool:
+        """Carried upright, one end on the floor: walking sticks, spears, brooms."""
+        return self.size.z > STAFF and max(self.size.x, self.size.y) < SLENDER and not self.anchors
+
+    @property
     def centre(self) -> Vector:
         """World point in the middle of it, at the moment being posed."""
         return self.matrix @ Vector((0, 0, self.size.z / 2))
@@ -117,7 +124,8 @@ class PropPuppet:
         s = sign(side)
         if self.size.z < 0.06 and not self.two_handed:  # sheets and books: from below, thumb on top
             return Grip(Vector((0, 0.35 * self.size.y, -0.012)), Vector((0, -1, 0)), Vector((0, 0, 1)), (12, 14, -30))
-        palm = Vector((s * (self.size.x / 2 + 0.006), 0.0, 0.45 * self.size.z))
+        height = min(0.92 * self.size.z, STAFF_GRIP) if self.is_staff else 0.45 * self.size.z
+        palm = Vector((s * (self.size.x / 2 + 0.006), 0.0, height))
         curl = (10, 12, 0) if self.two_handed or self.size.x > 0.12 else (48, 52, 28)
         return Grip(palm, Vector((-s * 0.25, -1, -0.1)), Vector((-s, -0.2, 0)), curl)
 
@@ -181,6 +189,9 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
             at = (0.10 + 0.5 * min(prop.size.x, prop.size.y) / m.arm, 0.04, -0.97)
             if prop.size.x > prop.size.y:  # a case goes along the leg
                 turn = turn @ Matrix.Rotation(s * math.pi / 2, 3, "Z")
+        if prop.is_staff and not float(who.pinned(t)):
+            foot = who.place + who.facing @ Vector((s * 0.26 * m.k, -0.22 * m.k, 0))
+            return grip.hand(Matrix.Translation(foot) @ who.facing.to_4x4(), pole)
         beside = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
         place = who.to_world(shoulder_rest(who, side)) + beside @ (Vector((s * at[0], -at[1], at[2])) * m.arm)
         return hand(place, turn @ grip.fingers, turn @ grip.normal, pole, grip.curl)

@@ -39,10 +39,20 @@ ASSETS = (
     _thing("chair", (0.46, 0.48, 0.9), FRONT),
     _thing("satchel", (0.32, 0.14, 0.34)),
     _thing("orange", (0.08, 0.08, 0.09)),
+    _thing("chest", (0.4, 0.25, 0.2)),
+    _thing("stick", (0.04, 0.04, 0.95)),
     _person("pia"),
     _person("dex"),
 )
-PLACES = {"fence": (0, 0, 0), "wall": (0, 3, 0), "boat": (4, 1.5, 0), "chair": (-4, -3, 0), "orange": (-5, 4, 0)}
+PLACES = {
+    "fence": (0, 0, 0),
+    "wall": (0, 3, 0),
+    "boat": (4, 1.5, 0),
+    "chair": (-4, -3, 0),
+    "orange": (-5, 4, 0),
+    "chest": (2, -3, 0),
+    "stick": (-5, 3, 0),
+}
 PEOPLE = {"pia": (0, -2, 0), "dex": (-2, -2, 0)}
 LAYOUT = Layout(
     scene_size=SIZE,
@@ -131,3 +141,29 @@ def test_who_leaves_by_what_is_at_hand_goes_on_out_of_the_scene() -> None:
     )
     end = shot.blocking[0].end.location[:2]
     assert min(math.dist(end, mark.location[:2]) for mark in (WAY_IN, WAY_OUT)) < 0.5
+
+
+def test_a_box_is_opened_where_it_stands_and_things_come_out_of_it() -> None:
+    shot = _stage(_do("pia", "open", prop_id="chest"), _do("pia", "take", prop_id="orange"), duration=400)
+    clips = [(cue.clip, cue.target_id) for cue in shot.cues if cue.asset_id == "pia" and cue.clip in ("open", "take")]
+    assert clips == [("open", None), ("take", "chest")]
+    assert shot.blocking[0].end.held == (("R", "orange"),)
+
+
+def test_who_leans_on_a_stick_holds_it() -> None:
+    leans = BodyState(asset_id="pia", posture="lean", support_id="stick")
+    start = _stage(states=(leans,)).blocking[0].start
+    assert (start.posture, start.held) == ("stand", (("R", "stick"),))
+
+
+def test_somebody_is_meant_where_nobody_is_named() -> None:
+    shot = _stage(_do("pia", "shake_hands"))
+    (shake,) = (cue for cue in shot.cues if cue.clip == "shake_hands")
+    assert shake.target_id == "dex"
+
+
+def test_one_kneels_beside_who_has_fallen_and_touches_them() -> None:
+    shot = _stage(_do("dex", "fall"), _do("pia", "touch", target_id="dex"), duration=400)
+    assert [cue.clip for cue in shot.cues if cue.asset_id == "pia"][-2:] == ["kneel", "touch"]
+    pia, dex = shot.blocking[0].end, shot.blocking[1].end
+    assert math.dist(pia.location, dex.location) > 0.7, "beside the breast, not at the feet"

@@ -6,7 +6,7 @@ from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import LONG_AGO, Floats, TargetOf
 from storyblender.blender.motion.clips.gaze import look_at
-from storyblender.blender.motion.clips.handling import take_in_hand
+from storyblender.blender.motion.clips.handling import come_up, reach_down, take_in_hand
 from storyblender.blender.motion.hands import chest_yaw, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import PropPuppet, carried
@@ -30,20 +30,26 @@ def open_held(stage: Stage, who: Performer, beat: Beat, bag: PropPuppet) -> floa
 
 
 def take_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet, bag: PropPuppet) -> float:
-    """Take a thing out of a bag that the other hand holds; until then it is in there."""
-    t, side = beat.start, _holding(who, bag)
-    free = other(side)
+    """Take a thing out of a bag that the other hand holds, or out of a box that stands there; it has been in there."""
+    t, side, held = beat.start, _holding(who, bag), bag.holder is who
+    free = other(side) if held else beat.side
     if free in who.held:
         stage.report("unreachable", who, beat, f"{who.asset_id} has no free hand for {prop.asset_id}")
         return t
     prop.follow(0.1 * LONG_AGO, lambda _: bag.matrix @ Matrix.Translation((0, 0, 0.2 * bag.size.z)), 0.0)
-    _raise(stage, who, side, bag, t)
+    bent = 0.0 if held else reach_down(who, t, 0.6, bag.matrix @ Vector((0, 0, bag.size.z)))
+    if held:
+        _raise(stage, who, side, bag, t)
+    else:
+        look_at(who, t, stage.point_of(bag))
     who.hands[free].set(t + 0.2, 0.5, _at_opening(who, free, bag, 0.08))
     who.hands[free].set(t + 0.7, 0.3, _at_opening(who, free, bag, -0.10))
     take_in_hand(stage, who, free, prop, t + 1.05, 0.2)
     who.hands[free].set(t + 1.1, 0.35, _at_opening(who, free, bag, 0.14))
     who.hands[free].set(t + 1.5, 0.6, carried(who, free, prop))
-    return _lower(who, side, bag, t + 1.7)
+    if bent:
+        come_up(who, t + 1.3, 0.7)
+    return _lower(who, side, bag, t + 1.7) if held else t + 2.2
 
 
 def _holding(who: Performer, bag: PropPuppet) -> str:

@@ -21,6 +21,10 @@ from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
 SEATED = ("sit", "lie", "asleep")
+BY_KNEES = 1.1
+"""Metres from which who kneels stays there."""
+BEFORE_SITTER = 0.45
+"""Metres between who stands and the feet of who sits, at least."""
 
 
 def partner_of(beat: Beat) -> Performer | None:
@@ -32,12 +36,15 @@ def meet(stage: Stage, who: Performer, partner: Performer, beat: Beat, distance:
     """Bring two people face to face at a distance; the first walks, whoever sits stays. Return the second."""
     t = max(beat.start, *(partner.free[part] for part in ("L", "R")))
     gap = (partner.position - who.position).length
+    if partner.posture in ("lie", "asleep") or (who.posture in ("kneel", "crouch") and gap < BY_KNEES):
+        return t
+    if partner.posture in SEATED and distance < BEFORE_SITTER:
+        distance, slack = BEFORE_SITTER, max(slack, 0.2)
     if who.posture not in SEATED and (gap > distance + slack or gap < distance - slack):
         away = (who.position - partner.position).normalized()
         if partner.posture in SEATED:  # to the front of a seat, not to its side
             ahead = partner.forward
             away = (ahead + away * 0.8).normalized() if away.dot(ahead) > -0.2 else ahead
-            distance = max(distance, 0.62)
         spot = partner.position + away * distance
         t = max(t, travel(stage, who, beat, (spot.x, spot.y), skip=(partner.asset_id,), partner=partner))
     ends = [t]
@@ -82,7 +89,7 @@ def take(stage: Stage, who: Performer, beat: Beat) -> float:
         return beat.start
     if prop.holder is who:
         return beat.start
-    if isinstance(beat.target, PropPuppet) and beat.target.holder is who:
+    if isinstance(beat.target, PropPuppet) and beat.target.holder in (who, None):
         return take_out(stage, who, beat, prop, beat.target)
     if partner is None or prop.holder is not partner:
         return pick_up(stage, who, beat)

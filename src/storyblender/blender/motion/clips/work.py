@@ -158,7 +158,10 @@ def knock(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("press", "body", "hand", "head")
 def press(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Press a button or touch a thing with the forefinger."""
+    """Press a button or touch a thing with the forefinger; what is in the hand is struck or switched on."""
+    held = prop_of(beat)
+    if held is not None and held.holder is who:
+        return _strike(stage, who, beat, held)
     place, _ = handle_of(stage, who, beat)
     t = approach(stage, who, beat, place, WORKING * who.m.arm)
     look_at(who, t, tuple(place))
@@ -173,6 +176,32 @@ def press(stage: Stage, who: Performer, beat: Beat) -> float:
     if bent:
         come_up(who, t + 1.4, 0.6)
     return t + 2.0
+
+
+def _strike(stage: Stage, who: Performer, beat: Beat, held: PropPuppet) -> float:
+    """Bring both hands together before the breast, and flick: a match, a lighter, a torch."""
+    t, side = beat.start, next((s for s, name in who.held.items() if name == held.asset_id), "R")
+    grip, free = held.grip(side), other(side)
+
+    def before_one(away: float) -> TargetOf:
+        def target(now: float) -> Floats:
+            turn, k = who.facing, who.m.k
+            matrix = turn.to_4x4()
+            matrix.translation = who.point("upper_chest", (sign(side) * (0.05 + away) * k, -0.34 * k, -0.14 * k))
+            return grip.hand(matrix, turn @ Vector((sign(side) * 0.8, 0.3, -0.6)))
+
+        return target
+
+    who.hands[side].set(t, 0.6, before_one(0.0))
+    who.hands[side].set(t + 0.75, 0.16, before_one(0.10))
+    who.hands[side].set(t + 1.6, 0.6, carried(who, side, held))
+    if free not in who.held:
+        at = (-0.30, 0.46, -0.28)
+        who.hands[free].set(t, 0.6, by_chest(who, free, at, (-0.8, 0.5, 0.1), (-0.3, -0.2, 0.9), curl=(45, 60, 20)))
+        who.hands[free].set(t + 1.5, 0.6, who.home[free])
+    look_at(who, t, stage.point_of(held))
+    look_at(who, t + 1.6, who.ahead)
+    return t + 2.1
 
 
 @clip("push", "body", "hands", "head")

@@ -1,0 +1,164 @@
+"""Things in hands: fetched, taken out, used, passed on, put down. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from storyblender.agents.visual_effects_artist.company import Company
+from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
+from storyblender.agents.visual_effects_artist.floor import facing
+from storyblender.agents.visual_effects_artist.person import Person, turn_between
+from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.memory.base import Vec3
+from storyblender.memory.shot_context import CharacterAction, Mark
+
+GETTING = frozenset({"pick_up", "take", "hold", "catch"})
+"""Motions after which one has something in hand."""
+BOX = 0.18
+"""Metres of the second largest extent."""
+SEATED_REACH = 0.45
+"""Metres from a seat's edge to what its sitter can take."""
+ASIDE = math.radians(60)
+"""What is farther aside than this is turned to before it is handled."""
+
+
+class Handling:
+    """Writes what people do with props.
+
+    Args:
+        company: People and props.
+        sheet: Where the cues go.
+    """
+
+    def __init__(self, company: Company, sheet: CueSheet) -> None:
+        self.company, self.sheet = company, sheet
+
+    def handle(
+        self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
+    ) -> None:
+        """Do something with a prop, after going to it or having it in hand."""
+        start = self.sheet.start_of(person)
+        t, key = start, motion.key
+        getting = key in GETTING
+        if getting and person.hand_of(prop):
+            return
+        lies = self.company.lying.get(prop)
+        if lies is not None and not person.hand_of(prop):
+            near = math.dist(lies[:2], person.place)
+            if person.upright and REACH < near < 5.0:
+                spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
+                if spot is not None:
+                    t = self.sheet.go(person, spot, facing(spot, lies[:2]), t)
+                    near = math.dist(lies[:2], person.place)
+            if near <= (REACH + 0.25 if person.upright else SEATED_REACH):
+                t = self.turn_to(person, lies, t)
+                if key in ("open", "close") and self._stands(prop):
+                    end = self.sheet.cue(person, key, t, natural_seconds(motion), prop_id=prop, hand=person.free_hand())
+                    person.opened = prop if key == "open" else ""
+                    self.sheet.done(person, start, end)
+                    return
+                t = self.sheet.cue(
+                    person, "pick_up", t, natural_seconds(MOTIONS["pick_up"]), prop_id=prop, hand=person.free_hand()
+                )
+                self.company.hand_over(person, prop)
+                if getting:
+                    self.sheet.done(person, start, t)
+                    return
+        bag = self.company.bag_for(person, prop) if getting else None
+        if bag is not None:
+            t = self.sheet.cue(
+                person, "take", t, natural_seconds(motion), target_id=bag, prop_id=prop, hand=person.free_hand()
+            )
+            self.company.hand_over(person, prop)
+            self.sheet.done(person, start, t)
+            return
+        if not person.hand_of(prop):
+            self.sheet.found_in_hand(person, prop)
+            if getting:
+                return
+        catcher = self._catcher(person, prop, later) if key == "throw" else None
+        if catcher is not None:
+            self._pass(person, catcher, prop, t)
+            return
+        target = action.target_id if action.target_id != prop else None
+        hand = person.hand_of(prop)
+        mark = None
+        if key in ("put_down", "drop", "throw"):
+            t, mark = self._let_go(action, person, prop, t, key)
+        known = target if target in self.company.people or self.company.floor.thing(target) else None
+        length = natural_seconds(motion)
+        end = self.sheet.cue(
+            person, key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
+        )
+        self.sheet.done(person, start, end)
+
+    def _stands(self, prop: str) -> bool:
+        """Tell whether a thing is opened where it stands, not in the hand: a box, a case."""
+        size = self.company.size_of(prop)
+        return size is not None and size[1] > BOX
+
+    def _catcher(self, person: Person, prop: str, later: Sequence[CharacterAction]) -> Person | None:
+        """Return who catches what a person throws."""
+        for action in later:
+            catcher = self.company.people.get(action.asset_id)
+            if catcher is None or catcher is person or self.company.prop_of(action) != prop:
+                continue
+            able = catcher.present and catcher.free_hand() and catcher.posture not in ("lie", "asleep")
+            return catcher if able and clip_of(action.motion).key in GETTING else None
+        return None
+
+    def _pass(self, person: Person, catcher: Person, prop: str, t: float) -> None:
+        """Throw something that somebody catches."""
+        start = t
+        t = self.sheet.face(person, facing(person.place, catcher.place), max(t, catcher.busy))
+        if catcher.upright:
+            t = max(t, self.sheet.face(catcher, facing(catcher.place, person.place), t))
+        hand = person.hand_of(prop)
+        end = self.sheet.cue(
+            person, "throw", t, natural_seconds(MOTIONS["throw"]), target_id=catcher.asset_id, prop_id=prop, hand=hand
+        )
+        free = catcher.free_hand()
+        caught = self.sheet.cue(
+            catcher, "catch", t, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
+        )
+        self.company.hand_over(catcher, prop)
+        self.sheet.done(person, start, end)
+        self.sheet.done(catcher, start, caught, holds=True)
+
+    def _let_go(
+        self, action: CharacterAction, person: Person, prop: str, t: float, key: str
+    ) -> tuple[float, Mark | None]:
+        """Choose where a prop goes when it leaves the hand, and go there."""
+        thing = self.company.floor.thing(action.target_id) if action.target_id != prop else None
+        if key != "put_down":
+            partner = self.company.people.get(action.target_id or "")
+            goal = partner.place if partner is not None and partner.present else None
+            ahead = 0.35 if key == "drop" else 3.0
+            x, y = person.place
+            landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
+            self.company.lay(person, prop, (*landing, 0.0))
+            return t, None
+        if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
+            thing = self.company.floor.nearest_top(person.place, 2.5)
+        if thing is None:
+            x, y = person.place
+            spot: Vec3 = (x + 0.42 * person.k * math.sin(person.yaw), y - 0.42 * person.k * math.cos(person.yaw), 0.0)
+        else:
+            spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
+            if person.upright and math.dist(spot[:2], person.place) > REACH:
+                stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
+                if stand is not None:
+                    t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
+                    spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
+        t = self.turn_to(person, spot, t)
+        self.company.lay(person, prop, spot)
+        rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
+        return t, Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))
+
+    def turn_to(self, person: Person, spot: Vec3, t: float) -> float:
+        """Face what the hands are about to work on; return the end."""
+        if math.dist(spot[:2], person.place) < 0.2:
+            return t
+        yaw = facing(person.place, spot[:2])
+        return self.sheet.face(person, yaw, t) if abs(turn_between(person.yaw, yaw)) > ASIDE else t

@@ -1,0 +1,69 @@
+"""One person of the scene as the Animator sees them: place, posture, hands, as of the cue written last. Pure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from storyblender.geometry.paths import Vec2
+from storyblender.memory.shot_context import Mark
+from storyblender.memory.vocabulary import Hand, Posture
+
+SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
+
+
+@dataclass
+class Person:
+    """Somebody of the scene, as of the cue written last."""
+
+    asset_id: str
+    k: float
+    place: Vec2 = (0.0, 0.0)
+    yaw: float = 0.0
+    posture: Posture = "stand"
+    support: str | None = None
+    anchor: str = ""
+    held: dict[Hand, str] = field(default_factory=dict)
+    present: bool = False
+    busy: float = 0.0
+    """Second of the shot until which the body acts."""
+    acted: bool = False
+    """Has moved in this shot: the start mark stands."""
+    entering: bool = False
+    """Comes in through a door as the shot begins."""
+    pace: str = ""
+    """How the next way is gone, where the script said so before it said where to."""
+
+    opened: str = ""
+    """What they have opened in this shot without taking it in hand."""
+
+    @property
+    def upright(self) -> bool:
+        """Can walk off without getting up."""
+        return self.posture == "stand"
+
+    def mark(self, **changes: object) -> Mark:
+        """Return where this person is."""
+        values: dict[str, object] = {
+            "asset_id": self.asset_id,
+            "location": (round(self.place[0], 3), round(self.place[1], 3), 0.0),
+            "yaw": round(math.degrees(self.yaw) % 360.0, 1),
+            "posture": self.posture,
+            "support_id": self.support,
+            "anchor_name": self.anchor,
+            "held": tuple(sorted(self.held.items())),
+        }
+        return Mark.model_validate({**values, **changes})
+
+    def hand_of(self, prop: str) -> Hand | None:
+        """Return the hand that holds a prop."""
+        return next((hand for hand, held in self.held.items() if held == prop), None)
+
+    def free_hand(self) -> Hand | None:
+        """Return an empty hand, the right one first."""
+        return "R" if "R" not in self.held else "L" if "L" not in self.held else None
+
+
+def turn_between(a: float, b: float) -> float:
+    """Return the shortest turn from yaw ``a`` to ``b``, radians."""
+    return (b - a + math.pi) % (2 * math.pi) - math.pi

@@ -1,0 +1,101 @@
+"""Lifting somebody small into the air, and putting them down."""
+
+from __future__ import annotations
+
+import numpy as np
+from mathutils import Vector
+
+from storyblender.blender.motion.channel import Floats, TargetOf, clamp
+from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.pairs import keep, meet, partner_of
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+APART = 0.40
+"""Metres, times k, between who lifts and who is lifted."""
+RAISED = 0.7
+"""Seconds of the way up, and of the way down."""
+
+
+@clip("lift", "body", "hands", "head")
+def lift(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Take the target under the arms, lift them eye to eye, put them down."""
+    partner = partner_of(beat)
+    if partner is None or partner.posture != "stand":
+        return beat.start
+    k = who.m.k
+    t = meet(stage, who, partner, beat, APART * k, 0.05)
+    up = t + 0.6
+    down = up + RAISED + clamp((beat.duration or 3.0) - 2.2, 0.8, 4.0)
+    end = down + RAISED + 0.5
+    height = max(0.12 * k, who.m.eye_height - partner.m.eye_height)
+    keep(partner, ("L", "R"), t, end)
+    partner.free["body"] = max(partner.free["body"], end)
+    stand, low = who.standing_height, clamp(1.0 - partner.m.k / k)
+    who.hips.set(t, 0.55, (0, 0.10 * k * low, stand - 0.5 * k * low, 24 * low, 0, 0))
+    who.spine.set(t, 0.55, (34 * low, 0, 0))
+    who.hips.set(up, RAISED, (0, -0.02 * k, stand - 0.01 * k, -3, 0, 0))
+    who.spine.set(up, RAISED, (-4, 0, 0))
+    who.hips.set(down, RAISED, (0, 0.08 * k * low, stand - 0.4 * k * low, 20 * low, 0, 0))
+    who.spine.set(down, RAISED, (28 * low, 0, 0))
+    who.hips.set(down + RAISED, 0.6, (0, 0, stand, 0, 0, 0))
+    who.spine.set(down + RAISED, 0.6, (0, 0, 0))
+    _carry(partner, up, down, height)
+    for side in SIDES:
+        for one, target in ((who, _ribs(who, partner, side)), (partner, _shoulder(partner, who, side))):
+            one.hands[side].set(t + 0.1, 0.45, target)
+            one.hands[side].set(down + RAISED, 0.6, one.home[side])
+            stage.late.append((one, side, t + 0.1, down + RAISED + 0.3))
+    for one, two in ((who, partner), (partner, who)):
+        look_at(one, t, stage.point_of(two))
+        mood(one, up, "happy")
+    return end
+
+
+def _carry(who: Performer, up: float, down: float, height: float) -> None:
+    """Rise by a height and come down again, the feet hanging."""
+    stand = who.standing_height
+    who.hips.set(up, RAISED, (0, 0, stand + height, 4, 0, 0))
+    who.hips.set(down, RAISED, (0, 0, stand, 0, 0, 0))
+    who.life.set(up, RAISED, 0.4)
+    who.life.set(down, RAISED, 1.0)
+    for side in SIDES:
+        planted = np.array(who.feet[side](up), float)
+        hanging = planted.copy()
+        hanging[2] += height + 0.02 * who.m.k
+        hanging[4], hanging[5] = -32, 0
+        who.feet[side].set(up, RAISED, hanging)
+        who.feet[side].set(down, RAISED, planted)
+
+
+def _ribs(who: Performer, other: Performer, side: str) -> TargetOf:
+    """Palm at the ribs of somebody who faces one, under the arm."""
+    s, k = sign(side), other.m.k
+
+    def target(t: float) -> Floats:
+        palm = other.point("upper_chest", (-s * 0.155 * k, 0.0, -0.03 * k))
+        inward = other.direction("upper_chest", Vector((s, 0, 0)))
+        return hand(palm, Vector((*who.forward, 0.25)), inward, who.facing @ Vector((s * 0.7, 0.2, -0.7)), (14, 18, 10))
+
+    return target
+
+
+def _shoulder(who: Performer, other: Performer, side: str) -> TargetOf:
+    """Palm on the upper arm of somebody who faces one."""
+    s, k = sign(side), other.m.k
+
+    def target(t: float) -> Floats:
+        far = "R" if side == "L" else "L"
+        palm = other.point(f"upper_arm.{far}", (0.02 * s * k, -0.03 * k, 0.05 * k))
+        return hand(
+            palm,
+            Vector((*who.forward, 0.1)),
+            Vector((0, 0, -1)),
+            who.facing @ Vector((s * 0.8, 0.2, -0.4)),
+            (14, 18, 0),
+        )
+
+    return target
