@@ -50,7 +50,31 @@ class _Thing:
         """Return how far the deepest of some points in the world is under the surface, metres; 0 if none is."""
         points = skin @ self._local[:3, :3].T + self._local[:3, 3]
         near = points[((points > self._low) & (points < self._high)).all(axis=1)]
-        return max((_depth(self._tree, Vector(point)) for point in near), default=0.0)
+        deepest = 0.0
+        while len(near):
+            free, depth = _clearance(self._tree, Vector(near[0]))
+            deepest = max(deepest, depth)
+            others = near[1:]
+            near = others[((others - near[0]) ** 2).sum(axis=1) >= free**2]
+        return deepest
+
+
+class _Person:
+    """The skin of somebody, without the hands."""
+
+    def __init__(self, asset_id: str, rig: bpy.types.Object, body: Body) -> None:
+        self.asset_id, self.rig, self._names = asset_id, rig, body.bone_names
+        hands = np.array([name.startswith(_HANDS) for name in body.bone_names])
+        free = np.flatnonzero(body.weights[:, hands].sum(axis=1) < 0.1)[::EVERY]
+        self._weights, self._points = body.weights[free], np.c_[body.vertices[free], np.ones(len(free))]
+        self._unrest = np.linalg.inv(body.rest)
+
+    def posed(self) -> Floats:
+        """Return (n, 3) world positions of every EVERYth vertex at the frame of the scene."""
+        poses = np.array([self.rig.pose.bones[name].matrix for name in self._names])
+        matrices = np.array(self.rig.matrix_world) @ poses @ self._unrest
+        blended = np.einsum("vb,bij->vij", self._weights, matrices)
+        return np.einsum("vij,vj->vi", blended, self._points)[:, :3]
 
 
 def find_collisions(
@@ -67,35 +91,24 @@ def find_collisions(
     scene.frame_set(min((span.start for span in frames.values()), default=scene.frame_start))
     things = [_Thing(obj) for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None]
     rigs = {str(obj["asset_id"]): obj for obj in scene.objects if obj.type == "ARMATURE"}
+    people = [_Person(asset_id, rigs[asset_id], body) for asset_id, body in bodies.items() if asset_id in rigs]
     worst: dict[tuple[str, str, str], Collision] = {}
     for shot, span in frames.items():
         tested: dict[str, Floats] = {}
         for frame in range(span.start, span.stop, step):
             scene.frame_set(frame)
-            for asset_id, body in bodies.items():
-                rig = rigs.get(asset_id)
-                if rig is None or rig.hide_render:
+            for person in people:
+                if person.rig.hide_render:
                     continue
-                skin = posed_skin(rig, body)
-                if asset_id in tested and np.abs(skin - tested[asset_id]).max() < STILL:
+                skin, last = person.posed(), tested.get(person.asset_id)
+                if last is not None and np.abs(skin - last).max() < STILL:
                     continue
-                tested[asset_id] = skin
-                for collision in _of_person(shot, frame - span.start, asset_id, skin, things):
-                    key = (shot, asset_id, collision.node_id)
+                tested[person.asset_id] = skin
+                for collision in _of_person(shot, frame - span.start, person.asset_id, skin, things):
+                    key = (shot, person.asset_id, collision.node_id)
                     if key not in worst or collision.depth > worst[key].depth:
                         worst[key] = collision
     return sorted(worst.values(), key=lambda item: -item.depth)
-
-
-def posed_skin(rig: bpy.types.Object, body: Body) -> Floats:
-    """Return (n, 3) world positions of every EVERYth skin vertex that is not on a hand."""
-    hands = np.array([name.startswith(_HANDS) for name in body.bone_names])
-    free = np.flatnonzero(body.weights[:, hands].sum(axis=1) < 0.1)[::EVERY]
-    poses = np.array([rig.pose.bones[name].matrix for name in body.bone_names])
-    matrices = np.array(rig.matrix_world) @ poses @ np.linalg.inv(body.rest)
-    blended = np.einsum("vb,bij->vij", body.weights[free], matrices)
-    points = np.c_[body.vertices[free], np.ones(len(free))]
-    return np.einsum("vij,vj->vi", blended, points)[:, :3]
 
 
 def _of_person(shot: str, frame: int, asset_id: str, skin: Floats, things: list[_Thing]) -> Iterator[Collision]:
@@ -105,14 +118,17 @@ def _of_person(shot: str, frame: int, asset_id: str, skin: Floats, things: list[
             yield Collision(shot=shot, frame=frame, asset_id=asset_id, node_id=thing.node_id, depth=depth)
 
 
-def _depth(tree: BVHTree, point: Vector) -> float:
-    """Metres under the surface; 0 outside. Inside means an odd number of walls in most directions."""
+def _clearance(tree: BVHTree, point: Vector) -> tuple[float, float]:
+    """Return how far round a point it is as free as there, and how far the point is under the surface; one is 0.
+
+    Inside means an odd number of walls in most directions.
+    """
     nearest = tree.find_nearest(point)[3]
     if nearest is None or nearest <= TOLERANCE:
-        return 0.0
+        return 0.0, 0.0
     first, second = (_walls(tree, point, direction) % 2 for direction in _PROBES[:2])
     inside = first if first == second else _walls(tree, point, _PROBES[2]) % 2
-    return float(nearest) if inside else 0.0
+    return (0.0, float(nearest)) if inside else (float(nearest), 0.0)
 
 
 def _walls(tree: BVHTree, point: Vector, direction: Vector) -> int:
