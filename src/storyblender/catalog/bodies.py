@@ -273,6 +273,11 @@ def _thirds(value: float) -> Targets:
     return {"min": low, "average": 1 - low - high, "max": high}
 
 
+def _brightness(color: Color) -> float:
+    red, green, blue = color
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
 def complexion(look: CharacterLook, seed: int) -> Complexion:
     """Return the colours of ``look``; hair greys with age unless its colour is given."""
     rng = np.random.default_rng(seed + 1)
@@ -287,5 +292,6 @@ def complexion(look: CharacterLook, seed: int) -> Complexion:
         if resolved_gender(look, seed) == "female" and 16 <= look.age < 65
         else hex_color("#b0655c")
     )
-    lips = mix(mix(skin, rosy, 0.55), (0.0, 0.0, 0.0), 0.12)
+    depth = min(1.0, _brightness(skin) / _brightness(SKIN_TONES["light"])) ** 0.4  # the same red shines on dark skin
+    lips = mix(mix(skin, mix((0.0, 0.0, 0.0), rosy, depth), 0.55), (0.0, 0.0, 0.0), 0.12)
     return Complexion(skin=skin, lips=lips, iris=iris, hair=hair, brow=mix(mix(hair, natural, 0.35), (0, 0, 0), 0.35))

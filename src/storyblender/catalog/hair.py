@@ -59,7 +59,8 @@ class HairSpec:
 
 
 HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
-    HairSpec(key="short", name="Short", tags=("side parting", "neat", "combed", "gentleman"), locks=84),
+    HairSpec(key="short", name="Short", tags=("side parting", "neat", "combed", "gentleman"),
+             locks=110, width=0.016, reach=1.15, mess=0.07, lift=0.002),
     HairSpec(key="crop", name="Crop", tags=("buzz cut", "crew cut", "military", "shaved"),
              top=0.006, side=0.003, comb="crown", locks=0),
     HairSpec(key="slick", name="Slicked back", tags=("pomade", "combed back", "greased"),
@@ -67,7 +68,8 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
     HairSpec(key="messy", name="Messy", tags=("tousled", "fringe", "boyish", "wild"),
              top=0.024, side=0.014, comb="crown", locks=95, reach=0.75, mess=0.55, lift=0.008, tip=0.05),
     HairSpec(key="receding", name="Receding", tags=("thinning", "high forehead"),
-             top=0.010, side=0.008, comb="back", locks=60, growth="receding", width=0.018),
+             top=0.010, side=0.008, comb="back", locks=80, reach=1.0, mess=0.08, lift=0.002,
+             growth="receding", width=0.014),
     HairSpec(key="bald", name="Bald", tags=("bald on top", "wreath of hair", "tonsure"),
              top=0.006, side=0.010, comb="crown", locks=60, reach=0.45, growth="wreath", width=0.020),
     HairSpec(key="shaved", name="Shaved head", tags=("no hair", "hairless"), top=0, side=0, locks=0, growth="wreath"),
@@ -87,9 +89,9 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
              top=0.022, side=0.022, parting=0.38, sweep=0.25, locks=90, reach=1.6, hang=0.16, mess=0.15, lift=0.006,
              width=0.034, wave=0.028, tip=0.35),
     HairSpec(key="curly", name="Curly", tags=("curls", "ringlets", "frizzy"),
-             top=0.032, side=0.026, comb="crown", locks=190, curls=True, width=0.036, mess=0.5),
+             top=0.032, side=0.026, comb="crown", locks=240, curls=True, width=0.031, mess=0.5),
     HairSpec(key="afro", name="Afro", tags=("natural", "round"),
-             top=0.060, side=0.052, comb="crown", locks=150, curls=True, width=0.050, mess=0.25),
+             top=0.060, side=0.052, comb="crown", locks=250, curls=True, width=0.036, mess=0.25),
 ))  # fmt: skip
 
 

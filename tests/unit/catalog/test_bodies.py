@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from storyblender.catalog.bodies import (
+    SKIN_TONES,
     body_pack_path,
     complexion,
     macro_targets,
@@ -107,3 +108,12 @@ def test_the_skeleton_has_35_bones_and_parents_first() -> None:
 def test_unknown_hair_is_short() -> None:
     assert hairstyle("no_such_style") is HAIRSTYLES["short"]
     assert {"short", "crop", "messy", "bald", "bun", "long", "bob", "ponytail", "curly"} <= set(HAIRSTYLES)
+
+
+@pytest.mark.parametrize("skin", SKIN_TONES)
+def test_lips_are_a_little_redder_than_any_skin_and_never_glow(skin: str) -> None:
+    look = CharacterLook.model_validate({"gender": "female", "age": 30, "skin": skin})
+    for seed in range(3):
+        colors = complexion(look, seed)
+        assert colors.lips[0] / colors.lips[1] > 1.3 * colors.skin[0] / colors.skin[1]
+        assert colors.lips[0] < 1.5 * colors.skin[0]

@@ -153,7 +153,7 @@ def curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:
     center = found[0] if found else scalp.center
     spin, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     spin = spin * np.sign(np.linalg.det(spin))
-    return ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 6, 3)
+    return ball(scalp.figure, center, size * np.array((1.0, 0.85, 0.7)), spin, 7, 4)
 
 
 def bun(scalp: Scalp, rng: np.random.Generator) -> list[Sheet]:
