@@ -186,14 +186,16 @@ def _stand_alone(stage: Stage, asset_id: str) -> None:
         x, y = stage.middle
         stage.stand(asset_id, stage.box(asset_id, x, y, slab - height), floats=True, fixed=True)
         return
-    user = next((user for each in stage.brief.handlers.get(asset_id, ()) if (user := stage.things.get(each))), None)
-    if user is not None and placement == "surface" and height > _LUGGAGE:
+    handlers = stage.brief.handlers.get(asset_id, ())
+    user = next((user for each in handlers if (user := stage.things.get(each))), None)
+    luggage = bool(handlers) and placement == "surface" and height > _LUGGAGE
+    if luggage and user is not None:
         _stand_at_hand(stage, asset_id, user)
         return
     small = placement == "surface" or (placement is None and max(width, depth, height) < _SMALL)
-    if small and _on_nearest_table(stage, asset_id, user):
+    if small and not luggage and _on_nearest_table(stage, asset_id, user):
         return
-    if stage.brief.plan.indoor and max(width, height) > 0.9 and stand_against(stage, asset_id):
+    if stage.brief.plan.indoor and (luggage or max(width, height) > 0.9) and stand_against(stage, asset_id):
         return
     if user is not None:
         _stand_at_hand(stage, asset_id, user)

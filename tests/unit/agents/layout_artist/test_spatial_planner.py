@@ -185,6 +185,9 @@ def test_luggage_stands_on_the_floor_beside_who_takes_it() -> None:
     at = solved(LayoutBrief(**{**view.__dict__, "placements": {"suitcase": "surface"}}))
     assert at["suitcase"].location[2] == 0
     assert math.dist(at["suitcase"].location, at["ana"].location) < 1.2
+    alone = brief(["table", "suitcase"], people=["ana"], handlers={"suitcase": ("cal",)})
+    at = solved(LayoutBrief(**{**alone.__dict__, "placements": {"suitcase": "surface"}}))
+    assert at["suitcase"].location[2] == 0, "nor on a table when its owner is still to come"
 
 
 def test_what_somebody_takes_lies_within_their_reach() -> None:
