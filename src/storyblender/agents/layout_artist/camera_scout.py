@@ -106,9 +106,9 @@ def cost(brief: CameraBrief, take: Take) -> float:
 
 
 def _before(brief: CameraBrief, take: Take) -> float:
-    """Weigh what stands in the picture nearer than its people are, or its things; the middle third counts twice."""
-    faces = [figure.face for figure in brief.people] or [(box.x, box.y, box.z) for box in brief.things]
-    if not faces or brief.instruction.kind in ("ots", "pov"):
+    """Weigh what stands in the picture nearer than its people are; the middle third counts twice."""
+    faces = [figure.face for figure in brief.people]
+    if not faces or brief.instruction.kind in ("ots", "pov", "insert"):
         return 0.0
     camera, (columns, rows) = take.camera, _GRID
     deep = max(float(project(camera, faces)[1].mean()), 0.5) - _OWN
@@ -141,9 +141,11 @@ def _things(brief: CameraBrief, take: Take) -> float:
     screen, depth = project(take.camera, [(box.x, box.y, box.z + box.height / 2) for box in brief.things])
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
     if brief.instruction.kind == "insert":
-        people = [body(figure) for figure in brief.drawn.figures]
         spots = [(box.x, box.y, box.top) for box in brief.things]
-        framed &= ~hidden([*people, *_solids(brief, take.hidden)], take.camera.position, spots, _AT_HAND)
+        boxes = [*(body(figure) for figure in brief.drawn.figures), *_solids(brief, take.hidden)]
+        # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere.
+        boxes = [box for box in boxes if not any(_meets(box, *spot, near=0.0) for spot in spots)]
+        framed &= ~hidden(boxes, take.camera.position, spots, _AT_HAND)
     return (1.0 if brief.people else 2.5) * float((~framed).sum())
 
 
@@ -159,8 +161,8 @@ def _position(brief: CameraBrief, take: Take) -> float:
     return points
 
 
-def _meets(box: Box, x: float, y: float, z: float) -> bool:
-    return box.z - _NEAR < z < box.top + _NEAR and distance_to_point(box, x, y) < _NEAR
+def _meets(box: Box, x: float, y: float, z: float, near: float = _NEAR) -> bool:
+    return box.z - near < z < box.top + near and distance_to_point(box, x, y) <= near
 
 
 def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:

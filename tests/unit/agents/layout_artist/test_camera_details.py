@@ -7,7 +7,7 @@ from test_camera_operator import ANNA, TOM, brief
 
 from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at
-from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, project
 from storyblender.memory.shot_context import CameraInstruction, Cue, PropState, ShotContext
@@ -64,3 +64,14 @@ def test_an_insert_frames_the_hand_from_where_nobody_stands_before_it() -> None:
     (hand, face), _ = project(camera, [middle(box), HANDED.face])
     assert hand == pytest.approx((0.5, 0.5), abs=0.1)
     assert not ((face > 0) & (face < 1)).all()
+
+
+def test_what_a_hand_lies_in_does_not_hide_it_and_what_stands_before_it_does() -> None:
+    box = Box(-0.35, 0.1, 0.5, 0.2, 0.2, 0.2)
+    wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("anna",), "detail": box}
+    free = brief((HANDED,), **wish)
+    take = scouted(free)[0]
+    chair, screen = Box(-0.35, 0.1, 0.0, 0.5, 0.5, 0.9), Box(-0.35, -0.5, 0.0, 2.5, 0.1, 2.5)
+    price = cost(free, take)
+    assert cost(brief((HANDED,), props={"chair": chair}, **wish), take) < price + 1
+    assert cost(brief((HANDED,), props={"screen": screen}, **wish), take) > price + 2
