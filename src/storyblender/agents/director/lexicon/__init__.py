@@ -162,6 +162,7 @@ UNISEX = frozenset(_people["unisex"])
 AGE_WORDS, AGE_NOUNS = _pairs(_people["age_word"]), _pairs(_people["age_noun"])
 VARIANT_WORDS = frozenset(_people["variant"])
 """Words before a name that make the same person at another age or in another costume."""
+SPELLED_AGES = _pairs(_people["spelled_age"])
 BUILD, HAIR, FACE = frozenset(_people["build"]), frozenset(_people["hair"]), frozenset(_people["face"])
 MALE_NAMES, FEMALE_NAMES = frozenset(_names["male"]), frozenset(_names["female"])
 FIRST_NAMES = MALE_NAMES | FEMALE_NAMES

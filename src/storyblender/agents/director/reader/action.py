@@ -5,9 +5,10 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import changes, deeds, entrances, relations, states
 from storyblender.agents.director.reader.clauses import Clause, find_clauses
-from storyblender.agents.director.reader.coreference import Referents, remember, resolve_mention, resolve_pronoun
+from storyblender.agents.director.reader.coreference import Referents, remember, resolve_owner, resolve_pronoun
 from storyblender.agents.director.reader.morphology import singular
 from storyblender.agents.director.reader.motions import motion_of
+from storyblender.agents.director.reader.people_meant import resolve_mention
 from storyblender.agents.director.reader.phrases import Phrase, find_phrases
 from storyblender.agents.director.reader.rewrite import regularise
 from storyblender.agents.director.reader.roles import Roles, resolve_objects, resolve_subject
@@ -120,6 +121,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         roles.subjects, roles.people, clause.passive = followers, roles.subjects, False
         entrances.subjects_enter(stage, clause, followers)
     for noun in clause.asides:
+        resolve_owner(stage, noun, "possessor", roles.subjects, previous)
         stage.discourse.last_thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
     _dress(stage, roles)
     changes.note_changes(stage, clause, roles)

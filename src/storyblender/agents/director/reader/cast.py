@@ -28,12 +28,17 @@ _TITLED = re.compile(
 _CAPITALISED_ROLE = re.compile(r"\b[Tt]he ((?:[A-Z][a-z]+ ){1,2}[A-Z][a-z]*)\b")
 _ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
 _COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
-_YEARS = r"(?:eigh|nine|seven|six|fif|four|thir|twen|for)(?:teen|ty|ties)\b|ten\b|eleven\b|twelve\b"
+_YEARS = r"(?:eigh|nine|seven|six|fif|four|thir|twen|for)(?:teen|ty|ties)\b|"
+_YEARS += r"(?:four|five|six|seven|eight|nine|ten|eleven|twelve)\b"
 _INTRODUCED = re.compile(
     r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |the |in h|early |mid|late "
     rf"|barely |not yet |{_YEARS})|\s*\([^)]*(?:{_YEARS})"
 )
-_LOOK = re.compile(r"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|\d)[^.;]*?)(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])", re.DOTALL)
+_LOOK = re.compile(
+    rf"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|the|her|his|early|mid|late|barely|\d|{_YEARS})[^.;]*?)"
+    r"(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])",
+    re.DOTALL,
+)
 _SOME = 3
 """Members of a group whose number is not told."""
 _NAMING = re.compile(
@@ -41,6 +46,11 @@ _NAMING = re.compile(
     r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
     rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
 )
+_NOT_FAR = 900
+"""Characters back to the first sight of somebody who is then called ``the STRANGER``."""
+_SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
+_TOYS = "|".join(sorted(lexicon.words("toys")))
+"""``a teddy bear``: words that make an animal a thing."""
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _CHORUS = lexicon.words("chorus")
 """Cues that mean whoever is there."""
@@ -169,9 +179,26 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
         return
     person = known[0] if known else _apposed(roster, sighting, name, text) or _newcomer(roster, sighting, base)
     said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
+    if not known:
+        _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, text[max(0, sighting.at - 40) : sighting.at])
     if said:
         describe(person, said.group(1) or said.group(2) or "")
+
+
+def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
+    """``A man staggers out of the trees. Caleb drags the STRANGER in``: who is called *the* was there already."""
+    if not person.role or not text[:at].endswith("the "):
+        return
+    earlier = [
+        phrase
+        for phrase in find_person_nouns(text[max(0, at - _NOT_FAR) : at])
+        if phrase.determiner in ("a", "an") and not phrase.plural and phrase.noun in _SOMEBODY
+    ]
+    if earlier and not any(earlier[-1].noun in other.aliases for other in roster.people):
+        roster.call(person, earlier[-1].noun)
+        if person.gender == "unknown":
+            person.gender = lexicon.gender_of_word(earlier[-1].noun)
 
 
 def _kin_before(roster: Roster, person: Person, before: str) -> None:
@@ -214,6 +241,7 @@ def _add_animals(roster: Roster, script: Manuscript) -> None:
         for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
             known = any(phrase.noun in (person.role, *person.aliases) for person in roster.people)
             alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS
+            alive = alive and not re.search(rf"\b(?:{_TOYS})\s+{phrase.noun}\b", script.text, re.IGNORECASE)
             if alive and not phrase.plural and not known:
                 if phrase.noun in first:
                     roster.add(phrase.noun, first[phrase.noun])

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.people_meant import fits, is_neuter, resolve_mention
 from storyblender.agents.director.reader.phrases import NounPhrase
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Mention
@@ -20,14 +19,10 @@ _CLOSE_CALL = 0.3
 """A pronoun whose best two candidates lie nearer than this is flagged."""
 _GROUP_MEMORY = 15
 """Sentences for which ``they`` can mean people who acted together; four for ``them``."""
-_GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
-_PAIRS = lexicon.words("pairs")
 _LIVING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lexicon.words("living")
 """Verbs for animals more than for things."""
 _SIDES = frozenset({"edge", "end"})
 """``perches on the edge``: of the table named last."""
-_SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
-_LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
 
 
 class Referents(NamedTuple):
@@ -35,137 +30,6 @@ class Referents(NamedTuple):
 
     people: list[Person]
     thing: str | None = None
-
-
-def fits(person: Person, gender: Gender) -> bool:
-    """Whether nothing speaks against a person having a gender."""
-    return "unknown" in (person.gender, gender) or person.gender == gender
-
-
-# -- names, roles, groups ----------------------------------------------------------------------------------------
-
-
-def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
-    """Decide who a mention means, once."""
-    if not mention.people:
-        if mention.kind == "group":
-            mention.people = _group(stage, mention)
-        elif mention.kind == "generic":
-            mention.people = _generic(stage, mention)
-        else:
-            mention.people = [max(mention.candidates, key=stage.presence)]
-    return mention.people
-
-
-def _generic(stage: Stage, mention: Mention) -> list[Person]:
-    """The old woman, the girl: of those on stage, by gender and age."""
-    here = [person for person in mention.candidates if person.id in stage.scene.on]
-    if here or (mention.candidates and mention.head not in _GENDERED):
-        return [max(here or mention.candidates, key=stage.presence)]
-    if mention.determiner in lexicon.POSSESSIVES:
-        return _kin(stage, mention)
-    if mention.determiner not in ("the", "that", "this"):
-        return []
-    if mention.head in ("animal", "beast", "creature"):
-        return sorted((p for p in stage.on_stage() if _is_neuter(p)), key=stage.presence)[-1:]
-    if mention.head in lexicon.ANIMALS:
-        return []
-    gender = lexicon.gender_of_word(mention.head)
-    young = mention.head in lexicon.YOUNG_NOUNS
-    pool = [
-        person
-        for person in stage.on_stage()
-        if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
-    ]
-    if not pool:
-        pool = [person for person in stage.on_stage() if fits(person, gender) and person.kind == "human"]
-    small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
-    if small or large:
-        pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
-    elif "old" in mention.adjectives or "elderly" in mention.adjectives:
-        pool.sort(key=lambda person: -years(person))
-    elif young:
-        pool = [person for person in pool if years(person) < 31]
-        pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
-    else:
-        pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
-    return pool[:1]
-
-
-def _is_sized(person: Person, sizes: frozenset[str]) -> bool:
-    """Whether somebody was introduced with one of these words."""
-    return any(word in sizes for build in person.build for word in build.lower().split())
-
-
-def _kin(stage: Stage, mention: Mention) -> list[Person]:
-    """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
-    converse = lexicon.CONVERSE_KIN.get(mention.head, ())
-    if not any(person.role in converse for person in stage.roster.people):
-        return _relative(stage, mention) if converse else []
-    gender = lexicon.gender_of_word(mention.head)
-    pool = [
-        person
-        for person in stage.on_stage()
-        if person.kind == "human" and person.gender == gender and person.role not in converse and not person.age
-    ]
-    return [max(pool, key=stage.presence)] if pool else []
-
-
-def _relative(stage: Stage, mention: Mention) -> list[Person]:
-    """``Her father`` where nobody said whose: the oldest man there, for a daughter the youngest woman."""
-    gender = lexicon.gender_of_word(mention.head)
-    pool = [p for p in stage.on_stage() if p.kind == "human" and p.count == 1 and p.gender == gender]
-    young = mention.head in lexicon.YOUNGER_KIN
-    pool.sort(key=lambda person: (years(person) * (1 if young else -1), -stage.presence(person)[1]))
-    return pool[:1]
-
-
-def _group(stage: Stage, mention: Mention) -> list[Person]:
-    """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
-    numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
-    absent = not any(person.id in stage.scene.on for person in numbered)
-    if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):
-        return numbered
-    gender = lexicon.gender_of_word(mention.head)
-    pool = [
-        person
-        for person in stage.on_stage()
-        if person.role == mention.head
-        or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
-    ]
-    if mention.determiner in lexicon.POSSESSIVES and mention.head == "man":
-        pool = [person for person in stage.on_stage() if person.count > 1]
-    pool = pool or [person for person in stage.roster.people if person.role == mention.head]
-    if not pool and (mention.head in _PAIRS or mention.number == 2):
-        pool = _pair(stage, mention, gender)
-    if len(pool) > mention.number > 1:
-        exact = [person for person in pool if person.role == mention.head]
-        ranked = sorted(pool, key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
-        pool = exact if len(exact) >= mention.number else ranked[: mention.number]
-    return pool
-
-
-def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
-    """The two, the children: the last group, or those on stage who were spoken of last."""
-    young = mention.head in lexicon.YOUNG_NOUNS
-    if not young:
-        for _, group, _ in reversed(stage.discourse.groups):
-            if all(fits(person, gender) for person in group):
-                return group
-    here = [
-        person
-        for person in stage.on_stage()
-        if fits(person, gender)
-        and person.kind == "human"
-        and not (young and (re.search(r"[2-9]0s|old", person.age) or _titled(person)))
-    ]
-    here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
-    return here[: max(mention.number, 2)]
-
-
-def _titled(person: Person) -> bool:
-    """Whether somebody is called Mr. or Mrs.: no child."""
-    return person.name.lower().split()[0].strip(".") in lexicon.TITLES
 
 
 # -- pronouns ----------------------------------------------------------------------------------------------------
@@ -206,8 +70,12 @@ def resolve_pronoun(
     if not pool:
         return []
 
+    last, now = stage.discourse.last_sentence, stage.discourse.sentence
+    known = any(p.gender == gender and p.kind == "human" and last.get(p.id, -9) >= now - 3 for p in pool)
+
     def score(person: Person) -> tuple[float, int]:
-        value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else 0.1)
+        unsure = -0.5 if known else 0.1
+        value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else unsure)
         value -= 1.0 * (person.kind == "animal" and person.gender != gender)
         value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
         value += 0.8 * (role == "subject" and [person] == list(previous)) + 1.2 * (
@@ -278,10 +146,10 @@ def resolve(
     """Decide who or what a noun phrase means, and keep it for the record; ``place``: after a preposition of place."""
     if noun.kind == "person" and noun.mention:
         people = _resolve_person(stage, noun, noun.mention)
-        if people or noun.head not in lexicon.PROPS:
+        if people or noun.head not in lexicon.PROPS | lexicon.ANIMALS:
             return Referents(people)
         return Referents([], stage.inventory.id_of(noun.head, stage.sentence.words[noun.index].start))
-    if place and noun.head == "it" and not any(_is_neuter(person) for person in previous):
+    if place and noun.head == "it" and not any(is_neuter(person) for person in previous):
         return remember(stage, noun.index, Referents([], _it_there(stage, noun.index)))
     if noun.kind == "thing" and noun.head in _SIDES and noun.determiner == "the" and noun.owner is None:
         whole = next((t for t in stage.discourse.recent_things if stage.inventory.class_of(t) == "set_piece"), None)
@@ -303,7 +171,7 @@ def _resolve_pronoun_phrase(
     discourse = stage.discourse
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
-        neuter = [person for person in previous if _is_neuter(person)]
+        neuter = [person for person in previous if is_neuter(person)]
         if role == "subject" and not neuter:
             neuter = _animal_named(stage)
             previous = neuter[:1]
@@ -319,13 +187,8 @@ def _resolve_pronoun_phrase(
 def _animal_named(stage: Stage) -> list[Person]:
     """The animal of the last sentence, which may be ``it``."""
     last = stage.discourse.last_sentence
-    named = [p for p in stage.on_stage() if _is_neuter(p) and last.get(p.id, -9) >= stage.discourse.sentence - 1]
+    named = [p for p in stage.on_stage() if is_neuter(p) and last.get(p.id, -9) >= stage.discourse.sentence - 1]
     return [max(named, key=stage.presence)] if named and stage.sentence.verb in _LIVING else []
-
-
-def _is_neuter(person: Person) -> bool:
-    """Whether somebody may be called ``it``: animals, robots."""
-    return person.kind == "animal" or person.role in lexicon.NEUTER_ROLES
 
 
 def _it(stage: Stage) -> str | None:
@@ -402,7 +265,7 @@ def resolve_owner(
         return
     known = stage.sentence.pronouns.get(noun.possessor)
     if word.low == "its" and known is None:
-        neuter = [person for person in [*subjects, *previous] if _is_neuter(person)][:1]
+        neuter = [person for person in [*subjects, *previous] if is_neuter(person)][:1]
         last = stage.sentence.object_thing or stage.discourse.last_thing
         known = remember(stage, noun.possessor, Referents(neuter) if neuter else Referents([], last))
     elif known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from storyblender.agents.director.reader.clauses import Clause
-from storyblender.agents.director.reader.coreference import resolve_mention
+from storyblender.agents.director.reader.people_meant import resolve_mention
 from storyblender.agents.director.reader.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Word

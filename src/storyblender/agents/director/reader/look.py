@@ -32,6 +32,9 @@ def describe(person: Person, phrase: str) -> None:
         if _AGE.match(part.lower()):
             person.age = part
             continue
+        if words[-1] in lexicon.SPELLED_AGES and len(words) < 3:
+            person.age = person.age or lexicon.SPELLED_AGES[words[-1]]
+            continue
         _sort(person, part, words)
         head = _head(words)
         _name_role(person, part, head)

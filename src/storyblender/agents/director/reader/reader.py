@@ -179,7 +179,11 @@ def _close(stage: Stage) -> None:
             end = thing.first + len(thing.name)
             stage.flag("prop", thing.id, f"“{thing.name}” is not a word the reader knows", thing.first, end)
     known = {thing.id for thing in reading.things} | {person.id for person in reading.people}
-    placed = known | {thing for thing in stage.inventory.ids() if stage.inventory.head(thing) in _SURFACES}
+    placed = known | {
+        thing
+        for thing in stage.inventory.ids()
+        if stage.inventory.head(thing) in _SURFACES or stage.inventory.class_of(thing) == "worn"
+    }
     reading.relations[:] = [
         (scene, relation)
         for scene, relation in reading.relations

@@ -7,14 +7,8 @@ from collections.abc import Iterable
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
-from storyblender.agents.director.reader.coreference import (
-    Referents,
-    remember,
-    resolve,
-    resolve_mention,
-    resolve_owner,
-    resolve_pronoun,
-)
+from storyblender.agents.director.reader.coreference import Referents, remember, resolve, resolve_owner, resolve_pronoun
+from storyblender.agents.director.reader.people_meant import resolve_mention
 from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
@@ -38,6 +32,8 @@ _ATTACHING, _SURFACES, _GAZE = lexicon.words("attaching"), lexicon.words("surfac
 _BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
 """Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
 _COMING_TO_REST, _WHERE = lexicon.words("coming_to_rest"), ("on", "in", "into", "onto", "under", "behind", "beneath")
+_AT_WORK = frozenset({"cook", "eat", "drink", "read", "write", "type", "work", "cut", "clean", "pour", "play_music"})
+_HOLDING = frozenset({"hold", "raise", "lift", "wave", "swing"})
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _OPENINGS = frozenset({"door", "window", "gate"})
 _FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
@@ -66,34 +62,52 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         thing for thing in roles.subject_things if stage.inventory.class_of(thing) in _THINGS
     ]
     found: list[_Stated] = []
-    moved = clause.verb in _PLACING and bool(roles.things)
-    still = (clause.verb in _STATIVE and not moved) or clause.verb in _ARRIVING or motion in _STILL
-    laid = clause.verb in _AT_REST and not roles.subjects
-    laid = laid or (clause.passive and clause.verb in _PLACING | _AT_REST | _ATTACHING)
-    if located and (still or laid):
-        for place in roles.places:
+    if located:
+        for place in _telling_places(clause, roles, motion):
             found += _placed(stage, clause, place, located)
-        found += _between(stage, roles, located)
-    elif located and clause.opening:
-        for place in roles.places[-clause.opening :]:
-            found += _placed(stage, clause, place, located)
-    elif located and motion in ("climb", "jump") and "onto" in roles.prepositions:
-        found += _onto(roles, located)
-    elif located and (motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST)):
-        for place in roles.places:
-            found += _placed(stage, clause, place, located) if place.preposition in _WHERE else []
-    elif roles.subjects and clause.verb not in _GAZE and not moved:
-        for place in roles.places:
-            if place.preposition in _BESIDE and (place.people or not roles.things):
-                found += _placed(stage, clause, place, located)
+        if _is_still(clause, roles, motion):
+            _between(stage, roles, located)
+        elif motion in ("climb", "jump") and not clause.opening:
+            found += _onto(roles, located)
     if first and roles.subjects:
         _left_or_right(stage, roles.subjects)
-    carried = motion in _MOVED or clause.verb in _PLACING or bool(roles.prepositions & {"into", "onto"})
-    seated = clause.verb in _SEATING and bool(roles.people)
-    if (roles.things and carried and not clause.passive) or seated:
+    if _puts_something(clause, roles, motion):
         found += _put(stage, roles)
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
+
+
+def _is_still(clause: Clause, roles: Roles, motion: str | None) -> bool:
+    """Whether a clause tells where its subject is: it stands, is laid, hangs there."""
+    moved = clause.verb in _PLACING and bool(roles.things)
+    still = (clause.verb in _STATIVE and not moved) or clause.verb in _ARRIVING or motion in _STILL
+    laid = clause.verb in _AT_REST and not roles.subjects
+    return still or laid or (clause.passive and clause.verb in _PLACING | _AT_REST | _ATTACHING)
+
+
+def _telling_places(clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
+    """The places of a clause that tell where its subject is once it is over."""
+    if _is_still(clause, roles, motion):
+        return roles.places
+    if clause.opening:
+        return roles.places[-clause.opening :]
+    if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
+        return [place for place in roles.places if place.preposition in _WHERE]
+    if not roles.subjects or clause.verb in _GAZE or (clause.verb in _PLACING and roles.things):
+        return []
+    return [
+        place
+        for place in roles.places
+        if (place.preposition == "at" and motion in _AT_WORK and not place.people)
+        or (place.preposition in _BESIDE and (place.people or not roles.things))
+    ]
+
+
+def _puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
+    """Whether things, or people, end up somewhere else."""
+    carried = motion in _MOVED or clause.verb in _PLACING or bool(roles.prepositions & {"into", "onto"})
+    seated = bool(roles.people) and (clause.verb in _SEATING or motion in _MOVED | {"pull", "push", "carry"})
+    return (bool(roles.things) and carried and not clause.passive) or seated
 
 
 def _onto(roles: Roles, located: list[str]) -> list[_Stated]:
@@ -144,15 +158,13 @@ def _is_the_place(stage: Stage, anchor: str) -> bool:
     return bool(head) and head in stage.place.place.lower().split()
 
 
-def _between(stage: Stage, roles: Roles, located: list[str]) -> list[_Stated]:
+def _between(stage: Stage, roles: Roles, located: list[str]) -> None:
     """Between two anchors; a group counts as its members."""
-    found: list[_Stated] = []
     for place in roles.places:
         anchors = [person.id for person in place.people] + place.things
         if place.preposition == "between" and len(anchors) > 1:
             for subject in located:
                 stage.relate(subject, "between", anchors[0], anchors[1])
-    return found
 
 
 def _left_or_right(stage: Stage, subjects: list[Person]) -> None:
@@ -180,7 +192,8 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
         kind = "on" if place.preposition == "to" and stage.sentence.verb in _ATTACHING else kind
         if kind not in ("on", "in", "under", "next_to", "behind", "against", "in_front_of"):
             continue
-        anchors = [person.id for person in place.people if kind == "in_front_of"]
+        beside = kind == "in_front_of" or (roles.people and kind in ("behind", "next_to"))
+        anchors = [person.id for person in place.people if beside]
         anchors += [
             thing
             for thing in place.things
@@ -192,7 +205,21 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
             for thing in moved:
                 if thing != anchor:
                     found.append((thing, _exact_kind(stage, kind, anchor, "put"), anchor))
-    return found
+    return _furniture_beside(stage, roles, found)
+
+
+def _furniture_beside(stage: Stage, roles: Roles, found: list[_Stated]) -> list[_Stated]:
+    """``Lays her hat on the chair by the stove``: it is the chair that is by the stove."""
+    pieces = [
+        anchor for _, kind, anchor in found if kind in ("on", "in") and stage.inventory.class_of(anchor) == "set_piece"
+    ]
+    beside = [
+        place for place in roles.places if place.things and place.preposition in ("by", "near", "next to", "beside")
+    ]
+    if not pieces or not beside or beside[0].things[0] == pieces[0]:
+        return found
+    other = beside[0].things[0]
+    return [*(relation for relation in found if relation[2] != other), (pieces[0], "next_to", other)]
 
 
 def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[_Stated]) -> list[_Stated]:
@@ -250,7 +277,7 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
             continue
         if left and left.kind == "preposition" and left.text != "with" and kind != "on":
             continue
-        if anchor.head in lexicon.BODY and (kind == "in" or (kind == "over" and anchor.head != "head")):
+        if anchor.head in lexicon.BODY and (kind == "in" or (kind == "over" and stage.sentence.verb not in _HOLDING)):
             kind = "on"
         if noun.head in _OPENINGS and kind == "behind" and anchor.kind != "thing":
             continue

@@ -132,6 +132,15 @@ def _starts_predicate(word: Word) -> bool:
     return word.low in _PREDICATES or (word.low in lexicon.PREPOSITIONS and word.low not in _NO_FRAGMENT)
 
 
+def _is_list(words: list[Word]) -> bool:
+    """``On the table, a lamp, two glasses and a gun``: things only."""
+    commas = [index for index, word in enumerate(words) if word.text == ","]
+    heads = [words[index + 1].low for index in commas if index + 1 < len(words)]
+    several = bool(commas) or any(word.low == "and" for word in words)
+    nobody = not any(word.named for word in words)
+    return several and nobody and not any(low.endswith("ing") or low in lexicon.ADJECTIVES for low in heads)
+
+
 def _turn_around(words: list[Word]) -> list[Word]:
     """``Behind her, JO holding a doll`` -> JO was behind her, holding a doll; ``On it JO`` -> JO was on it."""
     comma = next((index for index, word in enumerate(words) if word.text == ","), None)
@@ -146,4 +155,6 @@ def _turn_around(words: list[Word]) -> list[Word]:
     prepositions = [i for i, word in enumerate(rest) if word.low in lexicon.PREPOSITIONS and not word.mention]
     first = prepositions[0] if prepositions else len(rest)
     cut = next((index for index, word in enumerate(rest) if word.text == ","), first)
+    if _is_list(rest[:first]):
+        cut = first
     return [*rest[:cut], was(words[0].start), *place, *rest[cut:]]

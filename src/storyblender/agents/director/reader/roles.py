@@ -91,7 +91,8 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
 def _they_without_him(stage: Stage, clause: Clause, noun: NounPhrase) -> Referents | None:
     """``They pull him in`` after a sentence about one person: that is him, and they are the others."""
     alone = stage.discourse.subjects
-    singular = any(o.kind == "pronoun" and o.head in ("him", "her") for o in clause.object + clause.recipient)
+    others = [*clause.object, *clause.recipient, *(place for _, nouns in clause.places for place in nouns)]
+    singular = any(o.kind == "pronoun" and o.head in ("him", "her") for o in others)
     if noun.kind != "pronoun" or noun.head != "they" or not singular or len(alone) != 1:
         return None
     people = resolve_pronoun(stage, "they", "subject", (), (), alone)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_brackets, without_quotations
 from storyblender.agents.director.reader.mentions import mark_mentions
+from storyblender.agents.director.reader.morphology import FORMS
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.words import Word, joined, tokenize
 from storyblender.agents.director.reading import CameraNote
@@ -93,6 +95,12 @@ def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
     if colon is None:
         return [(words, False)]
     before, after = words[:colon], words[colon + 1 :]
+    if after and before and before[0].low in lexicon.PREPOSITIONS and not any(w.low in FORMS for w in before):
+        return (
+            [([*before, replace(words[colon], text=","), *after], False)]
+            if not _ON_A_SCREEN.search(joined(before))
+            else [(after, True)]
+        )
     if _ON_A_SCREEN.search(joined(before)) and not any(word.named for word in before):
         return [(after, True)] if after else []
     return [(part, False) for part in (before, after) if part]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.coreference import resolve_mention
 from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.people_meant import resolve_mention
 from storyblender.agents.director.reader.sentences import Sentence, Speech
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Deed, Person

@@ -16,7 +16,7 @@ from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag
 from storyblender.memory.vocabulary import Posture, RelationKind
 
-_FADING = 0.6
+_FADING = 0.45
 """What salience keeps from one sentence to the next."""
 _SCENE_FADING = 0.3
 
@@ -152,7 +152,7 @@ class Stage:
     def find(self, name: str) -> Person | None:
         """The person a name means here: on stage first, then the most present, then the first introduced."""
         people = self.roster.by_name.get(key_of(bare(name))) or self.roster.by_name.get(key_of(name))
-        people = people or self.roster.find(name)
+        people = people or self.roster.find(name) or [p for p in self.roster.people if p.role == bare(name)]
         return max(people, key=self.presence) if people else None
 
     def presence(self, person: Person) -> tuple[bool, float]:

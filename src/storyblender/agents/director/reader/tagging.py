@@ -138,6 +138,8 @@ def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
     after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
     listed = left.low in ("and", ",", "then", "but") and row.verb_seen
     after_noun = form is not None and not row.verb_seen and left.solid and left.low not in _BEFORE_NOUN
+    if form and form.kind == "3sg" and left.mention and left.named and form_kind(right) not in ("past", "aux"):
+        return form
     past = form is not None and form.kind == "past"
     if not (after_person or listed or after_noun) or not (_goes_on(right) or (past and listed)):
         return None

@@ -76,3 +76,42 @@ def test_who_is_on_it_and_who_follows(read_scene: Callable[[str], Reading]) -> N
     reading = read_scene("TOM pushes a gurney. On it SAM (70), pale, clutching his chest. Tom runs, followed by MIA.")
     assert ("sam", "on", "gurney") in [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations]
     assert [(d.actor, d.target) for d in reading.units[-1].deeds] == [("tom", None), ("mia", "tom")]
+
+
+def test_a_verb_goes_on_after_a_comma_where_a_noun_cannot() -> None:
+    verbs = [clause.verb for clause in clauses_of("Tom gives chase, slips in the water and crushes it out.")]
+    assert verbs == ["give", "slip", "crush"]
+    assert [clause.verb for clause in clauses_of("Two yellow eyes, then four.")] == []
+
+
+def test_who_is_seen_doing_something_does_it() -> None:
+    clauses = clauses_of("Tom watches Mia go to the window, part the blinds and peer down.")
+    assert [clause.verb for clause in clauses] == ["watch", "go", "part", "peer"]
+    assert {clause.subject[0].mention.candidates[0].id for clause in clauses[1:] if clause.subject[0].mention} == {
+        "mia"
+    }
+
+
+def test_a_participle_may_have_a_subject_of_its_own() -> None:
+    waits, runs = clauses_of("Tom waits at the wheel, engine running.")
+    assert runs.absolute and runs.subject[0].head == "engine"
+    assert waits.subject[0].mention
+
+
+def test_the_subject_may_follow_its_verb() -> None:
+    (trudges,) = [c for c in clauses_of("Behind the van, bent double, trudges SERGEANT ROOK.") if c.verb == "trudge"]
+    assert trudges.object[0].mention and not trudges.subject
+
+
+def test_qualities_and_pairs_are_no_things() -> None:
+    assert not clauses_of("Tom breathes hard.")[0].object
+    assert clauses_of("Tom strolls up and down before the jury.")[0].particle == ""
+
+
+def test_a_noun_before_a_name_is_a_place() -> None:
+    clause = clauses_of("In the front pew MIA dabs her eyes.")[0]
+    assert clause.subject[0].mention and clause.places[0][1][0].head == "pew"
+
+
+def test_what_was_done_to_somebody_is_no_deed() -> None:
+    assert [clause.passive for clause in clauses_of("Mia sits on the bed, wrapped in a blanket.")] == [False, True]

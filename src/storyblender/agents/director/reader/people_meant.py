@@ -1,0 +1,152 @@
+"""Who a noun means: names, roles, ``the old woman``, ``the two men``, ``her uncle`` (notes of the director, 1d)."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.words import Mention
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+_GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
+_PAIRS = lexicon.words("pairs")
+_SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
+_LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
+
+
+def fits(person: Person, gender: Gender) -> bool:
+    """Whether nothing speaks against a person having a gender."""
+    return "unknown" in (person.gender, gender) or person.gender == gender
+
+
+def is_neuter(person: Person) -> bool:
+    """Whether somebody may be called ``it``: animals, robots."""
+    return person.kind == "animal" or person.role in lexicon.NEUTER_ROLES
+
+
+def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
+    """Decide who a mention means, once."""
+    if not mention.people:
+        if mention.kind == "group":
+            mention.people = _group(stage, mention)
+        elif mention.kind == "generic":
+            mention.people = _generic(stage, mention)
+        else:
+            mention.people = [max(mention.candidates, key=stage.presence)]
+    return mention.people
+
+
+def _generic(stage: Stage, mention: Mention) -> list[Person]:
+    """The old woman, the girl: of those on stage, by gender and age."""
+    if mention.candidates and mention.determiner in ("a", "an") and mention.head in _GENDERED:
+        return mention.candidates[:1]
+    here = [person for person in mention.candidates if person.id in stage.scene.on]
+    if here or (mention.candidates and mention.head not in _GENDERED):
+        return [max(here or mention.candidates, key=stage.presence)]
+    if mention.determiner in lexicon.POSSESSIVES:
+        return _kin(stage, mention)
+    if mention.determiner not in ("the", "that", "this"):
+        return []
+    if mention.head in ("animal", "beast", "creature"):
+        return sorted((p for p in stage.on_stage() if is_neuter(p)), key=stage.presence)[-1:]
+    if mention.head in lexicon.ANIMALS:
+        return []
+    gender = lexicon.gender_of_word(mention.head)
+    young = mention.head in lexicon.YOUNG_NOUNS
+    pool = [
+        person
+        for person in stage.on_stage()
+        if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
+    ]
+    if not pool:
+        pool = [person for person in stage.on_stage() if fits(person, gender) and person.kind == "human"]
+    small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
+    if small or large:
+        pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
+    elif "old" in mention.adjectives or "elderly" in mention.adjectives:
+        pool.sort(key=lambda person: -years(person))
+    elif young:
+        pool = [person for person in pool if years(person) < 31]
+        pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
+    else:
+        pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+    return pool[:1]
+
+
+def _is_sized(person: Person, sizes: frozenset[str]) -> bool:
+    """Whether somebody was introduced with one of these words."""
+    return any(word in sizes for build in person.build for word in build.lower().split())
+
+
+def _kin(stage: Stage, mention: Mention) -> list[Person]:
+    """``her uncle`` where she was introduced as somebody's niece: somebody else of that gender on stage."""
+    converse = lexicon.CONVERSE_KIN.get(mention.head, ())
+    if not any(person.role in converse for person in stage.roster.people):
+        return _relative(stage, mention) if converse else []
+    gender = lexicon.gender_of_word(mention.head)
+    pool = [
+        person
+        for person in stage.on_stage()
+        if person.kind == "human" and person.gender == gender and person.role not in converse and not person.age
+    ]
+    return [max(pool, key=stage.presence)] if pool else []
+
+
+def _relative(stage: Stage, mention: Mention) -> list[Person]:
+    """``Her father`` where nobody said whose: the oldest man there, for a daughter the youngest woman."""
+    gender = lexicon.gender_of_word(mention.head)
+    pool = [p for p in stage.on_stage() if p.kind == "human" and p.count == 1 and p.gender == gender]
+    young = mention.head in lexicon.YOUNGER_KIN
+    pool.sort(key=lambda person: (years(person) * (1 if young else -1), -stage.presence(person)[1]))
+    return pool[:1]
+
+
+def _group(stage: Stage, mention: Mention) -> list[Person]:
+    """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
+    numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
+    absent = not any(person.id in stage.scene.on for person in numbered)
+    if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):
+        return numbered
+    gender = lexicon.gender_of_word(mention.head)
+    pool = [
+        person
+        for person in stage.on_stage()
+        if person.role == mention.head
+        or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
+    ]
+    if mention.determiner in lexicon.POSSESSIVES and mention.head == "man":
+        pool = [person for person in stage.on_stage() if person.count > 1]
+    pool = pool or [person for person in stage.roster.people if person.role == mention.head]
+    if not pool and (mention.head in _PAIRS or mention.number == 2):
+        pool = _pair(stage, mention, gender)
+    if len(pool) > mention.number > 1:
+        exact = [person for person in pool if person.role == mention.head]
+        ranked = sorted(pool, key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+        pool = exact if len(exact) >= mention.number else ranked[: mention.number]
+    return pool
+
+
+def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
+    """The two, the children: the last group, or those on stage who were spoken of last."""
+    young = mention.head in lexicon.YOUNG_NOUNS
+    if not young:
+        for _, group, _ in reversed(stage.discourse.groups):
+            if all(fits(person, gender) for person in group):
+                return group
+    here = [
+        person
+        for person in stage.on_stage()
+        if fits(person, gender)
+        and person.kind == "human"
+        and not (young and (re.search(r"[2-9]0s|old", person.age) or _titled(person)))
+    ]
+    here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    return here[: max(mention.number, 2)]
+
+
+def _titled(person: Person) -> bool:
+    """Whether somebody is called Mr. or Mrs.: no child."""
+    return person.name.lower().split()[0].strip(".") in lexicon.TITLES
