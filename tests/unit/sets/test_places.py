@@ -35,6 +35,10 @@ from storyblender.catalog.sets.places import find_kit
         ("PLATFORM 4", "outdoor", "platform"),
         ("SUBWAY PLATFORM", "indoor", "subway"),
         ("SUBWAY CAR", "indoor", "carriage"),
+        ("SPACESHIP BRIDGE", "indoor", "control_room"),
+        ("STARSHIP - BRIDGE", "indoor", "control_room"),
+        ("MISSION CONTROL", "indoor", "control_room"),
+        ("SCHOOL GYM", "indoor", "gym"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:

@@ -149,6 +149,7 @@ _OPTION_WORDS = {
     "dry": r"\bdry\b|prairie|savanna|wheat|corn|dusty|steppe",
     "lighthouse": r"light ?house",
     "cranes": r"\bcranes?\b",
+    "space": r"\bspace|star ?ship|\bstars\b|orbit|shuttle|galax|planet",
     "railway": r"station|rail|\btrains?\b|ticket|depot",
     "train": r"\btrain (stands|waits|stops|is standing|has stopped|at the platform)",
     "snow": r"snow|ice|glacier|arctic|blizzard",

@@ -22,12 +22,14 @@ from storyblender.catalog.sets import (
     cell,
     church,
     classroom,
+    control_room,
     corridor,
     cottage,
     desert,
     dock,
     forest,
     great_hall,
+    gym,
     hospital_ward,
     interrogation,
     kitchen,
@@ -65,8 +67,8 @@ SETS: Catalog[SetKit] = Catalog(
         for module in (
             plain_room, living_room, bedroom, kitchen, bathroom, cafe, bar, office, corridor, hospital_ward, classroom,
             library, cell, interrogation, shop, lobby, waiting_room, theatre, church, great_hall, cottage, lighthouse,
-            warehouse, subway, carriage, open_ground, street, alley, square, park, forest, beach, dock, airfield,
-            rooftop, bridge, platform, desert, mountain, ship_deck,
+            warehouse, gym, control_room, subway, carriage, open_ground, street, alley, square, park, forest, beach,
+            dock, airfield, rooftop, bridge, platform, desert, mountain, ship_deck,
         )
     ),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The lamp room of a lighthouse: the great lens on its iron drum, tall windows to the sea on three sides."""
+"""The lamp room of a lighthouse: the great lens on its iron drum, windows to the sea, stairs up through a hatch."""
 
 from __future__ import annotations
 
@@ -17,21 +17,32 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     x, y = room.half_x, room.half_y
     for at in (-x * 0.62, 0.0, x * 0.62):
         room.window("back", at, width=1.5, height=1.9, sill=0.8, style="grid", mark=at == 0.0)
-    for at in (-y * 0.25, y * 0.55):
-        room.window("right", at, width=1.4, height=1.9, sill=0.8, style="grid", mark=at < 0.0)
+    room.window("right", y * 0.58, width=1.4, height=1.9, sill=0.8, style="grid", mark=True)
     room.window("left", y * 0.55, width=1.4, height=1.9, sill=0.8, style="grid")
     room.door("left", -y * 0.4, style="plank")
     room.piece("great_lens", 0.0, y - 1.1, footprint=(1.3, 1.3))
     room.furnish("dining_table", -x + 0.75, y * 0.3, yaw=90)
     room.furnish("table_lamp" if params.period == "modern" else "lantern", -x + 0.7, y * 0.3 + 0.5, 0.75)
-    room.furnish("chair", -x + 1.5, y * 0.3, yaw=-90, required=False)
-    room.against("right", "bench", y * 0.15, 0.3)
-    room.mark("bench", x - 0.9, y * 0.15, 270, "bench")
-    room.against("right", "chest", -y + 1.1, 0.35, required=False)
+    room.furnish("chair", -x + 0.75, y * 0.3 - 1.25, yaw=180, required=False)
+    _stairs(room)
+    room.against("right", "bench", y * 0.62, 0.3)
+    room.mark("bench", x - 0.9, y * 0.62, 270, "bench")
+    room.against("front", "chest", x * 0.25, 0.35, required=False)
     room.furnish("barrel", -x + 0.5, -y + 0.5, required=False)
     room.furnish("rope", -x + 1.1, -y + 0.45, required=False)
     room.hang("lantern", -x * 0.3, -y * 0.2)
     return room.finish()
+
+
+def _stairs(room: Room) -> None:
+    """Lead iron stairs from the front up along the right wall."""
+    run, wide = 3.7, 0.9
+    foot = -room.half_y + 0.4
+    room.piece(
+        "stairs", room.half_x - 0.06 - wide / 2, foot + run / 2, 0.0, 90.0, footprint=(run, wide), width=wide, run=run,
+        height=room.height, material="iron", iron=True, hatch=True,
+    )  # fmt: skip
+    room.mark("stairs", room.half_x - 1.4, foot + 0.3, 270, "stairs", "enter", "exit")
 
 
 KIT = SetKit(

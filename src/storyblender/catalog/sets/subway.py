@@ -17,9 +17,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the track at the back, benches and columns before it, the stairs at the right."""
     modern = params.period == "modern"
     look = (
-        Finishes("concrete_light", "lino_grey", "ceiling_dark", dado="paint_grey", dado_height=1.2)
+        Finishes("concrete_light", "lino_grey", "concrete_light", dado="paint_grey", dado_height=1.2)
         if modern
-        else Finishes("tile_green", "paving_light", "ceiling_dark", beams=5)
+        else Finishes("tile_green", "paving_light", "ceiling_white", beams=5)
     )
     room = Room("subway", params, rng, look, view="none", thickness=0.3, pit=_TRACK)
     x, y, h, edge = room.half_x, room.half_y, params.height, room.size.y

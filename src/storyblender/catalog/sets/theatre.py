@@ -71,8 +71,6 @@ KIT = SetKit(
         "tv studio",
         "backstage",
         "film set",
-        "gym",
-        "gymnasium",
         "dance hall",
         "arena",
     ),
