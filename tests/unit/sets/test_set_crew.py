@@ -71,6 +71,13 @@ def test_words_set_the_period(place: str, story: str, period: str | None) -> Non
     assert environment.params.get("period") == period
 
 
+def test_who_and_what_is_there_tells_the_period() -> None:
+    designer = RulesEnvironmentDesigner()
+    for asset_ids, period in ((("sheriff", "horse"), "past"), (("anna", "laptop"), "modern"), (("anna",), None)):
+        setup = SceneSetup(place="STREET", scene_type="outdoor", asset_ids=asset_ids)
+        assert designer.propose(EnvironmentView(setup)).params.get("period") == period
+
+
 # ---------------------------------------------------------------------- dressing
 
 

@@ -59,7 +59,8 @@ class RulesEnvironmentDesigner:
             key = find_kit(setup.place_kind, f"{words} {setup.place}", setup.scene_type)
         kit = SETS[key]
         params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
-        period = period_of(f"{setup.place} {setup.layout_description} {view.story}", kit)
+        seen = " ".join(setup.asset_ids).replace("_", " ")  # a sheriff or a laptop tells the time
+        period = period_of(f"{setup.place} {setup.layout_description} {seen} {view.story}", kit)
         if period != kit.period:
             params["period"] = period
         words = f"{setup.place} {setup.layout_description} {setup.ground_description} {setup.wall_description or ''}"
@@ -118,7 +119,7 @@ def _enlarged(environment: Environment, width: float, depth: float) -> Environme
 
 _PERIOD_WORDS: dict[Period, str] = {
     "past": "medieval knight king queen prince princess castle viking victorian sword samurai pirate sheriff saloon "
-    "cowboy carriage candle lantern ancient roman wizard peasant monk inn",
+    "cowboy western frontier gunslinger outlaw stagecoach ancient roman wizard peasant monk inn",
     "modern": "laptop smartphone cellphone iphone computer monitor internet drone wifi tablet robot spaceship future "
     "email selfie hoodie sneakers cctv app video",
     "classic": "fedora typewriter radio gramophone telephone noir wartime trolley jukebox",
