@@ -176,6 +176,8 @@ PLACE_KINDS: dict[str, str] = {
 """Words of a heading -> place kind, e.g. ``tavern`` -> ``bar``."""
 RELATION_OF_PREPOSITION: dict[str, str] = _inverse(_read("relations.tsv"))
 TIME_WORDS = cast(dict[str, TimeOfDay], _pairs(_time["time"]))
+FOREIGN_TIMES = cast(dict[str, TimeOfDay], _pairs(_time["foreign"]))
+"""Times of day in other languages, for headings."""
 WEATHER_WORDS = cast(dict[str, Weather], _pairs(_time["weather"]))
 
 MOOD_OF_WORD = _inverse(_read("moods.tsv"))

@@ -113,6 +113,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     seen = entrances.subjects_enter(stage, clause, roles.subjects)
     if roles.subjects and (clause.main or not stage.sentence.subjects):
         stage.sentence.subjects = roles.subjects
+    entrances.left_alone(stage, clause, roles.subjects)
     if not roles.subjects and not stage.sentence.subjects:
         _owner_is_subject(stage, clause)
     resolve_objects(stage, clause, roles, previous)

@@ -22,6 +22,7 @@ _LEAVING = re.compile(
     r"(exit|leave|depart|vanish|disappear|flee|escape|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
 )
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "ride", "drive"})
+_STAYING = frozenset({"stand", "be", "remain", "stay"})
 _COMING_OUT = frozenset({"back", "crawl", "pull", "step", "burst", "come", "get", "look", "emerge", "climb", "lean"})
 _PICTURE_OF = re.compile(
     r"\b(photo|photograph|picture|portrait|painting|statue|name|letter|news|memory|voice|dream) (of|from)\b"
@@ -52,6 +53,15 @@ def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> 
             stage.enter(person)
             stage.involve(person)
     return seen
+
+
+def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
+    """``Rick stands alone.``: everybody else has gone. ``alone at a table`` says nothing about the others."""
+    alone = any(word.low == "alone" and word.verb is None for word in stage.sentence.words)
+    if alone and subjects and clause.verb in _STAYING and not clause.places and not (clause.negated or clause.unreal):
+        here = {person.id for person in subjects}
+        stage.scene.leaving += [p for p in stage.scene.on if p not in here and p not in stage.scene.leaving]
+        clear_exits(stage)
 
 
 def objects_enter(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:

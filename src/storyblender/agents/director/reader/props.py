@@ -55,7 +55,7 @@ class Inventory:
             self._ids.add(item.id)
             self._by_id[item.id] = item
             self._by_key[key] = item
-        if " " in key and item.noun_class == "prop":
+        if " " in key and (item.noun_class == "prop" or key.rsplit(" ", 1)[-1] in VEHICLES):
             self._by_key[key.rsplit(" ", 1)[-1]] = item
         return item.id
 

@@ -23,6 +23,8 @@ _NAME = re.compile(
     rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
+_LATER_LOOK = re.compile(r"\s*,[^.;!?]*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
+"""``named Iver, tall and stooped, with a grey beard``."""
 _APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
 _NOT_NAMES = lexicon.words("not_names")
@@ -59,6 +61,9 @@ def find_prose_cast(script: Manuscript) -> Roster:
             look = re.match(r"\s*,\s*(an? [^,.;]*)", script.text[at + len(name) : at + len(name) + 80])
             if look:
                 describe(person, look.group(1))
+            later = _LATER_LOOK.match(script.text[at + len(name) : at + len(name) + 160])
+            if later:
+                describe(person, later.group(1))
     for role in sorted(roles, key=lambda role: (_APPOSED.match(role.after) is None, role.at)):
         _admit(roster, role, script.text)
     roster.people.sort(key=lambda person: person.first)

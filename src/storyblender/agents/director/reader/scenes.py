@@ -62,11 +62,11 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> tuple[str, TimeOfD
     parts = [part for part in _DASH.split(rest) if part]
     if len(parts) == 1 and "," in rest:
         place, last = rest.rsplit(",", 1)
-        parts = [place, last.strip()] if time_of(last) or _SAME_TIME.match(last.strip().upper()) else parts
+        parts = [place, last.strip()] if _heading_time(last) or _SAME_TIME.match(last.strip().upper()) else parts
     time, written = inherited, ""
     while len(parts) > 1:
         last = parts[-1].strip(" .").upper()
-        told = time_of(last)
+        told = _heading_time(last)
         if not told and not _SAME_TIME.match(last):
             break
         time, written = (told or time), f"{last} {written}".strip()
@@ -78,6 +78,12 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> tuple[str, TimeOfD
         if len(words) > 1 and words[-1].upper() in ("DAY", "NIGHT"):
             time, written, parts = time_of(words[-1]) or time, words[-1].upper(), [" ".join(words[:-1])]
     return _BRACKETS.sub(" ", " ".join(parts)).strip(" .,"), time, written
+
+
+def _heading_time(text: str) -> TimeOfDay | None:
+    """The time at the end of a heading, in English or another language."""
+    words = re.findall(r"[^\W\d_]+", text.lower())
+    return time_of(text) or next((lexicon.FOREIGN_TIMES[word] for word in words if word in lexicon.FOREIGN_TIMES), None)
 
 
 def time_of(text: str) -> TimeOfDay | None:

@@ -17,6 +17,8 @@ _OFF = re.compile(
 )
 _QUIET = re.compile(r"whisper|quiet|soft|under (?:his|her) breath|low|sotto|hush|murmur|mutter")
 _LOUD = re.compile(r"shout|scream|yell|loud|calling|bellow|roar")
+_CALLED_OUT = re.compile(r"[^.?!]{1,24}!")
+"""``Yusuf! Who salted this?``"""
 _INTO = re.compile(
     r"(?:in)?to (?:the |his |her |a )?"
     r"(phone|telephone|radio|walkie-talkie|microphone|camera|intercom|receiver|headset|cell)"
@@ -115,7 +117,8 @@ def _manner(speech: Speech, prose: bool, device: str) -> str:
         return "shout"
     if prose:
         return _MANNER.get(speech.verb, "talk")
-    return "shout" if speech.text.rstrip().endswith("!") and not device else "talk"
+    loud = speech.text.rstrip().endswith("!") or _CALLED_OUT.match(speech.text)
+    return "shout" if loud and not device else "talk"
 
 
 def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Person | None:

@@ -255,3 +255,14 @@ def test_a_whole_feature_is_read() -> None:
     feature = "\n\n".join(text for text in scripts() if "INT." in text or "EXT." in text)
     reading = read_script(read(feature))
     assert len(reading.scenes) > 60 and len(reading.people) > 60
+
+
+def test_who_stands_alone_is_the_only_one_there() -> None:
+    reading = read_script(read("INT. CAFÉ - NUIT\n\nRICK and ILSA kiss. ILSA smiles. RICK stands alone. He smokes.\n"))
+    assert reading.scenes[0].time == "night"
+    assert [unit.on_stage for unit in reading.units][1:] == [["rick", "ilsa"], ["rick"], ["rick"]]
+
+
+def test_a_cart_is_the_fruit_cart_and_stones_are_ground(read_scene: Read) -> None:
+    reading = read_scene("PIA vaults a fruit cart. She runs across the stones and hides behind the cart.")
+    assert [thing.id for thing in reading.things] == ["fruit_cart"]
