@@ -110,3 +110,21 @@ def test_a_match_is_struck_before_the_breast_not_where_it_lay(bodies: dict[str, 
     hands = [Playback(bodies["man"], shot, "man").joint(f"hand.{side}", 18) for side in "LR"]
     assert (hands[0] - hands[1]).length < 0.35
     assert min(hand.z for hand in hands) > 0.9
+
+
+def test_two_who_stand_too_near_to_embrace_step_back_without_turning_away(bodies: dict[str, Body]) -> None:
+    marks = (mark_at("man", -0.1, 0, 90), mark_at("girl", 0.1, 0, -90))
+    shot = perform(bodies, marks, (cue_of("man", "hug", 2, target_id="girl"),), 5)
+    yaws = np.degrees(shot.people["man"].root[:, 3])
+    assert np.abs(yaws - 90).max() < 20
+    assert shot.people["man"].root[-1, 0] < -0.15
+
+
+@pytest.mark.parametrize("who", ["man", "girl"])
+def test_a_coil_of_rope_is_lifted_from_the_floor_with_both_hands(bodies: dict[str, Body], who: str) -> None:
+    rope = {"rope": StageProp(world_at(0, 0.5), (0.37, 0.37, 0.12))}
+    pick = cue_of(who, "pick_up", 2, prop_id="rope")
+    shot = perform(bodies, (mark_at(who, 0, 0.05, 180),), (pick,), 4, props=rope)
+    assert all(problem.amount < 0.12 for problem in shot.problems), "a child's arms are short for it"
+    assert who == "girl" or shot.problems == ()
+    assert shot.props["rope"][-1, 2, 3] > 0.4

@@ -246,10 +246,7 @@ class Actions:
         if partner.posture in ("lie", "asleep") and partner.support is None and person.upright:
             t = self.sheet.cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
             person.posture = "kneel"
-        if partner.upright:
-            partner.yaw, partner.acted = facing(partner.place, person.place), True
-        if person.upright and partner.posture not in ("lie", "asleep"):
-            person.yaw = facing(person.place, partner.place)
+        t = self._face_each_other(person, partner, t)
         length = natural_seconds(motion)
         hand = person.hand_of(prop) if prop else None
         end = self.sheet.cue(
@@ -280,6 +277,16 @@ class Actions:
             self._meet(action, motion, person, holder, prop)
         else:
             self.hands.handle(action, motion, person, prop, later)
+
+    def _face_each_other(self, person: Person, partner: Person, t: float) -> float:
+        """Turn two towards each other, at the same time; return when both have."""
+        ends = [t]
+        for one, other in ((person, partner), (partner, person)):
+            if one.upright and other.posture not in ("lie", "asleep"):
+                yaw = facing(one.place, other.place)
+                ends.append(self.sheet.face(one, yaw, t))
+                one.yaw, one.acted = yaw, True
+        return max(ends)
 
     def _before(self, partner: Person, person: Person) -> Vec2 | None:
         """Return the place in front of somebody who sits, if there is room."""

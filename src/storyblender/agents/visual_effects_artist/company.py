@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
@@ -83,7 +83,8 @@ class Company:
             thing = self.floor.thing(first.target_id) if first is not None else None
             if enters and first is not None and self.enter_marks():
                 mark = self._entrance(place, clip_of(first.motion).speed or 0.0)
-                if self.floor.room_at(mark) < 0.6 * BODY * person.k:
+                crowded = any(math.dist(mark, other) < PERSONAL for other in others)
+                if crowded or self.floor.room_at(mark) < 0.6 * BODY * person.k:
                     mark = self.floor.free_near(mark, person.k, others)
                 person.place, person.yaw, person.entering = mark, facing(mark, place), True
             elif thing is not None and first is not None and self._waits_by(first, thing, place):

@@ -20,7 +20,7 @@ CHEAT = math.radians(20)
 """Bodies turn this much from their partner towards the audience, so that faces read; the head makes up for it."""
 PROFILE = math.radians(48)
 """Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
-STRETCH, EXTRA = 1.5, 6.0
+STRETCH, EXTRA = 1.5, 9.0
 """A shot may grow to so many times the Director's length, or by so many seconds, before ways are cut short."""
 HURRY = 1.5
 """Who is short of time walks up to this many times as fast."""

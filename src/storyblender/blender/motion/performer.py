@@ -282,8 +282,9 @@ class Performer:
             for side in sides:
                 short, gap = self._pose_arm(side, self.hands[side](t))
                 self.missed[side] = max(0.0, short)
-                if short > worst:
-                    worst, missing = short, gap
+                worst = max(worst, short)
+                if short > SHORT_REACH * self.m.k:
+                    missing = missing + gap
             if attempt or worst < SHORT_REACH * self.m.k or float(self.lean_after(t)) < 0.5:
                 return
             self._lean(worst, missing)

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from storyblender.agents.visual_effects_artist import cue_sheet
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA
@@ -151,16 +152,17 @@ def test_whoever_the_script_finds_sitting_sits_from_the_first_frame() -> None:
     assert shot.prop_states[0].held_by == "ilsa"
 
 
-def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short() -> None:
+def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cue_sheet, "EXTRA", 3.5)
     alone = _shot(1, on_stage=("ilsa",))
     enters = _shot(2, _do("rick", "walk", target_id="ilsa"), seconds=5)
     _, shot = _stage(alone, enters)
     assert math.dist(_start(shot, "rick").location, DOOR.location) < 0.5
-    _, short = _stage(alone, _shot(2, _do("rick", "crawl", target_id="ilsa"), seconds=8 / 24))
+    _, short = _stage(alone, enters.model_copy(update={"duration": 8}))
     assert math.dist(_start(short, "rick").location, DOOR.location) > 0.3
     assert short.cheats
-    assert short.duration <= 8 + 24 * EXTRA
-    walk = next(cue for cue in short.cues if cue.clip == "crawl")
+    assert short.duration <= 8 + 24 * 3.5
+    walk = next(cue for cue in short.cues if cue.clip == "walk")
     assert walk.duration is not None, "who is short of time hurries"
     assert walk.start + walk.duration <= short.duration
 

@@ -167,3 +167,12 @@ def test_one_kneels_beside_who_has_fallen_and_touches_them() -> None:
     assert [cue.clip for cue in shot.cues if cue.asset_id == "pia"][-2:] == ["kneel", "touch"]
     pia, dex = shot.blocking[0].end, shot.blocking[1].end
     assert math.dist(pia.location, dex.location) > 0.7, "beside the breast, not at the feet"
+
+
+def test_two_turn_to_each_other_before_something_changes_hands() -> None:
+    held = BodyState(asset_id="pia", held=("satchel",))
+    shot = _stage(_do("pia", "give", target_id="dex", prop_id="satchel"), states=(held,))
+    give = next(cue for cue in shot.cues if cue.clip == "give")
+    turns = [cue for cue in shot.cues if cue.clip == "turn" and cue.asset_id == "dex"]
+    assert all(cue.start + (cue.duration or 20) <= give.start for cue in turns)
+    assert turns, "dex faced away"

@@ -15,12 +15,14 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageFurniture
 from storyblender.blender.motion.puppets import SETTLE, Grip, PropPuppet, carried, gripping, standing
-from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import PADDING, Beat, Stage
 from storyblender.geometry.paths import clearance
 
 ARM_AND_LEAN = 1.45
 """Arm lengths on the floor that a standing person can reach, leaning."""
+KNEE = 0.35
+"""Metres; what lies lower is squatted to deeply."""
 TURN_IN_HAND = 0.6
 """Seconds in which a thing taken from behind turns to how it is carried, while it is lifted."""
 
@@ -81,23 +83,37 @@ def reach_down(who: Performer, t: float, duration: float, place: Vector) -> floa
     if who.posture != "stand":
         return 0.0
     low = clamp((m.shoulder_height - place.z - 0.80 * m.arm) / (0.55 * k))
-    sink = 0.42 * m.hip_height * low * low  # tables are bent over, the floor is squatted to
-    trunk, away = m.shoulder_height - m.hip_height, (place.xy - who.position).length - 0.10 * k
+    sink, bend = _squat(who, place.z, low)
+    away = (place.xy - who.position).length - 0.10 * k
 
     def falls_short(depth: float) -> bool:
-        bend = math.radians(47 * depth)
-        ahead = trunk * math.sin(bend) - 0.10 * k * depth
-        height = m.hip_height - sink + trunk * math.cos(bend)
-        return math.hypot(away - ahead, place.z - height) > m.arm
+        ahead, height = _shoulders(who, sink, bend * depth)
+        return math.hypot(away - 0.10 * k * (1 - depth) - ahead, place.z - height) > m.arm
 
     depth = low
     while depth < 1 and falls_short(depth):
         depth = min(1.0, depth + 0.05)
     if depth <= 0:
         return 0.0
-    who.hips.set(t, duration, (0, 0.10 * k * depth, who.standing_height - sink, 22 * depth, 0, 0))
+    hips = (bend - 25) * depth
+    who.hips.set(t, duration, (0, 0.10 * k * depth, who.standing_height - sink, hips, 0, 0))
     who.spine.set(t, duration, (42 * depth, 0, 0))
     return depth
+
+
+def _squat(who: Performer, height: float, low: float) -> tuple[float, float]:
+    """Return how far the hips sink to reach a height, metres, and how far the trunk bends, degrees.
+
+    Tables are bent over, the floor is squatted to.
+    """
+    floor = clamp(1 - height / KNEE)
+    return (0.42 + 0.26 * floor) * who.m.hip_height * low * low, 47 + 28 * floor
+
+
+def _shoulders(who: Performer, sink: float, bend: float) -> tuple[float, float]:
+    """Return how far ahead of the feet and how high the shoulders are when one bends by some degrees."""
+    trunk, angle = who.m.shoulder_height - who.m.hip_height, math.radians(bend)
+    return trunk * math.sin(angle) - 0.10 * who.m.k, who.m.hip_height - sink + trunk * math.cos(angle)
 
 
 def near_grip(who: Performer, prop: PropPuppet, side: str) -> Grip:
@@ -105,7 +121,9 @@ def near_grip(who: Performer, prop: PropPuppet, side: str) -> Grip:
     grip = prop.grip(side)
     ahead = Vector((*(prop.matrix.translation.xy - who.position), 0.0))
     turned = prop.matrix.to_3x3() @ grip.fingers
-    return grip.opposite() if turned.dot(ahead) < 0 and not prop.two_handed else grip
+    if turned.dot(ahead) >= 0:
+        return grip
+    return prop.grip(other(side)).opposite() if prop.two_handed else grip.opposite()
 
 
 def come_up(who: Performer, t: float, duration: float) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, clamp, smooth, turn_between
 from storyblender.blender.motion.clips.registry import clip
@@ -36,6 +37,18 @@ def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, 
 
     who.feet[side].set(t, 0, target)
     return t + duration
+
+
+def shuffle(who: Performer, t: float, place: Vector) -> float:
+    """Step to a place that is near without turning: forwards, aside or back; return the end."""
+    way = place - who.position
+    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    lead = "R" if way.dot(right) < 0 else "L"
+    who.root.set(t + 0.1, 0.75, (place.x, place.y, who.yaw))
+    for side, after in ((lead, 0.1), (other(lead), 0.48)):
+        step_to(who, side, t + after, 0.36, who.plant(side, place.x, place.y, who.yaw))
+    who.position = place.copy()
+    return t + 0.85
 
 
 def face(who: Performer, t: float, yaw: float) -> float:

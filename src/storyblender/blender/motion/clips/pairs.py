@@ -11,7 +11,7 @@ from storyblender.blender.motion.channel import Floats, TargetOf, clamp, ease_ou
 from storyblender.blender.motion.clips.containers import take_out
 from storyblender.blender.motion.clips.gaze import look_at, mood
 from storyblender.blender.motion.clips.handling import let_go, pick_up, prop_of, take_in_hand
-from storyblender.blender.motion.clips.locomotion import face, step_to, travel
+from storyblender.blender.motion.clips.locomotion import face, shuffle, step_to, travel
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.work import press
 from storyblender.blender.motion.hands import by_chest, hand
@@ -21,6 +21,8 @@ from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
 SEATED = ("sit", "lie", "asleep")
+SHUFFLE = 0.45
+"""Metres that are not walked but stepped, forwards or back, the face to the other."""
 BY_KNEES = 1.1
 """Metres from which who kneels stays there."""
 BEFORE_SITTER = 0.45
@@ -46,6 +48,8 @@ def meet(stage: Stage, who: Performer, partner: Performer, beat: Beat, distance:
             ahead = partner.forward
             away = (ahead + away * 0.8).normalized() if away.dot(ahead) > -0.2 else ahead
         spot = partner.position + away * distance
+        if (spot - who.position).length < SHUFFLE:
+            return shuffle(who, face(who, t, math.atan2(-away.x, away.y)), spot)
         t = max(t, travel(stage, who, beat, (spot.x, spot.y), skip=(partner.asset_id,), partner=partner))
     ends = [t]
     for one, two in ((who, partner), (partner, who)):
