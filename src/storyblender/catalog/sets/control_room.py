@@ -39,7 +39,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             seat_x, seat_y = px - side * 0.95 * math.sin(angle), at - 0.95 * math.cos(angle)
             room.furnish("office_chair", seat_x, seat_y, yaw=180 - side * turn, required=False)
         room.piece("screen_wall", side * x, y * 0.2, 1.35, -90.0 * side, width=2.4, height=1.0, columns=3.0, rows=2.0)
-        room.piece("pipes", side * (x - 0.08), -y * 0.05, h - 0.2, 90.0 * side, length=2 * y - 0.6)
     room.against("front", "locker", -x * 0.45, 0.3, required=False)
     room.against("front", "locker", x * 0.45, 0.3, required=False)
     for px in (-x * 0.45, x * 0.45):
