@@ -184,7 +184,7 @@ def catalog(
     kind: Annotated[
         str, typer.Argument(help="props, sets, garments, hair, materials, motions or looks; all if not given.")
     ] = "",
-    picture: Annotated[str | None, typer.Option(help="Render a picture of this prop or garment.")] = None,
+    picture: Annotated[str | None, typer.Option(help="Render a picture of this prop, garment or hair style.")] = None,
     out: Annotated[Path, typer.Option("--out", "-o", help="Where the picture goes.")] = Path("catalog.png"),
     json_lines: Json = False,
 ) -> None:

@@ -168,3 +168,14 @@ def test_a_portrait_shows_every_part_and_leaves_the_file_alone(tmp_path):
         shares.append((np.abs(pixels - pixels[0, 0]).max(axis=2) > 0.05).mean())
     assert shares[0] > 2 * shares[1] > 0.02, "the crate is small beside the lamp post"
     assert [len(data) for data in (bpy.data.objects, bpy.data.scenes, bpy.data.cameras)] == before
+
+
+def test_a_picture_of_hair_shows_the_head_only(tmp_path):
+    post = bpy.data.objects.new("post", build_prop("lamppost").mesh)
+    widths = []
+    for head in (False, True):
+        path = tmp_path / f"{head}.png"
+        render_portrait([post], path, (64, 64), head=head)
+        pixels = np.array(bpy.data.images.load(str(path)).pixels).reshape(64, 64, 4)[..., :3]
+        widths.append((np.abs(pixels - pixels[0, 0]).max(axis=2) > 0.05).any(axis=0).sum())
+    assert widths[1] > 2 * widths[0], "its top is nearer"

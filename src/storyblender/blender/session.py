@@ -21,6 +21,7 @@ from storyblender.blender.render.frame import FrameRequest, PersonHead, render_f
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
 from storyblender.blender.still import held_still
+from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.errors import InputError
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import scene_name, shot_name
@@ -221,7 +222,7 @@ class Session:
             parts = list(self._store.append_person(asset).meshes)
         else:
             parts = [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
-        render_portrait(parts, self._path(out))
+        render_portrait(parts, self._path(out), head=canonical.key in HAIRSTYLES)
         return out
 
     def _open_pack(self, pack: PackRef) -> bpy.types.Scene:

@@ -11,22 +11,19 @@ from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.cidfonts import UnicodeCIDFont
 from reportlab.pdfbase.ttfonts import TTFont
 
-REGULAR, ITALIC = "NotoSans", "NotoSans-Italic"
+REGULAR = "NotoSans"
 _ASIAN = {"ko": "HYSMyeongJo-Medium", "ja": "HeiseiKakuGo-W5", "zh": "STSong-Light"}
 
 
-def font_file(italic: bool = False) -> Path:
+def font_file() -> Path:
     """Return the path of the text font, for pictures."""
-    name = "NotoSans-Italic[wdth,wght].ttf" if italic else "NotoSans[wdth,wght].ttf"
-    return Path(str(files("fontpkg_noto_sans") / "files" / name))
+    return Path(str(files("fontpkg_noto_sans") / "files" / "NotoSans[wdth,wght].ttf"))
 
 
 @cache
 def register() -> None:
     """Make the fonts known to reportlab, once."""
     pdfmetrics.registerFont(TTFont(REGULAR, font_file()))
-    pdfmetrics.registerFont(TTFont(ITALIC, font_file(italic=True)))
-    pdfmetrics.registerFontFamily(REGULAR, normal=REGULAR, bold=REGULAR, italic=ITALIC, boldItalic=ITALIC)
     for name in _ASIAN.values():
         pdfmetrics.registerFont(UnicodeCIDFont(name))
 

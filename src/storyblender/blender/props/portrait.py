@@ -13,15 +13,20 @@ import mathutils
 
 YAW, PITCH, LENS = math.radians(-28), math.radians(18), 70.0
 """Seen a little from its left and from above, like a product photograph."""
+HEAD = 0.12
+"""Half of what a head with its neck takes of a person's height."""
 
 
-def render_portrait(parts: Sequence[bpy.types.Object], path: Path, size: tuple[int, int] = (512, 512)) -> None:
+def render_portrait(
+    parts: Sequence[bpy.types.Object], path: Path, size: tuple[int, int] = (512, 512), *, head: bool = False
+) -> None:
     """Render objects alone with Workbench on a plain ground and write a PNG. The scene they are in is not changed.
 
     Args:
         parts: The mesh objects of one thing or person, about one origin.
         path: Of the PNG.
         size: Pixels across and down.
+        head: Only the head of a person, by which a picture of a hair style is known.
     """
     scene = bpy.data.scenes.new("PORTRAIT")
     copies = [part.copy() for part in parts]
@@ -31,6 +36,10 @@ def render_portrait(parts: Sequence[bpy.types.Object], path: Path, size: tuple[i
     corners = [mathutils.Vector(corner) for part in parts for corner in part.bound_box]
     middle = sum(corners, mathutils.Vector()) / len(corners)
     radius = max((corner - middle).length for corner in corners)
+    if head:
+        top = max(corner.z for corner in corners)
+        radius = HEAD * top
+        middle = mathutils.Vector((0, 0, top - radius))
     camera.data.lens = LENS
     view = 2 * math.atan(camera.data.sensor_width / 2 / LENS)
     away = mathutils.Vector((math.sin(YAW) * math.cos(PITCH), -math.cos(YAW) * math.cos(PITCH), math.sin(PITCH)))
