@@ -154,6 +154,7 @@ NEUTER_ROLES = frozenset(_people["neuter"])
 TITLE_SYNONYMS = _pairs(_people["title_synonym"])
 CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people["converse"]).items()}
 """Kin -> what they are to each other: the uncle of a niece or nephew."""
+KIN = frozenset(_people["kin"])
 YOUNGER_KIN = frozenset(_people["younger_kin"])
 TITLES = frozenset(_people["title"])
 TITLE_GENDER = cast(dict[str, Gender], _pairs(_people["title_gender"]))

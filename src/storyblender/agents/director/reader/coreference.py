@@ -78,7 +78,8 @@ def resolve_pronoun(
         value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else unsure)
         value -= 1.0 * (person.kind == "animal" and person.gender != gender)
         value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
-        value += 0.8 * (role == "subject" and [person] == list(previous)) + 1.2 * (
+        sure = person.gender == gender or not known
+        value += 0.8 * (role == "subject" and [person] == list(previous) and sure) + 1.2 * (
             role == "possessor" and person in subjects
         )
         return value, stage.discourse.last_named.get(person.id, 0)

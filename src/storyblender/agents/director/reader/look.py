@@ -41,8 +41,9 @@ def describe(person: Person, phrase: str) -> None:
         for word in words:
             if word in _GENDER_WORDS:
                 person.gender = _GENDER_WORDS[word]
-            if person.gender == "unknown" and word == head and is_person_noun(word):
-                person.gender = lexicon.gender_of_word(word)
+            told = lexicon.gender_of_word(word) if word == head and is_person_noun(word) else "unknown"
+            if told != "unknown" and (person.gender == "unknown" or word in lexicon.KIN):
+                person.gender = told
             if not person.age and (word in lexicon.AGE_WORDS or word in lexicon.AGE_NOUNS):
                 person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
             if not person.role and word in lexicon.NEUTER_ROLES:

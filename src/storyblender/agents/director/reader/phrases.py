@@ -102,7 +102,8 @@ def _mention_or_verb(words: list[Word], at: int) -> Phrase | None:
 def _pronoun(words: list[Word], at: int) -> Phrase | None:
     word = words[at]
     if word.low in _SOME_OF and [w.low for w in words[at + 1 : at + 2]] == ["of"]:
-        inner = next((i for i in range(at + 2, min(at + 6, len(words))) if words[i].mention), None)
+        ahead = range(at + 2, min(at + 6, len(words)))
+        inner = next((i for i in ahead if words[i].mention or words[i].verb or words[i].low in lexicon.PRONOUNS), None)
         mention = words[inner].mention if inner else None
         if inner and mention:
             return Phrase("noun", at, inner, noun=NounPhrase("person", inner, mention.head, mention=mention))

@@ -23,7 +23,7 @@ _NAME = re.compile(
     rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
-_LATER_LOOK = re.compile(r"\s*,[^.;!?]*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
+_LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
 """``named Iver, tall and stooped, with a grey beard``."""
 _APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")

@@ -107,7 +107,7 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
         last = named[0][1] if alone and not gendered else None
     for person in roster.people:
         count = votes[person.id]
-        unisex = bool(lexicon.UNISEX & set(person.aliases))
+        unisex = bool(lexicon.UNISEX & set(person.aliases)) and lexicon.gender_of_word(person.role) == "unknown"
         if (person.gender == "unknown" or unisex) and count:
             gender, most = count.most_common(1)[0]
             if most > 0.6 * count.total() and (person.gender == "unknown" or most > 1):

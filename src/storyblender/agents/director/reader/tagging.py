@@ -38,6 +38,7 @@ _AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and",
 _SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
 _PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
 _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then"})
+_LIMBS = frozenset({"hands", "arms", "fingers", "thumbs", "eyes", "knees", "elbows"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = _THINGS | lexicon.WORN
@@ -206,7 +207,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
     if left.low in ("who", "which", "that") and not third:
         return _goes_on(right) and left.low != "that"
-    if left.low in _SINGULAR_PRONOUNS:
+    if left.low in _SINGULAR_PRONOUNS or (left.low == "other" and third):
         return third
     if left.low in _PLURAL_PRONOUNS:
         return True
@@ -242,6 +243,8 @@ def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
         return False
     if right in _OBJECTS | _DIRECTIONS or right.endswith("ly"):
         return False
+    if word.low in _LIMBS and right in lexicon.PREPOSITIONS:
+        return True
     before = [w for w in row.words if w.solid]
     return not row.verb_seen or _is_bare_plural(before)
 
