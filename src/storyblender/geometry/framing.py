@@ -73,6 +73,8 @@ OVER_CROWN = -0.04
 """Highest that the near head of an over-the-shoulder goes: a little hair may be cut, not the head."""
 _OVER_TALLER = 0.5
 """How much of a standing partner's height over a sitting subject the camera goes up."""
+_FOCUS_OFF = 0.13
+"""How far from the middle the face of an over-the-shoulder goes, on the side without the shoulder."""
 _LOWEST = 0.55
 """Lowest a subject's face goes in an over-the-shoulder, for the head before it."""
 _NEAREST_FACE = 0.8
@@ -271,7 +273,9 @@ def over_shoulder(
     distance = max(distance_for(focus.head, SCALES[size].head, tangent), apart + 0.75)
     behind = distance - apart
     spread = 0.42 * 2 * tangent * film.aspect
-    aside = min(spread / (1 / behind - 1 / distance), 0.75 * behind, 0.7 * distance)
+    # Placing the face on its third takes the camera back by as much.
+    taken = _FOCUS_OFF * 2 * tangent * film.aspect * distance
+    aside = min(spread / (1 / behind - 1 / distance) + taken, 0.75 * behind, 0.7 * distance)
     aside = max(aside, 0.32)
     lift = distance * math.tan(math.radians(elevation))
     position = np.asarray(over.face) - ahead * behind + left * side * aside
@@ -279,11 +283,11 @@ def over_shoulder(
     position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift + _OVER_TALLER * taller
     camera = between(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
     height = min(face_height(size) + 0.03, 0.42)
-    camera = placed(camera, focus.face, 0.5 - side * 0.13, height)
+    camera = placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, height)
     crown = float(project(camera, over.crown)[0][0, 1])
     if crown >= OVER_CROWN:
         return camera
-    return placed(camera, focus.face, 0.5 - side * 0.13, max(height, min(height + OVER_CROWN - crown, _LOWEST)))
+    return placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, max(height, min(height + OVER_CROWN - crown, _LOWEST)))
 
 
 def through_eyes(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:

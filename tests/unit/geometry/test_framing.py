@@ -76,6 +76,12 @@ def test_over_the_shoulder_shows_both_in_their_halves(side: int) -> None:
     assert SCALES["MS"].band[0] < head_share(camera, ANNA) < SCALES["MS"].band[1]
 
 
+def test_the_shoulder_of_somebody_far_away_is_beside_the_face_and_not_before_it() -> None:
+    far = figure("tom", 1.4, 0, -90, 1.85)
+    anna, tom = project(over_shoulder(FILM, ANNA, far, "MCU", 1, 0, 65), [ANNA.face, far.face])[0]
+    assert abs(anna[0] - tom[0]) == pytest.approx(0.42, abs=0.06)
+
+
 def test_point_of_view_is_in_the_eyes() -> None:
     camera = through_eyes(FILM, ANNA, TOM.face, 50)
     assert np.linalg.norm(camera.position - ANNA.face) < 0.2

@@ -27,6 +27,10 @@ _CROWD_RISES = (0, 9, 19)
 """Degrees to go up; three people or more are seen past each other from higher."""
 _NEAR = 0.3
 """Metres a camera needs from things."""
+_AT_BACK = 0.1
+"""Metres it needs from the one over whose shoulder it looks."""
+_AT_EDGE = 0.6
+"""Widths from the middle of the picture at which the middle of that one's head still leaves a shoulder in it."""
 _MARGIN = 0.03
 _SHOULDER = 0.17
 """Metres from the middle of a body to its side."""
@@ -142,7 +146,8 @@ def _things(brief: CameraBrief, take: Take) -> float:
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
     if brief.instruction.kind == "insert":
         spots = [(box.x, box.y, box.top) for box in brief.things]
-        boxes = [*(body(figure) for figure in brief.drawn.figures), *_solids(brief, take.hidden)]
+        bodies = [box for figure in brief.drawn.figures for box in body(figure)]
+        boxes = [*bodies, *_solids(brief, take.hidden)]
         # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere.
         boxes = [box for box in boxes if not any(_meets(box, *spot, near=0.0) for spot in spots)]
         framed &= ~hidden(boxes, take.camera.position, spots, _AT_HAND)
@@ -152,12 +157,15 @@ def _things(brief: CameraBrief, take: Take) -> float:
 def _position(brief: CameraBrief, take: Take) -> float:
     """Weigh a camera in the floor, in a thing or in somebody."""
     points = 0.0
-    bodies = [body(figure) for figure in brief.moments[0].figures if figure.node_id not in take.hidden]
+    over = brief.node(brief.instruction.over_id or "") if brief.instruction.kind == "ots" else None
+    there = [figure for figure in brief.moments[0].figures if figure.node_id not in take.hidden]
     for camera in dict.fromkeys((take.start, take.end)):
         x, y, z = (float(value) for value in camera.position)
         points += 5.0 * (z < 0.12)
         points += 5.0 * any(_meets(box, x, y, z) for box in _solids(brief, take.hidden))
-        points += 5.0 * any(_meets(box, x, y, z) for box in bodies)
+        for each in there:
+            near = _AT_BACK if each.node_id == over else _NEAR
+            points += 5.0 * any(_meets(box, x, y, z, near) for box in body(each))
     return points
 
 
@@ -177,12 +185,14 @@ def _people(brief: CameraBrief, take: Take) -> float:
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
     solid = _solids(brief, take.hidden)
     over, wanted = brief.node(instruction.over_id or ""), SCALES[instruction.size].head
+    bodies = {figure.node_id: body(figure) for figure in there}
     for figure in there:
-        others = [body(other) for other in there if other is not figure]
+        others = [box for other in there if other is not figure for box in bodies[other.node_id]]
         if figure.node_id in brief.focus and instruction.kind != "establishing":
             points += _subject(brief, camera, figure, [*others, *solid])
         elif figure.node_id == over and instruction.kind == "ots":
-            points += 1.5 * (not _inside(camera, figure))
+            (near,), _ = project(camera, [figure.face])
+            points += 1.5 * (abs(float(near[0]) - 0.5) > _AT_EDGE)
         elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
             points += 0.8 * (not _framed(camera, figure) or hidden_share(camera, figure, [*others, *solid]) > _MOST)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)

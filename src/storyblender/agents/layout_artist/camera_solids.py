@@ -9,8 +9,10 @@ from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure
 
-_BODY = 0.24
-"""Metres: radius of a person who stands in the way."""
+_BODY, _HEAD = 0.24, 0.12
+"""Metres: radius of a person who stands in the way, and of the head."""
+_NECK = 1.4
+"""Heads from the crown down to the shoulders."""
 
 
 def solids(props: dict[str, Box], plan: SetPlan | None, hidden: Collection[str]) -> list[Box]:
@@ -29,8 +31,12 @@ def solids(props: dict[str, Box], plan: SetPlan | None, hidden: Collection[str])
     return found
 
 
-def body(figure: Figure) -> Box:
-    """Return the box of somebody who stands or sits there."""
+def body(figure: Figure) -> list[Box]:
+    """Return the boxes of somebody who stands or sits there: up to the shoulders, and the head between them."""
     x, y, _ = figure.face
-    low = figure.base[2]
-    return Box(x, y, low, 2 * _BODY, 2 * _BODY, figure.crown[2] - low)
+    low, crown = figure.base[2], figure.crown[2]
+    neck = max(crown - _NECK * figure.head, low + 0.1)
+    return [
+        Box(x, y, low, 2 * _BODY, 2 * _BODY, neck - low),
+        Box(x, y, neck, 2 * _HEAD, 2 * _HEAD, max(crown - neck, 0.05)),
+    ]

@@ -129,7 +129,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if over is not None:
         side = line_side(brief, lead, over)
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
-        return _swung(camera, turn, rise)
+        return orbit(camera, turn) if turn else camera
     if len(people) > 1:
         return grouped(brief, lens, group_azimuth(brief) + turn, elevation)
     if brief.walks and not _tight(brief):
@@ -179,10 +179,6 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
 
 def _tight(brief: CameraBrief) -> bool:
     return brief.instruction.size in TIGHT
-
-
-def _swung(camera: Orbit, turn: float, rise: float) -> Orbit:
-    return orbit(camera, turn, rise) if turn or rise else camera
 
 
 def _pov(brief: CameraBrief, lens: float) -> Orbit | None:

@@ -9,11 +9,13 @@ from test_camera_room import ROOM, brief, person
 from storyblender.agents.layout_artist.camera_brief import Moment, Take
 from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
+from storyblender.agents.layout_artist.camera_solids import body
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Film, crown_height, group, group_from, project
 from storyblender.geometry.orbit import between, orbit
+from storyblender.geometry.sight import hidden
 
 APART = person("anna", -2.4, 1.8, 60), person("tom", 2.3, -0.5, -60), person("sam", 1.9, 2.2, -20)
 NAMES = ("anna", "tom", "sam")
@@ -97,6 +99,23 @@ def test_a_shoulder_that_is_not_in_the_picture_costs() -> None:
     best = scouted(view)[0]
     aside = replace(best, camera=orbit(best.camera, 60))
     assert cost(view, aside) > cost(view, best) + 1.4
+
+
+def test_a_face_is_seen_beside_the_head_of_whom_we_look_past() -> None:
+    shoulders, head = body(APART[0])
+    assert shoulders.top == pytest.approx(head.z) and head.width < shoulders.width
+    assert head.top == pytest.approx(APART[0].crown[2])
+    pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
+    wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
+    view = replace(brief(*pair, in_frame=("anna", "tom"), **wish), plan=None)
+    assert not hidden(body(pair[1]), start(view).camera.position, [pair[0].face]).any()
+
+
+def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
+    pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
+    wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
+    view = replace(brief(*pair, **wish), plan=None)
+    assert start(view, 0, 9).camera.elevation - start(view).camera.elevation == pytest.approx(9, abs=1.5)
 
 
 def test_nobody_of_a_group_fills_the_foreground() -> None:
