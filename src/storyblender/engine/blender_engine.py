@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from pathlib import Path
 from types import TracebackType
+from typing import Any, TypeVar
 
 from pydantic import TypeAdapter
 
 from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import Worker, blender_command
 from storyblender.geometry.framing import Figure
+from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
+
+Result = TypeVar("Result")
 
 _FIGURES = TypeAdapter(list[list[Figure]])
 _COLLISIONS = TypeAdapter(list[Collision])
@@ -65,39 +69,33 @@ class BlenderEngine:
             known: Future[PackRef] = Future()
             known.set_result(PackRef.model_validate_json(record.read_bytes()))
             return known
-        return self._pool.submit(
-            "pack_scene", {"job": _plain(job)}, PackRef.model_validate, affinity=f"scene{job.scene.scene_id}"
-        )
+        return self._in_scene(job.scene.scene_id, "pack_scene", {"job": _plain(job)}, PackRef.model_validate)
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
         """Say where everybody's face is at frames of the scene's timeline."""
         arguments = {"pack": _plain(pack), "frames": list(frames)}
-        return self._pool.submit("read_figures", arguments, _FIGURES.validate_python, affinity=f"scene{pack.scene_id}")
+        return self._in_scene(pack.scene_id, "read_figures", arguments, _FIGURES.validate_python)
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
         """Look through the viewfinder."""
         arguments = {"pack": _plain(pack), "requests": [_plain(request) for request in requests], "aspect": aspect}
-        return self._pool.submit("look", arguments, _VIEWS.validate_python, affinity=f"scene{pack.scene_id}")
+        return self._in_scene(pack.scene_id, "look", arguments, _VIEWS.validate_python)
 
     def find_collisions(self, pack: PackRef) -> Future[list[Collision]]:
         """Find people inside furniture, in every shot of a pack."""
-        return self._pool.submit(
-            "find_collisions", {"pack": _plain(pack)}, _COLLISIONS.validate_python, affinity=f"scene{pack.scene_id}"
-        )
+        return self._in_scene(pack.scene_id, "find_collisions", {"pack": _plain(pack)}, _COLLISIONS.validate_python)
 
     def measure_drift(self, pack: PackRef) -> Future[float]:
         """Measure the Spatial Drift Error of a scene's static things."""
-        return self._pool.submit("measure_drift", {"pack": _plain(pack)}, float, affinity=f"scene{pack.scene_id}")
+        return self._in_scene(pack.scene_id, "measure_drift", {"pack": _plain(pack)}, float)
 
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
         """Render the board frame of one shot."""
-        return self._pool.submit(
-            "render_frame", {"job": _plain(job)}, FrameReport.model_validate, affinity=f"scene{job.pack.scene_id}"
-        )
+        return self._in_scene(job.pack.scene_id, "render_frame", {"job": _plain(job)}, FrameReport.model_validate)
 
     def render_motion(self, job: MotionJob) -> Future[int]:
         """Render the moving frames of one shot."""
-        return self._pool.submit("render_motion", {"job": _plain(job)}, int, affinity=f"scene{job.pack.scene_id}")
+        return self._in_scene(job.pack.scene_id, "render_motion", {"job": _plain(job)}, int)
 
     def compile_story(self, job: StoryJob) -> Future[str]:
         """Compile the story's .blend."""
@@ -111,6 +109,12 @@ class BlenderEngine:
         """Render a small picture of one asset."""
         return self._pool.submit("portrait", {"job": _plain(job), "out": out}, str)
 
+    def _in_scene(
+        self, scene_id: int, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result]
+    ) -> Future[Result]:
+        """Call a tool where the scene is open already, if that worker is free."""
+        return self._pool.submit(tool, arguments, read, affinity=f"scene{scene_id}")
 
-def _plain(model: AssetJob | ExportJob | FrameJob | MotionJob | PackRef | SceneJob | StoryJob | ViewRequest) -> object:
+
+def _plain(model: Frozen) -> object:
     return model.model_dump(mode="json")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.memory.jobs import PackRef, SceneJob
+from storyblender.memory.scene_context import SceneContext, SceneSetup
 
 
 def test_the_log_holds_one_run_only(tmp_path: Path) -> None:
@@ -13,3 +15,14 @@ def test_the_log_holds_one_run_only(tmp_path: Path) -> None:
     log.write_text("an earlier run\n" * 1000)
     with BlenderEngine(tmp_path, jobs=1):
         assert not log.exists(), "nothing was said in this run yet"
+
+
+def test_a_pack_that_is_there_is_looked_up_without_blender(tmp_path: Path) -> None:
+    job = SceneJob(scene=SceneContext(scene_id=3, setup=SceneSetup()), shots=(), assets=())
+    reference = PackRef(scene_id=3, path=job.out, starts=((1, 1),))
+    for name, content in ((job.out, "a pack"), (job.record, reference.model_dump_json())):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(content)
+    with BlenderEngine(tmp_path, jobs=1) as engine:
+        assert engine.pack_scene(job).result(0) == reference
+    assert not (tmp_path / "build" / "engine.log").exists(), "Blender was started"
