@@ -154,3 +154,8 @@ def test_open_land_runs_out_at_its_ends(name: str, plan: SetPlan) -> None:
     for foot, (x, y, top) in rises:
         meets = sum(math.dist((x, y, top), other) < 1e-6 for _, other in rises)
         assert meets > 1 or top - foot < 0.6, f"a square edge at {x:.0f}, {y:.0f}"
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_no_step_is_so_high_that_people_would_stand_in_it(name: str, plan: SetPlan) -> None:
+    assert [slab.node_id for slab in plan.slabs if slab.role == "block" and slab.z > 0.1] == []

@@ -30,11 +30,11 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for step in range(2):
         room.slab(
             "block", rectangle(-x + 0.02, y - 2.9 + 0.4 * step, x - 0.02, y - 0.02), "stone_light",
-            z=0.14 * (step + 1), thickness=0.14,
+            z=0.03 * (step + 1), thickness=0.03,
         )  # fmt: skip
-    room.furnish("altar", 0, y - 1.2, 0.28)
+    room.furnish("altar", 0, y - 1.2, 0.06)
     for px in (-0.7, 0.7):
-        room.furnish("candle_holder", px, y - 1.2, 0.28 + 1.02, required=False)
+        room.furnish("candle_holder", px, y - 1.2, 0.06 + 1.02, required=False)
     room.mark("altar", 0, y - 2.2, 0, "altar", "bar")
     rows = max(1, int((y - 1.9) // 1.15))
     for row in range(rows):
@@ -48,7 +48,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                 style="gothic",
             )  # fmt: skip
         room.furnish(
-            "floor_lamp" if params.period == "modern" else "candle_holder", side * 2.4, y - 0.7, 0.28, required=False
+            "floor_lamp" if params.period == "modern" else "candle_holder", side * 2.4, y - 0.7, 0.06, required=False
         )
     for py in (-y * 0.4, y * 0.2):
         room.hang("chandelier", 0, py)

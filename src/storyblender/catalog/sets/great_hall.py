@@ -25,11 +25,11 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for step in range(3):
         reach, depth = 2.4 - 0.35 * step, 2.5 - 0.4 * step
         room.slab(
-            "block", rectangle(-reach, y - depth, reach, y - 0.02), "stone_light", z=0.15 * (step + 1),
-            thickness=0.15,
+            "block", rectangle(-reach, y - depth, reach, y - 0.02), "stone_light", z=0.03 * (step + 1),
+            thickness=0.03,
         )  # fmt: skip
     throne = str(params.option("seat"))
-    room.furnish(throne, 0, y - 0.95, 0.45)
+    room.furnish(throne, 0, y - 0.95, 0.09)
     room.mark("throne", 0, y - 3.1, 180, "throne", "audience")
     room.slab("patch", rectangle(-0.85, -y + 0.4, 0.85, y - 2.5), "cloth_red", z=0.012)
     for side in (-1, 1):
