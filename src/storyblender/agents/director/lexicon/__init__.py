@@ -110,7 +110,9 @@ OVERRIDDEN_PARTICLES = frozenset(
 """Verb and particle pairs that have a rule: ``pull off``."""
 """Verb -> its rules, in order."""
 
-_BODILY = frozenset({"walk", "run", "sneak", "stagger", "crawl", "sit", "stand", "kneel", "crouch", "lie_down", "ride"})
+_BODILY = frozenset(
+    {"walk", "run", "sneak", "stagger", "crawl", "sit", "stand", "kneel", "crouch", "lie_down", "ride", "jump", "climb"}
+)
 INVERTING = frozenset(_rules["inverting"]) | {verb for verb, motion in MOTION_OF_VERB.items() if motion in _BODILY}
 """Verbs whose subject may follow: ``Behind him trudges SERGEANT OAKE``."""
 

@@ -141,7 +141,7 @@ def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
         for person in stage.on_stage()
         if fits(person, gender)
         and person.kind == "human"
-        and not (young and (re.search(r"[2-9]0s|old", person.age) or _titled(person)))
+        and not (young and (re.search(r"[2-9]0s|old", person.age) or years(person) > 30 or _titled(person)))
     ]
     here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
     return here[: max(mention.number, 2)]

@@ -243,7 +243,7 @@ def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
         return False
     if right in _OBJECTS | _DIRECTIONS or right.endswith("ly"):
         return False
-    if word.low in _LIMBS and right in lexicon.PREPOSITIONS:
+    if (word.low in _LIMBS and right in lexicon.PREPOSITIONS) or form_kind(right) in ("past", "pp"):
         return True
     before = [w for w in row.words if w.solid]
     return not row.verb_seen or _is_bare_plural(before)
