@@ -224,8 +224,7 @@ class Actions:
 
     def _meet(self, action: CharacterAction, motion: Motion, person: Person, partner: Person, prop: str | None) -> None:
         """Go to somebody and do something together."""
-        start = self.sheet.start_of(person, partner)
-        t = start
+        start = t = self.sheet.start_of(person)
         giving = motion.key == "give"
         if giving and prop is not None and not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
@@ -246,7 +245,7 @@ class Actions:
         if partner.posture in ("lie", "asleep") and partner.support is None and person.upright:
             t = self.sheet.cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
             person.posture = "kneel"
-        t = self._face_each_other(person, partner, t)
+        t = self._face_each_other(person, partner, max(t, partner.busy))
         length = natural_seconds(motion)
         hand = person.hand_of(prop) if prop else None
         end = self.sheet.cue(

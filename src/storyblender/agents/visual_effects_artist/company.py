@@ -81,8 +81,9 @@ class Company:
             place, yaw = self.home.get(person.asset_id, (self.middle(), 0.0))
             enters = first is not None and (self.opens_a_door(first) or clip_of(first.motion).speed is not None)
             thing = self.floor.thing(first.target_id) if first is not None else None
-            if enters and first is not None and self.enter_marks():
-                mark = self._entrance(place, clip_of(first.motion).speed or 0.0)
+            stairs = self.floor.mark_of("stairs") if first is not None and first.motion == "climb" else None
+            if first is not None and (stairs is not None or (enters and self.enter_marks())):
+                mark = stairs or self._entrance(place, clip_of(first.motion).speed or 0.0)
                 crowded = any(math.dist(mark, other) < PERSONAL for other in others)
                 if crowded or self.floor.room_at(mark) < 0.6 * BODY * person.k:
                     mark = self.floor.free_near(mark, person.k, others)

@@ -83,9 +83,9 @@ class CueSheet:
         self.cues.append(Cue.model_validate({**values, **fields}))
         return start + length
 
-    def start_of(self, person: Person, partner: Person | None = None) -> float:
-        """Return when a person, and the partner, may begin the next action."""
-        return max(self.clock, person.busy, partner.busy if partner else 0.0)
+    def start_of(self, person: Person) -> float:
+        """Return when a person may begin the next action."""
+        return max(self.clock, person.busy)
 
     def done(self, person: Person, start: float, end: float, *, holds: bool = False) -> None:
         """The next action of somebody else may begin soon after this one began, or when it is over."""
@@ -265,7 +265,8 @@ class CueSheet:
             spot = self.company.floor.spot_at(point, person.place, person.k, others, REACH)
             spot = spot or self.company.floor.free_near(point, person.k, others)
             return spot, facing(spot, thing.location[:2])
-        named = self.company.floor.mark_of(action.target_id)
+        up = "stairs" if action.motion == "climb" and not person.entering else None
+        named = self.company.floor.mark_of(action.target_id or up)
         if named is not None:
             return self.company.floor.free_near(named, person.k, others), None
         if leaves:

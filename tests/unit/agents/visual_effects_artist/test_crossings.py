@@ -17,7 +17,8 @@ from storyblender.memory.shot_context import BodyState, CameraInstruction, Chara
 SIZE = SceneSize(x=6, x_negative=-6, y=5, y_negative=-5)
 WAY_IN = PlanMark(name="left", location=(-5.5, 0, 0), yaw=90, tags=("enter", "exit"))
 WAY_OUT = PlanMark(name="right", location=(5.5, -4, 0), yaw=270, tags=("exit",))
-PLAN = SetPlan(kit="dock", indoor=False, size=SIZE, marks=(WAY_IN, WAY_OUT))
+STAIRS = PlanMark(name="stairs", location=(-2, 4, 0), yaw=0, tags=("stairs",))
+PLAN = SetPlan(kit="dock", indoor=False, size=SIZE, marks=(WAY_IN, WAY_OUT, STAIRS))
 THWART = Anchor(kind="seat", name="rower", location=(0, 0.6, 0.31), size=(1.0, 0.24))
 FRONT = Anchor(kind="seat", name="seat", location=(0, -0.24, 0.45), size=(0.46, 0.42))
 
@@ -176,3 +177,17 @@ def test_two_turn_to_each_other_before_something_changes_hands() -> None:
     turns = [cue for cue in shot.cues if cue.clip == "turn" and cue.asset_id == "dex"]
     assert all(cue.start + (cue.duration or 20) <= give.start for cue in turns)
     assert turns, "dex faced away"
+
+
+def test_who_comes_up_the_stairs_begins_there_and_who_goes_up_ends_there() -> None:
+    comes = ShotContext(
+        scene_id=1, shot_id=1, on_stage=("pia",), character_actions=(_do("pia", "climb"),), duration=192,
+        camera_instruction=CameraInstruction(),
+    )  # fmt: skip
+    goes = comes.model_copy(update={"shot_id": 2})
+    view = AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=(comes, goes))
+    first, second = AnimatorRules().propose(view).shots
+    assert math.dist(first.blocking[0].start.location, STAIRS.location) < 0.3
+    assert math.dist(first.blocking[0].end.location, STAIRS.location) > 1.0
+    assert math.dist(second.blocking[0].end.location, STAIRS.location) < 0.3
+    assert {cue.clip for cue in (*first.cues, *second.cues)} <= {"walk", "turn"}
