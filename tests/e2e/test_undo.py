@@ -31,7 +31,8 @@ def test_undo_and_redo_draw_one_picture_again(project: Path) -> None:
     shot = read_project_graph(project).shots[-1]
     name = shot_name(shot.scene_id, shot.shot_id)
     before, graph = stamps(project), read_project_graph(project)
-    done("render", project, "--shot", name, "--lens", "90", "--quiet")
+    told = done("render", project, "--shot", name, "--lens", "90", "--json")
+    assert f"still shows {name} as before" in told, "the film was not shot again"
     edited, changed = stamps(project), read_project_graph(project)
     assert [key for key in before if edited[key] != before[key]] == [f"{name}.png"]
 

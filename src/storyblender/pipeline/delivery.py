@@ -20,7 +20,9 @@ from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.shooting import shots_not_in_film
 from storyblender.project import write_atomic
+from storyblender.trace import Event
 
 PRINTS = "build/prints"
 JPEG_QUALITY = 88
@@ -55,8 +57,12 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     write_timeline(graph, frames, folder / "timeline.otio")
     write_contact_sheet(prints, folder / "contact_sheet.jpg")
     run.progress("deliver", 3, steps, "animatic.mp4")
+    film = folder / "animatic.mp4"
     if clips is not None and frames:
-        write_animatic(graph, clips, frames, folder / "animatic.mp4")
+        write_animatic(graph, clips, frames, film)
+    elif film.exists() and (stale := shots_not_in_film(run)):
+        told = f"still shows {', '.join(stale)} as before; `storyblender render --animatic` shoots it again"
+        run.tell(Event(kind="warning", role="animatic.mp4", message=told))
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
     write_page(graph, frames, folder / "index.html", checks_of(run))

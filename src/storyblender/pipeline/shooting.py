@@ -82,6 +82,15 @@ def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Pat
     return clips
 
 
+def shots_not_in_film(run: Run) -> list[str]:
+    """Return the names of the shots that look otherwise than when the film was shot."""
+    return [
+        shot_name(shot.scene_id, shot.shot_id)
+        for shot in run.graph.shots
+        if not (run.project.folder / f"build/motion/{_motion_job(run, shot, '').digest}").is_dir()
+    ]
+
+
 def prune(run: Run, shots: Collection[ShotContext]) -> None:
     """Delete pictures, moving frames and packs that no shot of the story uses any more."""
     kept = {pack.path for pack in run.packs.values()} | {f"{pack.path[:-6]}.json" for pack in run.packs.values()}
