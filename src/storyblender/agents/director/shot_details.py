@@ -69,12 +69,14 @@ class ShotDetails:
         fresh = [beat.unit for beat in draft.beats if beat.unit.start not in self.told]
         self.told |= {unit.start for unit in fresh}
         on_stage = [person for person in draft.on_stage if person in self.company.actors]
+        # A thing in somebody's hands is not shown without them.
+        holders = [state.asset_id for state in states if draft.kind == "insert" and {*state.held} & {*draft.focus}]
         light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), None)
         return ShotContext(
             scene_id=self.scene.id,
             shot_id=number,
             on_stage=tuple(on_stage),
-            in_frame=tuple(self._in_frame(draft, on_stage)),
+            in_frame=tuple(unique([*self._in_frame(draft, on_stage), *holders])),
             states=tuple(state for state in states if state.asset_id in self.company.actors),
             asset_modifications=tuple(self._modifications(fresh)),
             character_actions=tuple(self._actions(draft, on_stage)),

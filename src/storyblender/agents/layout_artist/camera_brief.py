@@ -158,11 +158,11 @@ class CameraBrief:
 
     @property
     def strangers(self) -> tuple[str, ...]:
-        """node_ids of the people on stage who have no part in this shot."""
+        """node_ids of the people on stage who have no part in this shot; whoever holds what it shows has one."""
         instruction = self.instruction
         own = {*self.focus, *self.in_frame}
         own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
-        own |= {*self.named}
+        own |= {*self.named, *(who for who, things in self.carried.items() if {*things} & {*self.named})}
         return tuple(figure.node_id for figure in self.drawn.figures if figure.node_id not in own)
 
     @property

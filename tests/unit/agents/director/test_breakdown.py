@@ -271,3 +271,11 @@ def test_who_walks_along_is_in_the_picture_unless_it_is_tight(size: str, shown: 
     last = board_of(script).shot_details[-1]
     assert last.camera_instruction.focus_on_ids == ("ann",)
     assert set(last.in_frame) == shown
+
+
+def test_an_insert_of_what_somebody_holds_shows_the_holder() -> None:
+    held = {"held": {"ann": ["key"]}}
+    script = Script("Ann", "Bob", things=("key",)).action("Ann sees Bob.", ("ann", "look", "bob"), **held)
+    script.action("CLOSE ON the key.", camera=CameraNote("CLOSE ON", size="CU", subject="key"), **held)
+    last = board_of(script).shot_details[-1]
+    assert (last.camera_instruction.kind, last.in_frame) == ("insert", ("ann",))

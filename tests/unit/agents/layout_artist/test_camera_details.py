@@ -75,3 +75,11 @@ def test_what_a_hand_lies_in_does_not_hide_it_and_what_stands_before_it_does() -
     price = cost(free, take)
     assert cost(brief((HANDED,), props={"chair": chair}, **wish), take) < price + 1
     assert cost(brief((HANDED,), props={"screen": screen}, **wish), take) > price + 2
+
+
+def test_whoever_holds_what_an_insert_shows_does_not_stand_aside() -> None:
+    orange = held_at(HANDED, "R", (0.08, 0.08, 0.08))
+    wish = {"kind": "insert", "size": "CU", "focus_on_ids": ("orange",), "props": {"orange": orange}}
+    view = brief((HANDED, TOM), carried={"anna": ("orange",)}, **wish)
+    assert view.strangers == ("tom",)
+    assert not {"anna", "orange"} & {*scouted(view)[0].hidden}
