@@ -18,6 +18,8 @@ _SMALL = 0.6
 """Metres: what is smaller in all directions stands on furniture rather than on the floor."""
 _TABLE = (0.4, 1.15)
 """Heights in metres of surfaces that people use."""
+_ROOMY = 0.34
+"""Metres across, at least, of a top that is used as a table; the lid of a bin is none."""
 _ACTING = 1.6
 """Metres around the middle of the playing area that are left to people."""
 _BESIDE = 0.12
@@ -231,10 +233,10 @@ def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None) -> bool:
     tables = []
     for name, thing in stage.things.items():
         measure = stage.measure(stage.assets[name])
-        height = any(_TABLE[0] <= top.surface.z <= _TABLE[1] for top in tops_of(measure))
         seat = any(anchor.kind in ("seat", "bed") for anchor in measure.anchors)
         own = user is not None and user.anchor == name and thing.box.width > _LONG_SEAT
-        broad = min(thing.box.width, thing.box.depth) > 0.3
-        if height and broad and (own or not seat) and not thing.walks and thing.box.z < 0.1:
+        roomy = [top for top in anchors_of(measure, "top") if own or min(top.size) > _ROOMY]
+        table = any(_TABLE[0] <= top.location[2] <= _TABLE[1] for top in roomy)
+        if table and (own or not seat) and not thing.walks and thing.box.z < 0.1:
             tables.append((round(math.dist((thing.box.x, thing.box.y), near), 3), name))
     return any(_stand_on(stage, asset_id, stage.things[name], near) for _, name in sorted(tables))

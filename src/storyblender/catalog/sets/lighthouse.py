@@ -40,7 +40,7 @@ def _stairs(room: Room) -> None:
     foot = -room.half_y + 0.4
     room.piece(
         "stairs", room.half_x - 0.06 - wide / 2, foot + run / 2, 0.0, 90.0, footprint=(run, wide), width=wide, run=run,
-        height=room.height, material="iron", iron=True, hatch=True,
+        height=room.height, material="metal_grey", iron=True, hatch=True,
     )  # fmt: skip
     room.mark("stairs", room.half_x - 1.4, foot + 0.3, 270, "stairs", "enter", "exit")
 

@@ -46,6 +46,7 @@ MEASURES = {
         measure("cat", 0.2, 0.45, 0.3),
         measure("wardrobe", 1.2, 0.6, 2.0),
         measure("bar", 2.4, 0.6, 1.1),
+        measure("bin", 0.5, 0.5, 0.8, anchors=(Anchor(kind="top", location=(0, 0, 0.77), size=(0.3, 0.15)),)),
         measure("stick", 0.1, 0.03, 0.9),
         measure("suitcase", 0.68, 0.22, 0.5),
         measure("bench", 1.5, 0.42, 0.46, anchors=BENCH),
@@ -252,3 +253,11 @@ def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None
         assets=tuple(people), scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(shot,)
     )
     assert layout_brief(graph, 1, plan()).company == {"ben": "ana"}
+
+
+def test_the_lid_of_a_bin_is_no_table() -> None:
+    bin_ = LayoutObject(node_id="bin", asset_id="bin", location=(0.9, 1.6, 0), fixed=True)
+    view = brief(["jewel_box"], people=["ana"], dressed=(bin_,))
+    assert (
+        solved(LayoutBrief(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))["jewel_box"].location[2] == 0
+    )

@@ -26,7 +26,8 @@ def _flight(builder: MeshBuilder, spec: PieceSpec) -> None:
     for index in range(count):
         x, z = (index + 0.5) * step, (index + 1) * rise
         builder.box(tread, (x, 0, z - 0.025), (step + 0.03, width, 0.05))
-        builder.box(rail if spec.flag("iron") else tread, (x + step / 2, 0, z - rise / 2), (0.02, width, rise))
+        if not spec.flag("iron"):  # iron treads are open to the light behind them
+            builder.box(tread, (x + step / 2, 0, z - rise / 2), (0.02, width, rise))
     slope = math.degrees(math.atan2(height, run))
     length = math.hypot(height, run)
     for side in (-1, 1):
