@@ -31,6 +31,7 @@ def write_contact_sheet(frames: Mapping[str, Path], out: Path, columns: int = 4,
     for index, (name, path) in enumerate(frames.items()):
         x, y = 6 + index % columns * (width + 6), 6 + index // columns * (height + label + 6)
         with Image.open(path) as image:
+            image.draft("RGB", (width, height))  # a JPEG need not be read larger than it is shown
             sheet.paste(image.convert("RGB").resize((width, height), Image.Resampling.LANCZOS), (x, y))
         draw.text((x + 2, y + height + label / 2), name, font=font, fill="#9a9aa6", anchor="lm")
     sheet.save(out)
