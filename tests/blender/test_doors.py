@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import bpy
@@ -79,3 +80,11 @@ def test_the_leaf_is_keyed_where_its_movement_begins_and_ends() -> None:
     assert angles == pytest.approx([leaf["swing"], 0.0], abs=1e-4)
     curve = leaf.animation_data.action.layers[0].strips[0].channelbags[0].fcurves[0]
     assert len(curve.keyframe_points) <= 5
+
+
+def test_the_leaf_moves_when_the_hand_does_not_when_the_walk_to_it_begins() -> None:
+    door = _door()
+    still = dataclasses.replace(_performance((1.55, 1.5), (1.6, 1.4)), grasps={("rick", 5): 2.5})
+    door.play(still, (Cue(asset_id="rick", clip="open", start=5, target_id="door_1"),), FRAMES)
+    first = next(frame for frame, amount in enumerate(door.amounts) if amount > 0)
+    assert first == pytest.approx(2.5 * FPS, abs=1)

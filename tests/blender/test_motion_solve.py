@@ -192,6 +192,7 @@ def test_a_door_is_opened_by_its_handle(bodies: dict[str, Body]) -> None:
     assert shot.problems == ()
     hand = Playback(bodies["man"], shot, "man").joint("hand.R", 22)
     assert (hand - Vector((-0.35, 0.55, 1.0))).length < 0.16
+    assert shot.grasps["man", 2] == pytest.approx(2 / FPS + 0.9, abs=0.05)
 
 
 def test_what_cannot_be_staged_is_told(bodies: dict[str, Body]) -> None:

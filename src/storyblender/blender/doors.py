@@ -21,7 +21,7 @@ WALKING = 1.0
 SWING = 0.8
 """Seconds of a full swing."""
 GRASP = 0.9
-"""Seconds from the start of an ``open`` or ``close`` until the leaf moves."""
+"""Seconds from the start of an ``open`` or ``close`` until the leaf moves, where no hand was solved for it."""
 
 Floats = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class Door:
         """Add one shot: what stands open when it begins was opened before."""
         passed = self._passed(performance, frames)
         changes = {
-            cue.start + round(GRASP * self.fps): cue.clip == "open"
+            self._moved(performance, cue): cue.clip == "open"
             for cue in sorted(cues, key=lambda cue: cue.start)
             if cue.target_id == self.name and cue.clip in ("open", "close")
         }
@@ -55,6 +55,10 @@ class Door:
             amount = self.amounts[-1] if self.amounts and frame else wanted
             step = 1 / (SWING * self.fps)
             self.amounts.append(min(wanted, amount + step) if wanted > amount else max(wanted, amount - step))
+
+    def _moved(self, performance: Performance, cue: Cue) -> int:
+        """Return the frame at which the hand that opens or closes it moves the leaf."""
+        return round(performance.grasps.get((cue.asset_id, cue.start), cue.start / self.fps + GRASP) * self.fps)
 
     def _passed(self, performance: Performance, frames: int) -> NDArray[np.bool_]:
         passed = np.zeros(frames, bool)

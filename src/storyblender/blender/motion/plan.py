@@ -161,6 +161,7 @@ class Performance:
         props: (N, 4, 4) world matrices by asset id.
         problems: What could not be done.
         ends: Second by which each person has finished all cues.
+        grasps: Second at which a hand moves a door or lid, by person and the cue's frame.
     """
 
     fps: int
@@ -169,6 +170,7 @@ class Performance:
     props: dict[str, Floats]
     problems: tuple[Problem, ...]
     ends: dict[str, float]
+    grasps: dict[tuple[str, int], float] = field(default_factory=dict)
 
 
 def box_of(node_id: str, furniture: StageFurniture, soft: float = 0.0) -> Obstacle:

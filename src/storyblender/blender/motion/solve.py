@@ -164,7 +164,7 @@ def _record(stage: Stage, frames: np.ndarray, ends: dict[str, float]) -> Perform
             if missed > MISSED:
                 stage.report("unreachable", who, beat, f"{who.asset_id}'s hand misses by {missed:.2f} m", missed)
     tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
-    return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends)
+    return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps)
 
 
 class _Rows:

@@ -101,6 +101,8 @@ class Stage:
         """Hands that follow another person or a moving prop, with the span of time: solved last."""
         self.contacts: list[tuple[float, Performer, str, Beat]] = []
         """Moments at which a hand must be where it was sent."""
+        self.grasps: dict[tuple[str, int], float] = {}
+        """Seconds at which doors and lids are moved, by person and the cue's frame."""
         self.problems: list[Problem] = []
         for who in self.people.values():
             who.home = {side: hanging(who, side) for side in SIDES}

@@ -130,6 +130,7 @@ def _handle(stage: Stage, who: Performer, beat: Beat, pull: float) -> float:
     end = t + 2.1
     busy(who, beat.side, t, end, place, move, palm=Vector((0, -0.6, -0.8)), curl=curl)
     stage.expect(who, beat.side, t + 0.75, beat)
+    stage.grasps[who.asset_id, beat.frame] = t + 0.9
     who.accent.set(t + 0.9, 0.8, (-4 if pull > 0 else 6, 0, 0))
     who.accent.set(end - 0.2, 0.5, (0, 0, 0))
     if bent:
