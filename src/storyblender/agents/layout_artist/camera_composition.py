@@ -120,6 +120,9 @@ def _headroom(brief: CameraBrief, heads: Sequence[SubjectView], over: SubjectVie
     if not tops or brief.instruction.size in ("ECU", "EWS"):
         return []
     crown, top = framing.SCALES[brief.instruction.size].crown, min(tops)
+    if len(heads) > 1:
+        # A group may be taken from further away than its size says: then more air belongs above it.
+        crown = max(crown, framing.crown_height(max(subject.head_height for subject in heads)))
     if over is not None and over.head_top is not None and over.head_top < top:
         top = max(over.head_top, min(crown, top))
     low = -0.04 if brief.instruction.size == "CU" else 0.01

@@ -4,9 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from test_camera_operator import NumberFinder
 from test_camera_room import ROOM, brief, person
 
-from storyblender.agents.layout_artist.camera_brief import Moment, Take
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of
+from storyblender.agents.layout_artist.camera_composition import composition
 from storyblender.agents.layout_artist.camera_room import outside, reach_back, void_points
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.agents.layout_artist.camera_solids import body
@@ -16,6 +18,7 @@ from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Film, crown_height, group, group_from, project
 from storyblender.geometry.orbit import between, orbit
 from storyblender.geometry.sight import hidden
+from storyblender.memory.measure import ViewRequest
 
 APART = person("anna", -2.4, 1.8, 60), person("tom", 2.3, -0.5, -60), person("sam", 1.9, 2.2, -20)
 NAMES = ("anna", "tom", "sam")
@@ -116,6 +119,21 @@ def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
     view = replace(brief(*pair, **wish), plan=None)
     assert start(view, 0, 9).camera.elevation - start(view).camera.elevation == pytest.approx(9, abs=1.5)
+
+
+def test_air_above_small_heads_is_no_fault() -> None:
+    far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
+    wish = {"kind": "group", "size": "MWS", "focus_on_ids": ("anna", "tom")}
+    view = replace(brief(*far, in_frame=("anna", "tom"), **wish), plan=None)
+    take = start(view)
+    (look,) = NumberFinder(view.moments, {}).look([request(view, take)])
+    kinds = {flaw.kind for flaw in composition(view, take.camera, view.drawn, look)}
+    assert min(subject.head_top for subject in look.subjects if subject.head_top) > 0.33
+    assert "headroom" not in kinds
+
+
+def request(view: CameraBrief, take: Take) -> ViewRequest:
+    return ViewRequest(scene_id=1, shot_id=1, frame=0, pose=pose_of(take.camera), focus_ids=view.focus)
 
 
 def test_nobody_of_a_group_fills_the_foreground() -> None:
