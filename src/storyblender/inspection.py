@@ -78,7 +78,7 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
     findings: list[str] = []
     rows = [
         _layout_row(graph, findings),
-        CheckRow(name="SDE", value=f"{drift:g}", ok=drift == 0),
+        CheckRow(name="drift of static things (SDE)", value=f"{drift:g}", ok=drift == 0),
         _presence_row(graph, sights, findings),
         _hidden_row(graph, sights, findings),
         _inside_row(sights, findings),

@@ -24,11 +24,11 @@ CAMERA: dict[str, tuple[float, str, str]] = {
     "face_out": (3.0, "{whose} face is outside the picture", "wider"),
     "missing": (1.0, "{who} belongs in the picture too", "wider"),
     "beheaded": (1.5, "the frame cuts off {whose} head", "wider"),
-    "hidden": (1.6, "{who} is half hidden", "above"),
+    "hidden": (1.6, "{who} is mostly hidden", "above"),
     "face_hidden": (1.6, "something covers {whose} face", "above"),
     "face_away": (2.0, "{who} is seen from behind", "tighter"),
     "foreground": (1.0, "something large stands in front", "tighter"),
-    "void": (1.3, "the picture looks past the end of the set", "tighter"),
+    "void": (2.4, "the picture looks past the end of the set", "tighter"),
     "line": (0.0, "the cut jumps over the line between the two", "wider"),
     "jump": (1.0, "the cut goes to almost the same picture", "tighter"),
 }

@@ -53,7 +53,7 @@ def flaw(kind: str, weight: float, subject: str = "agnes") -> Flaw:
 
 
 def test_what_only_a_critic_minds_is_not_told() -> None:
-    small = (flaw("headroom", 2), flaw("placement", 2), flaw("cleared", 1), flaw("face_away", 1.2), flaw("void", 0.6))
+    small = (flaw("headroom", 2), flaw("placement", 2), flaw("cleared", 1), flaw("face_away", 1.2), flaw("void", 1.6))
     assert checklist(story(shot(1, *small)), [Flaw(kind="unreachable", weight=0.06, message="", shot="x")], "f") == []
 
 
@@ -63,7 +63,7 @@ def test_a_picture_flaw_has_a_name_and_a_command_that_reframes() -> None:
     command = "storyblender render 'my film.storyboard' --shot SC010_SH0"
     assert told == [
         Check("SC010_SH010", "Agnes is not in the picture", f"{command}10 --size MWS"),
-        Check("SC010_SH020", "Agnes is half hidden", f'{command}20 --angle "high angle"'),
+        Check("SC010_SH020", "Agnes is mostly hidden", f'{command}20 --angle "high angle"'),
     ]
     both = checklist(story(shot(1, hidden, away)), [], "f")
     assert [check.says for check in both] == ["Agnes is seen from behind"], "of one person only the worst"
