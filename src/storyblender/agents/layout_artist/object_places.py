@@ -126,10 +126,10 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, fl
     size = size_of(stage.measure(asset_id))
     seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
     wish = (0.0, -anchor.box.depth / 4)
-    if near is not None:
-        wish = anchor.box.to_local(*near)
-    elif seats and anchor.box.width > _LONG_SEAT:
+    if seats and anchor.box.width > _LONG_SEAT:
         wish = (anchor.box.width / 2, 0.0)
+    elif near is not None:
+        wish = anchor.box.to_local(*near)
     chosen = perch(tops, size, wish, taken)
     if chosen is None and len(taken):
         smaller = (size[0] * 0.85, size[1] * 0.85, size[2])

@@ -73,28 +73,37 @@ def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
 
 
 def _sit(stage: Stage, state: BodyState) -> None:
-    """Take the free seat of the support nearest to the middle; without one, stand."""
-    lies = state.posture in ("lie", "asleep")
-    choices = [name for name, thing in stage.things.items() if not thing.walks]
-    if state.support_id is not None:
-        choices = [name for name in choices if state.support_id in (name, stage.assets[name])]
-    seats: list[tuple[float, str, Anchor]] = []
-    for name in choices:
-        thing = stage.things[name]
-        for kind in ("bed", "seat") if lies else ("seat",):
-            for anchor in _anchors(stage, name, kind, state.support_id is not None):
-                x, y = thing.box.to_world(*anchor.location[:2])
-                if all(math.dist((x, y), (o.box.x, o.box.y)) > 0.45 for o in _on_seats(stage, name)):
-                    seats.append((round(math.hypot(x, y), 3), name, anchor))
-    if not seats:
+    """Take the free seat of the support nearest to the middle, another near it if that is full; without one, stand."""
+    kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
+    support = stage.find(state.support_id)
+    asked = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
+    found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
+    if not found:
+        near = (support.box.x, support.box.y) if support is not None else (0.0, 0.0)
+        found = _free_seats(stage, list(stage.things), kinds, near, asked=False)
+    if not found:
         return
-    _, name, anchor = min(seats, key=lambda seat: seat[:2])
+    _, name, anchor = min(found, key=lambda seat: seat[:2])
     base = stage.things[name].box
     x, y = base.to_world(*anchor.location[:2])
     dx, dy, _ = anchor.direction
     yaw = base.yaw + facing(dx, dy)
     box = seat_box(x, y, base.z + anchor.location[2], yaw)
     stage.add(Thing(state.asset_id, box, anchor=name, walks=True), state.asset_id)
+
+
+def _free_seats(
+    stage: Stage, names: list[str], kinds: tuple[str, ...], near: tuple[float, float], asked: bool
+) -> list[tuple[float, str, Anchor]]:
+    """Return the seats nobody and nothing is on, each with its distance in metres and its furniture."""
+    seats: list[tuple[float, str, Anchor]] = []
+    for name in names:
+        thing = stage.things[name]
+        for anchor in [each for kind in kinds if not thing.walks for each in _anchors(stage, name, kind, asked)]:
+            x, y = thing.box.to_world(*anchor.location[:2])
+            if all(math.dist((x, y), (other.box.x, other.box.y)) > 0.45 for other in _on_seats(stage, name)):
+                seats.append((round(math.dist((x, y), near), 3), name, anchor))
+    return seats
 
 
 def _on_seats(stage: Stage, name: str) -> list[Thing]:

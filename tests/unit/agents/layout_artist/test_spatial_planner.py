@@ -261,3 +261,14 @@ def test_the_lid_of_a_bin_is_no_table() -> None:
     assert (
         solved(LayoutBrief(**{**view.__dict__, "placements": {"jewel_box": "surface"}}))["jewel_box"].location[2] == 0
     )
+
+
+def test_who_finds_a_bench_full_takes_the_nearest_other_seat() -> None:
+    bench = LayoutObject(node_id="bench", asset_id="bench", location=(0, 1.5, 0), fixed=True)
+    chairs = tuple(
+        LayoutObject(node_id=f"chair_{index}", asset_id="chair", location=(x, 1.5, 0), fixed=True)
+        for index, x in enumerate((-2, 1.4))
+    )
+    sitters = [BodyState(asset_id=name, posture="sit", support_id="bench") for name in ("ana", "ben", "cal", "dee")]
+    at = solved(brief(people=sitters, dressed=(*chairs, bench)))
+    assert [at[name].anchor_asset_id for name in ("ana", "ben", "cal", "dee")] == ["bench"] * 3 + ["chair_1"]
