@@ -9,8 +9,9 @@ from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, fi
 from storyblender.agents.layout_artist.camera_brief import Moment, pose_at
 from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_scout import CLEARED, cost, hidden_share, scouted
-from storyblender.agents.layout_artist.camera_solids import piece_boxes, solids
+from storyblender.agents.layout_artist.camera_solids import solids
 from storyblender.agents.layout_artist.camera_start import start
+from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.framing import group, over_shoulder, project
 from storyblender.memory.scene_context import SceneSize
@@ -23,12 +24,6 @@ ARCADE = Piece(
     params={"width": 9.0, "height": 3.5, "arches": 3.0, "depth": 0.3},
 )
 PLAN = SetPlan(kit="yard", indoor=False, size=SceneSize(x=6, x_negative=-6, y=6, y_negative=-6), pieces=(ARCADE,))
-
-
-def test_the_piers_of_an_arcade_stand_in_the_way_and_its_arches_do_not() -> None:
-    boxes = piece_boxes(ARCADE)
-    assert [round(box.x, 2) for box in boxes] == pytest.approx([-4.29, -1.5, 1.5, 4.29], abs=0.01)
-    assert all(box.y == -2 and box.height == 3.5 for box in boxes)
 
 
 def test_a_stage_is_a_solid() -> None:
