@@ -15,6 +15,8 @@ from storyblender.memory.shot_context import CharacterAction, Mark
 
 GETTING = frozenset({"pick_up", "take", "hold", "catch"})
 """Motions after which one has something in hand."""
+FETCH, AT_HAND = 5.0, 3.0
+"""Metres one goes to get a thing, and to use one; what is used and lies farther off is in hand from the start."""
 BOX = 0.18
 """Metres of the second largest extent."""
 SEATED_REACH = 0.45
@@ -46,7 +48,7 @@ class Handling:
         lies = self.company.lying.get(prop)
         if lies is not None and not person.hand_of(prop):
             near = math.dist(lies[:2], person.place)
-            if person.upright and REACH < near < 5.0:
+            if person.upright and REACH < near < (FETCH if getting else AT_HAND):
                 spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
                 if spot is not None:
                     t = self.sheet.go(person, spot, facing(spot, lies[:2]), t)

@@ -191,3 +191,9 @@ def test_who_comes_up_the_stairs_begins_there_and_who_goes_up_ends_there() -> No
     assert math.dist(first.blocking[0].end.location, STAIRS.location) > 1.0
     assert math.dist(second.blocking[0].end.location, STAIRS.location) < 0.3
     assert {cue.clip for cue in (*first.cues, *second.cues)} <= {"walk", "turn"}
+
+
+def test_what_one_eats_far_from_where_it_lay_is_in_hand_from_the_start() -> None:
+    shot = _stage(_do("pia", "eat", prop_id="orange"))
+    assert shot.blocking[0].start.held == (("R", "orange"),)
+    assert "walk" not in [cue.clip for cue in shot.cues if cue.asset_id == "pia"]
