@@ -1,4 +1,4 @@
-"""A hospital ward: two beds with their heads to the back wall, curtain between, window, cool even light."""
+"""A hospital ward: two beds with their heads to the back wall, a screen between, window, cool even light."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.piece("bed_rail_light", at, y - 0.05, 1.75)
         room.lamp("bed_light", (at, y - 0.3, 1.85), 5, WARM, kind="AREA", size=0.5, target=(at, y - 1.0, 0.6))
         room.mark(f"bedside_{index + 1}", at + 0.95, y - 1.5, 270, "bed")
-    room.furnish("curtain", 0, y - 1.2, yaw=90, required=False)
-    room.furnish("chair", beds[0] - 0.95, y - 1.3, yaw=90)
+    room.furnish("folding_screen", 0, y - 1.2, yaw=90, required=False)
+    room.furnish("chair", beds[0] - 1.2, y - 1.3, yaw=90)
     room.against("left", "cabinet", y * 0.2, 0.3, required=False)
     room.against("right", "sink", -y * 0.5, 0.33, required=False)
     room.on_wall("left", "wall_clock", y * 0.2, 2.1)
