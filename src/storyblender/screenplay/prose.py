@@ -9,7 +9,9 @@ from storyblender.screenplay.model import Element, ElementKind, Screenplay
 _BREAK = re.compile(r"(?:[*•~#]\s*){1,7}|[-–—_]{3,}|={3,}")
 _MARKDOWN_TITLE = re.compile(r"#{1,6}\s+(?P<title>.+?)\s*#*")
 _CHAPTER = re.compile(r"(?:chapter|part|scene|act|prologue|epilogue)\b[^.!?]{0,60}", re.IGNORECASE)
-_BYLINE = re.compile(r"(?P<credit>(?:(?:a )?(?:short )?story |written )?by)\s+(?P<author>[^.!?]{2,60})", re.IGNORECASE)
+_BYLINE = re.compile(
+    r"(?P<credit>(?:(?:a )?(?:short )?story |written )?by)\s+(?P<author>(?:\b[A-Z]\.|[^.!?]){2,60})", re.IGNORECASE
+)
 _LONG_LINE = 100
 """A line this long (characters) is a whole paragraph: the file does not wrap by hand."""
 

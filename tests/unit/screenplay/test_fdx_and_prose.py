@@ -92,3 +92,9 @@ def test_long_lines_are_paragraphs_of_their_own() -> None:
         f"{name} walked a very long way along the shore " + "and along the shore again " * 4 for name in ("Ann", "Bo")
     ]
     assert [e.text for e in parse_prose("\n".join(lines)).elements] == [line.strip() for line in lines]
+
+
+def test_an_author_may_have_initials() -> None:
+    screenplay = parse_prose("The Lamp\n\nby U. N. Field\n\nMaren climbed the stairs.")
+    assert dict(screenplay.title_page)["Author"] == "U. N. Field"
+    assert [element.text for element in screenplay.elements] == ["Maren climbed the stairs."]

@@ -31,6 +31,11 @@ _ARRIVAL = re.compile(
     r"\b(?:reached|arrived|entered|returned|sailed|came back|(?:came|got|went) home|(?:came|went|drove|rode) to)\b"
 )
 _HOME = re.compile(r"\b(?:came|went|returned|was|got) home\b")
+_NEXT_DAY = re.compile(
+    r"(?:early |late )?(?:in|on|by|at|with|towards?|the|next)\b[^,.;]*?"
+    r"\b(?:next|following) (?:day|morning|evening|night|afternoon)\b|next (?:day|morning|evening)\b"
+)
+"""``In the pale sun next morning``: a scene of its own, where the last one was if it names no place."""
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES
 
@@ -48,12 +53,14 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> Scene
     told = _SENTENCE_END.split(without_quotations(paragraph.raw).lower())
     opening = told[0]
     if scenes:
-        later = _TIME_JUMP.match(opening) is not None
+        later = (_TIME_JUMP.match(opening) or _NEXT_DAY.match(opening)) is not None
         if not (later or _PLACE_FIRST.match(opening) or _ARRIVAL.search(opening)):
             return None
         place = _place(opening, scenes) or (_place(told[1], scenes) if later and len(told) > 1 else "")
-        if not place or place == scenes[-1].place:
+        next_day = _NEXT_DAY.match(opening) is not None
+        if not next_day and place in ("", scenes[-1].place):
             return None
+        place = place or scenes[-1].place
     else:
         whole = " ".join(told)
         place = _place(opening, scenes) or _place(whole, scenes) or _any_place(whole) or "unknown"
