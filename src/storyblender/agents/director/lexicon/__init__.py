@@ -158,11 +158,18 @@ CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people[
 """Kin -> what they are to each other: the uncle of a niece or nephew."""
 KIN = frozenset(_people["kin"])
 YOUNGER_KIN = frozenset(_people["younger_kin"])
+ARRIVALS, HOSTS = frozenset(_people["arrival"]), frozenset(_people["host"])
+"""The visitor came last, the host was there first."""
+COMPANY, CALLINGS = frozenset(_people["company"]), frozenset(_people["calling"])
+"""``his companion``, ``the other``; ``the detective``, who was named before."""
+RANKS = {noun: frozenset(titles.split("/")) for noun, titles in _pairs(_people["rank"]).items()}
+"""Noun -> titles of those it may mean: the soldier is a sergeant."""
 TITLES = frozenset(_people["title"])
 TITLE_GENDER = cast(dict[str, Gender], _pairs(_people["title_gender"]))
 UNISEX = frozenset(_people["unisex"])
 """First names of both genders: a pronoun knows better."""
 AGE_WORDS, AGE_NOUNS = _pairs(_people["age_word"]), _pairs(_people["age_noun"])
+AGED = frozenset(word for word, age in AGE_WORDS.items() if age == "70s")
 VARIANT_WORDS = frozenset(_people["variant"])
 """Words before a name that make the same person at another age or in another costume."""
 SPELLED_AGES = _pairs(_people["spelled_age"])

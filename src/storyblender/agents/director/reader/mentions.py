@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.look import years
 from storyblender.agents.director.reader.morphology import FORMS, form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.words import Mention, Word
 from storyblender.agents.director.reading import Person
 
+_OLD = 50
+"""Years from which somebody may be ``the old man``."""
 _COUNTS = frozenset(lexicon.NUMBERS) - {"a", "an", "one"}
 _NOT_ALONE = frozenset({"cook", "guide"})
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY
 _SMALL = lexicon.PREPOSITIONS | lexicon.PARTICLES | lexicon.ADVERBS | lexicon.CONJUNCTIONS
+_LOOKS = lexicon.ADJECTIVES | lexicon.BUILD | lexicon.HAIR | lexicon.FACE | lexicon.VARIANT_WORDS
 _NO_ADJECTIVES = _OPENERS | lexicon.PREPOSITIONS
 
 
@@ -52,6 +56,13 @@ def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list
         if not people or key == ("the",):
             continue
         role = people[0].role
+        if (
+            at
+            and words[at - 1].low in lexicon.AGED
+            and key == (role,)
+            and not any(years(person) > _OLD for person in people)
+        ):
+            continue
         if named or (role and (key[-1] == role or key[-1].strip("#").isdigit())):
             return length, people
     return 0, []
@@ -96,11 +107,19 @@ def _acts(words: list[Word], at: int, noun: str) -> bool:
     return noun != words[at].low and alone and following in _OPENERS | {"him", "her", "it", "them"}
 
 
+def _shared_determiner(words: list[Word], at: int) -> str:
+    """``his wife and son``, ``father and son``: the second of two kin has the determiner of the first."""
+    if words[at].low not in lexicon.KIN:
+        return ""
+    before = words[at - 1].low if at else ""
+    return before if before in _OPENERS else "the"
+
+
 def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | None:
     """The old woman, two guards, his niece: a noun for people with its determiner, adjectives and number."""
     word = words[at]
     noun = singular(word.low)
-    if not word.text.isalpha() or not is_person_noun(noun) or noun in _NOT_ALONE:
+    if not word.text.replace("-", "").isalpha() or not is_person_noun(noun) or noun in _NOT_ALONE:
         return None
     if not (word.text[0].islower() or word.text.isupper() or (at and words[at - 1].low in lexicon.DETERMINERS)):
         return None
@@ -113,17 +132,26 @@ def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | 
         elif low in _OPENERS:
             determiner, start = low, words[back].start
             break
+        elif low == "," and adjectives and back and words[back - 1].low in _LOOKS:
+            pass  # a tall, burly man
         elif low in lexicon.PREPOSITIONS or not low.isalpha() or (low in FORMS and low not in ("young", "old")):
             break
         else:
             adjectives.append(low)
         back -= 1
+    if not determiner and noun in lexicon.KIN and at > 1 and words[at - 1].low == "and":
+        determiner = _shared_determiner(words, at - 2)
     if not determiner and not word.text.isupper():
         return None
     if _acts(words, at, noun) or (noun == word.low and _is_compound(words, at)):
         return None
     several = noun != word.low or number > 1
-    candidates = [person for person in people if noun == person.role or noun in person.aliases]
+    introduced = determiner in ("a", "an")
+    candidates = [
+        person
+        for person in people
+        if noun == person.role or noun in person.aliases or (introduced and person.first == start)
+    ]
     return Mention(
         "group" if several else "generic",
         candidates,

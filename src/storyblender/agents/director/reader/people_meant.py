@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.epithets import is_epithet, listeners, meant_by_epithet, nearest_named
 from storyblender.agents.director.reader.look import years
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Mention
@@ -12,6 +13,7 @@ from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
 _GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
+_ELDERS = lexicon.KIN - lexicon.YOUNGER_KIN - {"brother", "sister", "husband", "wife"}
 _PAIRS = lexicon.words("pairs")
 _SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
 _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
@@ -41,11 +43,18 @@ def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
 
 def _generic(stage: Stage, mention: Mention) -> list[Person]:
     """The old woman, the girl: of those on stage, by gender and age."""
-    if mention.candidates and mention.determiner in ("a", "an") and mention.head in _GENDERED:
-        return mention.candidates[:1]
-    here = [person for person in mention.candidates if person.id in stage.scene.on]
-    if here or (mention.candidates and mention.head not in _GENDERED):
-        return [max(here or mention.candidates, key=stage.presence)]
+    candidates = mention.candidates
+    if candidates and mention.determiner in ("a", "an"):
+        exact = [person for person in candidates if person.first == mention.start]
+        if exact or mention.head in _GENDERED:
+            return (exact or candidates)[:1]
+    if mention.head in _GENDERED and lexicon.AGED & set(mention.adjectives):
+        return _the_old_one(stage, mention)
+    here = [person for person in candidates if person.id in stage.scene.on]
+    if not here and is_epithet(mention.head) and mention.determiner not in ("a", "an"):
+        return meant_by_epithet(stage, mention) or candidates[:1]
+    if here or (candidates and mention.head not in _GENDERED):
+        return [max(here or candidates, key=stage.presence)]
     if mention.determiner in lexicon.POSSESSIVES:
         return _kin(stage, mention)
     if mention.determiner not in ("the", "that", "this"):
@@ -66,13 +75,25 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
     if small or large:
         pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
-    elif "old" in mention.adjectives or "elderly" in mention.adjectives:
-        pool.sort(key=lambda person: -years(person))
     elif young:
         pool = [person for person in pool if years(person) < 31]
         pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
     else:
         pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+    return pool[:1]
+
+
+def _the_old_one(stage: Stage, mention: Mention) -> list[Person]:
+    """``the old man``: whoever was called so, else the oldest of that gender, a father before his son."""
+    gender, name = lexicon.gender_of_word(mention.head), f"old {mention.head}"
+    pool = [person for person in stage.on_stage() if fits(person, gender) and person.kind == "human"]
+    pool = pool or nearest_named(stage, mention.start, gender)
+    called = stage.discourse.epithets.get(name)
+    if called in pool:
+        return [called]
+    pool.sort(key=lambda person: (-years(person), not _ELDERS & set(person.aliases)))
+    if pool:
+        stage.discourse.epithets[name] = pool[0]
     return pool[:1]
 
 
@@ -106,6 +127,8 @@ def _relative(stage: Stage, mention: Mention) -> list[Person]:
 
 def _group(stage: Stage, mention: Mention) -> list[Person]:
     """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
+    if mention.head == "listener":
+        return listeners(stage)
     numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
     absent = not any(person.id in stage.scene.on for person in numbered)
     if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
+from storyblender.agents.director.reader.epithets import is_epithet
+from storyblender.agents.director.reader.households import Kinship, is_family, link_kin, link_surnames
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
 from storyblender.agents.director.reader.morphology import form_kind, singular
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
+from storyblender.agents.director.reader.spoken_names import announced, call_by_title, spoken_names
+from storyblender.agents.director.reading import Person
 
 _TITLE = (
     r"(?:Mr|Mrs|Ms|Miss|Dr|Prof|Prince|Princess|King|Queen|Captain|Sergeant|Officer|Doctor|Uncle|Aunt|Lady|Lord|Sir"
-    r"|Sheriff|Father|Sister|Brother|Professor)"
+    r"|Sheriff|Father|Sister|Brother|Professor|Inspector|Constable|Colonel|Major|General|Lieutenant|Corporal"
+    r"|Sergeant-Major|Reverend|Madame|Monsieur|Master)"
 )
 _NAME = re.compile(
     rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
@@ -26,6 +32,10 @@ _NAME = re.compile(
 _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
 """``named Iver, tall and stooped, with a grey beard``."""
 _APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
+_APPOSED_AFTER_COMMA = re.compile(
+    rf",\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)*)(?=[,.;])"
+)
+"""``his wife, Anna Petrovna,``; ``his companion, Dr. Fell,``."""
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
@@ -36,6 +46,12 @@ _LATER = frozenset(
 """``the man`` is somebody known, to be found by looking who is there."""
 
 
+_STRANGERS = frozenset({"stranger", "newcomer", "intruder"})
+"""What a man nobody named is called later."""
+_CHESSMEN = frozenset({"king", "queen", "knight", "bishop", "pawn"})
+_GAMES = re.compile(r"\b(?:chess|checkmate|playing cards|whist|draughts)\b")
+
+
 class _Role(NamedTuple):
     """A noun for a person where it stands in the story."""
 
@@ -43,32 +59,58 @@ class _Role(NamedTuple):
     phrase: PersonNoun
     after: str
 
+    @property
+    def name(self) -> str:
+        """The name that follows: ``niece Clara``, for kin and companions also after a comma."""
+        close = self.phrase.noun in lexicon.KIN or is_epithet(self.phrase.noun)
+        match = _APPOSED.match(self.after) or (_APPOSED_AFTER_COMMA.match(self.after) if close else None)
+        return match.group(1) if match and not self.phrase.plural else ""
+
 
 def find_prose_cast(script: Manuscript) -> Roster:
     """Collect the people of a story: longer names first, then roles in the order they appear."""
     roster = Roster()
     names: list[tuple[int, str]] = []
     roles: list[_Role] = []
+    family = is_family(script.text)
+    playing = _GAMES.search(script.text) is not None
     for paragraph in script.paragraphs:
         told = without_quotations(paragraph.raw)
         names += _names(told, paragraph.start)
         for phrase in find_person_nouns(told):
-            if phrase.noun not in _NOT_ROLES and not _only_compared(told, phrase):
+            piece = playing and phrase.noun in _CHESSMEN
+            if phrase.noun not in _NOT_ROLES and not piece and not _only_compared(told, phrase):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
-        if not roster.find(name):
-            person = roster.add(name, at)
-            look = re.match(r"\s*,\s*(an? [^,.;]*)", script.text[at + len(name) : at + len(name) + 80])
-            if look:
-                describe(person, look.group(1))
-            later = _LATER_LOOK.match(script.text[at + len(name) : at + len(name) + 160])
-            if later:
-                describe(person, later.group(1))
-    for role in sorted(roles, key=lambda role: (_APPOSED.match(role.after) is None, role.at)):
-        _admit(roster, role, script.text)
+        _add_name(roster, at, name, script.text, family)
+    link_surnames(roster)
+    spoken = spoken_names(script)
+    for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
+        _admit(roster, role, script.text, spoken)
+    call_by_title(roster, spoken)
+    kin = [role for role in roles if role.name and role.phrase.noun in lexicon.CONVERSE_KIN]
+    kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
+    link_kin(roster, kinships, sorted(names))
     roster.people.sort(key=lambda person: person.first)
     roster.link_variants()
     return roster
+
+
+def _add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> None:
+    """Add somebody named; Mr. Barrow is Simon Barrow unless the story is about a family."""
+    words = bare(name).split()
+    if not family and words[0].strip(".") in lexicon.TITLES and len(words) == 2:
+        for person in roster.find(words[1]):
+            roster.call(person, bare(name))
+    if roster.find(name):
+        return
+    person = roster.add(name, at)
+    look = re.match(r"\s*,\s*(an? [^,.;]*)", text[at + len(name) : at + len(name) + 80])
+    if look:
+        describe(person, look.group(1))
+    later = _LATER_LOOK.match(text[at + len(name) : at + len(name) + 160])
+    if later:
+        describe(person, later.group(1))
 
 
 def _opens_like_a_name(name: str, following: str) -> bool:
@@ -96,6 +138,8 @@ def _names(text: str, start: int) -> list[tuple[int, str]]:
             continue
         if match.group(1) and not _opens_like_a_name(name, match.group(1)):
             continue
+        if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() :]):
+            continue
         before = text[max(0, match.start() - 6) : match.start()].lower()
         somewhere = re.search(r"\b(in|at|to|from|of|near)\s$", before)
         if somewhere and first.strip(".") not in lexicon.FIRST_NAMES | lexicon.TITLES:
@@ -104,11 +148,16 @@ def _names(text: str, start: int) -> list[tuple[int, str]]:
     return found
 
 
-def _admit(roster: Roster, role: _Role, text: str) -> None:
+def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
-    named, apposed = _NAMED.match(role.after), _APPOSED.match(role.after)
-    if apposed and not phrase.plural:
-        _name_by_kin(roster, role, apposed.group(1))
+    named = _NAMED.match(role.after)
+    fresh = phrase.noun in _LATER and phrase.determiner in ("a", "an") and not phrase.plural
+    if role.name and is_epithet(phrase.noun) and phrase.determiner not in ("a", "an"):
+        return
+    if role.name:
+        _name_by_kin(roster, role, role.name)
+    elif fresh and (name := announced(roster, spoken, role.at, phrase.noun)):
+        describe(roster.add(name, role.at), look)
     elif named:
         person = roster.add(named.group(1), role.at)
         if person.gender == "unknown":
@@ -117,7 +166,7 @@ def _admit(roster: Roster, role: _Role, text: str) -> None:
         roster.call(person, phrase.noun)
         describe(person, look)
     elif known := [person for person in roster.people if person.role == phrase.noun]:
-        for person in known:
+        for person in known if not (phrase.noun in _LATER and lexicon.AGED & set(phrase.adjectives)) else ():
             describe(person, look)
     elif not _is_somebody_known(roster, role, text):
         _add_role(roster, role, look)
@@ -126,6 +175,8 @@ def _admit(roster: Roster, role: _Role, text: str) -> None:
 def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
     phrase = role.phrase
+    if phrase.determiner not in ("a", "an") and _goes_by(roster, phrase, text):
+        return True
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
     if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
         return True
@@ -141,6 +192,31 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
         return True
     apposed = text[max(0, role.at - 2) : role.at] == ", "
     return apposed and (phrase.determiner in ("a", "an") or _names_before(roster, role, text))
+
+
+def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:
+    """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
+    ranked = [person for person in roster.people if _rank(person) & {phrase.noun} and not phrase.plural]
+    for person in ranked:
+        roster.call(person, phrase.noun)
+    nameless = [person for person in roster.people if person.role in _LATER and person.role == bare(person.name)]
+    if phrase.noun in _STRANGERS and nameless:
+        roster.call(nameless[-1], phrase.noun)
+        return True
+    if ranked or any(phrase.noun in person.aliases for person in roster.people if phrase.noun not in _LATER):
+        return True
+    others = [person for person in roster.people if person.kind == "human" and not is_epithet(person.role)]
+    if phrase.noun in lexicon.CALLINGS:
+        introduced = re.search(rf"\ban? (?:[a-z-]+ )?{phrase.noun}\b", text)
+        return phrase.determiner == "the" and bool(others) and introduced is None
+    return is_epithet(phrase.noun) and len(others) > 1
+
+
+def _rank(person: Person) -> set[str]:
+    """The nouns a title stands for: a sergeant is a soldier, Dr. Fell a doctor."""
+    title = bare(person.name).split()[0].strip(".")
+    nouns = {noun for noun, titles in lexicon.RANKS.items() if title in titles or person.role in titles}
+    return nouns | ({lexicon.TITLE_SYNONYMS.get(title, title)} if title in lexicon.TITLES else set())
 
 
 def _names_before(roster: Roster, role: _Role, text: str) -> bool:

@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.mentions import mark_mentions
 from storyblender.agents.director.reader.morphology import FORMS
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.sentences import Sentence, Speech
-from storyblender.agents.director.reader.words import Word, tokenize
+from storyblender.agents.director.reader.words import Mention, Word, tokenize
 
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS
@@ -23,6 +23,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
     its place in the script.
     """
     words = mark_mentions(_words_and_quotations(paragraph.raw, paragraph.start), roster)
+    _mark_the_other(words)
     sentences: list[Sentence] = []
     for run in _split(words):
         quotations = [word for word in run if word.quotation]
@@ -34,6 +35,18 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
             sentence.words, sentence.speech = _said(told, " ".join(text.split()))
         sentences.append(sentence)
     return sentences
+
+
+def _mark_the_other(words: list[Word]) -> None:
+    """``said the other``, ``The latter rose``: somebody, where no noun follows and nothing but a subject can stand."""
+    for at in range(1, len(words)):
+        word, before = words[at], words[at - 2] if at > 1 else None
+        following = words[at + 1] if at + 1 < len(words) else None
+        opens = before is None or before.text in ".!?;" or before.quotation != "" or _is_speech_verb(before)
+        ends = following is None or not following.text.isalpha() or following.low in FORMS or following.low in _SMALL
+        ends = ends or (following is not None and following.low.endswith("ly"))
+        if word.low in ("other", "latter", "former") and words[at - 1].low == "the" and opens and ends:
+            word.mention = Mention("generic", [], word.low, "the", start=words[at - 1].start)
 
 
 def _words_and_quotations(text: str, offset: int) -> list[Word]:

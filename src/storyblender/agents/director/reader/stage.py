@@ -41,6 +41,8 @@ class Discourse:
     """Things named lately, the last first."""
     last_plural: tuple[str, int] | None = None
     """Things named in the plural, and in which sentence."""
+    epithets: dict[str, Person] = field(default_factory=dict)
+    """``visitor``, ``old man`` -> who was called so last."""
     victim: tuple[Person, int] | None = None
     """Who was hit last, and in which sentence."""
     last_speaker: Person | None = None

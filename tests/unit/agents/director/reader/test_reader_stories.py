@@ -19,3 +19,46 @@ def test_the_next_morning_is_a_scene_of_its_own_in_the_same_place() -> None:
         ("drawing-room", "indoor", "night"),
         ("drawing-room", "indoor", "morning"),
     ]
+
+
+def names(reading: Reading) -> set[str]:
+    return {person.name for person in reading.people}
+
+
+def test_a_family_shares_a_surname() -> None:
+    reading = story(
+        "Mr. Grey sat at chess with his son. The father put his king into danger.",
+        '"Check," said Robert Grey.',
+        "Mrs. Grey put down her book. Her husband stood up, and his wife and son laughed.",
+    )
+    assert names(reading) == {"Mr. Grey", "Mrs. Grey", "Robert Grey"}
+    stood, *laughed = reading.units[-1].deeds
+    assert (stood.actor, stood.motion) == ("mr_grey", "stand_up")
+    assert {(deed.actor, deed.motion) for deed in laughed} == {("mrs_grey", "laugh"), ("robert_grey", "laugh")}
+
+
+def test_the_visitor_is_who_came_last_and_the_host_who_was_there_first() -> None:
+    reading = story(
+        "Tom Fry sat by the fire with Anna. A tall, burly man walked into the room.",
+        '"Sergeant-Major Hill," said Anna.',
+        "The soldier took off his cap. The visitor sat down and his host poured the tea. The sergeant-major drank it.",
+        '"It is cold," said the other.',
+    )
+    assert names(reading) == {"Tom Fry", "Anna", "Sergeant-Major Hill"}
+    deeds = [(deed.actor, deed.motion) for unit in reading.units[-4:] for deed in unit.deeds]
+    assert ("sergeant_major_hill", "take_off") in deeds
+    assert ("sergeant_major_hill", "sit") in deeds
+    assert ("tom_fry", "pour") in deeds
+    assert ("tom_fry", "talk") in deeds
+
+
+def test_a_guest_in_a_story_of_one_is_somebody_new() -> None:
+    assert names(story("Anna opened the door. The guest walked in and sat down.")) == {"Anna", "guest"}
+
+
+def test_the_old_man_stays_the_same_one() -> None:
+    reading = story(
+        "Mr. Grey sat with his son at the table.",
+        "Robert Grey, his son, read a book. The old man stood up. A man walked in. The old man laughed.",
+    )
+    assert [deed.actor for deed in reading.units[-1].deeds] == ["mr_grey"]
