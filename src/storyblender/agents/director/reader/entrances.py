@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
 from storyblender.agents.director.reader.people_meant import resolve_mention
 from storyblender.agents.director.reader.roles import Roles
@@ -22,6 +23,7 @@ _LEAVING = re.compile(
     r"(exit|leave|depart|vanish|disappear|flee|escape|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
 )
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "ride", "drive"})
+_WEATHER = lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
 _STAYING = frozenset({"stand", "be", "remain", "stay"})
 _COMING_OUT = frozenset({"back", "crawl", "pull", "step", "burst", "come", "get", "look", "emerge", "climb", "lean"})
 _PICTURE_OF = re.compile(
@@ -56,9 +58,10 @@ def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> 
 
 
 def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
-    """``Rick stands alone.``: everybody else has gone. ``alone at a table`` says nothing about the others."""
+    """``Rick stands alone in the fog.``: all others have gone. ``alone at a table`` says nothing about them."""
     alone = any(word.low == "alone" and word.verb is None for word in stage.sentence.words)
-    if alone and subjects and clause.verb in _STAYING and not clause.places and not (clause.negated or clause.unreal):
+    spot = any(phrase.head not in _WEATHER for _, phrases in clause.places for phrase in phrases)
+    if alone and subjects and clause.verb in _STAYING and not spot and not (clause.negated or clause.unreal):
         here = {person.id for person in subjects}
         stage.scene.leaving += [p for p in stage.scene.on if p not in here and p not in stage.scene.leaving]
         clear_exits(stage)

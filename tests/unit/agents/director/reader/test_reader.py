@@ -258,7 +258,9 @@ def test_a_whole_feature_is_read() -> None:
 
 
 def test_who_stands_alone_is_the_only_one_there() -> None:
-    reading = read_script(read("INT. CAFÉ - NUIT\n\nRICK and ILSA kiss. ILSA smiles. RICK stands alone. He smokes.\n"))
+    reading = read_script(
+        read("INT. CAFÉ - NUIT\n\nRICK and ILSA kiss. ILSA smiles. RICK stands alone in the rain. He smokes.\n")
+    )
     assert reading.scenes[0].time == "night"
     assert [unit.on_stage for unit in reading.units][1:] == [["rick", "ilsa"], ["rick"], ["rick"]]
 
