@@ -63,7 +63,7 @@ def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[
         owners = [person for at, name in names if at < kinship.at for person in roster.find(name)]
         owners = [person for person in owners if person is not kinship.person and person.gender != "unknown"]
         if gender == "plural":
-            owners = [*dict.fromkeys(reversed(owners))][:2]
+            owners = list({person.id: person for person in reversed(owners)}.values())[:2]
         else:
             owners = [person for person in owners if person.gender == gender][-1:]
         for owner in owners:

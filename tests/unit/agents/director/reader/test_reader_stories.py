@@ -62,3 +62,14 @@ def test_the_old_man_stays_the_same_one() -> None:
         "Robert Grey, his son, read a book. The old man stood up. A man walked in. The old man laughed.",
     )
     assert [deed.actor for deed in reading.units[-1].deeds] == ["mr_grey"]
+
+
+def test_their_daughter_has_two_parents() -> None:
+    reading = story(
+        "Peter Holm sat at the table with Anna Holm and their daughter Mary.",
+        '"Eat," said her father. Her mother laughed.',
+    )
+    assert [(deed.actor, deed.motion) for unit in reading.units[-2:] for deed in unit.deeds] == [
+        ("peter_holm", "talk"),
+        ("anna_holm", "laugh"),
+    ]
