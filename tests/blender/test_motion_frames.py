@@ -16,7 +16,7 @@ from storyblender.blender.render import motion_frames  # noqa: E402
 from storyblender.blender.render.complexion import told_in_shades  # noqa: E402
 from storyblender.blender.render.flat_frames import animatic_workbench, draw_flat  # noqa: E402
 from storyblender.blender.render.movement import watch  # noqa: E402
-from storyblender.blender.render.session import RenderSession  # noqa: E402
+from storyblender.blender.render.session import RenderSession, evenly  # noqa: E402
 
 FRAMES = range(1, 8, 2)
 SIZE = (160, 90)
@@ -107,3 +107,22 @@ def test_skin_is_told_in_shades_and_given_back(room):
         assert mesh.materials[face.material_index].diffuse_color[:3] == pytest.approx(own, abs=0.03)
     assert list(mesh.materials) == materials and len(bpy.data.materials) == count
     assert {face.material_index for face in mesh.polygons} == {0}
+
+
+def test_a_frame_in_which_nothing_moves_is_the_last_one_held(room):
+    lamp = next(obj for obj in room.objects if obj["node_id"] == "lamp")
+    lamp.keyframe_insert("location", frame=3)
+    curves = lamp.animation_data.action.layers[0].strips[0].channelbag(lamp.animation_data.action_slot).fcurves
+    for curve in curves:  # it stands until frame 3, then rolls evenly
+        for key, value in zip(curve.keyframe_points, (0.0, 0.0, 1.0), strict=True):
+            key.co[1] = value if curve.array_index == 0 else key.co[1]
+            key.interpolation = "LINEAR"
+        curve.update()
+    movement, frames = drawn(room)
+    assert movement.anew == (True, False, True, True)
+    assert frames[1] is frames[0] and frames[2] is not frames[1]
+
+
+def test_numbers_go_in_the_fewest_even_runs():
+    assert [list(run) for run in evenly([1, 3, 5, 11, 12, 13, 40])] == [[1, 3, 5], [11, 12, 13], [40]]
+    assert evenly([]) == [] and [list(run) for run in evenly([7])] == [[7]]

@@ -26,21 +26,34 @@ _AT_ONCE = 24
 """Frames drawn by one call: Blender keeps what it knows of the scene between them."""
 
 
-def draw_flat(session: RenderSession, frames: range, movement: Movement) -> Iterator[FlatFrame]:
-    """Draw the flat frames of one shot, in order; use inside ``animatic_workbench``.
+def draw_flat(session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
+    """Give the flat frames of one shot, in order; a held one is the last one again. Use inside ``animatic_workbench``.
 
     Args:
         session: The shot.
         frames: Timeline frames.
         movement: Of these frames.
     """
+    drawings = _drawings(session, frames, movement)
+    flat = next(drawings)
+    yield flat
+    for anew in movement.anew[1:]:
+        flat = next(drawings) if anew else flat
+        yield flat
+
+
+def _drawings(session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
+    """Draw what is not held."""
     plate = _plate(session, frames[:1], movement) if movement.is_locked_off else None
-    for first in range(0, len(frames), _AT_ONCE):
-        batch, views = frames[first : first + _AT_ONCE], movement.views[first : first + _AT_ONCE]
+    wanted = [(number, view) for number, view, anew in zip(frames, movement.views, movement.anew, strict=True) if anew]
+    for first in range(0, len(wanted), _AT_ONCE):
+        batch, views = zip(*wanted[first : first + _AT_ONCE], strict=True)
         yield from _whole(session, batch, movement, views) if plate is None else _over(plate, session, batch, movement)
 
 
-def _whole(session: RenderSession, frames: range, movement: Movement, views: Sequence[View]) -> Iterator[FlatFrame]:
+def _whole(
+    session: RenderSession, frames: Sequence[int], movement: Movement, views: Sequence[View]
+) -> Iterator[FlatFrame]:
     """Draw everything: the camera moves."""
     width, height = views[0].width, views[0].height
     everywhere = np.ones((height, width), bool)
@@ -51,7 +64,7 @@ def _whole(session: RenderSession, frames: range, movement: Movement, views: Seq
         yield _flat(channels, view, everywhere, glow)
 
 
-def _plate(session: RenderSession, frame: range, movement: Movement) -> FlatFrame:
+def _plate(session: RenderSession, frame: Sequence[int], movement: Movement) -> FlatFrame:
     """Draw what stands still."""
     view = movement.views[0]
     with out_of_picture((*movement.unseen, *movement.movers)):
@@ -60,7 +73,7 @@ def _plate(session: RenderSession, frame: range, movement: Movement) -> FlatFram
     return _flat(channels, view, np.zeros((view.height, view.width), bool), glow)
 
 
-def _over(plate: FlatFrame, session: RenderSession, frames: range, movement: Movement) -> Iterator[FlatFrame]:
+def _over(plate: FlatFrame, session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
     """Draw what moves, in its window, and lay it over the plate."""
     view, window, movers = plate.view, movement.window, set(movement.movers)
     with out_of_picture(obj for obj in session.scene.objects if obj.type in DRAWN and obj not in movers):

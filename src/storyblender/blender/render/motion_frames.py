@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -83,14 +84,18 @@ def render_motion(
         movement = watch(session, frames, width, height)
         people = [_heads(faces, in_frame) for faces in movement.people]
         with animatic_workbench(session, movement):
-            for number, flat, heads in zip(frames, draw_flat(session, frames, movement), people, strict=True):
+            film = zip(frames, people, movement.anew, draw_flat(session, frames, movement), strict=True)
+            for number, heads, anew, flat in film:
+                paths.append(out_dir / f"{number:05d}.jpg")
                 if plan.rain > 0:
                     flat = replace(flat, window=flat.view.whole)
+                elif not anew:
+                    shutil.copyfile(paths[-2], paths[-1])
+                    continue
                 window, picture = light.light(flat, still.set_lights + _followed(still.lights, people[0], heads))
                 depth = flat.depth[window.cut]
                 picture = add_rain(picture * gain, depth, plan.rain, seed + number)
                 _paste(shown, add_lines(picture, depth, flat.view), window)
-                paths.append(out_dir / f"{number:05d}.jpg")
                 write_jpeg(shown, paths[-1])
     return tuple(paths)
 

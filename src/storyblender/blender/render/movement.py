@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
@@ -11,6 +11,7 @@ from mathutils import Vector
 from numpy.typing import NDArray
 
 from storyblender.blender.measure.figures import figures
+from storyblender.blender.render.holds import drawn_anew, pose_now
 from storyblender.blender.render.session import DRAWN, RenderSession
 from storyblender.geometry.framing import Figure
 from storyblender.look.gbuffer import View, same_view
@@ -33,6 +34,7 @@ class Movement:
         movers: Objects that move, bend, come or go while they are in the picture.
         unseen: Objects outside the picture all the time.
         window: The part of the picture that the movers reach; the whole if the camera moves.
+        anew: Whether each frame differs, to the eye, from the last one drawn; if not, that one is held.
     """
 
     views: tuple[View, ...]
@@ -40,6 +42,7 @@ class Movement:
     movers: tuple[bpy.types.Object, ...]
     unseen: tuple[bpy.types.Object, ...]
     window: Window
+    anew: tuple[bool, ...]
 
     @property
     def is_locked_off(self) -> bool:
@@ -59,12 +62,13 @@ def watch(session: RenderSession, frames: Sequence[int], width: int, height: int
     hidden = set(session.hidden_objects)
     objects = [obj for obj in session.scene.objects if obj.type in DRAWN and obj not in hidden]
     free = [obj for obj in objects if _may_move(obj)]
-    views, people, shown, corners = [], [], [], []
+    views, people, poses, shown, corners = [], [], [], [], []
     for number in frames:
         session.go_to(number)
         depsgraph = session.scene.view_layers[0].depsgraph
         views.append(session.view(width, height))
         people.append(figures(session.scene))
+        poses.append(pose_now(session.scene))
         shown.append([not obj.hide_render for obj in free])
         corners.append(_corners([obj.evaluated_get(depsgraph) for obj in free]))
     boxes, drawn = np.array(corners).reshape(len(views), -1, 8, 3), np.array(shown, bool).reshape(len(views), -1)
@@ -77,11 +81,13 @@ def watch(session: RenderSession, frames: Sequence[int], width: int, height: int
     lost = np.logical_and.reduce([view.misses(_corners(fixed)) for view in views])
     unseen = [obj for obj, out in zip(fixed, lost, strict=True) if out]
     unseen += [obj for obj, here in zip(free, seen.any(axis=0), strict=True) if not here]
-    movement = Movement(tuple(views), tuple(people), movers, tuple(unseen), views[0].whole)
+    always = tuple(True for _ in views)
+    movement = Movement(tuple(views), tuple(people), movers, tuple(unseen), views[0].whole, always)
     if not movement.is_locked_off:
         return movement
     reached = [_reached(views[0], box[here & moves]) for box, here in zip(boxes, seen, strict=True)]
-    return Movement(movement.views, movement.people, movers, tuple(unseen), _union(reached, views[0]))
+    anew = drawn_anew(poses, boxes, drawn, people, views[0])
+    return replace(movement, window=_union(reached, views[0]), anew=anew)
 
 
 def _may_move(obj: bpy.types.Object) -> bool:

@@ -72,7 +72,7 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
             window = _around(skin_colored)
             frame = session.scene.frame_current
             with _shading(session.scene, light="FLAT", color_type="VERTEX"):
-                (skin,) = session.exr_frames(range(frame, frame + 1), width, height, window=window)
+                (skin,) = session.exr_frames([frame], width, height, window=window)
             painted = skin_colored[window.cut]
             albedo[window.cut][painted] = color(skin)[painted]
         material = _material_pass(session, materials, width, height)
@@ -90,7 +90,7 @@ def has_painted_skin(obj: bpy.types.Object) -> bool:
 
 
 def render_glow(
-    session: RenderSession, frames: range, width: int, height: int, *, window: Window | None = None
+    session: RenderSession, frames: Sequence[int], width: int, height: int, *, window: Window | None = None
 ) -> list[NDArray[np.float32]]:
     """Return the (h, w, 3) light that the things in the picture give off, frame by frame; no G-buffer needed.
 

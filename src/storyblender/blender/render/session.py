@@ -155,12 +155,12 @@ class RenderSession:
         return read_channels(path)
 
     def exr_frames(
-        self, frames: range, width: int, height: int, *, depth: bool = False, window: Window | None = None
+        self, frames: Sequence[int], width: int, height: int, *, depth: bool = False, window: Window | None = None
     ) -> list[Channels]:
-        """Render frames of the timeline with the engine that is set.
+        """Render frames of the timeline with the engine that is set; what is evenly spaced goes in one call.
 
         Args:
-            frames: Not empty, forwards.
+            frames: Forwards.
             width: Pixels of the whole picture.
             height: Pixels of the whole picture.
             depth: Also write the depth pass.
@@ -174,9 +174,11 @@ class RenderSession:
             changed(render, size | _STILL | border),
             changed(render.image_settings, image),
             changed(self.scene.view_layers[0], {"use_pass_z": depth}),
-            changed(self.scene, {"frame_start": frames[0], "frame_end": frames[-1], "frame_step": frames.step}),
+            changed(self.scene, {"frame_start": 0, "frame_end": 0, "frame_step": 1}),
         ):
-            bpy.ops.render.render(animation=True)
+            for run in evenly(frames):
+                self.scene.frame_start, self.scene.frame_end, self.scene.frame_step = run[0], run[-1], run.step
+                bpy.ops.render.render(animation=True)
         paths = [self._folder / f"{number:05d}.exr" for number in frames]
         pictures = [read_channels(path) for path in paths]
         for path in paths:
@@ -190,6 +192,19 @@ class RenderSession:
         image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
         with changed(render, size | _STILL), changed(render.image_settings, image):
             bpy.ops.render.render(write_still=True)
+
+
+def evenly(numbers: Sequence[int]) -> list[range]:
+    """Return ascending numbers as the fewest runs of even steps, each as long as it goes."""
+    runs: list[range] = []
+    for number in numbers:
+        run = runs[-1] if runs else None
+        if run is not None and (len(run) == 1 or number - run[-1] == run.step):
+            step = number - run[-1]
+            runs[-1] = range(run[0], number + 1, step)
+        else:
+            runs.append(range(number, number + 1))
+    return runs
 
 
 def _border(window: Window, width: int, height: int) -> dict[str, Any]:
