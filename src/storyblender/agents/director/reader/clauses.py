@@ -176,6 +176,8 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
     return left.text == "to" and builder.words[builder.phrases[index].first].low in _PURPOSES
 
 
+_ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
+"""``Outside a blizzard was raging``: no preposition where subject and verb follow."""
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
 _WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", "wait", "hesitate", "fail"})
@@ -184,6 +186,8 @@ _WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", 
 def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
     """A particle of the verb (``picks up``) or a preposition with a noun to come."""
     clause = builder.current
+    if index == 0 and phrase.text in _ADVERBIAL and _verb_follows(builder.phrases, 1):
+        return
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     if clause and phrase.text in lexicon.PARTICLES and not clause.particle and not builder.closed:
         noun_follows = following is not None and following.kind == "noun"

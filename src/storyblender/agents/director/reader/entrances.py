@@ -20,7 +20,8 @@ _NEAR = (
     "next to", "from", "around", "past", "over", "under",
 )  # fmt: skip
 _LEAVING = re.compile(
-    r"(exit|leave|depart|vanish|disappear|flee|escape|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
+    r"(exit|leave|depart|withdraw|retire|vanish|disappear|flee|escape"
+    r"|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
 )
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "ride", "drive"})
 _WEATHER = lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()

@@ -35,7 +35,10 @@ def meant_by_epithet(stage: Stage, mention: Mention) -> list[Person]:
     elif mention.head in ("latter", "former"):
         return by_recency[:1] if mention.head == "latter" else by_recency[1:2]
     elif mention.head in lexicon.COMPANY:
-        return [person for person in by_recency if person not in stage.discourse.subjects][:1]
+        others = [person for person in by_recency if person not in stage.discourse.subjects]
+        newest = [stage.discourse.epithets.get(noun) for noun in sorted(lexicon.ARRIVALS)]
+        old_friends = [person for person in others if person not in newest]
+        return (others if mention.head == "other" else old_friends or others)[:1]
     else:
         found = by_recency or nearest_named(stage, mention.start, gender)
     if found:

@@ -61,12 +61,14 @@ def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[
     for kinship in kinships:
         gender = lexicon.PRONOUNS.get(kinship.determiner)
         owners = [person for at, name in names if at < kinship.at for person in roster.find(name)]
-        owners = [person for person in owners if person is not kinship.person and person.gender != "unknown"]
+        owners = [person for person in owners if person is not kinship.person]
         if gender == "plural":
             owners = list({person.id: person for person in reversed(owners)}.values())[:2]
         else:
-            owners = [person for person in owners if person.gender == gender][-1:]
+            owners = [person for person in owners if person.gender in (gender, "unknown")][-1:]
         for owner in owners:
+            if owner.gender == "unknown" and gender in ("male", "female"):
+                owner.gender = "male" if gender == "male" else "female"
             for converse in lexicon.CONVERSE_KIN.get(kinship.noun, ()):
                 if lexicon.gender_of_word(converse) == owner.gender:
                     roster.call(owner, converse)

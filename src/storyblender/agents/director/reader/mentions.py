@@ -134,7 +134,11 @@ def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | 
             break
         elif low == "," and adjectives and back and words[back - 1].low in _LOOKS:
             pass  # a tall, burly man
-        elif low in lexicon.PREPOSITIONS or not low.isalpha() or (low in FORMS and low not in ("young", "old")):
+        elif (
+            low in lexicon.PREPOSITIONS
+            or not low.replace("-", "").isalpha()
+            or (low in FORMS and low not in ("young", "old"))
+        ):
             break
         else:
             adjectives.append(low)

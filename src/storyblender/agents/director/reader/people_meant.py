@@ -77,6 +77,7 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
         pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
     elif young:
         pool = [person for person in pool if years(person) < 31]
+        pool = [person for person in pool if person.gender == gender] or pool
         pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
     else:
         pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))

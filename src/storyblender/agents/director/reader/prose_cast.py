@@ -15,7 +15,7 @@ from storyblender.agents.director.reader.manuscript import Manuscript, without_q
 from storyblender.agents.director.reader.morphology import form_kind, singular
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
-from storyblender.agents.director.reader.spoken_names import announced, call_by_title, spoken_names
+from storyblender.agents.director.reader.spoken_names import announced, call_by_title, spoken_names, title_noun
 from storyblender.agents.director.reading import Person
 
 _TITLE = (
@@ -84,13 +84,14 @@ def find_prose_cast(script: Manuscript) -> Roster:
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         _add_name(roster, at, name, script.text, family)
     link_surnames(roster)
-    spoken = spoken_names(script)
-    for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
-        _admit(roster, role, script.text, spoken)
-    call_by_title(roster, spoken)
     kin = [role for role in roles if role.name and role.phrase.noun in lexicon.CONVERSE_KIN]
     kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
     link_kin(roster, kinships, sorted(names))
+    spoken = spoken_names(script)
+    titled = [name for at, name in spoken if any(title_noun(name) == r.phrase.noun and r.at < at for r in roles)]
+    for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
+        _admit(roster, role, script.text, [(at, name) for at, name in spoken if name not in titled])
+    call_by_title(roster, spoken)
     roster.people.sort(key=lambda person: person.first)
     roster.link_variants()
     return roster
@@ -142,22 +143,32 @@ def _names(text: str, start: int) -> list[tuple[int, str]]:
             continue
         before = text[max(0, match.start() - 6) : match.start()].lower()
         somewhere = re.search(r"\b(in|at|to|from|of|near)\s$", before)
-        if somewhere and first.strip(".") not in lexicon.FIRST_NAMES | lexicon.TITLES:
+        known = first.strip(".") in lexicon.FIRST_NAMES | lexicon.TITLES
+        if somewhere and not known and not _is_apposed_to_somebody(text[match.end() :]):
             continue
         found.append((start + match.start(), name))
     return found
 
 
+def _is_apposed_to_somebody(after: str) -> bool:
+    """``in the house of Pyotr Ilyich, the postmaster of a small town``: no place."""
+    phrase = next(find_person_nouns(after[2:60]), None) if after.startswith(", ") else None
+    return phrase is not None and phrase.start == 0
+
+
 def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
     named = _NAMED.match(role.after)
-    fresh = phrase.noun in _LATER and phrase.determiner in ("a", "an") and not phrase.plural
+    apposed = text[max(0, role.at - 2) : role.at] == ", "
+    fresh = phrase.noun in _LATER and phrase.determiner in ("a", "an") and not phrase.plural and not apposed
     if role.name and is_epithet(phrase.noun) and phrase.determiner not in ("a", "an"):
         return
     if role.name:
         _name_by_kin(roster, role, role.name)
     elif fresh and (name := announced(roster, spoken, role.at, phrase.noun)):
-        describe(roster.add(name, role.at), look)
+        person = roster.add(name, role.at)
+        person.gender = person.gender if person.gender != "unknown" else lexicon.gender_of_word(phrase.noun)
+        describe(person, look)
     elif named:
         person = roster.add(named.group(1), role.at)
         if person.gender == "unknown":
@@ -175,6 +186,12 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
 def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
     phrase = role.phrase
+    if (
+        phrase.noun in _LATER
+        and phrase.plural
+        and re.search(r"\b(?:the|his|her|their) $", text[max(0, role.at - 6) : role.at].lower())
+    ):
+        return True
     if phrase.determiner not in ("a", "an") and _goes_by(roster, phrase, text):
         return True
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
@@ -196,7 +213,7 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
 
 def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:
     """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
-    ranked = [person for person in roster.people if _rank(person) & {phrase.noun} and not phrase.plural]
+    ranked = [person for person in roster.people if phrase.noun in _rank(person) and not phrase.plural]
     for person in ranked:
         roster.call(person, phrase.noun)
     nameless = [person for person in roster.people if person.role in _LATER and person.role == bare(person.name)]
@@ -216,6 +233,7 @@ def _rank(person: Person) -> set[str]:
     """The nouns a title stands for: a sergeant is a soldier, Dr. Fell a doctor."""
     title = bare(person.name).split()[0].strip(".")
     nouns = {noun for noun, titles in lexicon.RANKS.items() if title in titles or person.role in titles}
+    nouns |= lexicon.RANKS.get(person.role, frozenset())
     return nouns | ({lexicon.TITLE_SYNONYMS.get(title, title)} if title in lexicon.TITLES else set())
 
 
@@ -223,7 +241,8 @@ def _names_before(roster: Roster, role: _Role, text: str) -> bool:
     """``Mrs. Crabbe, the old housekeeper,``: she is the housekeeper from then on."""
     before = text[max(0, role.at - 60) : role.at - 2].lower()
     person = next((p for p in roster.people for alias in p.aliases if before.endswith(alias)), None)
-    closed = text[role.at : role.at + role.phrase.end - role.phrase.start + 1].endswith((",", ".", ", "))
+    end = role.at + role.phrase.end - role.phrase.start
+    closed = text[end - 1 : end + 1].endswith((",", ".", ", ")) or text[end : end + 4] == " of "
     if person is None or not closed:
         return False
     roster.call(person, bare(role.phrase.noun))

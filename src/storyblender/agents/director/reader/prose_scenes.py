@@ -12,7 +12,7 @@ from storyblender.memory.vocabulary import SceneType
 
 _PLACE_PHRASE = re.compile(
     r"(?=\b(?:in|at|into|to|inside|reached|entered|through|on|near|outside|of|across|aboard|along|over|up|down|by|behind"
-    r"|above)\s+"
+    r"|above|upon|beside|round)\s+"
     r"(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))"
 )
 _SENTENCE_END = re.compile(r"(?<=[.!?])(?<!Mr\.)(?<!Dr\.)(?<!Ms\.)(?<!Mrs\.)\s")
@@ -33,7 +33,7 @@ _ARRIVAL = re.compile(
 _HOME = re.compile(r"\b(?:came|went|returned|was|got) home\b")
 _NEXT_DAY = re.compile(
     r"(?:early |late )?(?:in|on|by|at|with|towards?|the|next)\b[^,.;]*?"
-    r"\b(?:next|following) (?:day|morning|evening|night|afternoon)\b|next (?:day|morning|evening)\b"
+    r"\b(?:next|following) (?:day|morning|evening|night|afternoon)\b|(?:early |late )?next (?:day|morning|evening)\b"
 )
 """``In the pale sun next morning``: a scene of its own, where the last one was if it names no place."""
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS

@@ -88,7 +88,8 @@ def _starts_anew(following: list[Word]) -> bool:
 
 
 def _is_speech_verb(word: Word) -> bool:
-    return word.low in FORMS and FORMS[word.low].lemma in lexicon.SPEECH_VERBS
+    verb = FORMS[word.low].lemma if word.low in FORMS else ""
+    return verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(verb) in ("talk", "whisper", "shout")
 
 
 def _said(words: list[Word], text: str) -> tuple[list[Word], Speech]:

@@ -37,7 +37,7 @@ def regularise(words: list[Word]) -> list[Word]:
     Returns:
         The words in the order they are to be read; only inserted words are new.
     """
-    words = _without_pairs(words)
+    words = _named_kin(_without_pairs(words))
     row = Row()
     at = 0
     while at < len(words):
@@ -84,6 +84,22 @@ def _renames(before: list[Word], words: list[Word], at: int) -> bool:
         left.candidates = mention.candidates
         return True
     return False
+
+
+def _named_kin(words: list[Word]) -> list[Word]:
+    """``his companion, Dr. Fell, read``: kin and companions are told by name between commas."""
+    kept: list[Word] = []
+    at = 0
+    while at < len(words):
+        left, right = kept[-1].mention if kept else None, words[at + 1 : at + 3]
+        name = right[0].mention if len(right) > 1 and words[at].text == right[1].text == "," else None
+        if left and left.head in lexicon.KIN | lexicon.COMPANY and left.kind != "name" and name and name.kind == "name":
+            kept[-1].mention = name
+            at += 3
+        else:
+            kept.append(words[at])
+            at += 1
+    return kept
 
 
 def _apposition_end(words: list[Word], comma: int) -> int | None:

@@ -47,21 +47,27 @@ def announced(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: 
     gender = lexicon.gender_of_word(noun)
     for place, name in spoken:
         title = bare(name).split()[0].strip(".")
-        known = roster.find(name) or roster.find(name.split()[-1]) or _called_by_role(roster, title)
+        known = roster.find(name) or roster.find(name.split()[-1]) or _called_by_role(roster, name)
         fits = lexicon.TITLE_GENDER.get(title, gender) == gender
         if 0 < place - at < _SOON and not known and fits:
             return name
     return ""
 
 
+def title_noun(name: str) -> str:
+    """The noun a title stands for: ``doctor`` for Dr. Lebedev."""
+    title = bare(name).split()[0].strip(".")
+    return lexicon.TITLE_SYNONYMS.get(title, title)
+
+
 def call_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
     """``"You win, Doctor Lebedev"``: the doctor has a name."""
     for _, name in spoken:
         words = bare(name).split()
-        for person in [] if roster.find(words[-1]) else _called_by_role(roster, words[0].strip(".")):
+        for person in [] if roster.find(words[-1]) else _called_by_role(roster, name):
             roster.call(person, bare(name))
             roster.call(person, words[-1])
 
 
-def _called_by_role(roster: Roster, title: str) -> list[Person]:
-    return [person for person in roster.people if person.role == lexicon.TITLE_SYNONYMS.get(title, title)][:1]
+def _called_by_role(roster: Roster, name: str) -> list[Person]:
+    return [person for person in roster.people if person.role == title_noun(name)][:1]

@@ -73,3 +73,27 @@ def test_their_daughter_has_two_parents() -> None:
         ("peter_holm", "talk"),
         ("anna_holm", "laugh"),
     ]
+
+
+def test_whoever_is_named_between_commas_is_one_person() -> None:
+    reading = story(
+        "In the study of Ivan Petrov, the postmaster of a small town, a lamp burned. Outside a storm was raging.",
+        "Petrov sat by the fire, while his wife, Olga, read the newspaper. The postmaster laughed, and Olga withdrew.",
+        "The husband stood up.",
+    )
+    assert names(reading) == {"Ivan Petrov", "Olga"}
+    deeds = [(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds]
+    assert ("olga", "read") in deeds
+    assert deeds[-1] == ("ivan_petrov", "stand_up")
+    assert reading.units[-1].on_stage == ["ivan_petrov"]
+
+
+def test_a_man_announced_by_name_is_that_man() -> None:
+    reading = story(
+        "The two men smoked by the fire, Tom Fry and Dr. Low. A stout, red-faced man burst into the room.",
+        '"Inspector Crewe, of Scotland Yard," interposed Fry, nodding to the intruder.',
+        "The policeman sat down.",
+    )
+    assert names(reading) == {"Tom Fry", "Dr. Low", "Inspector Crewe"}
+    assert [deed.target for deed in reading.units[-2].deeds] == ["inspector_crewe"] * 2
+    assert reading.units[-1].deeds[0].actor == "inspector_crewe"
