@@ -23,6 +23,8 @@ _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 _SPOKEN = frozenset({"call", "shout", "yell"})
 _WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
+_OPENING = 2
+"""Words in which the subject of a sentence without a known verb stands: ``Her husband interposed.``"""
 _RECENT = 7
 """Things ``it`` can mean."""
 _BEFORE_LOOK = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
@@ -83,8 +85,9 @@ def _notice_weather(stage: Stage, word: str, left: Phrase | None) -> None:
 def _name_people(stage: Stage) -> None:
     """A sentence without a clause: whoever it names is there."""
     named: list[Person] = []
-    for word in stage.sentence.words:
-        if word.mention and word.named:
+    for index, word in enumerate(stage.sentence.words):
+        definite = word.mention and word.mention.determiner not in ("", "a", "an") and index <= _OPENING
+        if word.mention and (word.named or definite):
             named += resolve_mention(stage, word.mention)
     for person in named:
         stage.mention(person, 0.6)
@@ -125,6 +128,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         resolve_owner(stage, noun, "possessor", roles.subjects, previous)
         stage.discourse.last_thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
     _dress(stage, roles)
+    entrances.seen_off(stage, clause, roles)
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return

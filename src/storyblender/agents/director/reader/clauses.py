@@ -15,6 +15,8 @@ from storyblender.agents.director.reader.words import Word
 
 _SUBJECT_ONLY = frozenset({"he", "she", "they"})
 """``At seven she pulls herself up``: no object of the preposition before."""
+_NEAR = 4
+"""Phrases back to whom ``who`` means."""
 _HYPOTHETICAL = frozenset({"if", "unless"})
 
 
@@ -66,6 +68,8 @@ class _Builder:
     """Subject of the clauses so far; a verb without one inherits it."""
     pending: list[NounPhrase] = field(default_factory=list)
     """A noun read before its verb."""
+    relative: list[NounPhrase] = field(default_factory=list)
+    """``a man, who, peering in, knocked``: whose verbs come next."""
     preposition: str = ""
     aside: bool = False
     """Within ``, a book in her lap``: its places are the book's, not the clause's."""
@@ -103,6 +107,9 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
             builder.preposition, builder.aside = "", False
             builder.closed = builder.closed or phrase.text == ","
+        elif phrase.text == "who":
+            nouns = [p.noun for p in builder.phrases[max(0, index - _NEAR) : index] if p.noun]
+            builder.relative = [noun for noun in nouns if noun.kind == "person"][-1:]
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
     if builder.clauses:
@@ -135,6 +142,13 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         main=not builder.clauses or not participle,
     )
     builder.negated = builder.unreal = builder.passive = False
+    if builder.relative and not builder.pending:
+        clause.subject = builder.relative
+        clause.main = not builder.clauses
+        builder.relative = builder.relative if participle else []
+        builder.preposition, builder.aside, builder.closed = "", False, False
+        builder.clauses.append(clause)
+        return
     clause.elided = not clause.subject
     clause.absolute = bool(builder.pending) and (participle or verb.kind == "pp") and len(builder.clauses) > 0
     if builder.pending and verb.kind not in ("ing", "inf") and not clause.absolute:
@@ -249,7 +263,10 @@ def _receives(noun: NounPhrase) -> bool:
 
 
 def _verb_follows(phrases: list[Phrase], index: int) -> bool:
-    """Whether a list of nouns that starts here ends at a finite verb."""
+    """Whether a list of nouns that starts here ends at a finite verb: ``but her son, taking it, examined it``."""
+    linked, aside = index > 0 and phrases[index - 1].kind == "link", phrases[index + 1 : index + 3]
+    if linked and len(aside) > 1 and aside[0].text == "," and aside[1].verb and aside[1].verb.kind == "ing":
+        return True
     while index < len(phrases):
         phrase = phrases[index]
         joins = phrase.text in (",", "and") and index + 1 < len(phrases) and phrases[index + 1].kind == "noun"

@@ -71,6 +71,7 @@ def resolve_pronoun(
         return []
 
     last, now = stage.discourse.last_sentence, stage.discourse.sentence
+    prose = stage.reading.screenplay.format == "prose"
     known = any(p.gender == gender and p.kind == "human" and last.get(p.id, -9) >= now - 3 for p in pool)
 
     def score(person: Person) -> tuple[float, int]:
@@ -80,7 +81,8 @@ def resolve_pronoun(
         value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
         sure = person.gender == gender or not known
         value += 0.8 * (role == "subject" and [person] == list(previous) and sure) + 1.2 * (
-            role == "possessor" and person in subjects
+            role == "possessor"
+            and (person in subjects or (prose and not subjects and [person] == list(previous) and sure))
         )
         return value, stage.discourse.last_named.get(person.id, 0)
 

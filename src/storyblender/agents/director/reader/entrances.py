@@ -109,6 +109,16 @@ def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
                 stage.involve(person)
 
 
+def seen_off(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """``The door closed behind their guest``, ``watched him down the road``: he is gone."""
+    doors = [thing for thing in roles.subject_things if stage.inventory.head(thing) == "door"]
+    shut = clause.verb in ("close", "shut", "slam") and doors and not roles.subjects
+    gone = roles.people_after("behind") if shut else []
+    if clause.verb in ("watch", "see") and roles.prepositions & {"down", "out of", "along"}:
+        gone = roles.people
+    stage.scene.leaving += [p.id for p in gone if p not in roles.subjects and p.id not in stage.scene.leaving]
+
+
 def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
     """Note exits; they take effect after the sentence."""
     phrase = f"{clause.verb} {clause.particle}".strip()

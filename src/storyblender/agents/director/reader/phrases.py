@@ -143,11 +143,16 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
 
 def _subject_follows(words: list[Word], at: int) -> bool:
     """``as she reads``, ``before you shoot``: the word links a clause."""
-    right = words[at + 1 : at + 3]
-    return bool(right) and (
-        right[0].low in _SUBJECT_PRONOUNS
-        or (len(right) > 1 and right[0].mention is not None and right[1].verb is not None)
-    )
+    right = words[at + 1 : at + 6]
+    if right and right[0].low in _SUBJECT_PRONOUNS:
+        return True
+    if right and right[0].low in ("the", *lexicon.POSSESSIVES):
+        right = right[1:]
+    noun = next((i for i, word in enumerate(right[:3]) if not _in_noun_phrase(word)), 3)
+    if noun < len(right) and right[noun].mention is not None:
+        noun += 1
+    following = right[noun].verb if 0 < noun < len(right) else None
+    return following is not None and following.kind in ("past", "3sg", "aux")
 
 
 def _skipped(words: list[Word], at: int) -> bool:

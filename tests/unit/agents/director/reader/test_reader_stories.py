@@ -97,3 +97,32 @@ def test_a_man_announced_by_name_is_that_man() -> None:
     assert names(reading) == {"Tom Fry", "Dr. Low", "Inspector Crewe"}
     assert [deed.target for deed in reading.units[-2].deeds] == ["inspector_crewe"] * 2
     assert reading.units[-1].deeds[0].actor == "inspector_crewe"
+
+
+def test_the_door_closes_behind_who_has_gone() -> None:
+    reading = story(
+        "Anna and Ben sat at the table with Carl.",
+        '"Good," said Anna, as the door closed behind Carl.',
+        "Anna watched Ben down the road.",
+        "Anna laughed.",
+    )
+    assert [unit.on_stage for unit in reading.units] == [["anna", "ben", "carl"]] * 2 + [["anna", "ben"], ["anna"]]
+
+
+def test_who_means_the_person_before_and_the_story_goes_on_without_them() -> None:
+    reading = story(
+        "Anna sat in the kitchen. She watched a man outside, who, peering at the house, knocked at the gate.",
+    )
+    assert [(deed.actor, deed.motion) for deed in reading.units[1].deeds] == [
+        ("anna", "look"), ("man", "look"), ("man", "knock"),
+    ]  # fmt: skip
+
+
+def test_a_subject_may_do_something_else_first() -> None:
+    reading = story(
+        "Mrs. Grey sat in the kitchen with Robert Grey, her son, and a cup.",
+        "Mrs. Grey turned away, but her son, taking the cup, drank from it. Robert, rising to his feet, sat down.",
+    )
+    deeds = [(deed.actor, deed.motion) for unit in reading.units[1:] for deed in unit.deeds]
+    assert ("robert_grey", "take") in deeds
+    assert deeds[-2:] == [("robert_grey", "stand_up"), ("robert_grey", "sit")]
