@@ -23,6 +23,8 @@ _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 _SPOKEN = frozenset({"call", "shout", "yell"})
 _WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
+_TROPHIES = lexicon.words("trophies")
+"""Parts of animals that may be things: the paw, where the story has no animal."""
 _OPENING = 2
 """Words in which the subject of a sentence without a known verb stands: ``Her husband interposed.``"""
 _RECENT = 7
@@ -68,6 +70,8 @@ def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
         if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
             _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
         thing = stage.inventory.id_of(noun.key, word.start)
+        if noun.head in _TROPHIES and noun.determiner and not any(p.kind == "animal" for p in stage.roster.people):
+            stage.inventory.detach(thing)
         stage.sentence.things.append((noun.index, thing))
         loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
         stage.inventory.seen(thing, "shown" if loud else "seen")

@@ -25,7 +25,7 @@ def meant_by_epithet(stage: Stage, mention: Mention) -> list[Person]:
     gender = lexicon.gender_of_word(mention.head)
     here = [person for person in here if gender in (person.gender, "unknown") or person.gender == "unknown"]
     called = stage.discourse.epithets.get(mention.head)
-    if called in here:
+    if called in here and "new" not in mention.adjectives:
         return [called]
     by_recency = sorted(here, key=lambda person: -stage.discourse.last_named.get(person.id, 0))
     if mention.head in lexicon.ARRIVALS:

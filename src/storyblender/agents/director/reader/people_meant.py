@@ -55,6 +55,8 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
         return meant_by_epithet(stage, mention) or candidates[:1]
     if here or (candidates and mention.head not in _GENDERED):
         return [max(here or candidates, key=stage.presence)]
+    if mention.head == "couple":
+        return [person for person in stage.on_stage() if {"husband", "wife"} & set(person.aliases)]
     if mention.determiner in lexicon.POSSESSIVES:
         return _kin(stage, mention)
     if mention.determiner not in ("the", "that", "this"):
@@ -141,6 +143,7 @@ def _group(stage: Stage, mention: Mention) -> list[Person]:
         if person.role == mention.head
         or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
     ]
+    pool = [person for person in pool if person.gender == gender or person.role == mention.head] or pool
     if mention.determiner in lexicon.POSSESSIVES and mention.head == "man":
         pool = [person for person in stage.on_stage() if person.count > 1]
     pool = pool or [person for person in stage.roster.people if person.role == mention.head]

@@ -59,6 +59,11 @@ class Inventory:
             self._by_key[key.rsplit(" ", 1)[-1]] = item
         return item.id
 
+    def detach(self, id: str) -> None:
+        """A part of a body that belongs to nobody there is a thing: the monkey's paw on the table."""
+        if self._by_id[id].noun_class == "body":
+            self._by_id[id].noun_class = "prop"
+
     def class_of(self, id: str | None) -> NounClass:
         """What kind of thing an id names; ``unknown`` for people."""
         item = self._by_id.get(id or "")

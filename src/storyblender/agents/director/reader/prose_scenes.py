@@ -40,7 +40,7 @@ _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES
 
 
-def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReading | None:
+def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: str = "") -> SceneReading | None:
     """The scene a paragraph opens, or None where it goes on with the last.
 
     A place in the middle of a sentence is only where somebody is (``They pulled him into the kitchen``); a new scene
@@ -49,6 +49,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> Scene
     Args:
         paragraph: A paragraph of prose; its first sentence is searched, after a jump in time also the second.
         scenes: The scenes before.
+        title: Of the story; may tell when it begins.
     """
     told = _SENTENCE_END.split(without_quotations(paragraph.raw).lower())
     opening = told[0]
@@ -64,7 +65,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading]) -> Scene
     else:
         whole = " ".join(told)
         place = _place(opening, scenes) or _place(whole, scenes) or _any_place(whole) or "unknown"
-    time = time_of(opening) or (time_of(" ".join(told)) if not scenes else None)
+    time = time_of(opening) or (time_of(" ".join(told)) or time_of(title) if not scenes else None)
     scene_type = _scene_type(place)
     return SceneReading(
         id=len(scenes) + 1,

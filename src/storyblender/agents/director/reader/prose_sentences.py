@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.sentences import Sentence, Speech
 from storyblender.agents.director.reader.words import Mention, Word, tokenize
 
+_ANSWER = re.compile(r"(?:was|came) (?:the|his|her) (?:\w+ )?(?:answer|reply)\b")
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS
 
@@ -94,6 +95,8 @@ def _is_speech_verb(word: Word) -> bool:
 
 def _said(words: list[Word], text: str) -> tuple[list[Word], Speech]:
     """Find the verb of saying and its subject; returns the words in plain order and the speech."""
+    if _ANSWER.match(" ".join(word.low for word in words)):
+        return words, Speech(text, verb="answer")
     at = next((index for index, word in enumerate(words) if _is_speech_verb(word)), None)
     if at is None:
         return words, Speech(text)

@@ -64,7 +64,7 @@ def _sentences(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -
         if paragraph.kind == "cue":
             cue = paragraph
         elif script.prose:
-            change = read_scene_change(paragraph, scenes)
+            change = read_scene_change(paragraph, scenes, script.screenplay.title)
             scenes += [change] if change else []
         if not scenes:
             scenes.append(first_scene(paragraph))
@@ -87,7 +87,7 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
         named = [
             (index, word.mention.candidates[0].id)
             for index, word in enumerate(sentence.words)
-            if word.mention and word.named and len(word.mention.candidates) == 1
+            if word.mention and len(word.mention.candidates) == 1 and word.mention.kind != "group"
         ]
         if sentence.speech and not prose:
             last = None

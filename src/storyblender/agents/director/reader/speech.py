@@ -68,6 +68,8 @@ def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
 
 def _narrated_speaker(stage: Stage, speech: Speech) -> Person | None:
     """Prose: the subject of ``said``; without one, whoever acted last."""
+    if not speech.subject and speech.verb == "answer" and stage.discourse.last_listener:
+        return stage.discourse.last_listener
     if not speech.subject:
         return stage.discourse.subjects[0] if stage.discourse.subjects else None
     mention = next((word.mention for word in speech.subject if word.mention), None)

@@ -126,3 +126,28 @@ def test_a_subject_may_do_something_else_first() -> None:
     deeds = [(deed.actor, deed.motion) for unit in reading.units[1:] for deed in unit.deeds]
     assert ("robert_grey", "take") in deeds
     assert deeds[-2:] == [("robert_grey", "stand_up"), ("robert_grey", "sit")]
+
+
+def test_a_part_of_an_animal_nobody_has_is_a_thing() -> None:
+    reading = story(
+        "Anna took the paw and placed it on the table. Ben laughed.", '"Why?" asked Ben.', '"Luck," came the answer.'
+    )
+    assert "paw" in {thing.id for thing in reading.things}
+    assert [(deed.motion, deed.prop) for deed in reading.units[0].deeds] == [("take", "paw"), ("put_down", "paw")]
+    assert reading.units[-1].speaker == "anna"
+
+
+def test_the_title_may_tell_the_time() -> None:
+    reading = story("An Evening at Home", "Anna sat by the stove in the kitchen.")
+    assert reading.scenes[0].time == "evening"
+
+
+def test_the_new_guest_is_not_the_guest_of_before() -> None:
+    reading = story(
+        "Ivan Petrov sat in the kitchen with his wife, Olga. Dr. Low walked in. The guest sat down.",
+        "A young officer walked in and took off his cap. The new guest bowed to the ladies. He laughed.",
+        "The old couple stood up.",
+    )
+    assert [deed.actor for deed in reading.units[2].deeds] == ["dr_low"]
+    assert [deed.actor for unit in reading.units[4:6] for deed in unit.deeds] == ["officer", "officer"]
+    assert {deed.actor for deed in reading.units[-1].deeds} == {"ivan_petrov", "olga"}
