@@ -173,6 +173,8 @@ def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
     if not roles.subjects or (clause.passive and clause.verb != "seat"):
         return None
     head = stage.inventory.head(roles.things[0]) if roles.things else "person" if roles.people else ""
+    if roles.things and head in lexicon.BODY and stage.inventory.class_of(roles.things[0]) == "prop":
+        head = ""
     if any(noun.kind == "pronoun" and noun.head.endswith(("self", "selves")) for noun in clause.object):
         head = "self"
     elif not head and any(noun.head == "it" for noun in clause.object):
