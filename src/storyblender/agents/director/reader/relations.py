@@ -121,6 +121,8 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
     kind = "on" if place.preposition == "to" and clause.verb in _ATTACHING else kind
     if kind is None or kind == "between" or place.preposition == "down":
         return []
+    if kind == "on" and any(stage.inventory.head(thing) in _OPENINGS for thing in place.things):
+        return []  # with his hand upon the gate
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
     if clause.verb in _ARRIVING and kind not in ("behind", "in_front_of", "next_to") and not doorway:
         return []

@@ -31,15 +31,16 @@ _MANNER = {
 }  # fmt: skip
 _VOCATIVE = re.compile(
     r"(?:^|[,.!]\s*)(child|kid|boy|girl|son|sir|ma'am|madam|miss|officer|doctor|doc|sergeant|captain|king|mister|sheriff|"
-    r"chief|commander|lieutenant|professor|mother|father|mom|dad|mama|papa|boss|skipper)\s*[,.!?]"
+    r"chief|commander|lieutenant|professor|mother|father|mom|dad|mama|mamma|papa|boss|skipper)\s*[,.!?]"
 )
 _GENDER_OF_ADDRESS: dict[str, Gender] = {
     "son": "male", "sir": "male", "mister": "male", "boy": "male", "father": "male", "dad": "male", "papa": "male",
     "ma'am": "female", "madam": "female", "miss": "female", "girl": "female", "mother": "female", "mom": "female",
-    "mama": "female",
+    "mama": "female", "mamma": "female",
 }  # fmt: skip
-_TITLED = r"(?:mr|mrs|ms|miss|dr|sir|lady|captain|professor|sergeant|pan|pani|señor|monsieur|madame|herr|frau)\.? "
+_TITLED = rf"(?:{'|'.join(sorted(map(re.escape, lexicon.TITLES), key=lambda title: (-len(title), title)))})\.? "
 """A title before a name somebody is called by."""
+_PARENT = {"mom": "mother", "mama": "mother", "mamma": "mother", "dad": "father", "papa": "father"}
 _TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
 
 
@@ -191,7 +192,8 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
     if address is None:
         return None
     word = address.group(1)
-    by_role = [person for person in here if lexicon.TITLE_SYNONYMS.get(word, word) in (person.role, _title(person))]
+    meant = _PARENT.get(word, lexicon.TITLE_SYNONYMS.get(word, word))
+    by_role = [person for person in here if meant in (person.role, _title(person), *person.aliases)]
     gender = _GENDER_OF_ADDRESS.get(word, "unknown")
     fitting = [person for person in here if gender != "unknown" and person.gender in (gender, "unknown")]
     if word in _TO_THE_YOUNG and not by_role:

@@ -348,10 +348,12 @@ def _rare_participle(words: list[Word], at: int) -> VerbForm | None:
 
 
 def _does_something(words: list[Word], at: int) -> bool:
-    """Whether the word before a past tense that is also a noun is its subject: ``he saw``, ``the wind rose``."""
+    """Whether a past tense that is also a noun is a verb: ``he saw``, ``the wind rose``, ``turned pale and rose``."""
     left = words[at - 1] if at else None
     if left is None:
         return False
+    if left.low == "and" and any(word.verb and word.verb.kind == "past" for word in words[:at]):
+        return not words[at - 2].mention and lexicon.noun_class(singular(words[at - 2].low)) in ("unknown", "abstract")
     if left.mention or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS:
         return True
     noun = lexicon.noun_class(singular(left.low)) not in ("unknown", "abstract")

@@ -151,3 +151,18 @@ def test_the_new_guest_is_not_the_guest_of_before() -> None:
     assert [deed.actor for deed in reading.units[2].deeds] == ["dr_low"]
     assert [deed.actor for unit in reading.units[4:6] for deed in unit.deeds] == ["officer", "officer"]
     assert {deed.actor for deed in reading.units[-1].deeds} == {"ivan_petrov", "olga"}
+
+
+def test_who_is_called_by_title_or_by_what_they_are_to_somebody() -> None:
+    reading = story(
+        "Ivan Petrov sat in the kitchen with his wife, Olga, and their daughter Mary. Doctor Low walked in.",
+        '"You win, Doctor Low," said Olga.',
+        '"No, papa," said Mary.',
+    )
+    assert [unit.to for unit in reading.units[-2:]] == ["doctor_low", "ivan_petrov"]
+
+
+def test_a_past_tense_after_and_is_no_flower() -> None:
+    reading = story("Anna turned pale and rose. The samovar hummed upon the table.", "Anna laughed.")
+    assert ("anna", "stand_up") in [(deed.actor, deed.motion) for deed in reading.units[0].deeds]
+    assert [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations] == [("samovar", "on", "table")]
