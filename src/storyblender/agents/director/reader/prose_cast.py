@@ -1,4 +1,4 @@
-"""Who is in a story: names with capitals, titles, nouns for people with a determiner (notes of the director, 1a)."""
+"""Who is in a story: names, and nouns for people with a determiner (notes of the director, 1a)."""
 
 from __future__ import annotations
 
@@ -7,38 +7,23 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.naming import LOWER, UPPER, unaccented
+from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.epithets import is_epithet
 from storyblender.agents.director.reader.households import Kinship, is_family, link_kin, link_surnames
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
-from storyblender.agents.director.reader.morphology import form_kind, singular
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.prose_names import add_name, names_in
 from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reader.spoken_names import announced, call_by_title, spoken_names, title_noun
 from storyblender.agents.director.reading import Person
 
-_TITLE = (
-    r"(?:Mr|Mrs|Ms|Miss|Dr|Prof|Prince|Princess|King|Queen|Captain|Sergeant|Officer|Doctor|Uncle|Aunt|Lady|Lord|Sir"
-    r"|Sheriff|Father|Sister|Brother|Professor|Inspector|Constable|Colonel|Major|General|Lieutenant|Corporal"
-    r"|Sergeant-Major|Reverend|Madame|Monsieur|Master)"
-)
-_NAME = re.compile(
-    rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
-    rf"|\b{_TITLE}\.?\s[A-Z][a-z]+"
-    rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
-    re.MULTILINE,
-)
-_LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
-"""``named Iver, tall and stooped, with a grey beard``."""
 _APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
 _APPOSED_AFTER_COMMA = re.compile(
     rf",\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)*)(?=[,.;])"
 )
 """``his wife, Anna Petrovna,``; ``his companion, Dr. Fell,``."""
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
-_NOT_NAMES = lexicon.words("not_names")
-_SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
 _LATER = frozenset(
     {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
@@ -76,13 +61,13 @@ def find_prose_cast(script: Manuscript) -> Roster:
     playing = _GAMES.search(script.text) is not None
     for paragraph in script.paragraphs:
         told = without_quotations(paragraph.raw)
-        names += _names(told, paragraph.start)
+        names += names_in(told, paragraph.start)
         for phrase in find_person_nouns(told):
             piece = playing and phrase.noun in _CHESSMEN
             if phrase.noun not in _NOT_ROLES and not piece and not _only_compared(told, phrase):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
-        _add_name(roster, at, name, script.text, family)
+        add_name(roster, at, name, script.text, family)
     link_surnames(roster)
     kin = [role for role in roles if role.name and role.phrase.noun in lexicon.CONVERSE_KIN]
     kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
@@ -97,63 +82,10 @@ def find_prose_cast(script: Manuscript) -> Roster:
     return roster
 
 
-def _add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> None:
-    """Add somebody named; Mr. Barrow is Simon Barrow unless the story is about a family."""
-    words = bare(name).split()
-    if not family and words[0].strip(".") in lexicon.TITLES and len(words) == 2:
-        for person in roster.find(words[1]):
-            roster.call(person, bare(name))
-    if roster.find(name):
-        return
-    person = roster.add(name, at)
-    look = re.match(r"\s*,\s*(an? [^,.;]*)", text[at + len(name) : at + len(name) + 80])
-    if look:
-        describe(person, look.group(1))
-    later = _LATER_LOOK.match(text[at + len(name) : at + len(name) + 160])
-    if later:
-        describe(person, later.group(1))
-
-
-def _opens_like_a_name(name: str, following: str) -> bool:
-    """At the start of a sentence every word has a capital: a name is known, or does something next."""
-    first = name.split()[0].lower()
-    acts = form_kind(following) in ("past", "aux") or following in ("and", "who")
-    common = lexicon.noun_class(singular(first)) != "unknown" or first in lexicon.ADJECTIVES | lexicon.ADVERBS
-    return unaccented(first) in lexicon.FIRST_NAMES or (
-        acts and not common and not form_kind(first) and first[-2:] != "ly"
-    )
-
-
 def _only_compared(told: str, phrase: PersonNoun) -> bool:
     """``a man's coat``, ``like a squirrel``: nobody is there."""
     owned = phrase.determiner in ("a", "an") and re.match(r"['’]s", told[phrase.end :]) is not None
     return owned or re.search(r"\b(?:like|as|than) $", told[max(0, phrase.start - 5) : phrase.start]) is not None
-
-
-def _names(text: str, start: int) -> list[tuple[int, str]]:
-    found: list[tuple[int, str]] = []
-    for match in _NAME.finditer(text):
-        name = match.group(0)
-        first = name.split()[0].lower()
-        if first in _SMALL | _NOT_NAMES or name.lower() in lexicon.PRONOUNS:
-            continue
-        if match.group(1) and not _opens_like_a_name(name, match.group(1)):
-            continue
-        if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() :]):
-            continue
-        before = text[max(0, match.start() - 6) : match.start()].lower()
-        somewhere = re.search(r"\b(in|at|to|from|of|near)\s$", before)
-        known = first.strip(".") in lexicon.FIRST_NAMES | lexicon.TITLES
-        if somewhere and not known and not _is_apposed_to_somebody(text[match.end() :]):
-            continue
-        found.append((start + match.start(), name))
-    return found
-
-
-def _is_apposed_to_somebody(after: str) -> bool:
-    """``in the house of Pyotr Ilyich, the postmaster of a small town``: no place."""
-    phrase = next(find_person_nouns(after[2:60]), None) if after.startswith(", ") else None
-    return phrase is not None and phrase.start == 0
 
 
 def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
