@@ -12,10 +12,10 @@ from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
 from storyblender.deliver.checklist import names_of, plain
 from storyblender.engine.blender_engine import BlenderEngine
-from storyblender.geometry.continuity import side_of_line
+from storyblender.geometry.continuity import side_of_line, walked_around
 from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.orbit import Orbit
-from storyblender.memory.base import Frozen, shot_name
+from storyblender.memory.base import Frozen, Vec3, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, Collision, ViewRequest
@@ -158,8 +158,11 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
 
 
 def _hidden_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
+    """People the camera is on, behind something; of an insert of a hand, only the hand is asked for."""
     hidden = 0
     for shot in graph.shots:
+        if shot.camera_instruction.detail is not None:
+            continue
         name = shot_name(shot.scene_id, shot.shot_id)
         people = [asset_id for asset_id in shot.camera_instruction.focus_on_ids if asset_id in shot.on_stage]
         for item in sights[name].view.subjects if name in sights else ():
@@ -181,6 +184,7 @@ def _line_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findin
     crossings = 0
     for scene in graph.scenes:
         sides: dict[frozenset[str], int] = {}
+        lines: dict[frozenset[str], tuple[Vec3, Vec3]] = {}
         for shot in graph.shots_of(scene.scene_id):
             name = shot_name(shot.scene_id, shot.shot_id)
             axis, instruction = shot.camera_instruction.axis, shot.camera_instruction
@@ -190,7 +194,11 @@ def _line_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findin
             first, second = sorted(axis)
             if first not in faces or second not in faces:
                 continue
-            side = side_of_line(_orbit(shot.camera.poses[0]).position, faces[first], faces[second])
+            line = (faces[first], faces[second])
+            if walked_around(lines.setdefault(frozenset(axis), line), line):
+                del sides[frozenset(axis)]
+            lines[frozenset(axis)] = line
+            side = side_of_line(_orbit(shot.camera.poses[0]).position, *line)
             last = sides.setdefault(frozenset(axis), side)
             if side and last and side != last and not instruction.explicit:
                 crossings += 1

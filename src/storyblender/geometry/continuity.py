@@ -13,6 +13,26 @@ from storyblender.geometry.orbit import Orbit
 THIRTY = 30.0
 """Degrees that a camera must move between two shots of one subject in like size."""
 
+_WALKED_AROUND = 50.0
+"""Degrees that the line of two people must turn to be another line."""
+
+
+def walked_around(before: ArrayLike, now: ArrayLike) -> bool:
+    """Return whether two people have moved about each other so far that a new line holds between them.
+
+    What was on one side of the old line has no side on the new one: a picture after it may choose, and answers none
+    of those before.
+
+    Args:
+        before: (2, 3) their faces, in the same order as ``now``.
+        now: (2, 3).
+    """
+    angles = []
+    for faces in (before, now):
+        first, second = np.asarray(faces, float)[:, :2]
+        angles.append(math.atan2(*(second - first)[::-1]))
+    return abs(wrapped(angles[1] - angles[0])) > math.radians(_WALKED_AROUND)
+
 
 def side_of_line(camera: ArrayLike, first: ArrayLike, second: ArrayLike) -> int:
     """Return on which side of the line from ``first`` to ``second`` the camera is: 1 left, -1 right, 0 on it.

@@ -6,16 +6,15 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
-from storyblender.agents.layout_artist.camera_group import turned
 from storyblender.agents.layout_artist.camera_operator import operate, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
+from storyblender.geometry.continuity import walked_around
 from storyblender.geometry.framing import Film
+from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.shot_context import CameraState, ShotContext
@@ -25,10 +24,9 @@ from storyblender.trace import Listener, silent
 
 _REST = 0.55
 """Share of a shot at which it is drawn where no action says better."""
-_WALKED_AROUND = 50.0
-"""Degrees that the line of two people has turned from where it was."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
+Faces = tuple[Vec3, Vec3]
 Moments = Callable[[ShotContext], Sequence[Moment]]
 """Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
 
@@ -79,22 +77,22 @@ def shoot_scene(
     previous: Cut | None = None
     sides: dict[tuple[str, str], int] = {}
     answered: dict[tuple[str, str], Cut] = {}
-    lines: dict[tuple[str, str], float] = {}
+    lines: dict[tuple[str, str], Faces] = {}
     for shot in graph.shots_of(scene_id):
         instruction = shot.camera_instruction
         axis = instruction.axis
-        brief = replace(
-            camera_brief(graph, shot, plan, measures, moments(shot)),
-            lens_kit=lens_kit,
-            previous=previous,
-            side=sides.get(axis, 0) if axis is not None else 0,
-        )
-        if axis is not None and (line := _line_of(brief)) is not None:
-            # Once somebody has walked around the other, the pictures before are not answered any more.
-            if abs(turned(line - lines.setdefault(axis, line))) > _WALKED_AROUND:
+        brief = replace(camera_brief(graph, shot, plan, measures, moments(shot)), lens_kit=lens_kit, previous=previous)
+        if axis is not None and brief.axis is not None:
+            faces = (brief.axis[0].face, brief.axis[1].face)
+            if walked_around(lines.setdefault(axis, faces), faces):
+                sides.pop(axis, None)
                 answered.pop(axis, None)
-            lines[axis] = line
-            brief = replace(brief, reverse=_reverse(instruction.focus_on_ids, answered.get(axis)))
+            lines[axis] = faces
+            brief = replace(
+                brief,
+                side=sides.get(axis, 0),
+                reverse=_reverse(instruction.focus_on_ids, answered.get(axis)),
+            )
         state = shot.camera or operate(brief, viewfinder, listener=listener)
         cameras[shot.shot_id] = state
         previous = Cut(instruction, state)
@@ -103,14 +101,6 @@ def shoot_scene(
             if instruction.kind in _ANSWERS:
                 answered[axis] = previous
     return cameras
-
-
-def _line_of(brief: CameraBrief) -> float | None:
-    """Return where the line of the shot's two people points, degrees; None without two."""
-    if brief.axis is None:
-        return None
-    x, y, _ = np.subtract(brief.axis[1].face, brief.axis[0].face)
-    return math.degrees(math.atan2(y, x))
 
 
 def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:

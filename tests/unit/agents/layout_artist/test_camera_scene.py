@@ -96,3 +96,4 @@ def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(
         faces = lambda shot, at=at: [Moment(frame, at[shot.shot_id]) for frame in telling_frames(shot)]  # noqa: E731
         shoot_scene(story, 1, PLAN, {"cup": CUP}, faces, NumberFinder([], {}))
         assert (briefs[1].reverse is not None) == answers
+        assert (briefs[1].side != 0) == answers, "a new line has no side yet"
