@@ -88,7 +88,8 @@ def resolve_pronoun(
 
     ranked = sorted(pool, key=score, reverse=True)
     best = ranked[0]
-    if best.gender == "unknown" and not any(person.gender == gender for person in pool):
+    own = prose and role == "possessor" and [best] == list(subjects)
+    if best.gender == "unknown" and (own or not any(person.gender == gender for person in pool)):
         best.gender = gender
     if len(ranked) > 1 and score(best)[0] - score(ranked[1])[0] < _CLOSE_CALL:
         unit = stage.unit

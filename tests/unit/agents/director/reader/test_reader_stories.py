@@ -166,3 +166,11 @@ def test_a_past_tense_after_and_is_no_flower() -> None:
     reading = story("Anna turned pale and rose. The samovar hummed upon the table.", "Anna laughed.")
     assert ("anna", "stand_up") in [(deed.actor, deed.motion) for deed in reading.units[0].deeds]
     assert [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations] == [("samovar", "on", "table")]
+
+
+def test_who_takes_off_his_own_cap_is_a_man() -> None:
+    reading = story(
+        "Ivan Petrov sat in the kitchen and laughed. A young officer walked in. The stranger took off his cap.",
+        '"Forgive me," he said.',
+    )
+    assert reading.units[-1].speaker == "officer"
