@@ -14,6 +14,7 @@ from storyblender.memory.vocabulary import Gender
 _COUPLE = {"mr": "husband", "mrs": "wife"}
 _PARENT = {"mr": "father", "mrs": "mother"}
 _CHILD: dict[Gender, str] = {"male": "son", "female": "daughter"}
+_SIBLINGS = {"brother": ("brother", "sister"), "sister": ("brother", "sister")}
 _FAMILY = re.compile(r"\b(?:father|mother|son|daughter|parents)\b", re.IGNORECASE)
 
 
@@ -69,7 +70,7 @@ def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[
         for owner in owners:
             if owner.gender == "unknown" and gender in ("male", "female"):
                 owner.gender = "male" if gender == "male" else "female"
-            for converse in lexicon.CONVERSE_KIN.get(kinship.noun, ()):
+            for converse in _SIBLINGS.get(kinship.noun) or lexicon.CONVERSE_KIN.get(kinship.noun, ()):
                 if lexicon.gender_of_word(converse) == owner.gender:
                     roster.call(owner, converse)
 

@@ -78,7 +78,7 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     if small or large:
         pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
     elif young:
-        pool = [person for person in pool if years(person) < 31]
+        pool = [person for person in pool if years(person) < 31 and not _ELDERS & set(person.aliases)]
         pool = [person for person in pool if person.gender == gender] or pool
         pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
     else:
@@ -124,6 +124,8 @@ def _relative(stage: Stage, mention: Mention) -> list[Person]:
     gender = lexicon.gender_of_word(mention.head)
     pool = [p for p in stage.on_stage() if p.kind == "human" and p.count == 1 and p.gender == gender]
     young = mention.head in lexicon.YOUNGER_KIN
+    if young:
+        pool = [person for person in pool if not _ELDERS & set(person.aliases)] or pool
     pool.sort(key=lambda person: (years(person) * (1 if young else -1), -stage.presence(person)[1]))
     return pool[:1]
 

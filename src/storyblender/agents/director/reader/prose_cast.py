@@ -69,7 +69,7 @@ def find_prose_cast(script: Manuscript) -> Roster:
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         add_name(roster, at, name, script.text, family)
     link_surnames(roster)
-    kin = [role for role in roles if role.name and role.phrase.noun in lexicon.CONVERSE_KIN]
+    kin = [role for role in roles if role.name and role.phrase.noun in lexicon.KIN]
     kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
     link_kin(roster, kinships, sorted(names))
     spoken = spoken_names(script)
@@ -92,7 +92,12 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
     named = _NAMED.match(role.after)
     apposed = text[max(0, role.at - 2) : role.at] == ", "
-    fresh = phrase.noun in _LATER and phrase.determiner in ("a", "an") and not phrase.plural and not apposed
+    fresh = (
+        phrase.noun in _LATER | lexicon.RANKS.keys()
+        and phrase.determiner in ("a", "an")
+        and not phrase.plural
+        and not apposed
+    )
     if role.name and is_epithet(phrase.noun) and phrase.determiner not in ("a", "an"):
         return
     if role.name:
@@ -124,6 +129,9 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
         and re.search(r"\b(?:the|his|her|their) $", text[max(0, role.at - 6) : role.at].lower())
     ):
         return True
+    apposed = text[max(0, role.at - 2) : role.at] == ", "
+    if apposed and phrase.determiner == "the" and _names_before(roster, role, text):
+        return True
     if phrase.determiner not in ("a", "an") and _goes_by(roster, phrase, text):
         return True
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
@@ -139,19 +147,20 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
         return any(gender in (person.gender, "unknown") or person.gender == "unknown" for person in roster.people)
     if text[max(0, role.at - 3) : role.at].lower() == "as ":
         return True
-    apposed = text[max(0, role.at - 2) : role.at] == ", "
     return apposed and (phrase.determiner in ("a", "an") or _names_before(roster, role, text))
 
 
 def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:
     """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
     ranked = [person for person in roster.people if phrase.noun in _rank(person) and not phrase.plural]
-    for person in ranked:
-        roster.call(person, phrase.noun)
     nameless = [person for person in roster.people if person.role in _LATER and person.role == bare(person.name)]
     if phrase.noun in _STRANGERS and nameless:
         roster.call(nameless[-1], phrase.noun)
         return True
+    if len(ranked) > 1 and phrase.noun in lexicon.FEMALE_NOUNS:
+        ranked = []  # of two ladies nobody knows who is the landlady
+    for person in ranked:
+        roster.call(person, phrase.noun)
     if ranked or any(phrase.noun in person.aliases for person in roster.people if phrase.noun not in _LATER):
         return True
     others = [person for person in roster.people if person.kind == "human" and not is_epithet(person.role)]

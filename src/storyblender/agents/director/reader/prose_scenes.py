@@ -86,10 +86,19 @@ def _place(opening: str, scenes: list[SceneReading]) -> str:
     """The place a sentence happens in; a known kind of place wins over others, else the first named."""
     if _HOME.search(opening) and scenes:
         return scenes[0].place
-    places = [_leading_place(match.group(1).split()) for match in _PLACE_PHRASE.finditer(opening)]
+    places = [
+        _part(opening[: match.start()]) or _leading_place(match.group(1).split())
+        for match in _PLACE_PHRASE.finditer(opening)
+    ]
     named = [place for place in places if place and place != "room"]
     known = [place for place in named if place in lexicon.PLACE_KINDS]
     return (known or named or [""])[0]
+
+
+def _part(before: str) -> str:
+    """``the yard of the inn``: the yard; where a preposition follows another place, that place."""
+    words = before.split()
+    return words[-1] if words and words[-1] in lexicon.PLACES and words[-2:-1] == ["the"] else ""
 
 
 def _any_place(text: str) -> str:

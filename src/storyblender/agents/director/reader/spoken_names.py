@@ -48,7 +48,7 @@ def announced(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: 
     for place, name in spoken:
         title = bare(name).split()[0].strip(".")
         known = roster.find(name) or roster.find(name.split()[-1]) or _called_by_role(roster, name)
-        fits = lexicon.TITLE_GENDER.get(title, gender) == gender
+        fits = title in lexicon.RANKS.get(noun, (title,)) and lexicon.TITLE_GENDER.get(title, gender) == gender
         if 0 < place - at < _SOON and not known and fits:
             return name
     return ""

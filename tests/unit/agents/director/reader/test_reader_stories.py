@@ -174,3 +174,17 @@ def test_who_takes_off_his_own_cap_is_a_man() -> None:
         '"Forgive me," he said.',
     )
     assert reading.units[-1].speaker == "officer"
+
+
+def test_the_landlady_is_the_lady_of_the_house_and_an_officer_has_a_name() -> None:
+    reading = story(
+        "In the kitchen of the inn Madame Duval stirred the soup. Her son Pierre sat with his sister Jeanne.",
+        "A pedlar walked in with a tall officer.",
+        '"Colonel Brandt, of the Dragoons," said the landlady. The soldier took off his boots.',
+        "The brother and sister stood up.",
+        "The next morning the yard of the inn was white. The pedlar laughed.",
+    )
+    assert names(reading) == {"Madame Duval", "Pierre", "Jeanne", "pedlar", "Colonel Brandt"}
+    deeds = [(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds]
+    assert {("madame_duval", "talk"), ("colonel_brandt", "take_off"), ("pierre", "stand_up")} <= set(deeds)
+    assert [scene.place for scene in reading.scenes] == ["kitchen", "yard"]
