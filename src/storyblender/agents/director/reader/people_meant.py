@@ -14,6 +14,7 @@ from storyblender.memory.vocabulary import Gender
 
 _GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"})
 _ELDERS = lexicon.KIN - lexicon.YOUNGER_KIN - {"brother", "sister", "husband", "wife"}
+_SIBLINGS = frozenset({"brother", "sister"})
 _PAIRS = lexicon.words("pairs")
 _SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
 _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
@@ -53,6 +54,9 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     here = [person for person in candidates if person.id in stage.scene.on]
     if not here and is_epithet(mention.head) and mention.determiner not in ("a", "an"):
         return meant_by_epithet(stage, mention) or candidates[:1]
+    if mention.determiner in lexicon.POSSESSIVES and mention.head in _SIBLINGS:
+        acting = stage.sentence.subjects or stage.discourse.subjects
+        here = [person for person in here if person not in acting] or here  # her sister is not she
     if here or (candidates and mention.head not in _GENDERED):
         return [max(here or candidates, key=stage.presence)]
     if mention.head == "couple":

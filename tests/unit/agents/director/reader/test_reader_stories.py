@@ -188,3 +188,8 @@ def test_the_landlady_is_the_lady_of_the_house_and_an_officer_has_a_name() -> No
     deeds = [(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds]
     assert {("madame_duval", "talk"), ("colonel_brandt", "take_off"), ("pierre", "stand_up")} <= set(deeds)
     assert [scene.place for scene in reading.scenes] == ["kitchen", "yard"]
+
+
+def test_her_sister_is_not_she_herself() -> None:
+    reading = story("Nell sat in the kitchen with her sister Josie.", "Nell stood up. She kissed her sister.")
+    assert [(deed.actor, deed.target) for deed in reading.units[-1].deeds] == [("nell", "josie")]
