@@ -11,8 +11,9 @@ from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
-_COUPLE = {"mr": "husband", "mrs": "wife"}
-_PARENT = {"mr": "father", "mrs": "mother"}
+_HUSBANDS, _WIVES = ("mr", "sir", "lord", "monsieur", "herr"), ("mrs", "lady", "madame", "frau")
+_COUPLE = dict.fromkeys(_HUSBANDS, "husband") | dict.fromkeys(_WIVES, "wife")
+_PARENT = dict.fromkeys(_HUSBANDS, "father") | dict.fromkeys(_WIVES, "mother")
 _CHILD: dict[Gender, str] = {"male": "son", "female": "daughter"}
 _SIBLINGS = {"brother": ("brother", "sister"), "sister": ("brother", "sister")}
 _FAMILY = re.compile(r"\b(?:father|mother|son|daughter|parents)\b", re.IGNORECASE)
@@ -39,7 +40,7 @@ def link_surnames(roster: Roster) -> None:
         if title not in _COUPLE:
             continue
         family = [person for person in roster.people if person is not head and _surname(person) == _surname(head)]
-        if title == "mr":
+        if title in _HUSBANDS:
             for person in family:
                 person.aliases = tuple(alias for alias in person.aliases if alias != _surname(head))
         if any(_title(person) in _COUPLE for person in family):

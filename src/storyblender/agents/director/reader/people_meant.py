@@ -51,12 +51,9 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
             return (exact or candidates)[:1]
     if mention.head in _GENDERED and lexicon.AGED & set(mention.adjectives):
         return _the_old_one(stage, mention)
-    here = [person for person in candidates if person.id in stage.scene.on]
+    here = _not_themselves(stage, mention, [person for person in candidates if person.id in stage.scene.on])
     if not here and is_epithet(mention.head) and mention.determiner not in ("a", "an"):
         return meant_by_epithet(stage, mention) or candidates[:1]
-    if mention.determiner in lexicon.POSSESSIVES and mention.head in _SIBLINGS:
-        acting = stage.sentence.subjects or stage.discourse.subjects
-        here = [person for person in here if person not in acting] or here  # her sister is not she
     if here or (candidates and mention.head not in _GENDERED):
         return [max(here or candidates, key=stage.presence)]
     if mention.head == "couple":
@@ -88,6 +85,14 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     else:
         pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
     return pool[:1]
+
+
+def _not_themselves(stage: Stage, mention: Mention, people: list[Person]) -> list[Person]:
+    """``her sister`` is not she, though she is a sister too."""
+    if mention.determiner not in lexicon.POSSESSIVES or mention.head not in _SIBLINGS:
+        return people
+    acting = stage.sentence.subjects or stage.discourse.subjects
+    return [person for person in people if person not in acting] or people
 
 
 def _the_old_one(stage: Stage, mention: Mention) -> list[Person]:

@@ -18,7 +18,7 @@ from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reader.spoken_names import announced, call_by_title, spoken_names, title_noun
 from storyblender.agents.director.reading import Person
 
-_APPOSED = re.compile(rf"\s+([{UPPER}][{LOWER}]+)")
+_APPOSED = re.compile(rf"\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+)")
 _APPOSED_AFTER_COMMA = re.compile(
     rf",\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)*)(?=[,.;])"
 )

@@ -18,7 +18,7 @@ _TITLE = (
 )
 _NAME = re.compile(
     rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
-    rf"|\b{_TITLE}\.?\s[A-Z][a-z]+"
+    rf"|\b{_TITLE}\.?\s[A-Z][a-z]+(?: [{UPPER}][{LOWER}]+)*"
     rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
@@ -82,8 +82,10 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
     """
     words = bare(name).split()
     if not family and words[0].strip(".") in lexicon.TITLES and len(words) == 2:
+        gender = lexicon.TITLE_GENDER.get(words[0].strip("."), "unknown")
         for person in roster.find(words[1]):
-            roster.call(person, bare(name))
+            if "unknown" in (gender, person.gender) or gender == person.gender:
+                roster.call(person, bare(name))
     if roster.find(name):
         return
     person = roster.add(name, at)

@@ -24,6 +24,7 @@ _TO_AND_FRO = frozenset(
         ("on", "on"),
     }
 )
+_RELATED = lexicon.KIN | lexicon.COMPANY
 _LOOK_AHEAD = 16
 """Words an apposition may take."""
 
@@ -87,13 +88,14 @@ def _renames(before: list[Word], words: list[Word], at: int) -> bool:
 
 
 def _named_kin(words: list[Word]) -> list[Word]:
-    """``his companion, Dr. Fell, read``: kin and companions are told by name between commas."""
+    """``his companion, Dr. Fell, read``, ``the vicar, Mr. Pym, dozed``: told by name between commas."""
     kept: list[Word] = []
     at = 0
     while at < len(words):
         left, right = kept[-1].mention if kept else None, words[at + 1 : at + 3]
         name = right[0].mention if len(right) > 1 and words[at].text == right[1].text == "," else None
-        if left and left.head in lexicon.KIN | lexicon.COMPANY and left.kind != "name" and name and name.kind == "name":
+        named = left and left.kind != "name" and name and name.kind == "name"
+        if named and left and name and (left.head in _RELATED or name.candidates[0] in left.candidates):
             kept[-1].mention = name
             at += 3
         else:

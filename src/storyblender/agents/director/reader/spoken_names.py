@@ -17,8 +17,8 @@ _ADDRESSED = re.compile(
     rf"(?:^|, )(?P<called>{_TITLED})(?=\s*(?:[,!?.]|$))"
     rf"|(?P<guessed>{_TITLED})(?=,? I (?:believe|presume|suppose|think))"
 )
-_SOON = 800
-"""Characters between ``a tall, burly man`` and his name."""
+_SOON, _JUST_BEFORE = 800, 200
+"""Characters between ``a tall, burly man`` and his name, told after or before."""
 
 
 def spoken_names(script: Manuscript) -> list[tuple[int, str]]:
@@ -49,7 +49,7 @@ def announced(roster: Roster, spoken: Sequence[tuple[int, str]], at: int, noun: 
         title = bare(name).split()[0].strip(".")
         known = roster.find(name) or roster.find(name.split()[-1]) or _called_by_role(roster, name)
         fits = title in lexicon.RANKS.get(noun, (title,)) and lexicon.TITLE_GENDER.get(title, gender) == gender
-        if 0 < place - at < _SOON and not known and fits:
+        if -_JUST_BEFORE < place - at < _SOON and not known and fits:
             return name
     return ""
 

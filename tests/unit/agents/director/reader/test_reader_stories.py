@@ -193,3 +193,15 @@ def test_the_landlady_is_the_lady_of_the_house_and_an_officer_has_a_name() -> No
 def test_her_sister_is_not_she_herself() -> None:
     reading = story("Nell sat in the kitchen with her sister Josie.", "Nell stood up. She kissed her sister.")
     assert [(deed.actor, deed.target) for deed in reading.units[-1].deeds] == [("nell", "josie")]
+
+
+def test_a_lady_is_not_the_sir_of_her_name() -> None:
+    reading = story(
+        "Sir Hugh Tarrant stood before the fire, and the vicar, Mr. Pym, slept. Lady Tarrant poured the coffee.",
+        "The butler walked in. The servant bowed to the baronet. Her husband laughed.",
+        '"Inspector Gale?" said Sir Hugh.',
+        "A thin, grey man walked in. The policeman sat down.",
+    )
+    assert names(reading) == {"Sir Hugh Tarrant", "Mr. Pym", "Lady Tarrant", "butler", "Inspector Gale"}
+    deeds = [(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds]
+    assert {("mr_pym", "sleep"), ("lady_tarrant", "pour"), ("butler", "bow"), ("inspector_gale", "sit")} <= set(deeds)
