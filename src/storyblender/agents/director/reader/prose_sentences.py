@@ -44,10 +44,15 @@ def _mark_the_other(words: list[Word]) -> None:
         word, before = words[at], words[at - 2] if at > 1 else None
         following = words[at + 1] if at + 1 < len(words) else None
         opens = before is None or before.text in ".!?;" or before.quotation != "" or _is_speech_verb(before)
+        opens = opens or (before is not None and before.low in ("and", "but", "while") and _is_past(following))
         ends = following is None or not following.text.isalpha() or following.low in FORMS or following.low in _SMALL
         ends = ends or (following is not None and following.low.endswith("ly"))
         if word.low in ("other", "latter", "former") and words[at - 1].low == "the" and opens and ends:
             word.mention = Mention("generic", [], word.low, "the", start=words[at - 1].start)
+
+
+def _is_past(word: Word | None) -> bool:
+    return word is not None and word.low in FORMS and FORMS[word.low].kind == "past"
 
 
 def _words_and_quotations(text: str, offset: int) -> list[Word]:

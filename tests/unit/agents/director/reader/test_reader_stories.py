@@ -205,3 +205,10 @@ def test_a_lady_is_not_the_sir_of_her_name() -> None:
     assert names(reading) == {"Sir Hugh Tarrant", "Mr. Pym", "Lady Tarrant", "butler", "Inspector Gale"}
     deeds = [(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds]
     assert {("mr_pym", "sleep"), ("lady_tarrant", "pour"), ("butler", "bow"), ("inspector_gale", "sit")} <= set(deeds)
+
+
+def test_the_latter_is_who_was_named_last() -> None:
+    reading = story("Anna sat with Ben and Carl. Anna looked at Ben, and the latter rose and walked to the door.")
+    assert [(deed.actor, deed.motion) for deed in reading.units[-1].deeds] == [
+        ("anna", "look"), ("ben", "stand_up"), ("ben", "walk"),
+    ]  # fmt: skip
