@@ -40,58 +40,69 @@ class Handling:
         self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
     ) -> None:
         """Do something with a prop, after going to it or having it in hand."""
-        start = self.sheet.start_of(person)
-        t, key = start, motion.key
-        getting = key in GETTING
+        start, getting = self.sheet.start_of(person), motion.key in GETTING
         if getting and person.hand_of(prop):
             return
-        lies = self.company.lying.get(prop)
-        if lies is not None and not person.hand_of(prop):
-            near = math.dist(lies[:2], person.place)
-            if person.upright and REACH < near < (FETCH if getting else AT_HAND):
-                spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
-                if spot is not None:
-                    t = self.sheet.go(person, spot, facing(spot, lies[:2]), t)
-                    near = math.dist(lies[:2], person.place)
-            if near <= (REACH + 0.25 if person.upright else SEATED_REACH):
-                t = self.turn_to(person, lies, t)
-                if key in ("open", "close") and self._stands(prop):
-                    end = self.sheet.cue(person, key, t, natural_seconds(motion), prop_id=prop, hand=person.free_hand())
-                    person.opened = prop if key == "open" else ""
-                    self.sheet.done(person, start, end)
-                    return
-                t = self.sheet.cue(
-                    person, "pick_up", t, natural_seconds(MOTIONS["pick_up"]), prop_id=prop, hand=person.free_hand()
-                )
-                self.company.hand_over(person, prop)
-                if getting:
-                    self.sheet.done(person, start, t)
-                    return
+        t = self._gone_to(person, prop, FETCH if getting else AT_HAND, start)
+        lies = self._within_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None
-        if bag is not None:
-            t = self.sheet.cue(
-                person, "take", t, natural_seconds(motion), target_id=bag, prop_id=prop, hand=person.free_hand()
-            )
-            self.company.hand_over(person, prop)
-            self.sheet.done(person, start, t)
+        if lies is not None and motion.key in ("open", "close") and self._stands(prop):
+            self._open_where_it_stands(person, motion, prop, start, self.turn_to(person, lies, t))
             return
-        if not person.hand_of(prop):
+        if lies is not None:
+            t = self._taken(person, MOTIONS["pick_up"], prop, self.turn_to(person, lies, t))
+        elif bag is not None:
+            t = self._taken(person, MOTIONS["take"], prop, t, bag)
+        elif not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
             if getting:
                 return
-        catcher = self._catcher(person, prop, later) if key == "throw" else None
+        if getting:
+            self.sheet.done(person, start, t)
+            return
+        catcher = self._catcher(person, prop, later) if motion.key == "throw" else None
         if catcher is not None:
             self._pass(person, catcher, prop, t)
-            return
+        else:
+            self._use(action, motion, person, prop, start, t)
+
+    def _gone_to(self, person: Person, prop: str, farthest: float, t: float) -> float:
+        """Go to where a prop lies, if that is no farther; return the end."""
+        lies = None if person.hand_of(prop) else self.company.lying.get(prop)
+        if lies is None or not person.upright or not REACH < math.dist(lies[:2], person.place) < farthest:
+            return t
+        spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
+        return t if spot is None else self.sheet.go(person, spot, facing(spot, lies[:2]), t)
+
+    def _within_reach(self, person: Person, prop: str) -> Vec3 | None:
+        """Return where a prop lies if a person can take it from where they are."""
+        lies = None if person.hand_of(prop) else self.company.lying.get(prop)
+        reach = REACH + 0.25 if person.upright else SEATED_REACH
+        return lies if lies is not None and math.dist(lies[:2], person.place) <= reach else None
+
+    def _taken(self, person: Person, motion: Motion, prop: str, t: float, bag: str | None = None) -> float:
+        """Take a prop, out of a bag if one is named; return the end."""
+        hand = person.free_hand()
+        t = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=bag, prop_id=prop, hand=hand)
+        self.company.hand_over(person, prop)
+        return t
+
+    def _open_where_it_stands(self, person: Person, motion: Motion, prop: str, start: float, t: float) -> None:
+        end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), prop_id=prop, hand=person.free_hand())
+        person.opened = prop if motion.key == "open" else ""
+        self.sheet.done(person, start, end)
+
+    def _use(self, action: CharacterAction, motion: Motion, person: Person, prop: str, start: float, t: float) -> None:
+        """Do something with a prop that is in hand."""
         target = action.target_id if action.target_id != prop else None
         hand = person.hand_of(prop)
         mark = None
-        if key in ("put_down", "drop", "throw"):
-            t, mark = self._let_go(action, person, prop, t, key)
+        if motion.key in ("put_down", "drop", "throw"):
+            t, mark = self._let_go(action, person, prop, t, motion.key)
         known = target if target in self.company.people or self.company.floor.thing(target) else None
         length = natural_seconds(motion)
         end = self.sheet.cue(
-            person, key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
+            person, motion.key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
         )
         self.sheet.done(person, start, end)
 

@@ -23,6 +23,7 @@ from storyblender.blender.render.session import RenderSession, changed, temporar
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure, project
 from storyblender.geometry.orbit import Orbit
+from storyblender.look.gbuffer import View
 from storyblender.look.surface import Surface
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_context import CameraPose
@@ -173,12 +174,8 @@ class _Stage:
 
     def _unseen(self, orbit: Orbit, hidden: Sequence[str]) -> list[bpy.types.Object]:
         """Return what need not be drawn: what is hidden, and what lies outside the picture by its box."""
-        local = (self._corners - orbit.position) @ orbit.axes
-        away = -local[..., 2]
-        across = orbit.tangent * orbit.aspect
-        outside = [local[..., 0] > away * across, -local[..., 0] > away * across]
-        outside += [local[..., 1] > away * orbit.tangent, -local[..., 1] > away * orbit.tangent, away < 0]
-        gone = np.logical_or.reduce([side.all(axis=1) for side in outside])
+        view = View(orbit.position, orbit.axes, 1, 1, orbit.tangent * orbit.aspect, orbit.tangent)
+        gone = view.misses(self._corners)
         return [obj for obj, out in zip(self.objects, gone, strict=True) if out or _node_id(obj) in hidden]
 
     def _sky(self, ids: Ints, blue: Ints, orbit: Orbit) -> NDArray[np.bool_]:

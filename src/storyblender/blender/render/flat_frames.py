@@ -109,11 +109,11 @@ def _flat(channels: Channels, view: View, moving: Mask, glow: Image) -> FlatFram
 @contextmanager
 def animatic_workbench(session: RenderSession, movement: Movement) -> Iterator[None]:
     """Set Workbench up for flat frames of a shot."""
-    shown = [obj for obj in session.scene.objects if obj not in set(movement.unseen)]
+    unseen = set(movement.unseen)
     with ExitStack() as stack:
         stack.enter_context(flat_workbench(session.scene))
         stack.enter_context(changed(session.scene.display.shading, {"light": "FLAT", "color_type": "TEXTURE"}))
-        for obj in shown:
-            if has_painted_skin(obj):
+        for obj in session.scene.objects:
+            if obj not in unseen and has_painted_skin(obj):
                 stack.enter_context(told_in_shades(obj))
         yield

@@ -77,7 +77,7 @@ def watch(session: RenderSession, frames: Sequence[int], width: int, height: int
     misses = np.array([view.misses(box) for view, box in zip(views, boxes, strict=True)]).reshape(drawn.shape)
     seen = drawn & ~misses
     movers = tuple(obj for obj, does, here in zip(free, moves, seen.any(axis=0), strict=True) if does and here)
-    fixed = [obj for obj in objects if obj not in set(free) and not obj.hide_render]
+    fixed = [obj for obj in objects if not _may_move(obj) and not obj.hide_render]
     lost = np.logical_and.reduce([view.misses(_corners(fixed)) for view in views])
     unseen = [obj for obj, out in zip(fixed, lost, strict=True) if out]
     unseen += [obj for obj, here in zip(free, seen.any(axis=0), strict=True) if not here]

@@ -33,6 +33,8 @@ _STILL = {
     "use_file_extension": False,
     "use_overwrite": True,
 }
+_EXR = {"file_format": "OPEN_EXR_MULTILAYER", "color_depth": "16", "exr_codec": "NONE"}
+"""Colours as 16 bit floats; depth is always 32 bit."""
 
 
 @contextmanager
@@ -129,26 +131,20 @@ class RenderSession:
             shift=(float(projection[0, 2]), float(projection[1, 2])),
         )
 
-    def exr(self, width: int, height: int, *, half: bool = True, depth: bool = False) -> Channels:
+    def exr(self, width: int, height: int, *, depth: bool = False) -> Channels:
         """Render with the engine that is set and return the channels of the multilayer EXR.
 
         Args:
             width: Pixels.
             height: Pixels.
-            half: Write colours as 16 bit floats; depth is always 32 bit.
             depth: Also write the depth pass.
         """
         render = self.scene.render
         path = self._folder / "pass.exr"
         size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
-        image = {
-            "file_format": "OPEN_EXR_MULTILAYER",
-            "color_depth": "16" if half else "32",
-            "exr_codec": "NONE",
-        }
         with (
             changed(render, size | _STILL),
-            changed(render.image_settings, image),
+            changed(render.image_settings, _EXR),
             changed(self.scene.view_layers[0], {"use_pass_z": depth}),
         ):
             bpy.ops.render.render(write_still=True)
@@ -168,11 +164,10 @@ class RenderSession:
         """
         render = self.scene.render
         size = {"resolution_x": width, "resolution_y": height, "filepath": str(self._folder / "#####.exr")}
-        image = {"file_format": "OPEN_EXR_MULTILAYER", "color_depth": "16", "exr_codec": "NONE"}
         border = _border(window, width, height) if window else {}
         with (
             changed(render, size | _STILL | border),
-            changed(render.image_settings, image),
+            changed(render.image_settings, _EXR),
             changed(self.scene.view_layers[0], {"use_pass_z": depth}),
             changed(self.scene, {"frame_start": 0, "frame_end": 0, "frame_step": 1}),
         ):
