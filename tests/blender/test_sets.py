@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 from storyblender.blender.light import make_lights
+from storyblender.blender.props.build import build_prop
 from storyblender.blender.sets.build import build_set, swing_door
+from storyblender.blender.sets.pieces import piece_mesh
 from storyblender.blender.sets.world import night_of, set_world
-from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.set_plan import Piece, SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.scene_context import Environment, Light, Sky
 
@@ -134,3 +136,14 @@ def test_lamps_are_tagged_and_unseen(scene: bpy.types.Scene) -> None:
     (obj,) = make_lights((lamp,), scene, scene.collection)
     assert (obj["kind"], obj["node_id"], obj.data.energy, obj.visible_camera) == ("light", "window", 30, False)
     assert tuple(obj.location) == (1, 2, 3)
+
+
+@pytest.mark.parametrize(
+    ("part", "prop"), [("broad_tree", "tree"), ("pine_tree", "pine"), ("palm_tree", "palm_tree"), ("rock", "rock")]
+)
+def test_what_grows_in_a_set_and_what_stands_there_as_a_prop_have_one_shape(
+    part: str, prop: str, scene: bpy.types.Scene
+) -> None:
+    planted, _ = piece_mesh(Piece(node_id=part, part=part, location=(0, 0, 0)), scene)
+    alone = build_prop(prop).mesh
+    assert [len(face.vertices) for face in planted.polygons] == [len(face.vertices) for face in alone.polygons]

@@ -6,41 +6,11 @@ import math
 
 import numpy as np
 
+from storyblender.blender import plants
 from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
 from storyblender.blender.props.lamps import flame
 from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop, seat, seats_in_row
 from storyblender.blender.props.tableware import under
-
-
-def _blob(
-    b: MeshBuilder, material: MaterialRef, center: Floats, radius: float, rng: np.random.Generator, flat: float = 0.78
-) -> None:
-    """Add a ragged ball of leaves that inks as one outline."""
-    around, rings = 13, 8
-    phase = rng.uniform(0, math.tau, 4)
-    angle = np.linspace(0, math.tau, around, endpoint=False)
-    sections = []
-    for k in range(rings + 1):
-        fall = math.pi * k / rings
-        rag = 1 + 0.16 * np.sin(4 * angle + 2.5 * fall + phase[0]) + 0.12 * np.sin(7 * angle - 3 * fall + phase[1])
-        swell = 1 + 0.12 * math.sin(3 * fall + phase[2])
-        reach = radius * max(math.sin(fall), 0.02) * rag * swell
-        z = -radius * flat * math.cos(fall) + 0.12 * radius * np.sin(5 * angle + phase[3]) * math.sin(fall)
-        sections.append(center + np.c_[reach * np.cos(angle), reach * np.sin(angle), z])
-    b.loft(material, sections, caps=False)
-
-
-def _trunk(height: float, leans: Floats, phase: float) -> tuple[Floats, Floats]:
-    """Return the points of a trunk and its radii, with a flare at the root."""
-    t = np.linspace(0, 1, 9)
-    sway = 0.04 * height
-    points = np.c_[
-        leans[0] * t**2 + sway * 0.5 * np.sin(5 * t + phase) * t,
-        leans[1] * t**2 + sway * 0.5 * np.cos(4 * t + phase) * t,
-        t * height,
-    ]
-    radii = height * 0.026 * (1 - 0.72 * t) * (1 + 0.9 * np.exp(-t / 0.045))
-    return points, radii
 
 
 @prop("tree")
@@ -48,102 +18,33 @@ def tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a broad-leaved tree; ``kind`` pine gives a conifer."""
     if spec.word("kind") == "pine":
         return pine(b, spec)
-    (w, _, h), leaf, bark, rng = spec.size, spec.material("leaf"), spec.material("bark"), spec.rng
-    points, radii = _trunk(h * 0.8, rng.uniform(-0.05, 0.05, 2) * w, float(rng.uniform(0, 6)))
-    b.tube(bark, points, list(radii), segments=12)
-    crown = h * 0.66
-    for k in range(9):
-        turn, t = 2.4 * k + float(rng.uniform(-0.3, 0.3)), 0.42 + 0.5 * k / 9
-        start = np.array([float(np.interp(t, np.linspace(0, 1, 9), points[:, axis])) for axis in range(3)])
-        reach = w * 0.34 * (1 - 0.45 * t) * float(rng.uniform(0.85, 1.15))
-        tip = start + np.array([reach * math.cos(turn), reach * math.sin(turn), h * float(rng.uniform(0.08, 0.16))])
-        b.tube(
-            bark,
-            [start, (start + tip) / 2 + np.array([0, 0, 0.03 * h]), tip],
-            [radii[4] * 0.6, radii[4] * 0.4, radii[4] * 0.2],
-            segments=7,
-        )
-        twig = np.add(tip, (0.0, 0.0, 0.02 * h))
-        _blob(b, leaf, twig, w * float(rng.uniform(0.17, 0.23)), rng)
-    for k in range(5):
-        turn = 1.3 + 1.26 * k
-        place = np.array([w * 0.16 * math.cos(turn), w * 0.16 * math.sin(turn), crown + h * (0.06 + 0.03 * (k % 2))])
-        _blob(b, leaf, place, w * float(rng.uniform(0.19, 0.24)), rng)
-    _blob(b, leaf, np.array([points[-1, 0], points[-1, 1], h * 0.87]), w * 0.2, rng)
-    return (lean((0, -radii[1], 1.2), 0.3),)
+    (w, _, h), leaf = spec.size, spec.material("leaf")
+    plants.broad_tree(b, spec.material("bark"), (leaf, leaf), (w, h), spec.rng)
+    return (lean((0, -0.03 * h, 1.2), 0.3),)
 
 
 @prop("pine")
 def pine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a conifer of drooping whorls."""
-    (w, _, h), leaf, rng = spec.size, spec.material("leaf"), spec.rng
-    b.cylinder(spec.material("bark"), (0, 0, 0), (0, 0, h * 0.92), h * 0.021, h * 0.004, segments=10)
-    tiers, spokes = 10, 14
-    for k in range(tiers):
-        t = k / tiers
-        base, reach = h * (0.12 + 0.84 * t), w / 2 * (1 - t) ** 0.85 + 0.06
-        angle = np.linspace(0, math.tau, spokes * 2, endpoint=False) + float(rng.uniform(0, 6))
-        jag = np.where(np.arange(spokes * 2) % 2 == 0, 1.0, 0.66) * rng.uniform(0.88, 1.08, spokes * 2)
-        rings = []
-        for out, drop in ((1.0, -0.055), (0.62, 0.0), (0.1, 0.085)):
-            rag = jag if out == 1.0 else np.full(spokes * 2, 0.9)
-            rings.append(
-                np.c_[
-                    out * reach * rag * np.cos(angle),
-                    out * reach * rag * np.sin(angle),
-                    np.full(spokes * 2, base + drop * h * (0.55 + 0.45 * (1 - t))),
-                ]
-            )
-        b.loft(leaf, rings)
+    w, _, h = spec.size
+    plants.conifer(b, spec.material("bark"), spec.material("leaf"), (w, h), spec.rng)
     return (lean((0, -0.2, 1.2), 0.3),)
 
 
 @prop("palm_tree")
 def palm_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a palm."""
-    (w, _, h), leaf, bark, rng = spec.size, spec.material("leaf"), spec.material("bark"), spec.rng
-    t = np.linspace(0, 1, 14)
-    bend = 0.1 * w
-    path = np.c_[bend * np.sin(1.6 * t) - bend * 0.5, 0 * t, t * h * 0.86]
-    b.tube(bark, path, [0.16 - 0.07 * v + (0.012 if k % 2 else 0.0) for k, v in enumerate(t)], segments=12)
-    top = path[-1]
-    for k in range(13):
-        turn, lift = 360 * k / 13 + float(rng.uniform(-8, 8)), 0.55 if k % 3 == 0 else 0.2
-        with b.at(tuple(top), (0, 0, turn)):
-            reach = w * 0.46
-            spine = np.array(
-                [
-                    (0, 0, 0),
-                    (reach * 0.35, 0, reach * lift),
-                    (reach * 0.75, 0, reach * lift * 0.8),
-                    (reach, 0, reach * (lift - 0.55)),
-                ]
-            )
-            for lower, order in ((0.0, 1), (0.01, -1)):
-                rows = [
-                    np.array([(x, -wd, z - wd * 0.6 - lower), (x, 0, z - lower), (x, wd, z - wd * 0.6 - lower)])[
-                        ::order
-                    ]
-                    for (x, _, z), wd in zip(spine, (0.05, 0.26, 0.24, 0.02), strict=True)
-                ]
-                b.loft(leaf, rows, closed=False)
-    for k in range(4):
-        b.sphere(
-            bark,
-            (top[0] + 0.16 * math.cos(1.6 * k), top[1] + 0.16 * math.sin(1.6 * k), top[2] - 0.1),
-            0.11,
-            segments=12,
-            rings=7,
-        )
-    return (lean((0, -0.16, 1.2), 0.3),)
+    w, _, h = spec.size
+    plants.palm(b, spec.material("bark"), spec.material("leaf"), (w, h), spec.rng)
+    return (lean((0, -0.04 * h, 1.2), 0.3),)
 
 
 @prop("dead_tree")
 def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bare tree of three generations of branches."""
     (w, _, h), bark, rng = spec.size, spec.material("bark"), spec.rng
-    points, radii = _trunk(h * 0.8, rng.uniform(-0.3, 0.3, 2), float(rng.uniform(0, 6)))
-    b.tube(bark, points, list(radii), segments=11)
+    radius, leans = h * 0.021, rng.uniform(-0.3, 0.3, 2)
+    plants.trunk(b, bark, h * 0.8, radius, leans, rng)
 
     def branch(start: Floats, direction: Floats, length: float, thick: float, depth: int) -> None:
         middle = start + direction * length * 0.5 + rng.uniform(-0.08, 0.08, 3) * length
@@ -162,64 +63,32 @@ def dead_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
     for k in range(7):
         t, turn = 0.45 + 0.5 * k / 6, 2.4 * k
-        start = np.array([float(np.interp(t, np.linspace(0, 1, 9), points[:, axis])) for axis in range(3)])
+        start = plants.along_trunk(h * 0.8, leans, t)
         direction = np.array([math.cos(turn), math.sin(turn), 0.65])
-        branch(start, direction / np.linalg.norm(direction), w * 0.5 * (1.15 - 0.5 * t), radii[4] * 0.55, 2)
-    return (lean((0, -radii[1], 1.2), 0.3),)
+        branch(start, direction / np.linalg.norm(direction), w * 0.5 * (1.15 - 0.5 * t), radius * 0.37, 2)
+    return (lean((0, -radius, 1.2), 0.3),)
 
 
 @prop("bush")
 def bush(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a bush."""
-    (w, d, h), leaf, rng = spec.size, spec.material("leaf"), spec.rng
-    for k in range(8):
-        turn, reach = 2.4 * k, 0.25 * math.sqrt((k + 0.5) / 8)
-        size = w * float(rng.uniform(0.21, 0.27))
-        place = np.array([w * reach * math.cos(turn), d * reach * math.sin(turn), h * float(rng.uniform(0.4, 0.7))])
-        _blob(b, leaf, place, size, rng, 0.9)
+    plants.bush(b, spec.material("leaf"), spec.size, spec.rng)
     return ()
 
 
 @prop("tuft")
 def tuft(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a tuft of grass blades."""
-    (w, _, h), leaf, rng = spec.size, spec.material("leaf"), spec.rng
-    for _ in range(26):
-        turn, root = float(rng.uniform(0, math.tau)), w * 0.2 * float(rng.random())
-        tall, out = h * float(rng.uniform(0.5, 1.0)), w * float(rng.uniform(0.12, 0.42))
-        with b.at((root * math.cos(turn), root * math.sin(turn), 0), (0, 0, math.degrees(turn))):
-            blade = [
-                np.array([(x, -wd, z), (x, wd, z)])
-                for x, z, wd in ((0, 0, 0.009), (out * 0.3, tall * 0.6, 0.008), (out, tall, 0.001))
-            ]
-            b.loft(leaf, blade, closed=False)
+    w, _, h = spec.size
+    plants.blades(b, spec.material("leaf"), 26, (w * 0.2, h), 0.009, spec.rng)
     return ()
 
 
 @prop("rock")
 def rock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a boulder with flattened sides."""
-    (w, d, h), stone, rng = spec.size, spec.material("rock"), spec.rng
-    around, rings = 16, 9
-    cuts = rng.standard_normal((9, 3))
-    cuts = cuts / np.linalg.norm(cuts, axis=1, keepdims=True)
-    depth = rng.uniform(0.68, 0.88, 9)
-    angle = np.linspace(0, math.tau, around, endpoint=False)
-    sections = []
-    for k in range(rings + 1):
-        fall = math.pi * k / rings
-        shell = np.c_[
-            max(math.sin(fall), 0.03) * np.cos(angle),
-            max(math.sin(fall), 0.03) * np.sin(angle),
-            np.full(around, -math.cos(fall)),
-        ]
-        reach = shell @ cuts.T
-        limit = np.where(reach > 0.05, depth / np.maximum(reach, 0.05), 9.0).min(axis=1)
-        sections.append(
-            shell * np.minimum(limit, 1.0)[:, None] * (w / 2 * 1.12, d / 2 * 1.12, h * 0.72)
-            + np.array([0, 0, h * 0.36])
-        )
-    b.loft(stone, [np.c_[ring[:, :2], np.maximum(ring[:, 2], 0.0)] for ring in sections])
+    w, d, h = spec.size
+    plants.boulder(b, spec.material("rock"), (w * 0.6, d * 0.6, h * 0.86), spec.rng, foot=0.0)
     return (seat((0, -d * 0.36, h * 0.82), (w * 0.6, d * 0.5)),) if 0.35 < h < 0.95 else ()
 
 
@@ -322,24 +191,8 @@ def hay_bale(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("cactus")
 def cactus(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a saguaro with two arms."""
-    (w, _, h), skin = spec.size, spec.material("skin")
-    angle = np.linspace(0, math.tau, 32, endpoint=False)
-
-    def rib(points: list[tuple[float, float, float]], radius: float) -> None:
-        path = np.array(points)
-        b.tube(skin, path, [radius] * (len(path) - 1) + [radius * 0.5], segments=12)
-
-    rings = [
-        np.c_[
-            r * (1 + 0.07 * np.sin(10 * angle)) * np.cos(angle),
-            r * (1 + 0.07 * np.sin(10 * angle)) * np.sin(angle),
-            np.full(32, z),
-        ]
-        for r, z in ((0.17, 0), (0.2, h * 0.2), (0.2, h * 0.8), (0.15, h * 0.95), (0.03, h))
-    ]
-    b.loft(skin, rings)
-    rib([(0.1, 0, h * 0.36), (w * 0.36, 0, h * 0.38), (w * 0.42, 0, h * 0.48), (w * 0.42, 0, h * 0.7)], 0.1)
-    rib([(-0.1, 0, h * 0.5), (-w * 0.34, 0, h * 0.52), (-w * 0.4, 0, h * 0.6), (-w * 0.4, 0, h * 0.84)], 0.09)
+    w, _, h = spec.size
+    plants.cactus(b, spec.material("skin"), (w, h), 2, spec.rng)
     return ()
 
 
