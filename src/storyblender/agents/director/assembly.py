@@ -12,6 +12,7 @@ from storyblender.agents.director.place_words import ground, lighting, walls
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import one_line, shot_sentence
+from storyblender.catalog.costumes import Age, age_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
@@ -29,6 +30,7 @@ class Assembly:
         self.reading = reading
         self.company = company
         self.text = reading.screenplay.text
+        self.era: Age = age_of(self.text)
         self.relations: dict[int, list[Relation]] = {}
         for index, relation in reading.relations:
             self.relations.setdefault(reading.scenes[index].id, []).append(relation)
@@ -51,7 +53,7 @@ class Assembly:
             else one_line(f"{' '.join(person.build)} {person.role or person.name}"),
             name=self.company.names[person.id],
             tags=tuple(tags),
-            look=cast(person, introduction(person, self.text)) if character else None,
+            look=cast(person, introduction(person, self.text), self.era) if character else None,
             reference_character=person.variant_of if person.variant_of in self.company.actors else None,
         )
 

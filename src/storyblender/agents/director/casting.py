@@ -8,6 +8,7 @@ from typing import Final, Literal, TypeVar
 
 from storyblender.agents.director.palette import cloth_color, hair_color
 from storyblender.agents.director.reading import Person
+from storyblender.catalog.costumes import Age, costume
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
 
@@ -142,18 +143,21 @@ def introduction(person: Person, text: str) -> str:
     return " ".join((match["brackets"] or match["apposition"] or match["worn"]).split()) if match else ""
 
 
-def cast(person: Person, introduced: str = "") -> CharacterLook:
+def cast(person: Person, introduced: str = "", era: Age = "today") -> CharacterLook:
     """Return the look of a person from the words of the script.
 
     Args:
         person: As read. Words the script does not use leave the default; the seed of the default is the person's id,
             so the same person always looks the same.
         introduced: The words of the introduction, for what the reader did not sort (skin, glasses, a beard).
+        era: Of the story; with what they are, it dresses whom the script does not.
     """
     seed = int(content_hash(person.id)[:8], 16)
     age = years(person, seed)
     hair = ", ".join(person.hair) or _hair_words(introduced)
     everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
+    worn = garments(", ".join(person.outfit) or introduced)
+    worn = worn or costume(person.role, person.name, era, person.gender, age, seed)
     return CharacterLook(
         gender=person.gender,
         age=age,
@@ -163,7 +167,7 @@ def cast(person: Person, introduced: str = "") -> CharacterLook:
         hair=_hair(person, hair, age, seed),
         hair_color=hair_color(_without_beard(hair)),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
-        garments=_shod(garments(", ".join(person.outfit) or introduced), person.gender, age),
+        garments=_shod(worn, person.gender, age),
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
     )
 

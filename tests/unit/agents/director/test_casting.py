@@ -119,3 +119,10 @@ def test_a_description_is_one_sentence() -> None:
         "x", "X", gender="female", age="35", build=("lean",), hair=("short black hair",), outfit=("a grey coat",)
     )
     assert describe(person) == "A lean woman, 35, short black hair, in grey coat."
+
+
+def test_who_is_not_dressed_by_the_script_is_dressed_by_trade_and_age() -> None:
+    sheriff = Person(id="cole", name="Cole", role="sheriff", gender="male")
+    assert "hat" in {garment.key for garment in cast(sheriff, era="west").garments}
+    in_red = Person(id="cole", name="Cole", role="sheriff", gender="male", outfit=("red sweater",))
+    assert {garment.key for garment in cast(in_red, era="west").garments} == {"sweater"}

@@ -1,0 +1,51 @@
+"""Trades and ages are seen in the clothes; nobody is sent into another century by one word."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.catalog.costumes import _EVERYDAY, _TRADES, _sewn, age_of, costume
+from storyblender.catalog.garments import GARMENTS
+
+
+def worn(role: str = "", name: str = "Alex", age: str = "today", gender: str = "male", years: float = 35) -> set[str]:
+    return {garment.key for garment in costume(role, name, age, gender, years, 0)}  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("story", "age"),
+    [
+        ("A western saloon, 1880. The sheriff walks in.", "west"),
+        ("INT. CASTLE HALL. The king sits on his throne. A knight kneels.", "medieval"),
+        ("The bridge of a spaceship.", "space"),
+        ("London, 1941.", "classic"),
+        ("A governess opens the parlour door; the carriage waits.", "victorian"),
+        ("The Sheriff parks his car. Burger King is closed.", "today"),
+        ("He pours a whiskey at the bar. A picture of a castle hangs over the counter.", "today"),
+    ],
+)
+def test_the_words_of_a_story_tell_its_age(story: str, age: str) -> None:
+    assert age_of(story) == age
+
+
+def test_a_trade_is_known_by_its_clothes() -> None:
+    assert {"hat", "vest", "boots"} <= worn("sheriff")
+    assert "coat" in worn("doctor") and "apron" in worn("nurse", gender="female")
+    assert "uniform" in worn(name="Policeman") and "gown" in worn("bride", gender="female")
+
+
+def test_a_surname_is_no_trade_and_a_father_no_priest() -> None:
+    assert not worn(name="Tom Baker") and not worn("father", "John")
+    assert "coat" in worn(name="Father Michael")
+
+
+def test_who_has_no_trade_wears_the_age() -> None:
+    assert "long_skirt" in worn(age="west", gender="female") and "uniform" in worn(age="space")
+    assert not worn(), "today's everyday clothes are the wardrobe's own default"
+    assert not worn("doctor", years=8) and worn("pupil", years=9)
+
+
+@pytest.mark.parametrize("outfit", sorted({*sum(_EVERYDAY.values(), ()), *(one for row in _TRADES for one in row[2:])}))
+def test_every_outfit_is_in_the_wardrobe(outfit: str) -> None:
+    areas = {area for garment in _sewn(outfit) for area in GARMENTS[garment.key].covers}
+    assert not outfit or {"upper", "lower", "feet"} <= areas
