@@ -10,6 +10,7 @@ from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Mom
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
 from storyblender.agents.layout_artist.camera_operator import operate, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
+from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.continuity import walked_around
@@ -17,13 +18,17 @@ from storyblender.geometry.framing import Film
 from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
-from storyblender.memory.shot_context import CameraState, ShotContext
+from storyblender.memory.shot_context import CameraState, Cue, ShotContext
 from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
 _REST = 0.55
-"""Share of a shot at which it is drawn where no action says better."""
+"""Share of an action, or of a shot without one, at which it is drawn."""
+_ARRIVAL = 0.85
+"""Share of a way to somebody at which it is drawn: where it leads."""
+_AT_REST = ("idle", "look", "listen", "turn")
+"""Clips that tell nothing by themselves."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
 Faces = tuple[Vec3, Vec3]
@@ -32,15 +37,27 @@ Moments = Callable[[ShotContext], Sequence[Moment]]
 
 
 def story_moment(shot: ShotContext) -> int:
-    """Return the frame that tells the shot: well into the first cue of whom the camera is on."""
+    """Return the frame that tells the shot: well into the last of the strongest things that its people do."""
     focus = set(shot.camera_instruction.focus_on_ids)
     last = max(0, shot.duration - 1)
-    cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.clip not in ("idle", "look", "listen")]
+    cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.start < last and cue.clip not in _AT_REST]
     if not cues:
         return round(last * _REST)
-    cue = min(cues, key=lambda item: item.start)
-    length = cue.duration if cue.duration is not None else shot.duration - cue.start
-    return min(last, cue.start + round(length * _REST))
+    cue = max(cues, key=lambda item: (_strength(item, shot), item.start))
+    after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
+    length = cue.duration if cue.duration is not None else min([*after, shot.duration]) - cue.start
+    meets = clip_of(cue.clip).speed is not None and len(focus & set(shot.on_stage)) > 1
+    return min(last, cue.start + round(length * (_ARRIVAL if meets else _REST)))
+
+
+def _strength(cue: Cue, shot: ShotContext) -> int:
+    """Rank what a shot is remembered by: what people do to each other 3, any deed 2, words and signs 1, a way 0."""
+    motion = clip_of(cue.clip)
+    if motion.speed is not None:
+        return 0
+    if motion.reach == "self" and motion.after is None and (motion.stretches or not motion.hands):
+        return 1
+    return 3 if cue.target_id in shot.on_stage and motion.reach != "self" else 2
 
 
 def telling_frames(shot: ShotContext) -> tuple[int, ...]:

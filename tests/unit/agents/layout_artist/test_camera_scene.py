@@ -1,16 +1,17 @@
 from dataclasses import replace
 
+import pytest
 from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 
 from storyblender.agents.layout_artist import camera_scene
 from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of
-from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
+from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, story_moment, telling_frames
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.continuity import side_of_line
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, Layout, LayoutObject, SceneContext, SceneSetup
-from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, PropState, ShotContext
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue, PropState, ShotContext
 
 PLAN = plan_of(Environment(kit="street"))
 AXIS = ("anna", "tom")
@@ -97,3 +98,51 @@ def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(
         shoot_scene(story, 1, PLAN, {"cup": CUP}, faces, NumberFinder([], {}))
         assert (briefs[1].reverse is not None) == answers
         assert (briefs[1].side != 0) == answers, "a new line has no side yet"
+
+
+TALK = {"clip": "talk", "start": 5, "duration": 60, "target_id": "tom"}
+TAKE = {"clip": "pick_up", "start": 80}
+HUG = {"clip": "hug", "start": 120, "target_id": "tom"}
+
+
+@pytest.mark.parametrize(
+    ("cues", "low", "high"),
+    [
+        ([TALK], 30, 50),
+        ([TALK, TAKE], 80, 160),
+        ([TALK, HUG, {**TAKE, "start": 160}], 120, 160),
+        (
+            [{"clip": "play_piano", "start": 5, "duration": 60}, {"clip": "shout", "start": 100, "duration": 40}],
+            100,
+            140,
+        ),
+        ([{"clip": "walk", "start": 5}], 160, 199),
+        ([{"clip": "walk", "start": 5}, {**TALK, "start": 100}], 100, 160),
+        ([TAKE, {**HUG, "start": 210}], 80, 199),
+        ([{"clip": "turn", "start": 5}], 100, 120),
+        ([{"clip": "wave", "start": 5, "target_id": "tom"}, {"clip": "fall", "start": 120}], 120, 180),
+    ],
+    ids=[
+        "words",
+        "deed",
+        "two people",
+        "answered play",
+        "way to somebody",
+        "way, words",
+        "after the end",
+        "turn",
+        "wave, fall",
+    ],
+)
+def test_a_shot_is_drawn_at_the_last_of_the_strongest_things_that_happen(cues, low: int, high: int) -> None:
+    instruction = CameraInstruction(focus_on_ids=AXIS, kind="action", size="MS")
+    acts = tuple(Cue(asset_id="anna", **cue) for cue in cues)
+    shot = ShotContext(scene_id=1, shot_id=1, on_stage=AXIS, camera_instruction=instruction, duration=200, cues=acts)
+    assert low <= story_moment(shot) <= high
+
+
+def test_a_lone_walk_is_drawn_on_the_way() -> None:
+    instruction = CameraInstruction(focus_on_ids=("anna",), kind="action", size="FS")
+    walk = Cue(asset_id="anna", clip="walk", start=0)
+    shot = ShotContext(scene_id=1, shot_id=1, on_stage=AXIS, camera_instruction=instruction, duration=100, cues=(walk,))
+    assert 40 <= story_moment(shot) <= 60
