@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import StrEnum
@@ -207,11 +205,20 @@ def main(version: Annotated[bool, typer.Option("--version", help="Print the vers
 
 
 def _studio(terminal: Terminal, script: Path | None = None, project: Path | None = None, **overrides: Any) -> Studio:
-    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it."""
+    """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it.
+
+    Whoever works on a finished project needs Blender: it comes up while the crew is loaded.
+    """
+    from storyblender.engine.worker import blender_worker
+
+    ahead = None
+    if project is not None and (project / "graph.json").is_file():
+        ahead = blender_worker(project)
+        ahead.start()
     from storyblender.settings import Settings
     from storyblender.studio import Studio
 
-    return Studio(Settings.load(script, project, **overrides), terminal.show)
+    return Studio(Settings.load(script, project, **overrides), terminal.show, ahead)
 
 
 def _folder_of(script: Path) -> Path:
@@ -226,9 +233,13 @@ def _terminal(quiet: bool, json_lines: bool) -> Iterator[Terminal]:
         with terminal:
             yield terminal
     except StoryBlenderError as error:
-        if json_lines:
-            sys.stdout.write(json.dumps({"error": str(error)}, ensure_ascii=False) + "\n")
         terminal.error(str(error))
+        raise typer.Exit(2) from error
+    except BrokenPipeError:  # whoever read our words has read enough
+        raise
+    except OSError as error:  # no room, no permission, no such disk: the machine's sentence, and what to do
+        where = f"{error.filename}: " if error.filename else ""
+        terminal.error(f"{where}{error.strerror or error}; mend that, then run the same command again to go on")
         raise typer.Exit(2) from error
     except KeyboardInterrupt as error:
         terminal.error("stopped; run the same command again to go on")

@@ -21,6 +21,7 @@ from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_edit
 from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.engine.worker import Worker
 from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
 from storyblender.library.embedder import load_embedder
@@ -72,10 +73,11 @@ class Studio:
     Args:
         settings: For every call.
         listener: Hears every event.
+        ahead: A Blender worker of the project that is drawn next, which comes up already.
     """
 
-    def __init__(self, settings: Settings, listener: Listener = silent) -> None:
-        self._settings, self._listener = settings, listener
+    def __init__(self, settings: Settings, listener: Listener = silent, ahead: Worker | None = None) -> None:
+        self._settings, self._listener, self._ahead = settings, listener, ahead
 
     def plan(self, script: Path, folder: Path) -> Delivery:
         """Read a script into the graph; no Blender.
@@ -215,9 +217,13 @@ class Studio:
         models = self._settings.models
         if models is not None and not models.is_dir():
             raise InputError("is not a folder", mend="give --models a folder of .glb or .blend files", path=models)
-        if script is not None and not script.is_file():
-            raise InputError("there is no such script", mend="check the path", path=script)
-        with Project(folder) as project, BlenderEngine(project.folder, models, self._settings.jobs) as engine:
+        if script is not None:
+            from storyblender.screenplay.source import load
+
+            load(script)  # a script that cannot be read is refused before there is a folder
+        ahead, self._ahead = self._ahead, None
+        jobs = self._settings.jobs
+        with Project(folder) as project, BlenderEngine(project.folder, models, jobs, ahead=ahead) as engine:
             yield Run(project, engine, load_embedder, self._settings, self._listener)
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any, TypeVar
 from pydantic import TypeAdapter
 
 from storyblender.engine.pool import WorkerPool
-from storyblender.engine.worker import Worker, blender_command
+from storyblender.engine.worker import LOG, Worker, blender_worker
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
@@ -31,15 +32,17 @@ class BlenderEngine:
         root: The project folder; every path in a job is relative to it.
         models: The user's folder of models.
         jobs: Number of processes; 0 decides by the machine.
+        ahead: A worker of the same folders that comes up already.
 
     Blender's words of this run, and of no earlier one, are in ``build/engine.log``.
     """
 
-    def __init__(self, root: Path, models: Path | None = None, jobs: int = 0) -> None:
+    def __init__(self, root: Path, models: Path | None = None, jobs: int = 0, *, ahead: Worker | None = None) -> None:
         self._root = root
-        command, log = blender_command(root, models), root / "build" / "engine.log"
-        log.unlink(missing_ok=True)
-        self._pool = WorkerPool(lambda: Worker(command, log), jobs)
+        log = root / LOG
+        if log.exists():
+            os.truncate(log, 0)  # not unlinked: a worker that is ahead has it open
+        self._pool = WorkerPool(lambda: blender_worker(root, models), jobs, ahead)
 
     def __enter__(self) -> BlenderEngine:
         return self

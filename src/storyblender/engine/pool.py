@@ -42,9 +42,10 @@ class WorkerPool:
     Args:
         make_worker: Starts nothing yet; the process comes with the first call.
         size: Processes; 0 takes one per processor, two at most.
+        ahead: A worker that was made before and is the first of them.
     """
 
-    def __init__(self, make_worker: Callable[[], Worker], size: int = 0) -> None:
+    def __init__(self, make_worker: Callable[[], Worker], size: int = 0, ahead: Worker | None = None) -> None:
         self.size = size or min(2, os.cpu_count() or 1)
         self._make_worker = make_worker
         self._workers: list[Worker] = []
@@ -53,12 +54,16 @@ class WorkerPool:
         self._pending: list[_Job] = []
         self._condition = threading.Condition()
         self._closing = False
+        if ahead is not None:
+            self._hire(ahead)
 
     def warm(self) -> None:
         """Start a first process now; it comes up while the caller prepares the first job."""
         with self._condition:
             if not self._workers:
-                self._hire().start()
+                worker = self._make_worker()
+                worker.start()
+                self._hire(worker)
 
     def submit(
         self, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result], *, affinity: str = ""
@@ -75,7 +80,7 @@ class WorkerPool:
         with self._condition:
             self._pending.append(job)
             if len(self._pending) > len(self._resting) and len(self._workers) < self.size:
-                self._hire()
+                self._hire(self._make_worker())
             self._condition.notify_all()
         return job.future
 
@@ -90,12 +95,10 @@ class WorkerPool:
         for worker in self._workers:
             worker.close()
 
-    def _hire(self) -> Worker:
-        worker = self._make_worker()
+    def _hire(self, worker: Worker) -> None:
         self._workers.append(worker)
         self._resting[worker] = ""
         threading.Thread(target=self._serve, args=(worker,), name="blender", daemon=True).start()
-        return worker
 
     def _serve(self, worker: Worker) -> None:
         while True:

@@ -19,6 +19,8 @@ from storyblender.errors import EngineError
 
 PROTOCOL = "2025-06-18"
 """Version of the Model Context Protocol."""
+LOG = "build/engine.log"
+"""Blender's words, in the project folder."""
 
 
 class _Lost(Exception):
@@ -128,15 +130,16 @@ class Worker:
         process.stdin.flush()
 
 
-def blender_command(root: Path, models: Path | None = None) -> list[str]:
-    """Return the command of a Blender worker.
+def blender_worker(root: Path, models: Path | None = None) -> Worker:
+    """Return a Blender worker, not started yet.
 
     Args:
         root: The project folder it may write to.
         models: The user's folder of models it may read.
     """
+    root = root.resolve()
     command = [sys.executable, "-m", "storyblender.blender", "--root", str(root)]
-    return command if models is None else [*command, "--models", str(models)]
+    return Worker(command if models is None else [*command, "--models", str(models)], root / LOG)
 
 
 def _read(line: bytes) -> dict[str, Any]:
