@@ -13,7 +13,7 @@ from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.tagging import PERCEIVING
 from storyblender.agents.director.reader.words import Word
 
-_SUBJECT_ONLY = frozenset({"he", "she", "they"})
+_SUBJECT_ONLY = frozenset({"he", "she", "they", "i", "we"})
 """``At seven she pulls herself up``: no object of the preposition before."""
 _NEAR = 4
 """Phrases back to whom ``who`` means."""

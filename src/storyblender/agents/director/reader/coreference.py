@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.narrator import ALONE, OWN, own_people
 from storyblender.agents.director.reader.people_meant import fits, is_neuter, resolve_mention
 from storyblender.agents.director.reader.phrases import NounPhrase
 from storyblender.agents.director.reader.stage import Stage
@@ -62,6 +63,7 @@ def resolve_pronoun(
         for person in stage.roster.people
         if (person.id in stage.scene.on or person.id in stage.scene.named)
         and person.kind != "group"
+        and person is not stage.roster.narrator
         and fits(person, gender)
     ]
     if role in ("object", "other"):
@@ -101,7 +103,7 @@ def _they(stage: Stage, role: Role, subjects: Sequence[Person], excluded: Sequen
     if role == "possessor" and len(subjects) > 1:
         return list(subjects)
     discourse = stage.discourse
-    here = [person for person in stage.on_stage() if person not in excluded]
+    here = [person for person in stage.spoken_of() if person not in excluded]
     bands = [person for person in here if person.count > 1 and person not in subjects]
     last = discourse.last_named
     if bands:
@@ -114,6 +116,7 @@ def _they(stage: Stage, role: Role, subjects: Sequence[Person], excluded: Sequen
         overlaps = role in ("object", "possessor") and shared and len(shared) != len(group)
         if (
             group
+            and stage.roster.narrator not in group
             and discourse.sentence - sentence <= memory
             and not overlaps
             and not set(_ids(group)) & set(_ids(excluded))
@@ -241,8 +244,10 @@ def _resolve_person(stage: Stage, noun: NounPhrase, mention: Mention) -> list[Pe
 
 def _record_indirect(stage: Stage, mention: Mention, people: Sequence[Person], end: int) -> None:
     """Keep who ``the old woman`` is, once."""
-    indirect = mention.kind in ("group", "generic") or (
-        mention.kind == "role" and people and mention.head not in people[0].name.lower().split()
+    indirect = (
+        mention.kind in ("group", "generic")
+        or mention.head in ALONE
+        or (mention.kind == "role" and people and mention.head not in people[0].name.lower().split())
     )
     if people and indirect and not mention.recorded:
         mention.recorded = True
@@ -260,6 +265,12 @@ def resolve_owner(
     if noun.possessor is None:
         return
     word = stage.sentence.words[noun.possessor]
+    if word.low in OWN:
+        owners = own_people(stage, word.low)
+        if owners and noun.possessor not in stage.sentence.pronouns:
+            remember(stage, noun.possessor, Referents(owners))
+        noun.owner = owners[0].id if owners else None
+        return
     if word.mention:
         owners = resolve_mention(stage, word.mention)
         _record_indirect(stage, word.mention, owners, word.end)

@@ -29,7 +29,8 @@ _STAYING = frozenset({"stand", "be", "remain", "stay"})
 _COMING_OUT = frozenset({"back", "crawl", "pull", "step", "burst", "come", "get", "look", "emerge", "climb", "lean"})
 _PICTURE_OF = re.compile(
     r"\b(photo|photograph|picture|portrait|painting|statue|name|letter|news|memory|voice|dream) (of|from)\b"
-    r"|\b(about|without|like|unlike|named|called|calls|misses|remembers|expects|awaits)( the| a)?$"
+    r"|\b(about|without|like|unlike|named|called|calls|misses|remembers|expects|awaits)"
+    r"( the| a| my| his| her| our| their)?$"
     r"|\b(look|search|wait|ask|hop|long|hunt)(s|es|ed|ing|ed)? for( \w+)?( \w+)?$"
 )
 _ABSENT = re.compile(r"\bnowhere\b|\b(is|are|has|have) (gone|vanished)\b")

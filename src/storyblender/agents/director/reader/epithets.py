@@ -20,8 +20,8 @@ def meant_by_epithet(stage: Stage, mention: Mention) -> list[Person]:
     The visitor came last, the host was there first, the companion is not whoever acted last, the latter was named
     last. Who was called so before and is still there is called so again.
     """
-    people = {person.id: person for person in stage.roster.people}
-    here = [people[id] for id in stage.scene.on if people[id].kind == "human" and people[id].count == 1]
+    told = {person.id: person for person in stage.spoken_of()}
+    here = [told[id] for id in stage.scene.on if id in told and told[id].kind == "human" and told[id].count == 1]
     gender = lexicon.gender_of_word(mention.head)
     here = [person for person in here if gender in (person.gender, "unknown") or person.gender == "unknown"]
     called = stage.discourse.epithets.get(mention.head)

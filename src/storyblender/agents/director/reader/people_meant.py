@@ -7,6 +7,7 @@ import re
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.epithets import is_epithet, listeners, meant_by_epithet, nearest_named
 from storyblender.agents.director.reader.look import years
+from storyblender.agents.director.reader.narrator import TOGETHER, own_people
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Mention
 from storyblender.agents.director.reading import Person
@@ -57,24 +58,24 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     if here or (candidates and mention.head not in _GENDERED):
         return [max(here or candidates, key=stage.presence)]
     if mention.head == "couple":
-        return [person for person in stage.on_stage() if {"husband", "wife"} & set(person.aliases)]
+        return [person for person in stage.spoken_of() if {"husband", "wife"} & set(person.aliases)]
     if mention.determiner in lexicon.POSSESSIVES:
         return _kin(stage, mention)
     if mention.determiner not in ("the", "that", "this"):
         return []
     if mention.head in ("animal", "beast", "creature"):
-        return sorted((p for p in stage.on_stage() if is_neuter(p)), key=stage.presence)[-1:]
+        return sorted((p for p in stage.spoken_of() if is_neuter(p)), key=stage.presence)[-1:]
     if mention.head in lexicon.ANIMALS:
         return []
     gender = lexicon.gender_of_word(mention.head)
     young = mention.head in lexicon.YOUNG_NOUNS
     pool = [
         person
-        for person in stage.on_stage()
+        for person in stage.spoken_of()
         if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
     ]
     if not pool:
-        pool = [person for person in stage.on_stage() if fits(person, gender) and person.kind == "human"]
+        pool = [person for person in stage.spoken_of() if fits(person, gender) and person.kind == "human"]
     small, large = set(mention.adjectives) & _SMALL, set(mention.adjectives) & _LARGE
     if small or large:
         pool.sort(key=lambda person: (_is_sized(person, _LARGE if small else _SMALL), -stage.presence(person)[1]))
@@ -98,7 +99,7 @@ def _not_themselves(stage: Stage, mention: Mention, people: list[Person]) -> lis
 def _the_old_one(stage: Stage, mention: Mention) -> list[Person]:
     """``the old man``: whoever was called so, else the oldest of that gender, a father before his son."""
     gender, name = lexicon.gender_of_word(mention.head), f"old {mention.head}"
-    pool = [person for person in stage.on_stage() if fits(person, gender) and person.kind == "human"]
+    pool = [person for person in stage.spoken_of() if fits(person, gender) and person.kind == "human"]
     pool = pool or nearest_named(stage, mention.start, gender)
     called = stage.discourse.epithets.get(name)
     if called in pool:
@@ -122,7 +123,7 @@ def _kin(stage: Stage, mention: Mention) -> list[Person]:
     gender = lexicon.gender_of_word(mention.head)
     pool = [
         person
-        for person in stage.on_stage()
+        for person in stage.spoken_of()
         if person.kind == "human" and person.gender == gender and person.role not in converse and not person.age
     ]
     return [max(pool, key=stage.presence)] if pool else []
@@ -131,7 +132,7 @@ def _kin(stage: Stage, mention: Mention) -> list[Person]:
 def _relative(stage: Stage, mention: Mention) -> list[Person]:
     """``Her father`` where nobody said whose: the oldest man there, for a daughter the youngest woman."""
     gender = lexicon.gender_of_word(mention.head)
-    pool = [p for p in stage.on_stage() if p.kind == "human" and p.count == 1 and p.gender == gender]
+    pool = [p for p in stage.spoken_of() if p.kind == "human" and p.count == 1 and p.gender == gender]
     young = mention.head in lexicon.YOUNGER_KIN
     if young:
         pool = [person for person in pool if not _ELDERS & set(person.aliases)] or pool
@@ -143,6 +144,8 @@ def _group(stage: Stage, mention: Mention) -> list[Person]:
     """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
     if mention.head == "listener":
         return listeners(stage)
+    if mention.head in TOGETHER:
+        return own_people(stage, mention.head)
     numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
     absent = not any(person.id in stage.scene.on for person in numbered)
     if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):
@@ -150,13 +153,13 @@ def _group(stage: Stage, mention: Mention) -> list[Person]:
     gender = lexicon.gender_of_word(mention.head)
     pool = [
         person
-        for person in stage.on_stage()
+        for person in stage.spoken_of()
         if person.role == mention.head
         or (mention.head in _GENDERED and gender != "unknown" and fits(person, gender) and person.kind == "human")
     ]
     pool = [person for person in pool if person.gender == gender or person.role == mention.head] or pool
     if mention.determiner in lexicon.POSSESSIVES and mention.head == "man":
-        pool = [person for person in stage.on_stage() if person.count > 1]
+        pool = [person for person in stage.spoken_of() if person.count > 1]
     pool = pool or [person for person in stage.roster.people if person.role == mention.head]
     if not pool and (mention.head in _PAIRS or mention.number == 2):
         pool = _pair(stage, mention, gender)
@@ -176,7 +179,7 @@ def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
                 return group
     here = [
         person
-        for person in stage.on_stage()
+        for person in stage.spoken_of()
         if fits(person, gender)
         and person.kind == "human"
         and not (young and (re.search(r"[2-9]0s|old", person.age) or years(person) > 30 or _titled(person)))

@@ -10,7 +10,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.morphology import is_person_noun, singular
 
 _DETERMINER = re.compile(
-    r"\b(the|a|an|his|her|their|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE
+    r"\b(the|a|an|his|her|their|my|our|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE
 )
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 

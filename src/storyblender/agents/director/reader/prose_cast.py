@@ -10,8 +10,10 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.epithets import is_epithet
 from storyblender.agents.director.reader.households import Kinship, is_family, link_kin, link_surnames
+from storyblender.agents.director.reader.later_names import name_the_nameless
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
+from storyblender.agents.director.reader.narrator import find_narrator
 from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.prose_names import add_name, names_in
 from storyblender.agents.director.reader.roster import Roster, bare
@@ -72,11 +74,13 @@ def find_prose_cast(script: Manuscript) -> Roster:
     kin = [role for role in roles if role.name and role.phrase.noun in lexicon.KIN]
     kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
     link_kin(roster, kinships, sorted(names))
+    find_narrator(script, roster)
     spoken = spoken_names(script)
     titled = [name for at, name in spoken if any(title_noun(name) == r.phrase.noun and r.at < at for r in roles)]
     for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
         _admit(roster, role, script.text, [(at, name) for at, name in spoken if name not in titled])
     call_by_title(roster, spoken)
+    name_the_nameless(roster, script.text)
     roster.people.sort(key=lambda person: person.first)
     roster.link_variants()
     return roster
@@ -91,7 +95,7 @@ def _only_compared(told: str, phrase: PersonNoun) -> bool:
 def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
     named = _NAMED.match(role.after)
-    apposed = text[max(0, role.at - 2) : role.at] == ", "
+    apposed = _is_apposed(role, text)
     fresh = (
         phrase.noun in _LATER | lexicon.RANKS.keys()
         and phrase.determiner in ("a", "an")
@@ -129,7 +133,7 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
         and re.search(r"\b(?:the|his|her|their) $", text[max(0, role.at - 6) : role.at].lower())
     ):
         return True
-    apposed = text[max(0, role.at - 2) : role.at] == ", "
+    apposed = _is_apposed(role, text)
     if apposed and phrase.determiner == "the" and _names_before(roster, role, text):
         return True
     if phrase.determiner not in ("a", "an") and _goes_by(roster, phrase, text):
@@ -148,6 +152,13 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     if text[max(0, role.at - 3) : role.at].lower() == "as ":
         return True
     return apposed and (phrase.determiner in ("a", "an") or _names_before(roster, role, text))
+
+
+def _is_apposed(role: _Role, text: str) -> bool:
+    """``Prado came in, a fat man``, but not ``and next to him, wrapped in a blanket, a boy``."""
+    sentence = re.split(r"[.!?]", text[max(0, role.at - 90) : role.at])[-1]
+    beside = re.search(r"\band (?:next to|beside|behind|with|between|in front of|on)\b", sentence)
+    return text[max(0, role.at - 2) : role.at] == ", " and beside is None
 
 
 def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:

@@ -7,7 +7,7 @@ import re
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.look import describe
-from storyblender.agents.director.reader.morphology import form_kind, singular
+from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
 
@@ -45,13 +45,20 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
             continue
         if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() :]):
             continue
-        before = text[max(0, match.start() - 6) : match.start()].lower()
-        somewhere = re.search(r"\b(in|at|to|from|of|near)\s$", before)
+        before = text[max(0, match.start() - 8) : match.start()].lower()
         known = first.strip(".") in lexicon.FIRST_NAMES | lexicon.TITLES
-        if somewhere and not known and not _is_apposed_to_somebody(text[match.end() :]):
+        if not known and _is_somewhere(name, before) and not _is_apposed_to_somebody(text[match.end() :]):
             continue
         found.append((start + match.start(), name))
     return found
+
+
+def _is_somewhere(name: str, before: str) -> bool:
+    """``since Tulsa``, ``into the Starlite Motel``, ``Laburnam Villa``: a place, a ship or a car."""
+    if re.search(r"\b(in|at|to|from|of|near|since|into|via|across|outside|inside)\s$", before):
+        return True
+    *_, last = name.lower().split()
+    return (before.endswith("the ") and not is_person_noun(last)) or (" " in name and last in lexicon.PLACES)
 
 
 def _opens_like_a_name(name: str, following: str) -> bool:

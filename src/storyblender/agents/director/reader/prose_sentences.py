@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import QUOTATION, QUOTATION_MARKS, Paragraph
 from storyblender.agents.director.reader.mentions import mark_mentions
 from storyblender.agents.director.reader.morphology import FORMS
+from storyblender.agents.director.reader.narrator import mark_narrator
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.sentences import Sentence, Speech
 from storyblender.agents.director.reader.words import Mention, Word, tokenize
@@ -24,6 +25,7 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
     its place in the script.
     """
     words = mark_mentions(_words_and_quotations(paragraph.raw, paragraph.start), roster)
+    mark_narrator(words, roster.narrator)
     _mark_the_other(words)
     sentences: list[Sentence] = []
     for run in _split(words):

@@ -87,7 +87,10 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
         named = [
             (index, word.mention.candidates[0].id)
             for index, word in enumerate(sentence.words)
-            if word.mention and len(word.mention.candidates) == 1 and word.mention.kind != "group"
+            if word.mention
+            and len(word.mention.candidates) == 1
+            and word.mention.kind != "group"
+            and word.mention.candidates[0] is not roster.narrator
         ]
         if sentence.speech and not prose:
             last = None
@@ -165,7 +168,7 @@ def _open_scene(stage: Stage, sentence: Sentence) -> None:
     before = stage.scene
     stage.scene = SceneState()
     first = [word.low for word in sentence.words[:_CARRIED]]
-    if prose and sentence.scene and any(word in ("they", "he", "she", "it") for word in first):
+    if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
         stage.scene.on = [person for person in before.on if person not in before.leaving]
     stage.discourse.next_scene(keep_groups=prose)
 

@@ -27,10 +27,12 @@ class Roster:
         ids: Asset ids in use, for people and things together.
         by_name: Name, as words -> the people it can mean; filled by ``index``.
         longest: First word of a name -> words in the longest name that starts so.
+        narrator: Who tells a story as ``I``.
     """
 
     def __init__(self) -> None:
         self.people: list[Person] = []
+        self.narrator: Person | None = None
         self.ids: set[str] = set()
         self.by_name: dict[tuple[str, ...], list[Person]] = {}
         self.longest: dict[str, int] = {}

@@ -184,7 +184,7 @@ def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
     """Somebody called by name (``Wake up, Tom``) or by what they are (``Careful, child!``)."""
     for person in here:
         names = {alias.split()[-1] for alias in person.aliases} | {alias.split()[0] for alias in person.aliases}
-        for name in sorted(names - lexicon.TITLES):
+        for name in sorted(names - lexicon.TITLES - {"i"}):
             called = rf"(?:{_TITLED})?{re.escape(name)}"
             if re.search(rf",\s*{called}\s*[.!?,]|^{called}\s*[,!.?]", text, re.IGNORECASE):
                 return person

@@ -16,6 +16,7 @@ _TITLED = rf"(?:(?i:{_TITLES}))\.?(?: [{UPPER}][{LOWER}]+)+"
 _ADDRESSED = re.compile(
     rf"(?:^|, )(?P<called>{_TITLED})(?=\s*(?:[,!?.]|$))"
     rf"|(?P<guessed>{_TITLED})(?=,? I (?:believe|presume|suppose|think))"
+    rf"|(?:I am|I['’]m|[Mm]y name is) (?P<own>{_TITLED})"
 )
 _SOON, _JUST_BEFORE = 800, 200
 """Characters between ``a tall, burly man`` and his name, told after or before."""
@@ -28,10 +29,7 @@ def spoken_names(script: Manuscript) -> list[tuple[int, str]]:
         for quotation in QUOTATION.finditer(paragraph.raw):
             said = quotation.group(0).strip(QUOTATION_MARKS)
             at = paragraph.start + quotation.start() + 1
-            found += [
-                (at + match.start(), match.group("called") or match.group("guessed"))
-                for match in _ADDRESSED.finditer(said)
-            ]
+            found += [(at + match.start(), next(filter(None, match.groups()))) for match in _ADDRESSED.finditer(said)]
     return found
 
 

@@ -129,6 +129,10 @@ class Stage:
         """Everybody on stage, in the order of the cast."""
         return [person for person in self.roster.people if person.id in self.scene.on]
 
+    def spoken_of(self) -> list[Person]:
+        """Everybody on stage whom ``they`` or ``the man`` may mean: not who tells the story."""
+        return [person for person in self.on_stage() if person is not self.roster.narrator]
+
     def person(self, id: str) -> Person | None:
         """The person of an id."""
         return next((person for person in self.roster.people if person.id == id), None)

@@ -203,7 +203,7 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return False
     if _is_inverted(form, following, row):
         return True
-    if left.mention:
+    if left.mention and left.low not in _PLURAL_PRONOUNS:
         return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
     if left.low in ("who", "which", "that") and not third:
         return _goes_on(right) and left.low != "that"
