@@ -16,6 +16,8 @@ from storyblender.catalog.sets.places import find_kit
         ("KITCHEN OF THE RESTAURANT", "indoor", "kitchen"),
         ("RESTAURANT KITCHEN", "indoor", "kitchen"),
         ("CASTLE - THRONE ROOM", "indoor", "great_hall"),
+        ("CASTLE HALL", "indoor", "great_hall"),
+        ("SCHOOL HALL", "indoor", "corridor"),
         ("TOM'S HOUSE - LIVING ROOM", "indoor", "living_room"),
         ("TOM'S HOUSE", "indoor", "room"),
         ("PALACE HOTEL RM 412", "indoor", "lobby"),

@@ -159,3 +159,17 @@ def test_open_land_runs_out_at_its_ends(name: str, plan: SetPlan) -> None:
 @pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
 def test_no_step_is_so_high_that_people_would_stand_in_it(name: str, plan: SetPlan) -> None:
     assert [slab.node_id for slab in plan.slabs if slab.role == "block" and slab.z > 0.1] == []
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+def test_nothing_stands_in_a_wall(name: str, plan: SetPlan) -> None:
+    if not plan.indoor:
+        return
+    inside = Box(0, 0, 0, 2 * plan.size.x, plan.size.y - plan.size.y_negative, 9.0)
+    poking = {}
+    for node, box in boxes(plan):
+        x, y = box.x, box.y - (plan.size.y + plan.size.y_negative) / 2
+        over = max(abs(x) + box.reach((1, 0)) - inside.width / 2, abs(y) + box.reach((0, 1)) - inside.depth / 2)
+        if node.startswith("set_") and over > 0.05 and not (plan.size.y < -plan.size.y_negative and y > 0):
+            poking[node] = round(over, 2)
+    assert not poking

@@ -23,6 +23,8 @@ _CHEAT = math.radians(16)
 """How far a talker turns towards the audience."""
 _ALONE = 1.5
 """Metres between a person and a group they do not belong to."""
+_OPPOSITE, _ACROSS = ("facing", "in_front_of"), 1.6
+"""Relations of who sits opposite somebody, and how many metres ahead of them that is."""
 _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, -20.0)}
 """Degrees around the middle of a group, open to the audience."""
 
@@ -33,9 +35,9 @@ def place_people(stage: Stage) -> None:
     relations = {
         relation.asset_id: relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in states
     }
-    for state in states.values():
+    for state in sorted(states.values(), key=lambda state: state.asset_id in relations):
         if state.posture in ("sit", "lie", "asleep"):
-            _sit(stage, state)
+            _sit(stage, state, relations.get(state.asset_id))
     for state in states.values():
         relation = relations.get(state.asset_id)
         leaned_on = state.support_id if state.posture == "lean" else None
@@ -72,14 +74,20 @@ def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
     return groups + [[member] for member in present if member not in told]
 
 
-def _sit(stage: Stage, state: BodyState) -> None:
-    """Take the free seat of the support nearest to the middle, another near it if that is full; without one, stand."""
+def _sit(stage: Stage, state: BodyState, relation: Relation | None) -> None:
+    """Take the free seat of the support nearest to the middle, another near it if that is full; without one, stand.
+
+    Who sits opposite somebody takes the seat nearest to what that one looks at.
+    """
     kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
     support = stage.find(state.support_id)
     asked = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
     found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
     if not found:
         near = (support.box.x, support.box.y) if support is not None else (0.0, 0.0)
+        other = stage.things.get(relation.anchor_asset_id) if relation is not None else None
+        if other is not None and relation is not None and relation.kind in _OPPOSITE:
+            near = other.box.to_world(0.0, -_ACROSS)
         found = _free_seats(stage, list(stage.things), kinds, near, asked=False)
     if not found:
         return
@@ -129,7 +137,10 @@ def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
 def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | None) -> None:
     """Stand at, behind, before or beside something, on the side that has room; beside it, turned to the audience."""
     kind = relation.kind if relation is not None else "at"
-    places = [box for angle in angles_of(kind, anchor.box) for box in _along_side(stage, asset_id, anchor.box, angle)]
+    angles = angles_of(kind, anchor.box)
+    if kind == "at" and _has_its_own_seat(stage, anchor):
+        angles = [*angles[1:3], angles[0], angles[3]]
+    places = [box for angle in angles for box in _along_side(stage, asset_id, anchor.box, angle)]
     room = stage.clearance(np.array([(box.x, box.y) for box in places]))
     x_min, x_max, y_min, y_max = stage.room
     outside = [not (x_min < box.x < x_max and y_min < box.y < y_max) for box in places]
@@ -143,6 +154,12 @@ def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | N
         box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
     looks = "facing" if kind in ("at", "facing", "in_front_of", "behind") else None
     stage.add(Thing(asset_id, box, anchor=anchor.name, relationship=side, direction=looks, walks=True), asset_id)
+
+
+def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:
+    """Return whether a seat before a thing faces it, as a piano's stool does: who does not play stands at its ends."""
+    seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
+    return any(seat.direction[1] > 0.5 for seat in seats)
 
 
 def _along_side(stage: Stage, asset_id: str, base: Box, angle: float) -> list[Box]:

@@ -40,7 +40,7 @@ _FAMILIES: tuple[frozenset[str], ...] = tuple(
         "desk workbench school_desk",
         "chair office_chair stool rocking_chair deck_chair",
         "armchair rocking_chair",
-        "sofa booth",
+        "sofa booth carriage_seat",
         "bench pew",
         "bed hospital_bed bunk_bed",
         "nightstand side_table",

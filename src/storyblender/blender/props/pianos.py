@@ -6,7 +6,7 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.parts import turned_leg
-from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop, seat
+from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop, seat
 from storyblender.memory.asset_sheet import Anchor
 
 WHITE_KEYS = 52
@@ -64,6 +64,7 @@ def piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
     stool = _stool(b, spec, -d / 2)
     return (
         stool,
+        handle((w / 2 - 0.1, -d / 2 + 0.08, 0.77), name="lid"),
         lean((0, -d / 2, 0.735), w - 0.24, name="keys"),
         lean((w / 2, back - body / 2, h), body, (-1, 0, 0), "end"),
     )
@@ -113,6 +114,7 @@ def grand_piano(b: MeshBuilder, spec: PropSpec) -> Anchors:
     stool = _stool(b, spec, -d * 0.49)
     return (
         stool,
+        handle((w / 2 - 0.1, -d * 0.44, 0.82), name="lid"),
         lean((0, -d * 0.49, 0.745), w - 0.26, name="keys"),
         lean((w / 2, 0.0, rim), d * 0.4, (-1, 0, 0), "bend"),
     )

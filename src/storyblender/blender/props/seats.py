@@ -288,6 +288,22 @@ def booth(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return seats_in_row(spec.entry.seats, w, -d / 2, sit, d - 0.2)
 
 
+@prop("carriage_seat")
+def carriage_seat(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build the upholstered bench of a railway carriage."""
+    (w, d, h), cover, wood = spec.size, spec.material("cover"), spec.material("frame")
+    sit = 0.47
+    b.box(wood, (0, 0.02, 0.17), (w, d - 0.12, 0.34), bevel=0.02)
+    b.cushion(cover, (0, -0.03, sit - 0.08), (w - 0.04, d - 0.06, 0.16), softness=0.2)
+    b.box(wood, (0, d / 2 - 0.025, h / 2), (w, 0.05, h), bevel=0.02)
+    b.cushion(
+        cover, (0, d / 2 - 0.11, (sit + h) / 2), (w - 0.04, 0.15, h - sit - 0.1), softness=0.2, rotation=(-6, 0, 0)
+    )
+    for x in (-1, 1):
+        b.box(wood, (x * (w / 2 - 0.025), -0.01, 0.6), (0.05, d - 0.08, 0.07), bevel=0.02)
+    return seats_in_row(spec.entry.seats, w - 0.1, -d / 2, sit, d - 0.2)
+
+
 @prop("throne")
 def throne(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a state chair with a crested back."""

@@ -121,6 +121,15 @@ SEATS: tuple[PropEntry, ...] = (
     ),
     entry(
         "furniture",
+        "carriage_seat",
+        "train seat, bus seat, compartment seat, back seat",
+        (1.1, 0.6, 1.24),
+        {"cover": "fabric_red", "frame": "wood_dark"},
+        "An upholstered bench for two with arms and a high back.",
+        seats=2,
+    ),
+    entry(
+        "furniture",
         "throne",
         "royal chair, king's chair, ceremonial seat",
         (0.96, 0.86, 1.9),

@@ -41,7 +41,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.seats_around("chair", x - 1.2, -y + 1.15, 0.68, (70, 250), required=False)
     if past:
         room.furnish("barrel", x - 0.5, y - 0.6, required=False)
-        room.against("right", "piano", -y * 0.12 + 0.9, 0.42, required=False)
+        room.against("right", "piano", -y * 0.12 + 0.9, 0.65, required=False)
     else:
         room.on_wall("right", "neon_sign", 1.6, 1.75, off=0.1)
     room.on_wall("left", "picture", -y * 0.1, 1.5)

@@ -39,7 +39,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for at in (-1.2, -0.45, 0.7):
         room.against("left", "bar_stool", at, 2.1, required=False)
 
-    tables = [(x - 1.35, y * 0.16, 110), (0.3, arcade - 0.95, 90), (x - 1.35, -y * 0.5, 70), (-x * 0.12, -y + 1.5, 80)]
+    tables = [
+        (x - 1.35, -y * 0.04, 110),
+        (0.3, arcade - 0.95, 90),
+        (x - 1.35, -y * 0.55, 70),
+        (-x * 0.12, -y + 1.5, 80),
+    ]
     if x > 5.4:
         tables.append((x - 3.2, -y + 1.4, 20))
     for index, (tx, ty, yaw) in enumerate(tables):
@@ -52,20 +57,19 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.mark("table", tables[0][0] - 0.9, tables[0][1] - 0.5, 45, "table")
 
     if not modern:
-        room.against("right", "piano", y - 3.1, 0.42, required=False)
-        room.against("right", "stool", y - 3.1, 1.05, required=False)
+        room.against("right", "piano", y - 3.2, 0.65, required=False)
     room.furnish("potted_plant", x - 0.5, y - 0.5, required=False)
     room.furnish("potted_plant", -x + 0.45, arcade - 0.45, required=False)
     room.against("front", "hat_stand", x * 0.25, 0.4, required=False)
     room.on_wall("back", "picture", -0.1, 1.5)
-    room.on_wall("right", "picture", -y * 0.05, 1.55)
+    room.on_wall("right", "picture", -y * 0.02, 1.55)
     lamp = "lantern" if params.period == "past" else "pendant_lamp"
     for px, py in (
         (-x + 1.6, -1.3),
         (-x + 1.6, 0.9),
         (0, -0.2),
-        (x - 1.35, -y * 0.5),
-        (x - 1.35, y * 0.2),
+        (x - 1.35, -y * 0.55),
+        (x - 1.35, y * 0.02),
         (0, -y + 1.4),
     ):
         room.hang(lamp, px, py)

@@ -32,16 +32,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for bay in range(bays):
         px = -x + 2 * x * (bay + 0.5) / bays
         for side in (-1, 1):
-            room.piece(
-                "bench_seat",
-                px + side * 0.55,
-                y - 0.62,
-                0,
-                -90.0 * side,
-                footprint=(1.1, 0.55),
-                width=1.1,
-                color="#33506b" if modern else "#6b1d1d",
-            )
+            cloth = "#33506b" if modern else "#6b1d1d"
+            room.furnish("carriage_seat", px + side * 0.6, y - 0.62, yaw=-90.0 * side, color=cloth)
         room.mark(f"seat_{bay + 1}", px, y - 1.3, 0, "table", "seat")
     room.piece("luggage_rack", 0, y - 0.25, 1.95, length=2 * x - 0.3)
     for index in range(bays):

@@ -33,7 +33,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("office_chair", 0.0, y - 1.5)
     for side in (-1, 1):
         for index, (at, turn) in enumerate(((y * 0.42, 60), (-y * 0.02, 90))):
-            px = side * (x - 0.62 - 0.16 * index)
+            px = side * (x - 0.84 + 0.28 * index)
             room.furnish("control_console", px, at, yaw=-side * turn, required=index == 0)
             angle = math.radians(turn)
             seat_x, seat_y = px - side * 0.95 * math.sin(angle), at - 0.95 * math.cos(angle)

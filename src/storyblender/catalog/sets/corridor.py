@@ -42,7 +42,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                 size=0.5,
             )
     room.against("left", "bench", -y + params.depth / count, 0.32, required=False)
-    room.furnish("potted_plant", room.half_x - 0.32, y - 0.35, required=False)
+    room.furnish("potted_plant", room.half_x - 0.42, y - 0.42, required=False)
     room.on_wall("right", "picture", -y + params.depth * 0.5 / count - 0.6, 1.5)
     room.mark("far_end", 0, y - 0.9, 0, "enter", "exit", "back")
     room.mark("near_end", 0, -y + 0.9, 180, "enter", "exit", "front")

@@ -58,7 +58,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.furnish("barrel", -x + 0.55, y - 1.9 - 0.72 * index, required=False)
     room.furnish("crate", x - 0.8, y - 2.0, yaw=12, required=False, width=0.95, depth=0.95, height=0.95)
     room.furnish("crate", x - 0.85, y - 3.1, yaw=-8, required=False, width=0.8, depth=0.8, height=0.8)
-    room.furnish("cart" if past else "barrel", x - 1.3, -y + 0.9, required=False)
+    room.furnish("cart" if past else "barrel", x - 1.3, -y + (1.6 if past else 0.9), required=False)
     room.furnish("crate", -x + 0.9, -y + 0.9, yaw=20, required=False, width=0.9, depth=0.9, height=0.9)
     room.mark("stack", -x * 0.4, y - 1.7, 0, "table", "crates")
     if not past:

@@ -17,6 +17,7 @@ from storyblender.memory.shot_context import BodyState, CameraInstruction, Chara
 SEAT = Anchor(kind="seat", location=(0, -0.24, 0.46), size=(0.46, 0.45))
 DESK = Anchor(kind="top", location=(0, -0.05, 0.76), size=(1.2, 0.4))
 EDGE = Anchor(kind="top", location=(0, 0.22, 1.65), size=(0.8, 0.04))
+STOOL = Anchor(kind="seat", location=(0, -0.27, 0.49), direction=(0, 1, 0), size=(0.58, 0.34))
 BENCH = tuple(
     Anchor(kind="seat", name=f"seat_{x}", location=(x, -0.21, 0.46), size=(0.5, 0.42)) for x in (-0.5, 0.0, 0.5)
 )
@@ -48,6 +49,7 @@ MEASURES = {
         measure("bar", 2.4, 0.6, 1.1),
         measure("bin", 0.5, 0.5, 0.8, anchors=(Anchor(kind="top", location=(0, 0, 0.77), size=(0.3, 0.15)),)),
         measure("stick", 0.1, 0.03, 0.9),
+        measure("piano", 1.5, 1.26, 1.26, anchors=(STOOL,)),
         measure("suitcase", 0.68, 0.22, 0.5),
         measure("bench", 1.5, 0.42, 0.46, anchors=BENCH),
     )
@@ -272,3 +274,21 @@ def test_who_finds_a_bench_full_takes_the_nearest_other_seat() -> None:
     sitters = [BodyState(asset_id=name, posture="sit", support_id="bench") for name in ("ana", "ben", "cal", "dee")]
     at = solved(brief(people=sitters, dressed=(*chairs, bench)))
     assert [at[name].anchor_asset_id for name in ("ana", "ben", "cal", "dee")] == ["bench"] * 3 + ["chair_1"]
+
+
+def test_who_does_not_play_the_piano_stands_at_its_end_and_not_behind_its_stool() -> None:
+    at = solved(brief(["piano"], [("ana", "at", "piano")], ["ana"]))
+    x, y = (a - b for a, b in zip(at["ana"].location[:2], at["piano"].location[:2], strict=True))
+    ahead = forward(at["piano"])
+    across = abs(x * ahead[1] - y * ahead[0])
+    assert across > 0.75 + 0.2, "beside it, within reach of the lid"
+
+
+def test_who_sits_opposite_somebody_takes_the_seat_they_look_at() -> None:
+    facing_each_other = (
+        LayoutObject(node_id="bench_1", asset_id="bench", location=(-0.9, 0, 0), rotation=(0, 0, 90), fixed=True),
+        LayoutObject(node_id="bench_2", asset_id="bench", location=(0.9, 0, 0), rotation=(0, 0, -90), fixed=True),
+    )
+    people = [BodyState(asset_id="ben", posture="sit"), BodyState(asset_id="ana", posture="sit")]
+    at = solved(brief(relations=[("ben", "facing", "ana")], people=people, dressed=facing_each_other))
+    assert {at["ana"].anchor_asset_id, at["ben"].anchor_asset_id} == {"bench_1", "bench_2"}

@@ -123,18 +123,6 @@ def banner(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(gold, (0, -0.062, -length * 0.38), (width * 0.28, 0.012, width * 0.09))
 
 
-@piece("bench_seat")
-def bench_seat(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the upholstered bench of a carriage, facing -Y. Parameters: width, color."""
-    width, cloth, frame = spec.number("width", 1.1), spec.paint("color", "#6b1d1d"), finish("wood_dark")
-    builder.cushion(cloth, (0, -0.02, 0.4), (width - 0.04, 0.52, 0.16), softness=0.2)
-    builder.cushion(cloth, (0, 0.2, 0.78), (width - 0.04, 0.16, 0.7), softness=0.2, rotation=(-8, 0, 0))
-    builder.box(frame, (0, 0.02, 0.17), (width, 0.44, 0.34), bevel=0.02)
-    builder.box(frame, (0, 0.28, 0.62), (width, 0.05, 1.24), bevel=0.02)
-    for x in (-width / 2, width / 2):
-        builder.box(frame, (x, -0.02, 0.58), (0.05, 0.5, 0.07), bevel=0.02)
-
-
 @piece("luggage_rack")
 def luggage_rack(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a rack along x on a wall at y = 0. Parameters: length."""
