@@ -22,6 +22,8 @@ from storyblender.memory.graph import SCHEMA_VERSION, ContinuityMemoryGraph
 from storyblender.memory.history import Commit, apply, changes_between
 from storyblender.trace import Event
 
+_RESTORE = "restore it from a copy, or delete the folder and make it again"
+
 UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}
 """From schema version n to n + 1; kept forever, so that every saved project opens."""
 
@@ -39,9 +41,8 @@ class Project:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder.resolve()
-        if self.folder.exists() and not self.folder.is_dir():
-            raise InputError("is a file, not a project folder", mend="give another --out", path=folder)
         try:
+            self._refuse_foreign()
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise InputError(
@@ -52,7 +53,11 @@ class Project:
             self._lock.acquire()
         except Timeout as error:
             raise ProjectLocked(f"{folder}: another run is writing here; wait for it or give another --out") from error
-        self.graph, self.revision = self._load()
+        try:
+            self.graph, self.revision = self._load()
+        except InputError:
+            self._lock.release()
+            raise
 
     def __enter__(self) -> Project:
         return self
@@ -84,8 +89,7 @@ class Project:
         self._forget_undone()
         commit = Commit(revision=self.revision + 1, author=author, reason=reason, changes=changes)
         write_atomic(self._commit_path(commit.revision), commit.model_dump_json())
-        self._move_head(commit.revision)
-        self.graph = graph
+        self._move_head(commit.revision, graph)
         return commit
 
     def undo(self) -> Commit | None:
@@ -93,8 +97,7 @@ class Project:
         if self.revision == 0:
             return None
         commit = self._read_commit(self.revision)
-        self.graph = apply(self.graph, commit, backwards=True)
-        self._move_head(self.revision - 1)
+        self._move_head(self.revision - 1, apply(self.graph, commit, backwards=True))
         return commit
 
     def redo(self) -> Commit | None:
@@ -102,8 +105,7 @@ class Project:
         commit = self.next_commit()
         if commit is None:
             return None
-        self.graph = apply(self.graph, commit)
-        self._move_head(commit.revision)
+        self._move_head(commit.revision, apply(self.graph, commit))
         return commit
 
     def next_commit(self) -> Commit | None:
@@ -125,16 +127,21 @@ class Project:
         with self.path("trace.jsonl").open("a", encoding="utf-8") as file:
             file.write(event.model_dump_json(exclude_defaults=True) + "\n")
 
+    def _refuse_foreign(self) -> None:
+        """Refuse a file, and a folder of something else, before a lock is put there."""
+        if not self.folder.exists():
+            return
+        if not self.folder.is_dir():
+            raise InputError("is a file, not a project folder", mend="give another --out", path=self.folder)
+        ours = any((self.folder / name).exists() for name in ("graph.json", "history"))
+        if not ours and any(item.name != ".lock" for item in self.folder.iterdir()):
+            raise InputError("is not empty and not a project", mend="give another --out", path=self.folder)
+
     def _load(self) -> tuple[ContinuityMemoryGraph, int]:
         path = self.folder / "graph.json"
         graph, revision = ContinuityMemoryGraph(), 0
         if path.exists():
             graph, revision = _read_graph(path)
-        elif any(self.folder.iterdir()) and not (self.folder / "history").exists():
-            others = [item.name for item in self.folder.iterdir() if item.name != ".lock"]
-            if others:
-                self._lock.release()
-                raise InputError("is not empty and not a project", mend="give another --out", path=self.folder)
         (self.folder / "history").mkdir(exist_ok=True)  # from here on a project, even if killed before its first commit
         head = self._head()
         while revision < head:
@@ -156,11 +163,14 @@ class Project:
 
     def _head(self) -> int:
         path = self.folder / "history" / "HEAD"
-        return int(path.read_text()) if path.exists() else 0
+        try:
+            return int(path.read_bytes()) if path.exists() else 0
+        except ValueError as error:
+            raise InputError("the history is damaged here", mend=_RESTORE, path=path) from error
 
-    def _move_head(self, revision: int) -> None:
+    def _move_head(self, revision: int, graph: ContinuityMemoryGraph) -> None:
         write_atomic(self.path("history", "HEAD"), str(revision))
-        self.revision = revision
+        self.graph, self.revision = graph, revision  # at once: a run that is stopped here writes its checkpoint
 
     def _commit_path(self, revision: int) -> Path:
         return self.path("history", f"{revision:06d}.json")
@@ -170,16 +180,19 @@ class Project:
         try:
             return Commit.model_validate_json(path.read_bytes())
         except (OSError, ValidationError) as error:
-            raise InputError("the history is damaged here", mend="restore it from a copy", path=path) from error
+            raise InputError("the history is damaged here", mend=_RESTORE, path=path) from error
 
 
 def read_project_graph(folder: Path) -> ContinuityMemoryGraph:
     """Read the graph of a project without locking it, for tools that only look.
 
     Raises:
-        InputError: There is no project in the folder.
+        InputError: There is no project in the folder, or one that was killed before it was made.
     """
     path = folder / "graph.json"
+    if not path.is_file() and (folder / "history").is_dir():
+        mend = "run the same `storyblender make` again: it goes on where it was stopped"
+        raise InputError("was stopped before it was made", mend=mend, path=folder)
     if not path.is_file():
         raise InputError("is not a StoryBlender project", mend="make one with `storyblender make SCRIPT`", path=folder)
     return _read_graph(path)[0]
@@ -189,11 +202,15 @@ def write_atomic(path: Path, content: str | bytes) -> None:
     """Write a file whole or not at all: a temporary neighbour is flushed, then renamed over it."""
     temporary = path.with_name(f".{path.name}.part")
     data = content.encode() if isinstance(content, str) else content
-    with temporary.open("wb") as file:
-        file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
-    temporary.replace(path)
+    try:
+        with temporary.open("wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        temporary.replace(path)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise
 
 
 def _read_graph(path: Path) -> tuple[ContinuityMemoryGraph, int]:
@@ -208,6 +225,4 @@ def _read_graph(path: Path) -> tuple[ContinuityMemoryGraph, int]:
             version += 1
         return ContinuityMemoryGraph.model_validate(body), revision
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise InputError(
-            "cannot be read as a project graph", mend="restore it, or delete the folder and make it again", path=path
-        ) from error
+        raise InputError("cannot be read as a project graph", mend=_RESTORE, path=path) from error

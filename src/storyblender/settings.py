@@ -9,14 +9,22 @@ import json
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError
+from pydantic_core import ErrorDetails
 
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import Look
 
+Role = Literal[
+    "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser", "spatial_planner", "animator",
+    "lighting_arranger",
+]  # fmt: skip
+"""Who reflects as it is told here."""
+Lens = Annotated[float, Field(ge=4, le=1200)]
+"""mm."""
 REMEMBERED = "settings.json"
 """In the project folder."""
 
@@ -33,7 +41,7 @@ class Settings(Frozen):
     fps: int = Field(default=24, ge=6, le=120)
     sensor_width: float = Field(default=36.0, ge=4, le=70)
     """mm."""
-    lens_kit: tuple[float, ...] = ()
+    lens_kit: tuple[Lens, ...] = ()
     """Lenses at hand, mm; empty allows any. A shot takes the nearest."""
     seed: int = Field(default=0, ge=0)
     shots_per_scene: int = Field(default=4, ge=1, le=60)
@@ -47,9 +55,9 @@ class Settings(Frozen):
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Path | None = None
     """A folder of the user's own .glb and .blend files, searched before the built-in library."""
-    thresholds: dict[str, float] = {}
+    thresholds: dict[Role, Annotated[float, Field(ge=0, le=10)]] = {}
     """tau by role; the paper's 8 where not given."""
-    horizons: dict[str, int] = {}
+    horizons: dict[Role, Annotated[int, Field(ge=1, le=100)]] = {}
     """T_max by role."""
 
     @classmethod
@@ -64,18 +72,29 @@ class Settings(Frozen):
         Raises:
             InputError: A setting is unknown or out of range.
         """
-        values: dict[str, Any] = {}
+        path, values = None, {}
         if script is not None:
-            values = _read(script.parent / "storyblender.toml", tomllib.loads)
+            path = script.parent / "storyblender.toml"
+            values = _read(path, tomllib.loads)
         elif project is not None:
-            values = _read(project / REMEMBERED, json.loads)
-        values |= {key: value for key, value in overrides.items() if value is not None}
+            path = project / REMEMBERED
+            values = _read(path, json.loads)
+        given = {key: value for key, value in overrides.items() if value is not None}
         try:
-            return cls.model_validate(values)
+            return cls.model_validate(values | given)
         except ValidationError as error:
             first = error.errors()[0]
-            name = ".".join(str(part) for part in first["loc"])
-            raise InputError(f"setting {name!r}: {first['msg']}", mend="see `storyblender make --help`") from error
+            raise cls._refusal(first, path=None if first["loc"][0] in given else path) from error
+
+    @classmethod
+    def _refusal(cls, fault: ErrorDetails, path: Path | None) -> InputError:
+        """Say what is wrong with a setting, and in which file if it is from one."""
+        name = ".".join(str(part) for part in fault["loc"] if part != "[key]")
+        if fault["type"] == "extra_forbidden":
+            known = ", ".join(cls.model_fields)
+            return InputError(f"there is no setting {name!r}", mend=f"it is one of {known}", path=path)
+        mend = fault["msg"].replace("Input should", "it should")
+        return InputError(f"setting {name!r} cannot be {fault['input']!r}", mend=mend, path=path)
 
     def remembered(self) -> str:
         """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine."""
@@ -87,6 +106,9 @@ def _read(path: Path, parse: Callable[[str], dict[str, Any]]) -> dict[str, Any]:
     if not path.is_file():
         return {}
     try:
-        return parse(path.read_text(encoding="utf-8"))
+        values = parse(path.read_text(encoding="utf-8"))
+        if not isinstance(values, dict):
+            raise ValueError("it is a list of names and values")
+        return values
     except ValueError as error:
         raise InputError(f"cannot be read as settings ({error})", mend="mend or delete it", path=path) from error

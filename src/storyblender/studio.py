@@ -162,11 +162,14 @@ class Studio:
         """Inspect a finished project: layout, framing, continuity, collisions, people in frame.
 
         Raises:
-            InputError: No such project, or one that is only planned.
+            InputError: No such project, one that is only planned, or one that was stopped before its cameras were set.
         """
         read_project_graph(folder)
         with self._open(None, folder) as run:
             _refuse_unmade(run)
+            if any(shot.camera is None for shot in run.graph.shots):
+                mend = "run `storyblender render` first: it goes on where it was stopped"
+                raise InputError("has shots without a camera yet", mend=mend, path=run.project.folder)
             pack_scenes(run)
             return inspect(run.graph, run.engine, list(run.packs.values()))
 

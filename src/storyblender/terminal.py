@@ -116,13 +116,15 @@ class Terminal:
         if self._json:
             self._write({"graph": graph.model_dump(mode="json")})
         self._progress.stop()
-        cast = [asset.name or asset.asset_id for asset in graph.assets if asset.asset_type == "character"]
-        self._results.print(f"[bold]Cast[/] {escape(', '.join(cast))}")
+        names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
+        cast = [names[asset.asset_id] for asset in graph.assets if asset.asset_type == "character"]
+        self._results.print(f"[bold]Cast[/] {escape(', '.join(cast) or 'nobody')}")
         table = Table("scene", "shots", "heading", "on stage", box=None)
         for scene in graph.outline:
             shots = graph.shots_of(scene.scene_id)
-            people = dict.fromkeys(person for shot in shots for person in shot.on_stage)
-            table.add_row(str(scene.scene_id), str(len(shots)), escape(scene.heading), escape(", ".join(people)))
+            people = dict.fromkeys(names[person] for shot in shots for person in shot.on_stage)
+            heading = scene.heading or scene.scene_description
+            table.add_row(str(scene.scene_id), str(len(shots)), escape(heading), escape(", ".join(people)))
         self._results.print(table)
 
     def check(self, report: Inspection) -> None:
@@ -167,7 +169,9 @@ class Terminal:
             self._results.print(table)
 
     def error(self, message: str) -> None:
-        """Print an error to standard error."""
+        """Print an error to standard error; as JSON to standard output too, where a machine listens."""
+        if self._json:
+            self._write({"error": message})
         Console(stderr=True, highlight=False).print(f"[red]storyblender:[/] {escape(message)}", soft_wrap=True)
 
     def _advance(self, event: Event) -> None:

@@ -38,3 +38,20 @@ def test_a_project_remembers_its_settings(tmp_path: Path) -> None:
     assert again == Settings(look="pencil", lens_kit=(35.0, 75.0), animatic=False)
     assert Settings.load(project=tmp_path, look="fast").look == "fast"
     assert Settings.load(project=tmp_path / "older") == Settings()
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("lens_kit = [35, -3]", r"storyblender.toml: setting 'lens_kit.1' cannot be -3; it should be greater"),
+        ("[thresholds]\nbaker = 3", r"'thresholds.baker' cannot be 'baker'; it should be 'asset_retriever'"),
+        ("[horizons]\nanimator = 0", r"'horizons.animator' cannot be 0"),
+        ("colour = 1", r"storyblender.toml: there is no setting 'colour'; it is one of look, "),
+    ],
+)
+def test_an_error_names_the_file_and_what_may_stand_there(tmp_path: Path, text: str, says: str) -> None:
+    (tmp_path / "storyblender.toml").write_text(text)
+    with pytest.raises(InputError, match=says):
+        Settings.load(tmp_path / "a.fountain")
+    with pytest.raises(InputError, match=r"^setting 'fps' cannot be 0"):
+        Settings.load(tmp_path / "b" / "a.fountain", fps=0)

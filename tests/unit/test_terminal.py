@@ -8,7 +8,11 @@ from pathlib import Path
 import pytest
 
 from storyblender.inspection import CheckRow, Inspection
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
+from storyblender.memory.outline import SceneOutline, ShotOutline
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.terminal import Terminal
 from storyblender.trace import Event
 
@@ -55,3 +59,22 @@ def test_quiet_and_json_show_no_table(capsys: pytest.CaptureFixture[str], quiet:
 def test_errors_are_said_even_when_quiet(capsys: pytest.CaptureFixture[str]) -> None:
     Terminal(quiet=True, json_lines=False).error("no such [b]script[/b]")
     assert capsys.readouterr().err == "storyblender: no such [b]script[/b]\n"
+
+
+def test_a_plan_names_people_as_the_script_does(capsys: pytest.CaptureFixture[str]) -> None:
+    ivan = Asset(asset_id="asset_2", name="Иван", asset_type="character", description="A man.")
+    shot = ShotContext(scene_id=1, shot_id=1, on_stage=("asset_2",), camera_instruction=CameraInstruction())
+    scene = SceneOutline(
+        scene_id=1, scene_description="A station", shots=(ShotOutline(shot_id=1, shot_description=""),)
+    )
+    terminal = Terminal(quiet=False, json_lines=False)
+    terminal.plan(ContinuityMemoryGraph(outline=(scene,), assets=(ivan,), shots=(shot,)))
+    terminal.plan(ContinuityMemoryGraph())
+    out = capsys.readouterr().out
+    assert "Cast Иван" in out and "A station  Иван" in out and "asset_2" not in out and "Cast nobody" in out
+
+
+def test_an_error_is_json_too_where_a_machine_listens(capsys: pytest.CaptureFixture[str]) -> None:
+    Terminal(quiet=False, json_lines=True).error("no such script")
+    out, err = capsys.readouterr()
+    assert json.loads(out) == {"error": "no such script"} and "no such script" in err

@@ -12,6 +12,8 @@ UPPER = "A-Z" + "".join(letter for letter in _LATIN if letter.isupper())
 LOWER = "a-zʿʾʻ" + "".join(letter for letter in _LATIN if letter.islower())
 """Latin small letters of all languages, and the marks that transcribe Arabic."""
 
+LONGEST = 48
+"""Characters of an id before its number; a name of the graph has 64 at most."""
 _NO_DECOMPOSITION = str.maketrans({"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "ł": "l", "đ": "d", "ð": "d", "þ": "th"})
 
 
@@ -37,6 +39,7 @@ def asset_id(name: str, taken: Container[str] = ()) -> str:
     base = "_".join(words) or "asset"
     if base[0].isdigit():
         base = f"asset_{base}"
+    base = base[:LONGEST].rstrip("_")
     candidate, count = base, 1
     while candidate in taken:
         count += 1
