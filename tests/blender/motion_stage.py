@@ -18,9 +18,10 @@ from storyblender.memory.vocabulary import Posture
 FPS = 24
 
 
-def build_bodies() -> dict[str, Body]:
-    """A man and a girl."""
-    looks = {"man": CharacterLook(age=40, gender="male"), "girl": CharacterLook(age=8, gender="female")}
+def build_bodies(*who: str) -> dict[str, Body]:
+    """A man and a girl, or who is asked for of man, woman and girl."""
+    cast = {"man": (40, "male"), "woman": (28, "female"), "girl": (8, "female")}
+    looks = {name: CharacterLook(age=cast[name][0], gender=cast[name][1]) for name in who or ("man", "girl")}
     return {name: build_person(name, look, 1).body for name, look in looks.items()}
 
 

@@ -112,7 +112,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("clap", "clap", ("applaud",), 2.5, ("clap",), stretches=True, before=AWAKE, hands=2),
         Motion("pray", "pray", (), 3.0, ("pray",), stretches=True, hands=2),
         Motion("bow", "bow", ("curtsy",), 1.9, ("bow",), before=UPRIGHT),
-        Motion("dance", "dance", ("waltz",), 4.0, ("dance",), None, True, UPRIGHT, hands=2),
+        Motion("dance", "dance", ("waltz",), 4.0, ("dance",), None, True, UPRIGHT, distance=0.5, hands=2),
         # props
         Motion("hold", "hold", ("grip", "carry"), 0.5, ("hold", "carry"), stretches=True, hands=1),
         Motion("pick_up", "pick up", ("lift", "grab"), 2.0, ("pick_up",), reach="thing", distance=0.5, hands=1),

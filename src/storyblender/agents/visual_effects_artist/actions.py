@@ -10,9 +10,9 @@ from storyblender.agents.visual_effects_artist.crossings import across, is_vesse
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, CueSheet
 from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
 from storyblender.agents.visual_effects_artist.handling import Handling
+from storyblender.agents.visual_effects_artist.meetings import Meetings
 from storyblender.agents.visual_effects_artist.person import SEATED, Person, turn_between
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
-from storyblender.geometry.paths import Vec2
 from storyblender.memory.shot_context import CharacterAction
 from storyblender.memory.vocabulary import Posture
 
@@ -20,14 +20,8 @@ WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "
 """What is done with somebody instead of something."""
 LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
-TOGETHER = frozenset({"hug", "kiss"})
-LOW = frozenset({"kneel", "crouch"})
-BY_KNEES = 1.1
-"""Metres from which who kneels reaches somebody without getting up."""
-IN_ARMS = 0.08
-"""Metres more than an embrace's distance that are not walked."""
-BEFORE_SITTER = 0.68
-"""Metres from a seat's edge to who bends to the one who sits there."""
+WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
+"""What is done with somebody where somebody is named."""
 
 
 class Actions:
@@ -39,7 +33,8 @@ class Actions:
     """
 
     def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet, self.hands = company, sheet, Handling(company, sheet)
+        self.company, self.sheet = company, sheet
+        self.hands, self.meetings = Handling(company, sheet), Meetings(company, sheet)
 
     def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""
@@ -61,12 +56,14 @@ class Actions:
         if motion.key == "put_down" and partner is not None and prop is None:
             return  # who was lifted has been put down
         motion = self._meant(action, motion, person, partner if prop is None else None)
+        if self.meetings.already(motion, person, partner):
+            return
         if motion.speed is not None:
             self._travel(action, motion, person, partner, later)
         elif motion.key in ("sit", "lie_down", "lean", "kneel", "crouch", "hide", "fall", "rise", "sleep"):
             self._pose(action, motion, person, partner)
-        elif partner is not None and (motion.reach == "person" or motion.key in ("take", "catch", "push")):
-            self._meet(action, motion, person, partner, prop)
+        elif partner is not None and (motion.reach == "person" or motion.key in WITH_PARTNER):
+            self.meetings.meet(action, motion, person, partner, prop, later)
         elif prop is not None and motion.hands:
             self._use(action, motion, person, prop, later)
         elif motion.reach == "thing" or motion.key == "jump":
@@ -222,76 +219,15 @@ class Actions:
             end = self.sheet.cue(person, "sleep", end, length)
         self.sheet.done(person, start, end)
 
-    def _meet(self, action: CharacterAction, motion: Motion, person: Person, partner: Person, prop: str | None) -> None:
-        """Go to somebody and do something together."""
-        start = t = self.sheet.start_of(person)
-        giving = motion.key == "give"
-        if giving and prop is not None and not person.hand_of(prop):
-            self.sheet.found_in_hand(person, prop)
-        distance = motion.distance * 0.5 * (person.k + partner.k)
-        if partner.posture in SEATED:
-            distance = max(distance, 0.68)
-        gap = math.dist(person.place, partner.place)
-        near = IN_ARMS if motion.key in TOGETHER else 0.3
-        low = person.posture in SEATED or (person.posture in LOW and gap < BY_KNEES)
-        if not low and (gap > distance + near or gap < distance - 0.3):
-            spot, _ = self.sheet.beside(person, partner, distance)
-            toward = partner.place
-            if motion.key in TOGETHER and partner.posture == "sit":
-                spot = self._before(partner, person) or spot
-            elif partner.posture in ("lie", "asleep") and partner.support is None:
-                spot, toward = self._beside_breast(partner, person)
-            t = self.sheet.go(person, spot, facing(spot, toward), t, then=natural_seconds(motion))
-        if partner.posture in ("lie", "asleep") and partner.support is None and person.upright:
-            t = self.sheet.cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
-            person.posture = "kneel"
-        t = self._face_each_other(person, partner, max(t, partner.busy))
-        length = natural_seconds(motion)
-        hand = person.hand_of(prop) if prop else None
-        end = self.sheet.cue(
-            person, motion.key, t, length, target_id=partner.asset_id, prop_id=prop, hand=hand, mood=action.mood
-        )
-        if prop is not None and giving:
-            self.company.hand_over(partner, prop)
-        elif prop is not None and motion.key == "take":
-            self.company.hand_over(person, prop)
-        partner.busy = max(partner.busy, end)
-        self.sheet.done(person, start, end, holds=True)
-
-    def _beside_breast(self, partner: Person, person: Person) -> tuple[Vec2, Vec2]:
-        """Return where one kneels beside somebody who lies on the floor, feet where they stood, and their breast."""
-        ahead, right = (math.sin(partner.yaw), -math.cos(partner.yaw)), (math.cos(partner.yaw), math.sin(partner.yaw))
-        x, y = (v - 0.75 * partner.k * a for v, a in zip(partner.place, ahead, strict=True))
-        sides = [(x + way * 0.6 * right[0], y + way * 0.6 * right[1]) for way in (1, -1)]
-        room = self.company.floor.room_at
-        spot = max(sides, key=lambda side: 4 * min(0.3, room(side)) - math.dist(side, person.place))
-        return spot, (x, y)
-
     def _use(
         self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
     ) -> None:
         """Do something with a prop; what somebody else holds is taken from them."""
         holder = self.company.holder(prop)
         if motion.key in ("take", "catch") and holder is not None and holder is not person and holder.present:
-            self._meet(action, motion, person, holder, prop)
+            self.meetings.meet(action, motion, person, holder, prop, later)
         else:
             self.hands.handle(action, motion, person, prop, later)
-
-    def _face_each_other(self, person: Person, partner: Person, t: float) -> float:
-        """Turn two towards each other, at the same time; return when both have."""
-        ends = [t]
-        for one, other in ((person, partner), (partner, person)):
-            if one.upright and other.posture not in ("lie", "asleep"):
-                yaw = facing(one.place, other.place)
-                ends.append(self.sheet.face(one, yaw, t))
-                one.yaw, one.acted = yaw, True
-        return max(ends)
-
-    def _before(self, partner: Person, person: Person) -> Vec2 | None:
-        """Return the place in front of somebody who sits, if there is room."""
-        x, y = partner.place
-        spot = (x + BEFORE_SITTER * math.sin(partner.yaw), y - BEFORE_SITTER * math.cos(partner.yaw))
-        return spot if self.company.floor.room_at(spot) > 0.8 * BODY * person.k else None
 
     def _at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
         """Go to a door, a window, a table and work there."""

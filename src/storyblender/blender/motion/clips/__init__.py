@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from storyblender.blender.motion.clips import (
     arms,
+    dancing,
+    embraces,
     floor,
     gaze,
     gesture,
@@ -23,6 +25,8 @@ from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
 
 FAMILIES = (
     arms,
+    dancing,
+    embraces,
     floor,
     gaze,
     gesture,

@@ -1,16 +1,13 @@
-"""Signs made with arms and trunk: pointing, waving, shrugging, saluting, clapping, praying, bowing, dancing."""
+"""Signs made with arms and trunk: pointing, waving, shrugging, saluting, clapping, praying, bowing."""
 
 from __future__ import annotations
 
-import math
-
 from mathutils import Vector
 
-from storyblender.blender.motion.channel import Channel, Floats
+from storyblender.blender.motion.channel import Floats
 from storyblender.blender.motion.clips.gaze import look_at_subject, mood
-from storyblender.blender.motion.clips.locomotion import step_to
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import blend_hands, by_chest, by_head, hand
+from storyblender.blender.motion.hands import by_chest, by_head, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, UP, sign
 from storyblender.blender.motion.stage import Beat, Stage
@@ -157,44 +154,6 @@ def bow(stage: Stage, who: Performer, beat: Beat) -> float:
     who.spine.set(t + 1.1, 0.8, (0, 0, 0))
     who.nod.set(t + 1.1, 0.7, (0, 0, 0))
     return t + 1.9
-
-
-@clip("dance", "body", "hands")
-def dance(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Step from side to side in rhythm, arms swinging."""
-    t, k = beat.start, who.m.k
-    end = t + max(2.0, beat.duration or 4.0)
-    x, y = who.position
-    right = Vector((math.cos(who.yaw), math.sin(who.yaw)))
-    way, pulse = 1, 0.52
-    mood(who, t, "happy")
-    for side in SIDES:
-        who.hands[side].set(t, 0.5, _swing(who, side, t, pulse))
-    while t < end - 2 * pulse:
-        shift = right * (0.10 * k * way)
-        side = "L" if way > 0 else "R"
-        step_to(who, side, t, 0.8 * pulse, who.plant(side, x + shift.x, y + shift.y, who.yaw, width=1.2, splay=14))
-        who.hips.set(t, pulse, (0.07 * k * way, 0, who.standing_height - 0.03 * k, 0, 4 * way, 8 * way))
-        who.accent.set(t, pulse, (2, -6 * way, -9 * way))
-        who.nod.set(t, pulse, (3 * way, 4 * way, 0))
-        t, way = t + pulse, -way
-    for side in SIDES:
-        step_to(who, side, t + (0 if side == "L" else 0.3), 0.3, who.plant(side, x, y, who.yaw))
-        who.hands[side].set(t, 0.7, who.home[side])
-    who.hips.set(t, 0.6, (0, 0, who.standing_height, 0, 0, 0))
-    who.accent.set(t, 0.6, (0, 0, 0))
-    who.nod.set(t, 0.5, (0, 0, 0))
-    return t + 0.7
-
-
-def _swing(who: Performer, side: str, start: float, pulse: float) -> Channel:
-    low = by_chest(who, side, (0.10, 0.45, -0.42), (-0.4, 0.8, 0.3), (-0.9, 0, -0.4), curl=(40, 48, 10))
-    high = by_chest(who, side, (0.30, 0.50, -0.05), (-0.3, 0.6, 0.7), (-0.9, 0.2, -0.2), curl=(30, 36, 10))
-    channel = Channel(low, blend_hands)
-    for beat in range(int(60 / pulse)):
-        up = (beat % 2 == 0) == (side == "L")
-        channel.set(start + beat * pulse, pulse, high if up else low)
-    return channel
 
 
 @clip("dress", "hands")

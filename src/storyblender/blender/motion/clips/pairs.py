@@ -1,4 +1,4 @@
-"""Motions of two: giving, taking, shaking hands, hugging, kissing, touching, hitting."""
+"""Motions of two: meeting, giving, taking, shaking hands, touching, hitting."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from storyblender.blender.motion.clips.work import press
 from storyblender.blender.motion.hands import by_chest, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import Grip, PropPuppet, carried, gripping, standing
-from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.skeleton import sign
 from storyblender.blender.motion.stage import Beat, Stage
 
 SEATED = ("sit", "lie", "asleep")
@@ -207,91 +207,6 @@ def shake_hands(stage: Stage, who: Performer, beat: Beat) -> float:
         look_at(one, t, stage.point_of(two))
         mood(one, t, "tender")
     return shaken + 0.8
-
-
-@clip("hug", "body", "hands", "head")
-def hug(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Embrace: the taller goes over the shoulders and bends, the shorter around the ribs."""
-    partner = partner_of(beat)
-    if partner is None:
-        return beat.start
-    distance = who.m.front + partner.m.front + 0.035 * (who.m.k + partner.m.k) / 2
-    t = meet(stage, who, partner, beat, distance, 0.03)
-    holding = clamp((beat.duration or 3.4) - 2.2, 0.8, 4.0)
-    whole = 0.9
-    apart = t + 1.2 * whole + holding
-    keep(partner, ("L", "R"), t, apart + 1.0)
-    partner.free["body"] = max(partner.free["body"], apart + 1.0)
-    taller = who if who.m.shoulder_height >= partner.m.shoulder_height else partner
-    difference = abs(who.m.shoulder_height - partner.m.shoulder_height)
-    for one, two in ((who, partner), (partner, who)):
-        _embrace(stage, one, two, one is taller, difference, t, apart)
-        look_at(one, apart + 0.2, stage.point_of(two))
-    return apart + 1.0
-
-
-def _embrace(
-    stage: Stage, who: Performer, other: Performer, over: bool, difference: float, t: float, apart: float
-) -> None:
-    k, whole = who.m.k, 0.9
-    bend = 24 * clamp(difference / 0.5) if over else 0.0
-    who.accent.set(t, whole, (3 + bend, -5, 0))
-    who.accent.set(apart, 0.7, (0, 0, 0))
-    who.nod.set(t + 0.2, whole, (6 if over else -10 * clamp(difference / 0.3), -10, -12))
-    who.nod.set(apart, 0.7, (0, 0, 0))
-    if who.posture == "stand":
-        height = who.standing_height
-        low = height - (0.01 + 0.05 * bend / 24) * k
-        who.hips.set(t, whole, (-0.025 * k, 0.03 * k * (1 + bend / 12), low, 0.5 * bend, 0, 0))
-        who.hips.set(apart, 0.7, (0, 0, height, 0, 0, 0))
-    mood(who, t, "tender")
-    who.face.set(t + whole, 0.3, (0, 0.5, 0.9, 0.1, 0))
-    mood(who, apart, "tender")
-    who.gaze.set(t, 0.4, who.ahead)
-    for side in SIDES:
-        opened, closed = _open_arms(who, side, over), _around(who, other, side, over)
-        who.hands[side].set(t, 0.6 * whole, opened)
-        who.hands[side].set(t + 0.5 * whole, 0.7 * whole, closed)
-        who.hands[side].set(apart, 0.35, opened)
-        who.hands[side].set(apart + 0.3, 0.7, who.home[side])
-        stage.late.append((who, side, t, apart + 0.2))
-
-
-def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
-    return by_chest(
-        who, side, (0.22, 0.80, -0.10 if over else -0.38), (-0.15, 1, 0.1), (-1, 0, 0), pole=(1, -0.2, -0.4),
-        curl=(6, 8, 0),
-    )  # fmt: skip
-
-
-def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf:
-    """Palm on the other's back, a little across the spine."""
-    s, k = sign(side), other.m.k
-    height = ((0.10 if side == "R" else -0.02) if over else (-0.10 if side == "R" else -0.02)) * k
-    back = other.m.chest_back + 0.014 * k - other.bones.head["upper_chest"].y
-    offset = Vector((0.06 * k * s, back, height + 0.05 * k))
-
-    def target(t: float) -> Floats:
-        inward = who.facing @ Vector((-s, 0, 0)) + Vector((0, 0, -0.1 if over else 0.35))
-        elbow = who.facing @ Vector((s, -0.15, 0.25 if over else -0.25))
-        palm, normal = other.point("upper_chest", offset), other.direction("upper_chest", Vector((0, -1, 0)))
-        return hand(palm, inward, normal, elbow, (6, 8, 0))
-
-    return target
-
-
-@clip("kiss", "body", "hands", "head")
-def kiss(stage: Stage, who: Performer, beat: Beat) -> float:
-    """A hug in which both heads meet, eyes closed."""
-    partner = partner_of(beat)
-    end = hug(stage, who, beat)
-    if partner is None:
-        return end
-    for one, roll in ((who, 12), (partner, 12)):
-        one.nod.cut(beat.start)
-        one.nod.set(end - 3.2, 0.8, (0, roll, 0))
-        one.nod.set(end - 1.2, 0.6, (0, 0, 0))
-    return end
 
 
 @clip("touch", "body", "hand", "head")

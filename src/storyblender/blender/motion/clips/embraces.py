@@ -1,0 +1,173 @@
+"""In each other's arms: hugging and kissing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Vector
+
+from storyblender.blender.motion.channel import Floats, TargetOf, clamp
+from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.locomotion import shuffle
+from storyblender.blender.motion.clips.pairs import keep, meet, partner_of
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.hands import by_chest, hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+CLOSING = 0.9
+"""Seconds in which arms open and close."""
+HOLDING = 1.2
+"""Seconds of an embrace whose length nobody has chosen."""
+LIPS = Vector((0, -0.028, -0.065))
+"""From the middle of the eyes, times k."""
+APART = 0.004
+"""Metres between lips that touch."""
+TILT = 18.0
+"""Degrees both heads tilt to their right in a kiss, so that the noses pass."""
+DEEPEST = 0.10
+"""Metres, times k, that the taller one gives way in the knees for a kiss."""
+
+
+@dataclass(frozen=True)
+class Embrace:
+    """The seconds of an embrace: arms open, are closed, let go, hang again."""
+
+    start: float
+    closed: float
+    apart: float
+    end: float
+
+
+@clip("hug", "body", "hands", "head")
+def hug(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Embrace; step back to the mark afterwards, if there is one."""
+    partner = partner_of(beat)
+    return beat.start if partner is None else embrace(stage, who, partner, beat).end
+
+
+@clip("kiss", "body", "hands", "head")
+def kiss(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Embrace and kiss: heads tilt, and trunks and knees bring the lips together."""
+    partner = partner_of(beat)
+    if partner is None:
+        return beat.start
+    held = embrace(stage, who, partner, beat)
+    down = 60 * clamp(who.m.eye_height - partner.m.eye_height, -0.2, 0.2)
+    for one, pitch in ((who, down), (partner, -down)):
+        one.nod.cut(held.start)
+        one.nod.set(held.start + 0.3, CLOSING, (pitch, TILT, 0))
+        one.nod.set(held.apart - 0.2, 0.6, (0, 0, 0))
+    if who.posture == partner.posture == "stand":
+        _bring_lips_together(who, partner, held)
+    return held.end
+
+
+def embrace(stage: Stage, who: Performer, partner: Performer, beat: Beat) -> Embrace:
+    """Go to each other and embrace: the taller goes over the shoulders and bends, the shorter around the ribs."""
+    distance = who.m.front + partner.m.front + 0.035 * (who.m.k + partner.m.k) / 2
+    t = meet(stage, who, partner, beat, distance, 0.03)
+    closed = t + 1.2 * CLOSING
+    apart = max(closed + HOLDING, beat.start + (beat.duration or 0.0))
+    keep(partner, ("L", "R"), t, apart + 1.0)
+    partner.free["body"] = max(partner.free["body"], apart + 1.0)
+    taller = who if who.m.shoulder_height >= partner.m.shoulder_height else partner
+    difference = abs(who.m.shoulder_height - partner.m.shoulder_height)
+    for one, two in ((who, partner), (partner, who)):
+        _close_arms(stage, one, two, one is taller, difference, t, apart)
+        look_at(one, apart + 0.2, stage.point_of(two))
+    end = apart + 1.0
+    if beat.mark is not None and who.posture == "stand":
+        end = shuffle(who, apart + 0.5, Vector(beat.mark.location).xy)
+    return Embrace(t, closed, apart, end)
+
+
+def _close_arms(
+    stage: Stage, who: Performer, other: Performer, over: bool, difference: float, t: float, apart: float
+) -> None:
+    k = who.m.k
+    bend = 24 * clamp(difference / 0.5) if over else 0.0
+    who.accent.set(t, CLOSING, (3 + bend, -5, 0))
+    who.accent.set(apart, 0.7, (0, 0, 0))
+    who.nod.set(t + 0.2, CLOSING, (6 if over else -10 * clamp(difference / 0.3), -10, -12))
+    who.nod.set(apart, 0.7, (0, 0, 0))
+    if who.posture == "stand":
+        height = who.standing_height
+        low = height - (0.01 + 0.05 * bend / 24) * k
+        who.hips.set(t, CLOSING, (-0.025 * k, 0.03 * k * (1 + bend / 12), low, 0.5 * bend, 0, 0))
+        who.hips.set(apart, 0.7, (0, 0, height, 0, 0, 0))
+    mood(who, t, "tender")
+    who.face.set(t + CLOSING, 0.3, (0, 0.5, 0.9, 0.1, 0))
+    mood(who, apart, "tender")
+    who.gaze.set(t, 0.4, who.ahead)
+    for side in SIDES:
+        opened, closed = _open_arms(who, side, over), _around(who, other, side, over)
+        who.hands[side].set(t, 0.6 * CLOSING, opened)
+        who.hands[side].set(t + 0.5 * CLOSING, 0.7 * CLOSING, closed)
+        who.hands[side].set(apart, 0.35, opened)
+        who.hands[side].set(apart + 0.3, 0.7, who.home[side])
+        stage.late.append((who, side, t, apart + 0.2))
+
+
+def _open_arms(who: Performer, side: str, over: bool) -> TargetOf:
+    return by_chest(
+        who, side, (0.22, 0.80, -0.10 if over else -0.38), (-0.15, 1, 0.1), (-1, 0, 0), pole=(1, -0.2, -0.4),
+        curl=(6, 8, 0),
+    )  # fmt: skip
+
+
+def _around(who: Performer, other: Performer, side: str, over: bool) -> TargetOf:
+    """Palm on the other's back: around the ribs a little across the spine, over the shoulders not so far."""
+    s, k = sign(side), other.m.k
+    height = ((0.10 if side == "R" else -0.02) if over else (-0.10 if side == "R" else -0.02)) * k
+    back = other.m.chest_back + 0.014 * k - other.bones.head["upper_chest"].y
+    offset = Vector(((-0.02 if over else 0.06) * k * s, back, height + 0.05 * k))
+
+    def target(t: float) -> Floats:
+        inward = who.facing @ Vector((-s, 0, 0)) + Vector((0, 0, -0.1 if over else 0.35))
+        elbow = who.facing @ Vector((s, -0.15, 0.25 if over else -0.25))
+        palm, normal = other.point("upper_chest", offset), other.direction("upper_chest", Vector((0, -1, 0)))
+        return hand(palm, inward, normal, elbow, (6, 8, 0))
+
+    return target
+
+
+def _lips(who: Performer) -> Vector:
+    """Where the lips are at the moment being posed, world."""
+    eyes = (who.bones.head["eye.L"] + who.bones.head["eye.R"]) / 2 - who.bones.head["head"]
+    return who.point("head", eyes + LIPS * who.m.k)
+
+
+def _bring_lips_together(who: Performer, partner: Performer, held: Embrace) -> None:
+    """Bend both trunks, shift both hips and bend the taller one's knees until the lips meet; found by posing them."""
+    pair = (who, partner)
+    moves = {each.asset_id: np.zeros(3) for each in pair}
+    start, at = held.closed - 0.6, held.closed + 0.2
+    for one in pair:
+        _follow(one, moves[one.asset_id], start)
+        one.lean_after.set(held.start, 0, 0.0)
+        one.lean_after.set(held.apart, 0, 1.0)
+    for _ in range(10):
+        for one in pair:
+            one.pose_trunk(at)
+            one.pose_head(at)
+        gap = _lips(partner) - _lips(who)
+        for one, way in ((who, 1.0), (partner, -1.0)):
+            left, ahead, up = (one.facing_back @ gap) * Vector((way, -way, way))
+            bend, aside, low = moves[one.asset_id]
+            bend += math.degrees(0.4 * (ahead - APART) / (one.m.eye_height - one.m.hip_height))
+            moves[one.asset_id][:] = (
+                clamp(bend, -14, 20),
+                aside + 0.4 * left,
+                clamp(low - 0.8 * up, 0, DEEPEST * one.m.k),
+            )
+
+
+def _follow(who: Performer, move: Floats, start: float) -> None:
+    """Let trunk and hips do from ``start`` on what ``move`` says: degrees bent, metres to the left, metres down."""
+    height = who.standing_height - 0.01 * who.m.k
+    who.accent.set(start, 0.7, lambda now: (move[0], 0, 0))
+    who.hips.set(start, 0.7, lambda now: (move[1], 0, height - move[2], 0, 0, 0))
