@@ -70,7 +70,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
         Motion("sneak", "sneak", ("tiptoe", "creep"), 0.8, ("sneak",), 0.7, True, UPRIGHT, "stand", "place"),
         Motion("stagger", "stagger", ("limp", "stumble"), 0.8, ("stagger",), 0.75, True, UPRIGHT, "stand", "place"),
-        Motion("crawl", "crawl", ("on all fours",), 1.6, ("crawl",), 0.6, True, UPRIGHT, "stand", "place"),
+        Motion("crawl", "crawl", ("on all fours",), 2.2, ("crawl",), 0.55, True, UPRIGHT, "stand", "place"),
         Motion("turn", "turn around", ("spin", "face"), 1.3, ("turn",), before=AWAKE),
         Motion("jump", "jump", ("leap", "hop"), 1.6, ("jump",), before=UPRIGHT, after="stand"),
         Motion(

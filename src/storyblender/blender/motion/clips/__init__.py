@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.blender.motion.clips import (
     arms,
+    crawling,
     dancing,
     embraces,
     floor,
@@ -25,6 +26,7 @@ from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
 
 FAMILIES = (
     arms,
+    crawling,
     dancing,
     embraces,
     floor,

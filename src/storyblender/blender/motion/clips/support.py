@@ -1,4 +1,4 @@
-"""Held up by the set: leaning on bars and walls, crawling."""
+"""Held up by the set: leaning on bars and walls."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from mathutils import Matrix, Vector
 from storyblender.blender.motion.channel import Floats
 from storyblender.blender.motion.clips.floor import to_mark
 from storyblender.blender.motion.clips.handling import approach
-from storyblender.blender.motion.clips.locomotion import goal_of, step_to, travel
+from storyblender.blender.motion.clips.locomotion import step_to
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import refill_hands
-from storyblender.blender.motion.footsteps import SNEAK
 from storyblender.blender.motion.hands import by_chest, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, other, sign
@@ -104,18 +103,3 @@ def _lean_back(stage: Stage, who: Performer, t: float) -> float:
     refill_hands(stage, who, t + 0.1, 0.9)
     who.posture = "lean"
     return t + 1.1
-
-
-@clip("crawl", "body")
-def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Move on hands and knees; shown as a deep, slow creep."""
-    goal, yaw = goal_of(stage, who, beat)
-    k = who.m.k
-    t = beat.start
-    low = who.standing_height - 0.34 * k
-    who.hips.set(t, 0.6, (0, 0.16 * k, low, 26, 0, 0))
-    who.spine.set(t, 0.6, (20, 0, 0))
-    end = travel(stage, who, beat, goal, yaw, style=SNEAK)
-    who.hips.set(end, 0.8, (0, 0, who.standing_height, 0, 0, 0))
-    who.spine.set(end, 0.8, (0, 0, 0))
-    return end + 0.8

@@ -1,0 +1,163 @@
+"""On all fours: down on hands and knees, along the way, and up again."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from mathutils import Vector
+
+from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep, turn_between
+from storyblender.blender.motion.clips.locomotion import NEAR, face, goal_of, step_to
+from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.clips.seat import refill_hands
+from storyblender.blender.motion.footsteps import TURN_FIRST, Way
+from storyblender.blender.motion.hands import hand
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.skeleton import SIDES, sign
+from storyblender.blender.motion.stage import Beat, Stage
+
+SPEED = 0.55
+"""Metres per second at k = 1."""
+CYCLE = 1.1
+"""Seconds in which every limb moves once: a hand with the knee across."""
+DOWN, UP = 0.9, 1.0
+"""Seconds to get on all fours, and to stand up."""
+KNEES_BACK, HANDS_AHEAD = 0.30, 0.24
+"""Metres, times k, from the middle of the body on the floor."""
+FLAT = 78.0
+"""Degrees the pelvis is pitched forward."""
+
+
+@dataclass(frozen=True)
+class Creep:
+    """The way of a body on all fours: how far it has come at a second, and where its limbs are down.
+
+    Attributes:
+        way: On the floor.
+        base_yaw: Added to the way's headings.
+        start: Second at which it sets out.
+        seconds: It is on the way.
+    """
+
+    way: Way
+    base_yaw: float
+    start: float
+    seconds: float
+
+    def root(self, t: float) -> tuple[float, float, float]:
+        """Return x, y and yaw of the body."""
+        return self.at(self.way.length * smoothstep(clamp((t - self.start) / self.seconds)))
+
+    def at(self, gone: float) -> tuple[float, float, float]:
+        """Return x, y and yaw after some metres."""
+        place = self.way.place(gone)
+        return place.x, place.y, self.way.heading(gone) + self.base_yaw
+
+    def limb(self, t: float, phase: float, ahead: float, aside: float) -> tuple[Vector, float, float]:
+        """Return where a limb is on the floor plan, the yaw it was put down with, and how far it is lifted (0..1)."""
+        turns = (t - self.start) / CYCLE + phase
+        swing = turns - math.floor(turns)
+        last, after = (self._put_down(math.floor(turns) + step, phase, ahead, aside) for step in (-1, 0))
+        share = smooth(clamp(2 * swing))
+        spot = last[0].lerp(after[0], share)
+        moved = (after[0] - last[0]).length
+        return spot, last[1] + (after[1] - last[1]) * share, math.sin(math.pi * clamp(2 * swing)) * clamp(8 * moved)
+
+    def _put_down(self, turn: int, phase: float, ahead: float, aside: float) -> tuple[Vector, float]:
+        """A limb is down where it is under the body in the middle of its rest."""
+        x, y, yaw = self.root(self.start + (turn + 0.75 - phase) * CYCLE)
+        forward, left = Vector((math.sin(yaw), -math.cos(yaw))), Vector((math.cos(yaw), math.sin(yaw)))
+        return Vector((x, y)) + forward * ahead + left * aside, yaw
+
+
+@clip("crawl", "body", "hands")
+def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Get down on hands and knees, crawl to the mark and stand up there."""
+    goal, yaw = goal_of(stage, who, beat)
+    if math.dist(who.position, goal) < NEAR:
+        return beat.start
+    points = stage.path(who, goal)
+    if points is None:
+        stage.report("no_path", who, beat, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
+        return beat.start
+    way, t = Way(points), beat.start
+    if abs(turn_between(who.yaw, way.heading(0))) > TURN_FIRST:
+        t = face(who, t, way.heading(0))
+    base_yaw = who.yaw + turn_between(who.yaw, way.heading(0)) - way.heading(0)
+    creep = Creep(way, base_yaw, t + DOWN, max(CYCLE, way.length / (SPEED * math.sqrt(who.m.k))))
+    end = creep.start + creep.seconds
+    who.root.set(t, 0.5 * DOWN, creep.root)
+    _get_down(who, creep, t)
+    x, y, who.yaw = creep.at(way.length)
+    who.position = Vector((x, y))
+    end = _get_up(stage, who, end)
+    return end if yaw is None else face(who, end, yaw)
+
+
+def _get_down(who: Performer, creep: Creep, t: float) -> None:
+    """Knees, then hands to the floor; from then on they follow the way."""
+    m, k = who.m, who.m.k
+    on_knees = 0.075 * k + 0.97 * m.thigh
+
+    def hips(now: float) -> tuple[float, ...]:
+        roll = math.sin(2 * math.pi * (now - creep.start) / CYCLE) * clamp(now - creep.start)
+        return 0.012 * k * roll, KNEES_BACK * k - m.hip_y, on_knees, FLAT, 3 * roll, 0
+
+    who.hips.set(t, 0.55 * DOWN, (0, 0.12 * k, 0.75 * m.hip_height, 45, 0, 0))
+    who.hips.set(t + 0.3 * DOWN, 0.7 * DOWN, hips)
+    who.spine.set(t, DOWN, (8, 0, 0))
+    who.nod.set(t + 0.3 * DOWN, 0.7 * DOWN, (-20, 0, 0))
+    who.pinned.set(t + 0.3 * DOWN, 0.5 * DOWN, 1.0)
+    who.lean_after.set(t, 0, 0.0)
+    for side in SIDES:
+        who.feet[side].set(t + (0.1 if side == "L" else 0.3) * DOWN, 0.6 * DOWN, _knee(who, creep, side))
+        if side not in who.held:
+            who.hands[side].set(t + 0.25 * DOWN, 0.75 * DOWN, _palm(who, creep, side))
+
+
+def _get_up(stage: Stage, who: Performer, t: float) -> float:
+    """Hands off the floor, one foot under the body, then the other; return the end."""
+    stand = who.standing_height
+    who.hips.set(t, 0.5 * UP, (0, 0.10 * who.m.k, 0.62 * stand, 40, 0, 0))
+    who.hips.set(t + 0.4 * UP, 0.6 * UP, (0, 0, stand, 0, 0, 0))
+    who.spine.set(t + 0.2 * UP, 0.8 * UP, (0, 0, 0))
+    who.nod.set(t, UP, (0, 0, 0))
+    who.pinned.set(t + 0.4 * UP, 0.4 * UP, 0.0)
+    who.lean_after.set(t + UP, 0, 1.0)
+    for index, side in enumerate(SIDES):
+        plant = who.plant_at(side, who.position, who.yaw)
+        step_to(who, side, t + 0.3 * index * UP, 0.5 * UP, plant, 0.08 * who.m.k)
+    refill_hands(stage, who, t + 0.1 * UP, 0.7 * UP)
+    return t + 1.1 * UP
+
+
+def _knee(who: Performer, creep: Creep, side: str) -> Callable[[float], Floats]:
+    """The foot of a knee that is down: the shin behind it, the toes on the floor."""
+    m, k = who.m, who.m.k
+    ankle = 0.125 * k
+    shin = math.sqrt(m.shin**2 - (ankle - 0.075 * k) ** 2)
+
+    def target(t: float) -> Floats:
+        spot, yaw, lifted = creep.limb(t, 0.0 if side == "L" else 0.5, -KNEES_BACK * k, sign(side) * 0.10 * k)
+        forward = Vector((math.sin(yaw), -math.cos(yaw)))
+        foot = spot - forward * shin
+        toes = yaw + m.toe_out[side]
+        return np.array([*foot, ankle + 0.03 * k * lifted, toes, -62, 50, *(forward * 0.8), -0.6])
+
+    return target
+
+
+def _palm(who: Performer, creep: Creep, side: str) -> Callable[[float], Floats]:
+    """A palm on the floor, or on its way to the next place; it moves with the knee across."""
+    k, s = who.m.k, sign(side)
+
+    def target(t: float) -> Floats:
+        spot, yaw, lifted = creep.limb(t, 0.5 if side == "L" else 0.0, HANDS_AHEAD * k, s * 0.18 * k)
+        forward, left = Vector((math.sin(yaw), -math.cos(yaw), 0)), Vector((math.cos(yaw), math.sin(yaw), 0))
+        palm = Vector((*spot, (0.022 + 0.07 * lifted) * k))
+        return hand(palm, forward, Vector((0, 0, -1)), left * (0.6 * s) - forward * 0.8, (6, 8, 0))
+
+    return target
