@@ -76,11 +76,11 @@ def make(
     json_lines: Json = False,
 ) -> None:
     """Turn a script into a storyboard: everything. Run it again to go on where it was stopped."""
-    with _terminal(quiet, json_lines) as terminal:
-        studio = _studio(
-            terminal, script, look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
-            shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate,
-        )  # fmt: skip
+    settings: dict[str, Any] = dict(
+        look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
+        shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate,
+    )  # fmt: skip
+    with _terminal(quiet, json_lines) as terminal, _studio(terminal, script, **settings) as studio:
         delivery = studio.make(script, out or _folder_of(script))
         terminal.files(delivery.folder, delivery.files)
 
@@ -98,10 +98,8 @@ def plan(
     json_lines: Json = False,
 ) -> None:
     """Read a script into the memory graph only: cast, scenes, shots. No Blender."""
-    with _terminal(quiet, json_lines) as terminal:
-        studio = _studio(
-            terminal, script, crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed
-        )
+    settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
+    with _terminal(quiet, json_lines) as terminal, _studio(terminal, script, **settings) as studio:
         delivery = studio.plan(script, out or _folder_of(script))
         terminal.plan(delivery.graph)
         terminal.files(delivery.folder, delivery.files)
@@ -122,33 +120,33 @@ def render(
     json_lines: Json = False,
 ) -> None:
     """Render a project again: only what changed, or the shots named, with a changed camera if you say so."""
-    with _terminal(quiet, json_lines) as terminal:
-        camera = {"size": size, "angle": angle, "lens": lens, "movement": move}
-        delivery = _studio(terminal, project=folder, look=look, jobs=jobs, animatic=animatic).render(
-            folder, shot or [], {key: value for key, value in camera.items() if value is not None}
-        )
+    camera = {"size": size, "angle": angle, "lens": lens, "movement": move}
+    change = {key: value for key, value in camera.items() if value is not None}
+    settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=animatic)
+    with _terminal(quiet, json_lines) as terminal, _studio(terminal, project=folder, **settings) as studio:
+        delivery = studio.render(folder, shot or [], change)
         terminal.files(delivery.folder, delivery.files)
 
 
 @app.command()
 def undo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
     """Take back the last change of a project. `render` then draws only what that changes."""
-    with _terminal(quiet, json_lines) as terminal:
-        terminal.commits("undone", _studio(terminal).undo(folder))
+    with _terminal(quiet, json_lines) as terminal, _studio(terminal) as studio:
+        terminal.commits("undone", studio.undo(folder))
 
 
 @app.command()
 def redo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
     """Make the change again that was undone last."""
-    with _terminal(quiet, json_lines) as terminal:
-        terminal.commits("redone", _studio(terminal).redo(folder))
+    with _terminal(quiet, json_lines) as terminal, _studio(terminal) as studio:
+        terminal.commits("redone", studio.redo(folder))
 
 
 @app.command()
 def check(folder: Folder, json_lines: Json = False) -> None:
     """Check a project: layout, framing, continuity, collisions, people in frame. Exits 1 if something is wrong."""
-    with _terminal(quiet=False, json_lines=json_lines) as terminal:
-        report = _studio(terminal, project=folder).check(folder)
+    with _terminal(quiet=False, json_lines=json_lines) as terminal, _studio(terminal, project=folder) as studio:
+        report = studio.check(folder)
         terminal.check(report)
     raise typer.Exit(0 if report.clean else 1)
 
@@ -161,8 +159,8 @@ def export(
     json_lines: Json = False,
 ) -> None:
     """Write the scenes as glTF or USD, or the timeline as EDL or FCPXML."""
-    with _terminal(quiet, json_lines) as terminal:
-        delivery = _studio(terminal, project=folder).export(folder, [str(name.value) for name in to])
+    with _terminal(quiet, json_lines) as terminal, _studio(terminal, project=folder) as studio:
+        delivery = studio.export(folder, [str(name.value) for name in to])
         terminal.files(delivery.folder, delivery.files)
 
 
@@ -187,8 +185,7 @@ def catalog(
     json_lines: Json = False,
 ) -> None:
     """List what the built-in library can make, or render a picture of an entry."""
-    with _terminal(quiet=False, json_lines=json_lines) as terminal:
-        studio = _studio(terminal)
+    with _terminal(quiet=False, json_lines=json_lines) as terminal, _studio(terminal) as studio:
         if picture is not None:
             studio.picture(picture, out)
             terminal.files(out.parent, [out.name])
@@ -204,21 +201,27 @@ def main(version: Annotated[bool, typer.Option("--version", help="Print the vers
         raise typer.Exit
 
 
-def _studio(terminal: Terminal, script: Path | None = None, project: Path | None = None, **overrides: Any) -> Studio:
+@contextmanager
+def _studio(
+    terminal: Terminal, script: Path | None = None, project: Path | None = None, **overrides: Any
+) -> Iterator[Studio]:
     """Open the studio. Imported here, because its crew takes a second to load and ``--help`` needs none of it.
 
     Whoever works on a finished project needs Blender: it comes up while the crew is loaded.
     """
     from storyblender.engine.worker import blender_worker
 
-    ahead = None
-    if project is not None and (project / "graph.json").is_file():
-        ahead = blender_worker(project)
-        ahead.start()
-    from storyblender.settings import Settings
-    from storyblender.studio import Studio
+    ahead = blender_worker(project) if project is not None and (project / "graph.json").is_file() else None
+    try:
+        if ahead is not None:
+            ahead.start()
+        from storyblender.settings import Settings
+        from storyblender.studio import Studio
 
-    return Studio(Settings.load(script, project, **overrides), terminal.show, ahead)
+        yield Studio(Settings.load(script, project, **overrides), terminal.show, ahead)
+    finally:
+        if ahead is not None:
+            ahead.close()
 
 
 def _folder_of(script: Path) -> Path:

@@ -33,6 +33,8 @@ def test_commits_survive_a_kill_before_the_checkpoint(tmp_path: Path) -> None:
     add(project, "key")
     project._lock.release()  # killed: nothing else ran
     assert not (tmp_path / "p" / "graph.json").exists()
+    with pytest.raises(InputError, match=r"stopped before it was made.*make"):
+        read_project_graph(tmp_path / "p")
     with Project(tmp_path / "p") as again:
         assert names(again) == ["cup", "key"] and again.revision == 2
 
@@ -155,3 +157,20 @@ def test_write_atomic_replaces_whole(tmp_path: Path) -> None:
     write_atomic(path, "one")
     write_atomic(path, b"two")
     assert path.read_text() == "two" and [item.name for item in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_stopped_between_the_head_and_its_graph_the_checkpoint_is_whole(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(path: Path, content: str | bytes) -> None:
+        write_atomic(path, content)
+        if path.name == "HEAD":
+            raise KeyboardInterrupt
+
+    with Project(tmp_path / "p") as project:
+        add(project, "cup")
+        monkeypatch.setattr("storyblender.project.write_atomic", stopped)
+        with pytest.raises(KeyboardInterrupt):
+            add(project, "key")
+    with Project(tmp_path / "p") as again:
+        assert names(again) == ["cup", "key"] and again.revision == 2

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
+import threading
+import time
 from pathlib import Path
 
 
@@ -14,6 +17,8 @@ def main() -> None:
     parser.add_argument("--root", type=Path, required=True, help="the project folder; no job may leave it")
     parser.add_argument("--models", type=Path, default=None, help="a folder of models that may be read")
     arguments = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     from storyblender.blender.server import serve, take_wire
 
     wire = take_wire()  # before Blender is imported: it prints as it likes
@@ -22,6 +27,13 @@ def main() -> None:
     serve(Session(arguments.root, arguments.models).tools, sys.stdin.buffer, wire)
     sys.stderr.flush()
     os._exit(0)  # an interpreter that used Blender may hang on the way out
+
+
+def _end_with(client: int) -> None:
+    """End when the client was killed: a long job would go on for nobody."""
+    while os.getppid() == client:
+        time.sleep(1.0)
+    os._exit(1)
 
 
 if __name__ == "__main__":

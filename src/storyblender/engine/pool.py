@@ -9,6 +9,7 @@ from concurrent.futures import Future
 from typing import Any, TypeVar
 
 from storyblender.engine.worker import Worker
+from storyblender.errors import EngineError
 
 Result = TypeVar("Result")
 
@@ -75,9 +76,14 @@ class WorkerPool:
             arguments: JSON-ready arguments.
             read: Turns the structured answer into the result.
             affinity: A call goes to the worker that had the last one of equal affinity, if that one rests.
+
+        Raises:
+            EngineError: The pool is closed.
         """
         job = _Job(affinity, lambda worker: read(worker.call(tool, arguments)))
         with self._condition:
+            if self._closing:
+                raise EngineError(f"{tool}: Blender was stopped")
             self._pending.append(job)
             if len(self._pending) > len(self._resting) and len(self._workers) < self.size:
                 self._hire(self._make_worker())

@@ -56,6 +56,8 @@ class Worker:
                 self._process = subprocess.Popen(
                     self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log
                 )
+            if self._closed:  # meanwhile, from another thread
+                self._end()
 
     def call(self, tool: str, arguments: dict[str, Any]) -> Any:
         """Call a tool and return its structured result.

@@ -3,27 +3,44 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
+from pathlib import Path
+
+from pydantic import TypeAdapter
 
 from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_scene import shoot_scene, telling_frames
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.catalog.sets import plan_of
+from storyblender.geometry.framing import Figure
+from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, ViewRequest
 from storyblender.memory.shot_context import CameraState, ShotContext
 from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.pipeline.run import Run
+from storyblender.project import write_atomic
 from storyblender.trace import Event
+
+FIGURES = "build/figures"
+_RECORD = TypeAdapter(dict[int, list[Figure]])
 
 
 class PackViewfinder:
-    """The viewfinder port over one packed scene."""
+    """The viewfinder port over one packed scene.
 
-    def __init__(self, run: Run, pack: PackRef) -> None:
-        self._run, self._pack = run, pack
+    Args:
+        run: Whose engine looks.
+        pack: The scene.
+        shots: All of its shots. Their faces are read at once when they are first wanted, and kept beside the packs: a
+            changed camera asks for none.
+    """
+
+    def __init__(self, run: Run, pack: PackRef, shots: Sequence[ShotContext]) -> None:
+        self._run, self._pack, self._shots = run, pack, shots
 
     def look(self, requests: Sequence[ViewRequest]) -> list[CameraView]:
         """Return one view per request, in order."""
@@ -33,35 +50,60 @@ class PackViewfinder:
 
     def moments(self, shot: ShotContext) -> list[Moment]:
         """Return everybody's faces at the telling frames of a shot."""
-        frames, start = telling_frames(shot), self._pack.start_of(shot.shot_id)
-        figures = self._run.engine.read_figures(self._pack, [start + frame for frame in frames]).result()
-        return [Moment(frame, tuple(faces)) for frame, faces in zip(frames, figures, strict=True)]
+        start = self._pack.start_of(shot.shot_id)
+        return [Moment(frame, tuple(self._figures[start + frame])) for frame in telling_frames(shot)]
+
+    @cached_property
+    def _figures(self) -> dict[int, list[Figure]]:
+        """Everybody's faces, by frame of the scene's timeline."""
+        record = self._run.project.path(FIGURES, f"{Path(self._pack.path).stem}.json")
+        known = _RECORD.validate_json(record.read_bytes()) if record.exists() else {}
+        wanted = [self._pack.start_of(shot.shot_id) + frame for shot in self._shots for frame in telling_frames(shot)]
+        missing = [frame for frame in wanted if frame not in known]
+        if missing:
+            figures = self._run.engine.read_figures(self._pack, missing).result()
+            known |= dict(zip(missing, figures, strict=True))
+            for former in record.parent.glob(f"{scene_name(self._pack.scene_id)}-*"):
+                former.unlink()
+            write_atomic(record, _RECORD.dump_json(known))
+        return known
 
 
 def film(run: Run) -> None:
-    """Set every camera that is not set yet, and commit scene by scene."""
+    """Set every camera that is not set yet, and commit scene by scene; stopped, it keeps the scenes that are done."""
     graph = run.graph
     scenes = [scene.scene_id for scene in graph.scenes if any(s.camera is None for s in graph.shots_of(scene.scene_id))]
     total = sum(len(graph.shots_of(scene_id)) for scene_id in scenes)
     done = 0
     run.progress("camera", done, total)
-    with ThreadPoolExecutor(max_workers=run.engine.processes) as threads:
-        operators = {scene_id: threads.submit(film_scene, run, graph, scene_id) for scene_id in scenes}
-        for scene_id, operator in operators.items():
-            states, events = operator.result()
-            for event in events:
-                run.tell(event)
-            fresh = [shot.model_copy(update={"camera": states[shot.shot_id]}) for shot in graph.shots_of(scene_id)]
-            run.commit("camera_operator", f"cameras of scene {scene_id}", *fresh)
-            done += len(fresh)
+    threads = ThreadPoolExecutor(max_workers=run.engine.processes)
+    operators = {scene_id: threads.submit(film_scene, run, graph, scene_id) for scene_id in scenes}
+    try:
+        for scene_id in scenes:
+            done += _commit_scene(run, graph, scene_id, *operators.pop(scene_id).result())
             run.progress("camera", done, total, f"scene {scene_id}")
+    finally:
+        threads.shutdown(wait=False, cancel_futures=True)
+        for scene_id, operator in operators.items():
+            if operator.done() and not operator.cancelled() and operator.exception() is None:
+                _commit_scene(run, graph, scene_id, *operator.result())
+
+
+def _commit_scene(
+    run: Run, graph: ContinuityMemoryGraph, scene_id: int, states: Mapping[int, CameraState], events: Sequence[Event]
+) -> int:
+    for event in events:
+        run.tell(event)
+    fresh = [shot.model_copy(update={"camera": states[shot.shot_id]}) for shot in graph.shots_of(scene_id)]
+    run.commit("camera_operator", f"cameras of scene {scene_id}", *fresh)
+    return len(fresh)
 
 
 def film_scene(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> tuple[dict[int, CameraState], list[Event]]:
     """Return the camera of every shot of a scene, keeping those that are set, and the trace."""
     environment = graph.scene(scene_id).environment
     assert environment is not None, "the set comes before the camera"
-    viewfinder = PackViewfinder(run, run.packs[scene_id])
+    viewfinder = PackViewfinder(run, run.packs[scene_id], graph.shots_of(scene_id))
     events: list[Event] = []
     states = shoot_scene(
         graph,

@@ -83,3 +83,5 @@ def test_what_is_not_begun_is_dropped_at_the_end(pool: WorkerPool) -> None:
     waiting = [pool.submit("go", {}, int) for _ in range(5)]
     pool.close()
     assert sum(future.cancelled() for future in waiting) >= 3
+    with pytest.raises(EngineError, match="stopped"):
+        pool.submit("go", {}, int)
