@@ -42,6 +42,15 @@ def test_cloth_and_skin_of_one_person_get_no_outline_between_them():
     assert neck.any() and lines[neck].max() < 0.05
 
 
+def test_a_line_is_heavier_underneath_than_on_top():
+    large, lines = gbuffer(1920, 1080), {}
+    for name, up in (("top", 1.0), ("underside", -1.0)):
+        normal = large.normal.copy()
+        normal[large.ids == PERSON] = (0, -np.sqrt(0.5), up * np.sqrt(0.5))
+        lines[name] = draw_ink(dataclasses.replace(large, normal=normal), 2, np.ones((540, 960), np.float32)).sum()
+    assert lines["underside"] > 1.2 * lines["top"]
+
+
 def test_fog_takes_lines_away():
     assert ink(air=CLEAR * 0.01).max() < 0.1 * ink().max()
 

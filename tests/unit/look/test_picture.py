@@ -89,6 +89,37 @@ def test_pencil_keeps_the_eyes():
     assert drawn[51, 51].mean() < 0.7 * drawn[40, 40].mean()
 
 
+def test_pencil_tells_dark_skin_from_fair():
+    flesh = np.ones((108, 192), np.float32)
+    tones = [draw_pencil(GREY * gain, flesh * 0, flesh, 0.86).mean() for gain in (0.7, 1.5, 3.0)]
+    assert tones[0] + 0.1 < tones[1] < tones[2] - 0.1
+
+
+def test_pencil_hatches_shade_and_leaves_light_bare():
+    none = np.zeros((540, 960), np.float32)
+    shade, light = (
+        draw_pencil(np.full((540, 960, 3), tone, np.float32), none, none, 0.86)[..., 0] for tone in (0.2, 0.7)
+    )
+    assert shade.std() > 2 * light.std()
+    # Strokes, not a screen: along no row or column do they repeat.
+    rows = shade - shade.mean()
+    for shift in range(4, 200):
+        assert (rows[:, shift:] * rows[:, :-shift]).mean() < 0.35 * rows.var()
+
+
+def test_pencil_night_is_darker_than_day():
+    none = np.zeros((108, 192), np.float32)
+    assert draw_pencil(GREY, none, none, 0.86).mean() < 0.8 * draw_pencil(GREY * 3, none, none, 0.86).mean()
+
+
+def test_pencil_lines_waver_but_stay_where_they_are():
+    ink = np.zeros((540, 960), np.float32)
+    ink[270:273] = 1
+    drawn = draw_pencil(np.full((540, 960, 3), 0.8, np.float32), ink, ink * 0, 0.86)[..., 0]
+    place = np.argmin(drawn, axis=0)
+    assert 266 <= place.min() < place.max() <= 276
+
+
 def test_grade_is_monotone_and_neutral():
     ramp = np.geomspace(1e-3, 10, 64, dtype=np.float32)[None, :, None].repeat(3, 2)
     for tone in (to_display(ramp)[0, :, 1], grade._filmic(ramp)[0, :, 1]):
