@@ -135,6 +135,12 @@ def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
     return np.stack([x, y], 1), depth
 
 
+def head_share(camera: Orbit, figure: Figure) -> float:
+    """Return the height of somebody's head as a share of the picture's."""
+    away = max(float(project(camera, [figure.face])[1][0]), 0.1)
+    return max(figure.head / away / (2 * camera.tangent), 1e-3)
+
+
 def distance_for(height: float, share: float, camera_tangent: float) -> float:
     """Return the distance at which ``height`` metres fill ``share`` of the picture's height."""
     return height / share / (2 * camera_tangent)

@@ -146,6 +146,14 @@ class CameraBrief:
         return alone and float(np.hypot(*self.travel[:2])) > TRAVEL
 
     @property
+    def in_stride(self) -> bool:
+        """Whether a lone subject who walks is still on the way when the shot is drawn."""
+        if not (self.walks and self.people):
+            return False
+        last = self.moments[-1].figure(self.people[0].node_id)
+        return last is not None and float(np.hypot(*np.subtract(last.face, self.people[0].face)[:2])) > TRAVEL / 2
+
+    @property
     def stages(self) -> tuple[Figure, ...]:
         """The focus people wherever they stand during the shot: more than ``people`` if one of them walks."""
         found: list[Figure] = list(self.people)

@@ -9,11 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import CROWDED, CameraBrief, Moment, Take, pose_of, share_of
+from storyblender.agents.layout_artist.camera_brief import (
+    CROWDED,
+    TIGHT,
+    TRAVEL,
+    CameraBrief,
+    Moment,
+    Take,
+    pose_of,
+    share_of,
+)
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, void_points
-from storyblender.agents.layout_artist.camera_scout import CLEARED
+from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED
 from storyblender.agents.layout_artist.camera_start import face_limit
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
@@ -27,9 +36,13 @@ _FACE_SHOWN = 0.60
 _FOREGROUND = 0.22
 _FOREGROUND_OTS = 0.38
 _LEFT_OUT = 1.2
-"""Points for a thing that is out of a picture of people."""
+"""Most points for a thing that a picture of people does not show."""
 _PASSING = 0.5
 """How much of a fault's weight is left where it passes: the board shows the middle of the shot."""
+_COMING = 0.15
+"""How much is left of it for one of several who walks into the picture, or out of it."""
+_ARMS = 0.5
+"""Metres between the faces of two who are in each other's arms."""
 _WHOLE = ("FS", "WS", "EWS")
 _AROUND = "orbit_left orbit_right"
 
@@ -114,7 +127,7 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
         camera = take.at(share_of(brief, moment.frame))
         found = _visibility(brief, moment, view)
         if moment is not main:
-            found = [each.model_copy(update={"severity": _PASSING * each.severity}) for each in found]
+            found = [_passing(brief, moment, each) for each in found if each.kind != "face_away"]
         found += [*_place(view), *_void(_nothing(brief, take, camera, view))]
         if moment is main:
             found += [*composition(brief, camera, moment, view), *_surroundings(brief, view)]
@@ -127,45 +140,65 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
     return tuple(told)
 
 
+def _passing(brief: CameraBrief, moment: Moment, fault: Fault) -> Fault:
+    """Return a fault as it weighs before or after the moment that is drawn."""
+    there, drawn = moment.figure(fault.subject), brief.drawn.figure(fault.subject)
+    walks = there is None or drawn is None or math.dist(there.face, drawn.face) > TRAVEL
+    comes = walks and len(brief.people) > 1 and fault.kind in ("out_of_frame", "face_out", "cropped")
+    return fault.model_copy(update={"severity": (_COMING if comes else _PASSING) * fault.severity})
+
+
 def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fault]:
     """Focus seen and not hidden, faces free; whoever else belongs in the picture is in it."""
     found: list[Fault] = []
+    faces: dict[str, list[Fault]] = {}
     kind, size = brief.instruction.kind, brief.instruction.size
     subjects = {subject.node_id: subject for subject in view.subjects}
     for node in brief.focus:
         subject = subjects.get(node)
         if subject is None:
             continue
+        is_person = moment.figure(node) is not None
         shows_face = subject.face is not None and all(0 < value < 1 for value in subject.face)
         if subject.in_frame_fraction < 0.02 and not shows_face:
             text = f"{node} is not in the picture"
-            person = moment.figure(node) is not None
-            weight = 5.0 if person or not brief.people else _LEFT_OUT
+            weight = 5.0 if is_person or not brief.people else _LEFT_OUT
             found.append(fault("out_of_frame", node, weight, text, ops="zoom_out", dolly=-4.0))
             continue
         hidden = 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
         if hidden > _HIDDEN and subject.in_frame_fraction >= 0.02:
             text = f"{node} is {hidden:.0%} hidden"
-            found.append(fault("hidden", node, 1 + 4 * (hidden - _HIDDEN), text, ops=f"{_AROUND} orbit_up"))
-        is_person = moment.figure(node) is not None
+            weight = 1 + 4 * (hidden - _HIDDEN)
+            weight = weight if is_person or not brief.people else min(weight, _LEFT_OUT)
+            found.append(fault("hidden", node, weight, text, ops=f"{_AROUND} orbit_up"))
         whole = size in _WHOLE if is_person else kind == "insert"
         if whole and kind != "establishing" and subject.in_frame_fraction < 0.96:
             cut = 1 - subject.in_frame_fraction
             found.append(fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))
         if is_person and kind != "establishing":
-            found += _face(brief, subject)
+            faces[node] = _face(brief, subject)
+    for node, faults in faces.items():
+        # Of two in each other's arms one face is seen.
+        held = [other for other in faces if other != node and _in_arms(moment, node, other)]
+        found += [] if any(not faces[other] for other in held) else faults
     over_node = brief.node(brief.instruction.over_id or "")
-    for node in () if size in ("MCU", "CU", "ECU") else brief.in_frame:
+    for node in () if size in TIGHT else brief.in_frame:
         other = subjects.get(node)
         if other is not None and other.visible_fraction < 0.05 and node not in (*brief.focus, over_node):
             found.append(fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
     over = subjects.get(over_node)
-    if kind == "ots" and over is not None and over.pixels < 0.02:
+    aside = over is not None and over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
+    if kind == "ots" and over is not None and (over.pixels < 0.02 or aside):
         found.append(fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
     elif kind == "ots" and over is not None and (over.face is None or over.face[1] < 0):
         text = f"the frame takes the head off {over_node}"
         found.append(fault("beheaded", over_node, 1.5, text, ops="orbit_up pan_up"))
     return found
+
+
+def _in_arms(moment: Moment, one: str, other: str) -> bool:
+    first, second = moment.figure(one), moment.figure(other)
+    return first is not None and second is not None and math.dist(first.face, second.face) < _ARMS
 
 
 def _face(brief: CameraBrief, subject: SubjectView) -> list[Fault]:
@@ -216,9 +249,9 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
         text = f"{view.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
         found.append(fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))
-    own = {*(brief.focus or brief.named), brief.node(brief.instruction.over_id or "")}
+    own = {*(brief.focus or brief.named), brief.node(brief.instruction.over_id or "")} - {""}
     covered = sum(subject.pixels for subject in view.subjects if subject.node_id in own)
-    if covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
+    if own and covered < 0.003 and kind not in ("establishing", "pov") and brief.instruction.size != "EWS":
         found.append(fault("empty", "", 3.0, "there is nothing to look at", ops="zoom_in"))
     if kind == "establishing" and view.subjects and max(subject.visible_fraction for subject in view.subjects) < 0.3:
         found.append(fault("empty", "", 3.0, "nobody of the scene is seen", ops=f"{_AROUND} orbit_up zoom_in"))
@@ -229,7 +262,10 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
 
 
 def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fault]:
-    """People outside the focus are whole from side to side, and only at home where the shot shows a place."""
+    """People outside the focus are whole from side to side, and only at home where the shot shows a place.
+
+    Of an insert nobody is asked to be whole.
+    """
     found: list[Fault] = []
     largest = max((subject.pixels for subject in view.subjects if subject.node_id in own), default=0.0)
     for subject in view.subjects:
@@ -239,11 +275,13 @@ def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fau
         if subject.node_id in brief.strangers and (steals or brief.instruction.size not in CROWDED):
             text = f"{subject.node_id} {'steals the picture' if steals else 'has no part in the picture'}"
             found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
-        if subject.face is None or subject.pixels < 0.004:
+        if subject.face is None or subject.pixels < 0.004 or brief.instruction.kind == "insert":
             continue
-        if subject.pixels > 0.012 and not 0.0 < subject.face[1] < 1.0:
+        top = _top(brief, subject)
+        if subject.pixels > 0.012 and (top < 0 or subject.face[1] > 1):
             text = f"the frame takes the head off {subject.node_id}"
-            found.append(fault("beheaded", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in zoom_out"))
+            ops = f"{_AROUND} zoom_in zoom_out"
+            found.append(fault("beheaded", subject.node_id, 1.0, text, pan_y=max(0.04 - top, 0.0), ops=ops))
         left, _, right, _ = subject.box
         if (left < 0.004) != (right > 0.996) or (left < 0.004 and right > 0.996):
             x = right if left < 0.004 else 1 - left
@@ -252,3 +290,10 @@ def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fau
             found.append(fault("bystander", subject.node_id, 0.4 + min(3 * subject.pixels, 0.8), text,
                                 azimuth=math.copysign(8, -away), ops=_AROUND))  # fmt: skip
     return found
+
+
+def _top(brief: CameraBrief, subject: SubjectView) -> float:
+    """Return what of a bystander has to be below the picture's upper edge: the crown, in a tight shot the face."""
+    assert subject.face is not None
+    crown = subject.head_top if brief.instruction.size not in TIGHT else None
+    return subject.face[1] if crown is None else crown

@@ -14,7 +14,7 @@ from storyblender.geometry.boxes import wrapped
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit
 
-_SMALLEST = 0.45
+_SMALLEST = 0.6
 """How small heads may get, of what the size wants, so that the picture holds all of a group's walks."""
 _EDGE = 0.03
 """Share of the picture at its edges in which a face is not held."""
@@ -51,7 +51,9 @@ def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -
     place = np.asarray(camera.pivot) + camera.axes[:, 2] * reach
     whole = framing.group_from(film, brief.stages, size, place, camera.lens, widest)
     screen, depth = framing.project(whole, [figure.face for figure in brief.stages])
-    if depth.min() > 0 and screen[:, 0].min() > _EDGE and screen[:, 0].max() < 1 - _EDGE:
+    framed = depth.min() > 0 and screen[:, 0].min() > _EDGE and screen[:, 0].max() < 1 - _EDGE
+    nearest = max(framing.head_share(whole, figure) for figure in brief.people)
+    if framed and nearest > _SMALLEST * framing.SCALES[size].head:
         return whole
     return framing.group_from(film, brief.people, size, place, camera.lens, widest)
 

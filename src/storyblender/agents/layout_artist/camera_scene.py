@@ -46,7 +46,8 @@ def story_moment(shot: ShotContext) -> int:
     cue = max(cues, key=lambda item: (_strength(item, shot), item.start))
     after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
     length = cue.duration if cue.duration is not None else min([*after, shot.duration]) - cue.start
-    meets = clip_of(cue.clip).speed is not None and len(focus & set(shot.on_stage)) > 1
+    together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
+    meets = together and clip_of(cue.clip).speed is not None
     return min(last, cue.start + round(length * (_ARRIVAL if meets else _REST)))
 
 

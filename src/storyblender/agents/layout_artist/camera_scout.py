@@ -15,7 +15,7 @@ from storyblender.agents.layout_artist.camera_room import outside, rays, void_po
 from storyblender.agents.layout_artist.camera_solids import body, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
-from storyblender.geometry.framing import SCALES, Figure, project
+from storyblender.geometry.framing import SCALES, Figure, head_share, project
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import hidden
 
@@ -29,7 +29,7 @@ _NEAR = 0.3
 """Metres a camera needs from things."""
 _AT_BACK = 0.1
 """Metres it needs from the one over whose shoulder it looks."""
-_AT_EDGE = 0.6
+AT_EDGE = 0.6
 """Widths from the middle of the picture at which the middle of that one's head still leaves a shoulder in it."""
 _MARGIN = 0.03
 _SHOULDER = 0.17
@@ -40,6 +40,8 @@ _OWN = 0.3
 """Metres before a body that are its own: its chair, the pillar it leans at."""
 _AT_HAND = 0.12
 """Metres before a thing in an insert that are its own: the hand that holds it, the cloth it lies on."""
+_BOARD = 0.06
+"""Metres: the thickness of a table's top."""
 _MOST = 0.3
 """Share of somebody that may be hidden."""
 _LOOMING = 1.2
@@ -148,8 +150,9 @@ def _things(brief: CameraBrief, take: Take) -> float:
         spots = [(box.x, box.y, box.top) for box in brief.things]
         bodies = [box for figure in brief.drawn.figures for box in body(figure)]
         boxes = [*bodies, *_solids(brief, take.hidden)]
-        # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere.
-        boxes = [box for box in boxes if not any(_meets(box, *spot, near=0.0) for spot in spots)]
+        # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere: only its top
+        # does, as the top of a table does.
+        boxes = [_top_of(box) if any(_meets(box, *spot, near=0.0) for spot in spots) else box for box in boxes]
         framed &= ~hidden(boxes, take.camera.position, spots, _AT_HAND)
     return (1.0 if brief.people else 2.5) * float((~framed).sum())
 
@@ -173,6 +176,10 @@ def _meets(box: Box, x: float, y: float, z: float, near: float = _NEAR) -> bool:
     return box.z - near < z < box.top + near and distance_to_point(box, x, y) <= near
 
 
+def _top_of(box: Box) -> Box:
+    return replace(box, z=box.top - min(_BOARD, box.height), height=min(_BOARD, box.height))
+
+
 def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:
     own = belongings(brief, brief.named) if brief.detail is not None else brief.focus
     return solids(dict(brief.props), brief.plan, (*hidden, *own))
@@ -192,9 +199,10 @@ def _people(brief: CameraBrief, take: Take) -> float:
             points += _subject(brief, camera, figure, [*others, *solid])
         elif figure.node_id == over and instruction.kind == "ots":
             (near,), _ = project(camera, [figure.face])
-            points += 1.5 * (abs(float(near[0]) - 0.5) > _AT_EDGE)
+            points += 1.5 * (abs(float(near[0]) - 0.5) > AT_EDGE)
         elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
-            points += 0.8 * (not _framed(camera, figure) or hidden_share(camera, figure, [*others, *solid]) > _MOST)
+            whole = _framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
+            points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
@@ -213,12 +221,6 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
     off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)
     return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
-
-
-def head_share(camera: Orbit, figure: Figure) -> float:
-    """Return the height of somebody's head as a share of the picture's."""
-    away = max(float(project(camera, [figure.face])[1][0]), 0.1)
-    return max(figure.head / away / (2 * camera.tangent), 1e-3)
 
 
 def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:

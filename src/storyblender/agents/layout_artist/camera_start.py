@@ -132,7 +132,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
         return grouped(brief, lens, group_azimuth(brief) + turn, elevation)
-    if brief.walks and not _tight(brief):
+    if brief.in_stride and not _tight(brief):
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
     return framing.single(film, lead, instruction.size, azimuth, elevation, lens)
@@ -152,8 +152,8 @@ def shoulder(brief: CameraBrief) -> Figure | None:
 
 
 def face_limit(brief: CameraBrief) -> float:
-    """Return the degrees a focus face may be turned from the camera: whoever walks, or is watched going, may turn."""
-    if brief.walks or (brief.instruction.kind == "ots" and brief.instruction.explicit):
+    """Return the degrees a focus face may be turned from the camera: on the way, or watched going, it may turn."""
+    if brief.in_stride or (brief.instruction.kind == "ots" and brief.instruction.explicit):
         return 150.0
     return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)
 

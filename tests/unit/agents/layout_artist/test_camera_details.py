@@ -1,6 +1,7 @@
 """Inserts of a part of somebody: the hand that acts, not the face it belongs to."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from test_camera_operator import ANNA, TOM, brief
@@ -8,6 +9,7 @@ from test_camera_operator import ANNA, TOM, brief
 from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
+from storyblender.agents.layout_artist.camera_start import start
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, project
 from storyblender.memory.shot_context import CameraInstruction, Cue, PropState, ShotContext
@@ -75,6 +77,17 @@ def test_what_a_hand_lies_in_does_not_hide_it_and_what_stands_before_it_does() -
     price = cost(free, take)
     assert cost(brief((HANDED,), props={"chair": chair}, **wish), take) < price + 1
     assert cost(brief((HANDED,), props={"screen": screen}, **wish), take) > price + 2
+
+
+def test_the_top_of_a_table_hides_the_hand_below_it() -> None:
+    box = Box(0.4, -0.1, 0.25, 0.2, 0.2, 0.2)
+    table = Box(0.6, -0.6, 0.0, 1.4, 1.4, 0.85)
+    view = brief((HANDED,), kind="insert", size="CU", focus_on_ids=("anna",), detail=box, props={"table": table})
+    turns = (start(view, turn) for turn in range(-180, 180, 15))
+    across = min(turns, key=lambda take: take.camera.position[1])
+    bare = replace(view, props={})
+    assert cost(view, across) > cost(bare, across) + 2
+    assert cost(view, scouted(view)[0]) < cost(view, across) - 1, "it is seen from where the table ends"
 
 
 def test_whoever_holds_what_an_insert_shows_does_not_stand_aside() -> None:

@@ -15,7 +15,7 @@ from storyblender.agents.layout_artist.camera_solids import body
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.framing import Film, crown_height, group, group_from, project
+from storyblender.geometry.framing import Film, crown_height, group, group_from, head_share, project
 from storyblender.geometry.orbit import between, orbit
 from storyblender.geometry.sight import hidden
 from storyblender.memory.measure import ViewRequest
@@ -93,6 +93,33 @@ def test_a_followed_walk_is_composed_when_it_is_drawn() -> None:
     (composed,), _ = project(take.camera, [moments[1].figures[0].face])
     assert drawn == pytest.approx(composed, abs=0.02)
     assert 0.25 < drawn[0] < 0.75
+
+
+def test_whoever_has_arrived_is_taken_by_the_face_and_not_by_the_way() -> None:
+    wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna",)}
+    came = (-3.0, 0.0)
+    for drawn, stride in ((1.5, False), (-0.5, True)):
+        way = tuple(Moment(frame, (person("anna", x, 0.0, 90),)) for frame, x in ((0, came[0]), (20, drawn), (47, 1.6)))
+        turned = Moment(20, (person("anna", drawn, 0.0, 180 if not stride else 90),))
+        view = replace(
+            brief(turned.figures[0], in_frame=("anna",), **wish), moments=(way[0], turned, way[2]), plan=None
+        )
+        assert view.walks and view.in_stride == stride
+        assert view.people[0].turned_from(start(view).camera.position) < 70
+
+
+def test_walks_are_held_only_where_people_stay_large_enough() -> None:
+    sizes = []
+    for first in (-1.5, -9.0):
+        here, there = person("anna", -0.6, 0.0, 90), person("anna", first, 0.0, 90)
+        tom = person("tom", 0.6, 0.0, -90)
+        view = brief(here, tom, in_frame=("anna", "tom"), kind="action", size="FS", focus_on_ids=("anna", "tom"))
+        moments = (Moment(0, (there, tom)), Moment(20, (here, tom)), Moment(47, (here, tom)))
+        camera = start(replace(view, moments=moments, plan=None)).camera
+        (seen,), depth = project(camera, [there.face])
+        sizes.append((head_share(camera, tom), bool(depth[0] > 0 and 0 < seen[0] < 1)))
+    assert sizes[0][1] and not sizes[1][1], "the long walk comes into the picture"
+    assert all(share > 0.6 * 0.108 for share, _ in sizes)
 
 
 def test_a_shoulder_that_is_not_in_the_picture_costs() -> None:

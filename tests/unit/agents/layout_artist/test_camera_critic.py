@@ -1,0 +1,113 @@
+"""What the critic takes off for what the viewfinder saw: every picture here is written down, not drawn."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import pytest
+from test_camera_operator import ANNA, GUARD, TOM, brief, figure
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
+from storyblender.agents.layout_artist.camera_critic import CameraCritic
+from storyblender.agents.layout_artist.camera_start import start
+from storyblender.geometry.boxes import Box
+from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
+from storyblender.reflection import Fault
+
+SEEN = {"visible_fraction": 0.8, "in_frame_fraction": 0.8, "box": (0.3, 0.2, 0.6, 1.0), "pixels": 0.1}
+FACE = {"face": (0.5, 0.25), "face_visible": 1.0, "head_height": 0.2, "head_top": 0.12, "face_angle": 40.0}
+CUP = Box(0.3, 0.3, 0.8, 0.1, 0.1, 0.1)
+
+
+class Written:
+    """A viewfinder that sees what is written for a frame."""
+
+    def __init__(self, views: dict[int, tuple[SubjectView, ...]]) -> None:
+        self.views = views
+
+    def look(self, requests: Sequence[ViewRequest]) -> list[CameraView]:
+        return [CameraView(subjects=self.views[request.frame], void=0.0) for request in requests]
+
+
+def sight(node: str, **changes) -> SubjectView:
+    return SubjectView(node_id=node, **({**SEEN, **FACE} | changes))
+
+
+def thing(node: str, **changes) -> SubjectView:
+    return SubjectView(node_id=node, **(SEEN | changes))
+
+
+def faults(
+    view: CameraBrief, *subjects: SubjectView, **others: tuple[SubjectView, ...]
+) -> dict[tuple[str, str], Fault]:
+    views = {view.drawn.frame: subjects} | {int(frame[1:]): seen for frame, seen in others.items()}
+    found = CameraCritic(Written(views)).judge(start(view), view).faults
+    return {(fault.kind, fault.subject): fault for fault in found}
+
+
+def test_a_thing_in_a_picture_of_people_weighs_less_than_a_person_in_it() -> None:
+    view = brief(kind="two_shot", size="MS", focus_on_ids=("anna", "tom", "cup"), props={"cup": CUP})
+    behind = {"visible_fraction": 0.0}
+    found = faults(view, sight("anna"), sight("tom", **behind), thing("cup", **behind))
+    assert found["hidden", "cup"].severity < 1.5 < found["hidden", "tom"].severity
+    alone = brief((), kind="insert", size="CU", focus_on_ids=("cup",), props={"cup": CUP})
+    assert faults(alone, thing("cup", **behind))["hidden", "cup"].severity > 2
+
+
+def test_a_face_may_turn_away_before_it_is_drawn() -> None:
+    turned = replace(ANNA, forward=(-1.0, 0.0, 0.0))
+    moments = (Moment(0, (turned, TOM)), Moment(20, (ANNA, TOM)), Moment(40, (replace(ANNA, face=(0, 1, 1.5)), TOM)))
+    view = brief(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
+    good, away = (sight("anna"), sight("tom")), (sight("anna", face_angle=170.0), sight("tom"))
+    assert ("face_away", "anna") not in faults(view, *good, _0=away, _40=good)
+    assert ("face_away", "anna") in faults(view, *away, _0=good, _40=good)
+
+
+def test_one_of_several_may_walk_into_the_picture() -> None:
+    gone = {"visible_fraction": 0.0, "in_frame_fraction": 0.0, "face": None, "pixels": 0.0, "box": None}
+    weights = []
+    for x in (-4.0, -0.9):
+        first = replace(ANNA, face=(x, *ANNA.face[1:]), base=(x, *ANNA.base[1:]))
+        moments = (Moment(0, (first, TOM)), Moment(20, (ANNA, TOM)), Moment(40, (first, TOM)))
+        view = brief(moments=moments, kind="action", size="FS", focus_on_ids=("tom", "anna"))
+        seen = (sight("anna"), sight("tom"))
+        empty = (sight("anna", **gone), sight("tom"))
+        found = faults(view, *seen, _0=empty, _40=empty)
+        weights.append(found["out_of_frame", "anna"].severity)
+    assert weights[0] < 1 < 2 < weights[1], "who stands there has to be seen"
+
+
+@pytest.mark.parametrize(("size", "cut"), [("MS", True), ("MCU", False)])
+def test_the_frame_takes_no_crown_off_whoever_belongs_in_it(size: str, cut: bool) -> None:
+    wish = {"kind": "ots", "size": size, "focus_on_ids": ("anna",), "over_id": "tom", "in_frame": ("guard",)}
+    view = brief((ANNA, TOM, GUARD), **wish)
+    found = faults(view, sight("anna"), sight("tom"), sight("guard", head_top=-0.08, face=(0.8, 0.05)))
+    assert (("beheaded", "guard") in found) == cut
+    if cut:
+        assert found["beheaded", "guard"].fix["pan_y"] == pytest.approx(0.12)
+
+
+def test_a_shoulder_has_its_head_in_the_picture_or_nearly() -> None:
+    view = brief(kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom")
+    assert ("no_shoulder", "tom") in faults(view, sight("anna"), sight("tom", face=(1.2, 0.2)))
+    assert ("no_shoulder", "tom") not in faults(view, sight("anna"), sight("tom", face=(0.9, 0.2)))
+
+
+def test_of_an_insert_nobody_is_asked_to_be_whole() -> None:
+    cut = sight("anna", face=(0.5, -0.4), head_top=-0.6, box=(0.0, 0.0, 0.5, 1.0), pixels=0.3)
+    view = brief((ANNA,), kind="insert", size="CU", focus_on_ids=("cup",), props={"cup": CUP}, in_frame=("anna",))
+    found = faults(view, cut, thing("cup", box=(0.2, 0.2, 0.75, 0.75)))
+    assert not [kind for kind, subject in found if subject == "anna"]
+
+
+def test_a_picture_of_a_place_alone_is_not_empty() -> None:
+    assert faults(brief((), kind="action", size="WS")) == {}
+
+
+def test_of_two_in_each_others_arms_one_face_is_enough() -> None:
+    close = (figure("anna", -0.12, 0, 90, 1.65), figure("tom", 0.12, 0, -90, 1.8))
+    back = sight("tom", face_angle=165.0)
+    for people, one_is_enough in ((close, True), ((ANNA, TOM), False)):
+        view = brief(people, kind="action", size="MWS", focus_on_ids=("anna", "tom"))
+        assert (("face_away", "tom") not in faults(view, sight("anna"), back)) == one_is_enough
+    view = brief(close, kind="action", size="MWS", focus_on_ids=("anna", "tom"))
+    assert ("face_away", "tom") in faults(view, sight("anna", face_angle=165.0), back)
