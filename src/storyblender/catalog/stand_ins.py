@@ -74,7 +74,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "slab",
             (0.21, 0.3, 0.01),
             "paper",
-            "sheet, certificate, poster, leaflet, blueprint, plan, chart, flag, banner, cloth, towel, blanket",
+            "sheet, certificate, poster, leaflet, blueprint, plan, chart, flag, banner, cloth",
             True,
         ),
         _class(

@@ -9,6 +9,8 @@ from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
 from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules
+from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.places import find_kit
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.jobs import AssetJob
@@ -89,7 +91,7 @@ class ConceptArtist:
         recipe = reflect(
             "asset_retriever",
             asset.asset_id,
-            AssetRequest(asset=asset, models=self._models),
+            AssetRequest(asset=asset, models=self._models, means=self._means(asset)),
             self._retriever,
             MatchCritic(),
             threshold=self._run.settings.thresholds.get("asset_retriever", RETRIEVAL_THRESHOLD),
@@ -98,6 +100,14 @@ class ConceptArtist:
             listener=self._run.tell,
         ).draft
         return asset.model_copy(update={"canonical": recipe.canonical()})
+
+    def _means(self, asset: Asset) -> dict[str, str]:
+        """Return what plain words mean in the first place where an asset is."""
+        scenes = self._run.graph.scenes
+        setup = next((scene.setup for scene in scenes if asset.asset_id in scene.setup.asset_ids), None)
+        if setup is None:
+            return {}
+        return dict(SETS[find_kit(setup.place_kind, setup.place, setup.scene_type)].means)
 
 
 def model_files(folder: Path | None) -> tuple[ModelFile, ...]:

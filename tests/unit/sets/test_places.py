@@ -40,6 +40,9 @@ from storyblender.catalog.sets.places import find_kit
         ("SPACESHIP BRIDGE", "indoor", "control_room"),
         ("STARSHIP - BRIDGE", "indoor", "control_room"),
         ("MISSION CONTROL", "indoor", "control_room"),
+        ("DARK BASEMENT", "indoor", "basement"),
+        ("SUPERMARKET", "indoor", "supermarket"),
+        ("BOOKSHOP", "indoor", "library"),
         ("SCHOOL GYM", "indoor", "gym"),
     ],
 )

@@ -29,6 +29,8 @@ class AssetRequest(Frozen):
 
     asset: Asset
     models: tuple[ModelFile, ...] = ()
+    means: dict[str, str] = {}
+    """What plain words mean in the place it is first seen in, prop for prop."""
 
     @property
     def phrase(self) -> str:

@@ -101,8 +101,8 @@ class Retriever:
         entries = [
             Recipe(
                 source="catalog",
-                key=match.key,
-                params=read_variant(PROPS[match.key], f"{phrase} {view.asset.description}"),
+                key=(key := view.means.get(match.key, match.key) if match.score >= HEAD else match.key),
+                params=read_variant(PROPS[key], f"{phrase} {view.asset.description}"),
                 score=match.score,
                 reason=match.reason,
             )

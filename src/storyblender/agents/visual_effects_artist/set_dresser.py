@@ -57,6 +57,8 @@ _FAMILIES: tuple[frozenset[str], ...] = tuple(
         "fireplace",
         "car van taxi truck police_car",
         "cart wagon carriage",
+        "shopping_cart",
+        "store_shelf",
         "crate barrel chest cardboard_box",
         "market_stall",
         "log",

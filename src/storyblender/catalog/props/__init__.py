@@ -8,6 +8,7 @@ from storyblender.catalog.props.fittings import FITTINGS
 from storyblender.catalog.props.furniture import FURNITURE
 from storyblender.catalog.props.machines import MACHINES
 from storyblender.catalog.props.nature import ANIMALS, NATURE
+from storyblender.catalog.props.places import PLACES
 from storyblender.catalog.props.seats import SEATS
 from storyblender.catalog.props.street import STREET
 from storyblender.catalog.props.table_and_desk import TABLE_AND_DESK
@@ -18,6 +19,6 @@ __all__ = ["PROPS", "PropEntry"]
 
 PROPS: Catalog[PropEntry] = Catalog(
     "prop",
-    SEATS + FURNITURE + FITTINGS + MACHINES + TABLE_AND_DESK + CARRIED + VEHICLES + STREET + NATURE + ANIMALS,
+    SEATS + FURNITURE + FITTINGS + MACHINES + TABLE_AND_DESK + CARRIED + VEHICLES + STREET + PLACES + NATURE + ANIMALS,
 )
 """In the order they are listed to people."""

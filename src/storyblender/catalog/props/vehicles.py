@@ -90,7 +90,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     entry(
         "vehicle",
         "pram",
-        "baby carriage, stroller, pushchair, shopping cart, trolley",
+        "baby carriage, stroller, pushchair",
         (0.6, 1.0, 1.05),
         {"body": "fabric_blue", "metal": "chrome", "tyre": "rubber"},
         "A baby carriage.",

@@ -13,6 +13,7 @@ from storyblender.catalog.sets import (
     airfield,
     alley,
     bar,
+    basement,
     bathroom,
     beach,
     bedroom,
@@ -49,6 +50,7 @@ from storyblender.catalog.sets import (
     square,
     street,
     subway,
+    supermarket,
     theatre,
     waiting_room,
     warehouse,
@@ -66,7 +68,8 @@ SETS: Catalog[SetKit] = Catalog(
         module.KIT
         for module in (
             plain_room, living_room, bedroom, kitchen, bathroom, cafe, bar, office, corridor, hospital_ward, classroom,
-            library, cell, interrogation, shop, lobby, waiting_room, theatre, church, great_hall, cottage, lighthouse,
+            library, cell, interrogation, shop, supermarket, basement, lobby, waiting_room, theatre, church, great_hall,
+            cottage, lighthouse,
             warehouse, gym, control_room, subway, carriage, open_ground, street, alley, square, park, forest, beach,
             dock, airfield, rooftop, bridge, platform, desert, mountain, ship_deck,
         )

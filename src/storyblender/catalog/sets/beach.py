@@ -43,6 +43,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 KIT = SetKit(
     key="beach",
+    means={"umbrella": "parasol"},
     name="Beach",
     tags=(
         "beach",

@@ -46,6 +46,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="carriage",
     name="Carriage",
+    means={"bench": "carriage_seat", "booth": "carriage_seat", "sofa": "carriage_seat"},
     tags=(
         "train",
         "carriage",

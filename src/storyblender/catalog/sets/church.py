@@ -58,6 +58,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 KIT = SetKit(
     key="church",
+    means={"bench": "pew"},
     name="Church",
     tags=("church", "chapel", "cathedral", "monastery", "abbey", "synagogue", "mosque", "sanctuary", "funeral home"),
     indoor=True,

@@ -65,4 +65,5 @@ KIT = SetKit(
     height=Span(2.8, 3.1, 4.0),
     period="modern",
     options={"space": False},
+    means={"chair": "office_chair", "armchair": "office_chair"},
 )  # fmt: skip

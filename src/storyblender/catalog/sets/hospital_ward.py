@@ -48,4 +48,5 @@ KIT = SetKit(
     depth=Span(6.8, 7.2, 9.0),
     height=Span(2.7, 3.0, 3.6),
     period="modern",
+    means={"bed": "hospital_bed"},
 )  # fmt: skip

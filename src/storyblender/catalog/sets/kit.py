@@ -40,6 +40,7 @@ class SetKit:
         height: Span of the ceiling; ignored outdoors.
         period: When the place is usually set.
         options: The kit's own parameters and their defaults.
+        means: What plain words mean here, prop for prop: a bed in a ward is a hospital bed.
     """
 
     key: str
@@ -52,3 +53,4 @@ class SetKit:
     height: Span = Span(2.4, 2.8, 4.0)
     period: Period = "classic"
     options: Mapping[str, ParamValue] = field(default_factory=dict)
+    means: Mapping[str, str] = field(default_factory=dict)

@@ -28,11 +28,11 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.against("left", "counter", 0.67, 1.5)
     room.mark("behind_counter", -x + 0.8, -0.2, 90, "bar", "counter", "staff")
     room.mark("counter", -x + 2.3, -0.2, 270, "bar", "counter")
-    for at in (-1.4, -0.2, 1.0):
-        room.against("left", "bookshelf", at, 0.2, required=at == -0.2)
-    for at in (0.1, 1.2, 2.3):
-        if at < x - 0.6:
-            room.against("back", "bookshelf", at, 0.2, required=False)
+    for at in (-1.44, -0.2, 1.04):
+        room.against("left", "store_shelf", at, 0.25, required=at == -0.2, fill=0.9)
+    for at in (0.1, 1.34, 2.58):
+        if at < x - 1.5:
+            room.against("back", "store_shelf", at, 0.25, required=False)
     room.furnish("barrel", x - 0.55, y - 0.55, required=False)
     room.furnish("crate", x - 1.2, y - 0.5, required=False)
     room.on_wall("back", "wall_clock", -0.6, 2.1)
@@ -46,11 +46,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="shop",
     name="Shop",
-    tags=("shop", "store", "grocery", "supermarket", "bakery", "pharmacy", "drugstore", "general store", "pawn shop",
-          "bookshop", "barber shop", "gas station", "post office", "butcher", "tailor", "mall", "showroom"),
+    tags=("shop", "store", "grocery", "bakery", "pharmacy", "drugstore", "general store", "pawn shop",
+          "barber shop", "gas station", "post office", "butcher", "tailor", "showroom"),
     indoor=True,
     draw=draw,
     width=Span(7.0, 7.6, 11.0),
     depth=Span(5.6, 6.4, 9.0),
     height=Span(2.8, 3.1, 3.8),
+    means={"bookshelf": "store_shelf", "jewel_box": "cardboard_box"},
 )  # fmt: skip

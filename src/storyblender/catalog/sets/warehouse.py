@@ -70,6 +70,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
 KIT = SetKit(
     key="warehouse",
+    means={"jewel_box": "cardboard_box"},
     name="Warehouse",
     tags=("warehouse", "factory", "garage", "barn", "hangar", "depot", "stable", "workshop", "storage", "storeroom",
           "shed", "attic", "mill", "loft", "engine room", "construction site", "mine"),

@@ -5,6 +5,8 @@ import pytest
 from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.sets import SETS
 from storyblender.library.embedder import load_embedder
 from storyblender.memory.asset_sheet import Asset
 from storyblender.reflection import reflect
@@ -53,11 +55,12 @@ def test_what_is_not_in_the_catalog_scores_under_the_threshold(retriever):
     assert not over
 
 
-def test_words_alone_need_no_model():
-    def fail():
-        raise AssertionError("the sentence model was loaded for a word that is in the catalog")
+def no_model():
+    raise AssertionError("the sentence model was loaded for a word that is in the catalog")
 
-    assert Retriever(fail).propose(request("red leather armchair")).params == {
+
+def test_words_alone_need_no_model():
+    assert Retriever(no_model).propose(request("red leather armchair")).params == {
         "material": "leather",
         "color": "#9c2622",
     }
@@ -82,3 +85,23 @@ def test_the_generator_takes_over(embedder, retriever):
 def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
     recipe = Generator(lambda: embedder).propose(request("starship"))
     assert recipe.key == "craft"
+
+
+@pytest.mark.parametrize(
+    ("kit", "word", "key"),
+    [
+        ("hospital_ward", "bed", "hospital_bed"),
+        ("supermarket", "cart", "shopping_cart"),
+        ("beach", "umbrella", "parasol"),
+        ("basement", "boxes", "cardboard_box"),
+        ("kitchen", "table", "dining_table"),
+    ],
+)
+def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
+    asset = Asset(asset_id="it", asset_type="object", description="", name=word)
+    view = AssetRequest(asset=asset, means=dict(SETS[kit].means))
+    assert Retriever(no_model).propose(view).key == key
+
+
+def test_what_words_mean_in_a_place_is_in_the_catalog():
+    assert {key for kit in SETS.values() for pair in kit.means.items() for key in pair} <= set(PROPS)
