@@ -12,7 +12,7 @@ from defusedxml import DefusedXmlException
 from defusedxml.sax import parseString
 
 from storyblender.errors import InputError
-from storyblender.screenplay.fountain import split_cue
+from storyblender.screenplay.fountain import kind_of_words, split_cue
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _KIND: dict[str, ElementKind] = {
@@ -108,6 +108,8 @@ def _lay(paragraphs: list[_Paragraph]) -> tuple[str, tuple[Element, ...]]:
     for paragraph in paragraphs:
         words = paragraph.text
         kind = _KIND.get(paragraph.type, "action")
+        if kind == "action":  # writers type a heading or FADE IN: without giving it its type
+            kind = kind_of_words(words) or kind
         if pieces:
             gap = "\n" if kind in ("dialogue", "parenthetical", "lyric") else "\n\n"
             pieces.append(gap)

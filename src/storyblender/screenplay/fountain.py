@@ -15,6 +15,20 @@ from storyblender.screenplay.model import Element, ElementKind, Screenplay
 _HEADING = re.compile(r"(?:INT|EXT|EST|INT\.?/EXT|EXT\.?/INT|I/E|E/I)(\.?)(?=[\s.]|$)", re.IGNORECASE)
 _LEADING_NUMBER = re.compile(r"\(?([A-Z]{0,2}\d{1,4}[A-Z]{0,2})[.):]?\s+(?=(?:INT|EXT|EST|I/E|E/I)\b)", re.IGNORECASE)
 """A shooting script numbers its scenes before the heading, and mostly once more behind it."""
+LEADING_WORDS = re.compile(
+    r"(?:BEGIN |START )?(?:FLASH[ -]?(?:BACK|FORWARD)|DREAM|FANTASY|MEMORY|MONTAGE|INTERCUT)(?: SEQUENCE)?"
+    r"(?: TO)?\s*[-–—:.]+\s*(?=(?:INT|EXT|EST|I/E|E/I)\b)"
+)
+"""What may stand before ``INT.`` in a heading: it belongs to the heading."""
+_SECTION = re.compile(
+    r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"
+    r"|(?:BEGIN |START |END (?:OF )?)?(?:[A-Z' -]*\bMONTAGE\b|SERIES OF SHOTS\b)(?:[ :.–—-][^a-z]*)?"
+    r"|(?:BEGIN |START |END (?:OF )?)?(?:FLASH[ -]?(?:BACK|FORWARD)|DREAM|FANTASY)(?: SEQUENCE)?[:.]?"
+    r"|(?:BACK|RETURN) TO (?:THE )?PRESENT(?: DAY)?[:.]?"
+)
+"""Lines in capitals that divide a script and tell nothing: acts, montages, and the ends of what was remembered."""
+_LISTS_SHOTS = re.compile(r"\bMONTAGE\b|\bSERIES OF SHOTS\b")
+"""Nobody is called so: what stands right below is no speech."""
 _SCENE_NUMBER = re.compile(r"#([\w.\-–()]+)#$")
 _TRANSITION = re.compile(
     r"[^a-z]*\bTO:|(?:FADE (?:IN|OUT|TO BLACK|TO WHITE)|CUT TO BLACK|SMASH CUT|DISSOLVE)[^a-z]{0,3}|THE END\.?"
@@ -88,9 +102,20 @@ def split_cue(cue: str) -> tuple[str, str, bool]:
 
 def is_heading(line: str) -> bool:
     """Return whether a line reads as a scene heading; without the dot it must be in capitals, a number may lead it."""
-    line = _LEADING_NUMBER.sub("", line, count=1)
+    line = LEADING_WORDS.sub("", _LEADING_NUMBER.sub("", line, count=1))
     match = _HEADING.match(line)
     return bool(match) and len(line) > match.end() and (bool(match[1]) or line == line.upper())
+
+
+def kind_of_words(words: str) -> ElementKind | None:
+    """Return what a line between blank lines is by its words alone; None where it tells or speaks."""
+    if is_heading(words):
+        return "heading"
+    if _TRANSITION.fullmatch(words):
+        return "transition"
+    if _SECTION.fullmatch(words):
+        return "section"
+    return "page_break" if _PAGE_FURNITURE.fullmatch(words) else None
 
 
 class _Reader:
@@ -167,12 +192,11 @@ class _Reader:
         forced = self._forced(words)
         if forced is not None:
             return forced
-        if is_heading(words) and (before or words == words.upper()):
+        told = kind_of_words(words)
+        if told == "heading" and (before or words == words.upper()):
             return "heading"
-        if before and after and _TRANSITION.fullmatch(words):
-            return "transition"
-        if before and after and _PAGE_FURNITURE.fullmatch(words):
-            return "page_break"
+        if told not in (None, "heading") and before and (after or _LISTS_SHOTS.search(words)):
+            return told
         return "cue" if before and not after and _looks_like_cue(words) else "action"
 
     @staticmethod

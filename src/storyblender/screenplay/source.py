@@ -41,6 +41,8 @@ _BOMS: Final = (
     (codecs.BOM_UTF16_LE, "utf-16-le"),
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
+_CONTROLS: Final = re.compile("[\x01-\x08\x0e-\x1f\x7f\x80-\x84\x86-\x9f\ufffe\uffff]")
+"""No words, and no XML may hold them; each becomes a space, so that offsets stay true."""
 _NEWLINES: Final = re.compile("\r\n|[\r\v\f\x85\u2028\u2029]")
 
 
@@ -74,6 +76,7 @@ def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Scree
         raise InputError(
             "the text holds NUL characters, so its encoding is damaged", mend="save it as UTF-8", path=path or None
         )
+    text = _CONTROLS.sub(" ", text)
     if format is None or _is_xml(text):
         format = _sniff(text, path)
     screenplay = {"fountain": fountain.parse, "fdx": fdx.parse, "prose": prose.parse}[format](text, path)

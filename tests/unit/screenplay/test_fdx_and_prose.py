@@ -98,3 +98,10 @@ def test_an_author_may_have_initials() -> None:
     screenplay = parse_prose("The Lamp\n\nby U. N. Field\n\nMaren climbed the stairs.")
     assert dict(screenplay.title_page)["Author"] == "U. N. Field"
     assert [element.text for element in screenplay.elements] == ["Maren climbed the stairs."]
+
+
+def test_fdx_paragraphs_typed_as_action_are_what_they_say() -> None:
+    lines = ["FADE IN:", "INT. HALL - DAY", "She runs.", "END OF TEASER", "SMASH CUT TO:"]
+    body = "".join(f'<Paragraph Type="Action"><Text>{line}</Text></Paragraph>' for line in lines)
+    kinds = [element.kind for element in parse_fdx(f"<FinalDraft><Content>{body}</Content></FinalDraft>").elements]
+    assert kinds == ["transition", "heading", "action", "section", "transition"]

@@ -231,3 +231,32 @@ def test_the_numbers_of_a_shooting_script_lead_its_headings() -> None:
 
 def test_a_number_before_prose_is_no_heading() -> None:
     assert read("12 exterior walls stood.\n\n3 interested men came.").format == "prose"
+
+
+@pytest.mark.parametrize(
+    ("line", "kind"),
+    [
+        ("FLASHBACK - INT. LIVING ROOM - NIGHT (TEN YEARS EARLIER)", "heading"),
+        ("INTERCUT: EXT. ROOF - DAY", "heading"),
+        ("MONTAGE - ROCCO TRAINS", "section"),
+        ("BEGIN TRAINING MONTAGE:", "section"),
+        ("END MONTAGE", "section"),
+        ("SERIES OF SHOTS", "section"),
+        ("END FLASHBACK.", "section"),
+        ("BACK TO PRESENT", "section"),
+        ("END OF ACT ONE", "section"),
+        ("TEASER", "section"),
+        ("A FLASHBACK hits her.", "action"),
+        ("The montage ends.", "action"),
+    ],
+)
+def test_lines_that_divide_a_script(line: str, kind: str) -> None:
+    screenplay = parse(f"INT. GYM - DAY\n\nRocco waits.\n\n{line}\n\nRocco runs.\n")
+    element = next(element for element in screenplay.elements if element.text == line)
+    assert element.kind == kind
+
+
+def test_a_montage_may_list_its_shots_right_below() -> None:
+    screenplay = parse("MONTAGE - ROCCO TRAINS\n-- Rocco runs.\n-- Rocco boxes.\n")
+    assert [element.kind for element in screenplay.elements] == ["section", "action"]
+    assert [element.kind for element in parse("INT. BED - DAY\n\nDREAM\nCome.\n").elements][1:] == ["cue", "dialogue"]

@@ -162,3 +162,9 @@ def test_cues_without_a_heading_are_a_screenplay() -> None:
     play = read("JOHN\nHello.\n\nMARY\nGoodbye.\n")
     assert [element.kind for element in play.elements] == ["cue", "dialogue", "cue", "dialogue"]
     assert read("STOP\n\nHe read the sign. A story about A\nB.\n").format == "prose"
+
+
+def test_control_characters_become_spaces_and_offsets_stay() -> None:
+    screenplay = read("INT. ROOM - DAY\n\nAnna\x07 sits\x1b[31m down.\x85Slowly.\n", "fountain")
+    action = screenplay.elements[1]
+    assert screenplay.text[action.start : action.end] == "Anna  sits [31m down.\nSlowly."

@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
 from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import SceneType, TimeOfDay, Weather
+from storyblender.screenplay.fountain import LEADING_WORDS
 
 _PREFIX = re.compile(r"^(INT\.?/EXT|EXT\.?/INT|I/E|E/I|INT|EXT|EST)\b\.?\s*(.*)$", re.IGNORECASE | re.DOTALL)
 _NUMBER = re.compile(r"^\s*[A-Z]?\d+[A-Z]?[.)]?\s+(?=INT|EXT|I/E)|\s*#[^#]*#\s*$|\s+[A-Z]?\d+[A-Z]?\s*$")
@@ -31,7 +32,7 @@ def read_heading(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReadi
         scenes: The scenes before; the new one takes the next id.
     """
     heading = " ".join(paragraph.text.split())
-    match = _PREFIX.match(_NUMBER.sub("", heading))
+    match = _PREFIX.match(LEADING_WORDS.sub("", _NUMBER.sub("", heading)))
     prefix, rest = (match.group(1).lower(), match.group(2)) if match else ("", heading)
     place, time, written = _place_and_time(rest.strip(" .-"), scenes)
     place = _BACK.sub("", place.lower())
