@@ -70,9 +70,10 @@ class Assembly:
         """Return the scene with its shots and their lines."""
         first = next((b.unit.text for d in drafts for b in d.beats if b.unit.kind == "action"), "")
         place = scene.place or scene.heading
+        where = f"{capwords(place)}, {scene.time}" if place else scene.time.capitalize()
         return SceneOutline(
             scene_id=scene.id,
-            scene_description=f"{capwords(place) or 'A place'}, {scene.time}. {one_line(first)}".strip(),
+            scene_description=f"{where}. {one_line(first)}".strip(),
             heading=scene.heading,
             script_number=scene.number,
             span=SourceSpan(start=scene.start, end=max(scene.start, scene.end)),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import changes, deeds, entrances, relations, states
+from storyblender.agents.director.reader.body_parts import motion_of_part
 from storyblender.agents.director.reader.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.coreference import Referents, remember, resolve_owner, resolve_pronoun
 from storyblender.agents.director.reader.morphology import singular
@@ -18,8 +19,10 @@ from storyblender.agents.director.reader.words import joined
 from storyblender.agents.director.reading import Person
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
+_SOMEWHERE = frozenset({"prop", "set_piece", "scenery"})
 _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 """``walks out, followed by Mia``: it is Mia who follows."""
+_STATIVE = lexicon.words("stative")
 _SPOKEN = frozenset({"call", "shout", "yell"})
 _WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
@@ -117,6 +120,9 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if len(roles.subjects) > 1:
         discourse = stage.discourse
         discourse.groups.append((discourse.sentence, list(roles.subjects), discourse.clock + len(roles.subjects)))
+    part = None if roles.subjects else motion_of_part(clause)
+    owner = stage.person(clause.subject[0].owner or "") if part else None
+    roles.subjects = [owner] if owner else roles.subjects
     seen = entrances.subjects_enter(stage, clause, roles.subjects)
     if roles.subjects and (clause.main or not stage.sentence.subjects):
         stage.sentence.subjects = roles.subjects
@@ -124,9 +130,11 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if not roles.subjects and not stage.sentence.subjects:
         _owner_is_subject(stage, clause)
     resolve_objects(stage, clause, roles, previous)
-    followers = roles.people_after("by") if clause.verb in _FOLLOWED and not clause.object else []
+    followers = [] if clause.object else _agents(clause, roles)
     if followers:
         roles.subjects, roles.people, clause.passive = followers, roles.subjects, False
+        roles.things = roles.things or roles.subject_things
+        roles.places = [p for p in roles.places if p.preposition != "by" or clause.verb in _FOLLOWED]
         entrances.subjects_enter(stage, clause, followers)
     for noun in clause.asides:
         resolve_owner(stage, noun, "possessor", roles.subjects, previous)
@@ -136,7 +144,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return
-    motion = _motion(stage, clause, roles)
+    motion = part or _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
     _notice_things(stage, clause, roles, motion)
     entrances.objects_enter(stage, clause, roles, motion)
@@ -145,6 +153,12 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     if roles.subjects and motion:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
         entrances.leave(stage, clause, roles, motion)
+
+
+def _agents(clause: Clause, roles: Roles) -> list[Person]:
+    """``followed by Mia``, ``The door is opened by Peg``: who does it, and not who is merely near."""
+    resting = clause.verb in _STATIVE
+    return roles.people_after("by") if clause.verb in _FOLLOWED or (clause.passive and not resting) else []
 
 
 def _owner_is_subject(stage: Stage, clause: Clause) -> None:
@@ -191,7 +205,8 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         return None
     if any(noun.head == "asleep" for noun in clause.complement):
         return "sleep"
-    kinds = {lexicon.relation_of(place.preposition) for place in roles.places}
+    solid = [p for p in roles.places if p.people or any(stage.inventory.class_of(t) in _SOMEWHERE for t in p.things)]
+    kinds = {lexicon.relation_of(place.preposition) for place in solid}
     seated = any(
         stage.inventory.head(place.things[0]) in lexicon.SEATS
         for place in roles.places

@@ -34,9 +34,10 @@ _INTRODUCED = re.compile(
     r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |the |in h|early |mid|late "
     rf"|barely |not yet |{_YEARS})|\s*\([^)]*(?:{_YEARS})"
 )
+_WORN = "|".join(sorted(word for word in lexicon.WORN if word.endswith("s")))
 _LOOK = re.compile(
     rf"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|the|her|his|early|mid|late|barely|\d|{_YEARS})[^.;]*?)"
-    r"(?=,?\s+(?:is|was|[a-z]+s)\b(?! of)|[.;])",
+    rf"(?=,?\s+(?:is|was|(?!(?:{_WORN})\b)[a-z]+s)\b(?! of)|[.;])",
     re.DOTALL,
 )
 _SOME = 3
@@ -141,7 +142,7 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
         return True
     if head in lexicon.PROPS | lexicon.SET_PIECES:
         return False
-    if unaccented(head) in lexicon.FIRST_NAMES or _INTRODUCED.match(after):
+    if {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES or _INTRODUCED.match(after):
         return True
     if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
         return False
@@ -161,7 +162,7 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
     """VERA AND DUTCH are two; ON, WITH before and 'S VOICE behind a name go."""
     name = re.sub(r"^(ON|AND|WITH|OF|IN) ", "", sighting.name)
     name = re.sub(r"['’]S (VOICE|POV|HAND|HANDS|FACE|EYES)$", "", name)
-    parts = [part.strip() for part in re.split(r" AND | & ", name) if part.strip()]
+    parts = [part.strip() for part in re.split(r" AND | & | ?/ ?", name) if part.strip()]
     return [
         _Sighting(sighting.at + max(name.find(part), 0), part, sighting.after if part == parts[-1] else "")
         for part in parts
@@ -178,12 +179,21 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
         return
     person = known[0] if known else _apposed(roster, sighting, name, text) or _newcomer(roster, sighting, base)
-    said = _LOOK.match(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else None
+    looks = _looks(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else []
     if not known:
         _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, text[max(0, sighting.at - 40) : sighting.at])
-    if said:
-        describe(person, said.group(1) or said.group(2) or "")
+    for said in looks:
+        describe(person, said)
+
+
+def _looks(after: str) -> list[str]:
+    """What follows a name in brackets, and then between commas: ``(25), in a red coat, sits``."""
+    found, at = [], 0
+    while said := _LOOK.match(after, at):
+        found.append(said.group(1) or said.group(2) or "")
+        at = said.end()
+    return found
 
 
 def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
@@ -224,9 +234,18 @@ def _are_numbered(name: str, full_names: set[str]) -> bool:
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
     """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
     left = text[max(0, sighting.at - 40) : sighting.at]
-    before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a|an|the) $", left)
+    before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a |an |the )?$", left)
     people = roster.find(before.group(1)) if before else []
-    if not people or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
+    if (
+        people
+        and people[0].role == bare(people[0].name) in lexicon.KIN
+        and left.endswith(", ")
+        and " " not in left[-2:-1]
+    ):
+        people[0].name = name
+        roster.call(people[0], bare(name))
+        return people[0]
+    if not people or left.endswith(", ") or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
         return None
     roster.call(people[0], bare(name))
     roster.call(people[0], name.split()[-1].lower())

@@ -115,10 +115,23 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     if builder.clauses:
         builder.clauses[0].places += builder.leading
         builder.clauses[0].opening = len(builder.leading)
+    _give_to_inverted(builder.clauses)
     for clause in builder.clauses:
         if clause.verb == "be":
             clause.complement, clause.object = clause.object, []
     return builder.clauses
+
+
+def _give_to_inverted(clauses: list[Clause]) -> None:
+    """``Under the stairs, sitting on a suitcase, is DOLORES``: it is Dolores who sits."""
+    if not clauses:
+        return
+    *before, last = clauses
+    if last.subject or not last.object or last.verb not in lexicon.INVERTING | {"be"}:
+        return
+    if last.object[0].kind == "person" and all(clause.participle and clause.elided for clause in before):
+        for clause in before:
+            clause.subject, clause.elided = last.object, False
 
 
 def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
@@ -128,6 +141,9 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         past = following.verb is not None and following.verb.kind in ("past", "pp")
         builder.passive = past and verb.lemma == "be"
         return
+    left = builder.phrases[index - 1] if index else None
+    if verb.kind == "pp" and left and left.kind == "verb" and builder.current and builder.current.verb in _RESTING:
+        return  # sits hunched, lies sprawled
     participle = verb.kind in ("ing", "inf")
     clause = Clause(
         phrase.first,
@@ -192,6 +208,7 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
 
 _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
 """``Outside a blizzard was raging``: no preposition where subject and verb follow."""
+_RESTING = lexicon.words("stative") - {"be"}
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
 _WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", "wait", "hesitate", "fail"})

@@ -12,6 +12,7 @@ from storyblender.agents.director.reading import Person
 _OLD = 50
 """Years from which somebody may be ``the old man``."""
 _COUNTS = frozenset(lexicon.NUMBERS) - {"a", "an", "one"}
+_OF_THEM = 3
 _NOT_ALONE = frozenset({"cook", "guide"})
 _OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY
@@ -30,6 +31,11 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
     marked: list[Word] = []
     at = 0
     while at < len(words):
+        several = _so_many_of_them(words, at)
+        if several:
+            marked.append(several)
+            at += _OF_THEM
+            continue
         length, people = _longest_name(words, at, roster)
         if length:
             run = words[at : at + length]
@@ -46,6 +52,17 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
         marked.append(word)
         at += 1
     return marked
+
+
+def _so_many_of_them(words: list[Word], at: int) -> Word | None:
+    """``the two of them``, ``all three of them``: a group."""
+    run = words[at : at + _OF_THEM]
+    low = [word.low for word in run]
+    whole = at > 0 and words[at - 1].low in ("the", "all")
+    if not whole or low[1:] != ["of", "them"] or low[0] not in _COUNTS:
+        return None
+    mention = Mention("group", [], "them", "the", number=lexicon.NUMBERS[low[0]], start=words[at - 1].start)
+    return Word("them", run[0].start, run[-1].end, mention)
 
 
 def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list[Person]]:

@@ -144,6 +144,8 @@ def _group(stage: Stage, mention: Mention) -> list[Person]:
     """The guards, two men: numbered members of the cast, those on stage who fit, the last group."""
     if mention.head == "listener":
         return listeners(stage)
+    if mention.head == "them":
+        return _latest(stage, mention.number)
     if mention.head in TOGETHER:
         return own_people(stage, mention.head)
     numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
@@ -186,6 +188,13 @@ def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
     ]
     here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
     return here[: max(mention.number, 2)]
+
+
+def _latest(stage: Stage, number: int) -> list[Person]:
+    """So many people on stage, those spoken of last."""
+    here = [person for person in stage.spoken_of() if person.kind == "human" and person.count == 1]
+    here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    return here[:number] if len(here) >= number else []
 
 
 def _titled(person: Person) -> bool:

@@ -27,6 +27,7 @@ _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
+_MANNER = lexicon.words("manner")
 _BARE = lexicon.ADJECTIVES | lexicon.words("manner")
 """``breathes hard``, ``stops dead``, ``lands flat``: alone they are no nouns."""
 _QUALITIES = (
@@ -115,8 +116,13 @@ def _pronoun(words: list[Word], at: int) -> Phrase | None:
         return None
     if word.low == "her" and at + 1 < len(words):
         right = words[at + 1]
-        possessive = right.mention or (
-            right.text.isalpha() and right.low not in _SMALL and not right.low.endswith("ly") and not right.verb
+        named = right.mention is not None and right.mention.kind == "name"
+        possessive = (right.mention and not named) or (
+            not named
+            and right.text.isalpha()
+            and right.low not in _SMALL
+            and not right.low.endswith("ly")
+            and not right.verb
         )
         if possessive:
             return None
@@ -191,7 +197,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         return Phrase("noun", at, end, noun=noun)
     if end == first:
         return None
-    head = end - 1
+    head = _before_manner(words, first, end - 1)
     noun = singular(words[head].low)
     if end == first + 1 and not determiner and possessor is None and noun in _BARE and not _predicated(words, at):
         return None
@@ -202,7 +208,14 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     thing = NounPhrase(
         "thing", head, noun, key, possessor=possessor, plural=noun != words[head].low, determiner=determiner
     )
-    return Phrase("noun", at, head, noun=thing)
+    return Phrase("noun", at, end - 1, noun=thing)
+
+
+def _before_manner(words: list[Word], first: int, head: int) -> int:
+    """``puts her hand flat against it``, ``gets one hand free``: the hand."""
+    while head > first and words[head].low in _MANNER and _is_thing(words[head - 1]):
+        head -= 1
+    return head
 
 
 def _describes(word: Word) -> bool:

@@ -7,7 +7,7 @@ the subject of ``Grabs a shovel.``, the ``was`` of ``MAN #2 on the bed``; apposi
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.morphology import form_kind
+from storyblender.agents.director.reader.morphology import form_kind, singular
 from storyblender.agents.director.reader.tagging import Row, as_participles, may_be_verb, tag_verb, was, written_verb
 from storyblender.agents.director.reader.words import Word
 
@@ -25,6 +25,8 @@ _TO_AND_FRO = frozenset(
     }
 )
 _RELATED = lexicon.KIN | lexicon.COMPANY
+_BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
+"""``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
 _LOOK_AHEAD = 16
 """Words an apposition may take."""
 
@@ -118,9 +120,10 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
         verb = any(
             form_kind(w.low) in ("3sg", "aux") and inside[i - 1].low not in lexicon.NUMBERS
             for i, w in enumerate(inside)
-            if not w.mention
+            if not w.mention and not (i == 0 and singular(w.low) in _BORNE)
         )
-        return None if somebody or verb or any(w.low == "and" for w in inside) else at
+        several = any(w.low == "and" for w in inside) and inside[0].low not in ("in", "with")
+        return None if somebody or verb or several else at
     return None
 
 

@@ -40,7 +40,7 @@ def read_heading(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReadi
     return SceneReading(
         id=len(scenes) + 1,
         heading=heading,
-        place=place or "unknown",
+        place=place,
         place_kind=lexicon.place_kind(place),
         scene_type=scene_type,
         time=time,
@@ -55,7 +55,7 @@ def read_heading(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReadi
 
 def first_scene(paragraph: Paragraph) -> SceneReading:
     """A scene for a script that starts without a heading."""
-    return SceneReading(1, "", "unknown", "", "outdoor", "day", start=paragraph.start, end=paragraph.end)
+    return SceneReading(1, "", "", "", "outdoor", "day", start=paragraph.start, end=paragraph.end)
 
 
 def _place_and_time(rest: str, scenes: list[SceneReading]) -> tuple[str, TimeOfDay, str]:

@@ -16,6 +16,7 @@ from storyblender.agents.director.reading import CameraNote
 _ON_A_SCREEN = re.compile(
     r"\b(screen|screens|monitor|monitors|tv|television|photo|photograph|picture|painting|dream|flashback|video|mirror)\b"
 )
+_NAMING_MARKS = frozenset({":", "--", "—", "–"})
 _ABBREVIATIONS = frozenset({"mr", "mrs", "ms", "dr", "prof", "st", "sgt", "lt", "vs", "jr", "capt"})
 
 
@@ -56,7 +57,7 @@ def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[S
     words = mark_mentions(tokenize(body, paragraph.start), roster)
     sentences: list[Sentence] = []
     for whole in split_sentences(words):
-        for run, pictured in _at_colon(whole):
+        for run, pictured in _named_at_last(whole) or _at_colon(whole):
             sentences.append(Sentence(paragraph, scene, run[0].start, run[-1].end, run, pictured=pictured))
     for at, camera in paragraph.cameras:
         _attach(sentences, camera, at, paragraph, scene)
@@ -87,6 +88,26 @@ def split_sentences(words: list[Word]) -> list[list[Word]]:
             continue
         sentences.append([])
     return [sentence for sentence in sentences if sentence]
+
+
+def _named_at_last(words: list[Word]) -> list[tuple[list[Word], bool]]:
+    """``A lone rider comes up the street -- CASS WEATHERBY, 60s``: the rider is she; none where nobody is named so."""
+    for at in range(1, len(words) - 1):
+        name = words[at + 1].mention
+        if (
+            words[at].text not in _NAMING_MARKS
+            or name is None
+            or name.kind == "group"
+            or not words[at + 1].text.isupper()
+        ):
+            continue
+        somebody = [
+            w.mention for w in words[:at] if w.mention and w.mention.kind == "generic" and not w.mention.candidates
+        ]
+        if len(somebody) == 1 and somebody[0].determiner in ("a", "an") and not any(w.named for w in words[:at]):
+            somebody[0].kind, somebody[0].candidates = "name", name.candidates
+            return [(words[:at], False), (words[at + 1 :], False)]
+    return []
 
 
 def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:

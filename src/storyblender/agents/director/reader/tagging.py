@@ -48,6 +48,8 @@ _BEFORE_INFINITIVE = frozenset(
 )
 PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
+_COMPOUNDS = lexicon.words("gerund_compounds")
+_RESTING = lexicon.words("stative")
 _INVERTING = lexicon.INVERTING
 """Verbs whose subject may follow: ``In the booth sit two thugs``."""
 
@@ -92,7 +94,7 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
     form = FORMS.get(word.low) or _rare_verb(word, following, row)
-    if form is None:
+    if form is None or _names_a_kind(word, following):
         return
     left = row.neighbour()
     if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
@@ -117,6 +119,11 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
             row.verb_seen, row.last_kind = True, form.kind
     elif form.kind == "ing" and not row.verb_seen:
         _tag_participle(words, at, row)
+
+
+def _names_a_kind(word: Word, following: Word | None) -> bool:
+    """``reading glasses``, ``a vending machine``: no reading."""
+    return following is not None and f"{word.low}_{singular(following.low)}" in _COMPOUNDS
 
 
 def may_be_verb(word: Word, following: Word | None) -> bool:
@@ -310,7 +317,10 @@ def as_participles(words: list[Word]) -> None:
     for index, word in enumerate(words):
         form = FORMS.get(word.low)
         left = words[index - 1] if index else None
-        done = left is None or not (left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS or left.mention or left.verb)
+        acts = left is not None and (
+            (left.verb is not None and left.verb.lemma not in _RESTING) or left.mention is not None
+        )
+        done = left is None or not (acts or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS)
         if word.verb and form and form.kind == "past" and word.low != form.lemma and done:
             word.verb = VerbForm(form.lemma, "pp")
 
@@ -320,7 +330,7 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
     word = words[at]
     before = words[at - 1].low if at else ""
     form = FORMS.get(word.low) or _rare_participle(words, at)
-    if form is None or form.kind == "3sg":
+    if form is None or form.kind == "3sg" or _names_a_kind(word, words[at + 1] if at + 1 < len(words) else None):
         return None
     if before in OPENERS or before == "'s" or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
         return None

@@ -1,0 +1,42 @@
+"""How a screenplay brings somebody in: age in brackets, then the looks between commas; two names over a slash."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.agents.director.reader.reader import read_script
+from storyblender.screenplay.source import read
+
+
+@pytest.mark.parametrize(
+    ("intro", "outfit"),
+    [
+        ("ANNA (25), in a red coat, sits.", "red coat"),
+        ("ANNA (25), a girl in a green dress, waters a rose.", "green dress"),
+        ("ANNA (25), in jeans and boots, walks in.", "jeans boots"),
+    ],
+)
+def test_looks_follow_the_age(intro: str, outfit: str) -> None:
+    anna = read_script(read(f"INT. ROOM - DAY\n\n{intro}\n", "fountain")).people[0]
+    assert anna.age == "25" and set(outfit.split()) <= set(" ".join(anna.outfit).split())
+
+
+def test_an_intercut_names_two_people() -> None:
+    script = "INT. BAR - DAY\n\nDAVE sits.\n\nINT. BED - DAY\n\nSUSAN sits.\n\nINTERCUT DAVE / SUSAN\n\nDAVE\nHello?\n"
+    assert [person.name for person in read_script(read(script, "fountain")).people] == ["DAVE", "SUSAN"]
+
+
+def test_a_flashback_is_a_scene_in_its_own_place_and_a_montage_is_nobody() -> None:
+    script = """INT. GYM - DAY
+
+MONTAGE - ROCCO TRAINS
+
+-- Rocco (28) runs.
+
+FLASHBACK - INT. LIVING ROOM - NIGHT (TEN YEARS EARLIER)
+
+ROCCO sits.
+"""
+    reading = read_script(read(script, "fountain"))
+    assert [(scene.place, scene.time) for scene in reading.scenes] == [("gym", "day"), ("living room", "night")]
+    assert [person.name for person in reading.people] == ["ROCCO"]

@@ -1,0 +1,53 @@
+"""Deeds told in the manners of screenplays: parts of bodies, agents, late names, groups, things worn and made."""
+
+from conftest import Read
+
+
+def told(read_scene: Read, action: str) -> set[tuple[str, str, str | None]]:
+    reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
+    return {(deed.actor, deed.motion, deed.target) for unit in reading.units for deed in unit.deeds}
+
+
+def test_what_hands_and_eyes_do_is_done_by_their_owner(read_scene: Read) -> None:
+    found = told(read_scene, "Anna's hand finds the lamp. Bob's eyes flick to the door. Anna's eyes are blue.")
+    assert {("anna", "touch", "lamp"), ("bob", "look", "door")} == found
+
+
+def test_what_is_done_by_somebody_is_their_deed(read_scene: Read) -> None:
+    assert ("bob", "open", "door") in told(read_scene, "The door is opened by Bob.")
+
+
+def test_what_somebody_sits_like_is_no_deed(read_scene: Read) -> None:
+    assert told(read_scene, "Anna sits hunched on a bench.") == {("anna", "sit", "bench")}
+
+
+def test_reading_glasses_are_not_read(read_scene: Read) -> None:
+    found = told(read_scene, "Behind her Bob, in street clothes and reading glasses, opens the locker.")
+    assert found == {("bob", "open", "locker")}
+
+
+def test_a_hand_flat_against_a_wall_is_a_hand(read_scene: Read) -> None:
+    assert not any(motion == "put_down" for _, motion, _ in told(read_scene, "Anna puts her hand flat on the wall."))
+
+
+def test_who_sits_where_is_told_before_who(read_scene: Read) -> None:
+    assert ("bob", "sit", "suitcase") in told(read_scene, "Under the stairs, sitting on a suitcase, is BOB.")
+
+
+def test_who_it_is_may_be_told_last(read_scene: Read) -> None:
+    found = told(read_scene, "In the door stands a woman in red, smoking a cigar: IGNACIA LUCERO, owner of the bar.")
+    assert ("ignacia_lucero", "smoke", "cigar") in found
+
+
+def test_the_two_of_them_are_those_spoken_of_last(read_scene: Read) -> None:
+    found = told(read_scene, "Anna hugs Bob. CARL (50) enters. The three of them sit.")
+    assert {("anna", "sit", None), ("bob", "sit", None), ("carl", "sit", None)} <= found
+
+
+def test_his_son_and_a_name_are_one(read_scene: Read) -> None:
+    reading = read_scene("EDDIE (30s) enters, followed by his SON, JAKE (6). Jake hides behind Eddie.")
+    assert [person.name for person in reading.people] == ["EDDIE", "JAKE"]
+
+
+def test_a_name_in_s_is_a_name(read_scene: Read) -> None:
+    assert [person.name for person in read_scene("On the stairs is DOLORES. She waves.").people] == ["DOLORES"]
