@@ -81,6 +81,8 @@ _NEAREST_FACE = 0.8
 """Metres: nobody of a group is nearer to the camera, or behind it."""
 _HATS = 0.12
 """Highest that the crowns of a group go: some of them wear hats."""
+_LOWER = 0.1
+"""Most that a whole body lower than a standing one goes down in the picture."""
 _CROWN = 0.55
 """Crown above the face's centre, in head heights."""
 
@@ -193,10 +195,14 @@ class Film:
 
 
 def single(film: Film, figure: Figure, size: str, azimuth: float, elevation: float, lens: float) -> Orbit:
-    """Return the camera for one person: face at its height, with lead room."""
+    """Return the camera for one person: face at its height, with lead room; who is bent or sits low is lower in it."""
     distance = distance_for(figure.head, SCALES[size].head, film.tangent(lens))
     camera = film.look(figure.face, azimuth, elevation, distance, lens)
-    return placed(camera, figure.face, lead_room(camera, figure), face_height(size))
+    camera = placed(camera, figure.face, lead_room(camera, figure), face_height(size))
+    if size != "FS":
+        return camera
+    screen, _ = project(camera, [figure.crown, figure.base])
+    return pan(camera, 0.0, min(max(0.5 - float(screen[:, 1].mean()), 0.0), _LOWER))
 
 
 def group(

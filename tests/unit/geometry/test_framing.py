@@ -43,6 +43,14 @@ def test_a_single_has_the_head_height_of_its_size(size: str) -> None:
     assert project(camera, ANNA.face)[0][0, 1] == pytest.approx(face_height(size), abs=0.01)
 
 
+def test_a_body_that_is_bent_is_no_higher_in_the_picture_than_it_has_to_be() -> None:
+    bent = figure("anna", -0.6, 0, 90, 0.9)
+    bent = Figure(bent.node_id, bent.face, bent.forward, ANNA.head, bent.base)
+    for who, crown in ((ANNA, SCALES["FS"].crown), (bent, SCALES["FS"].crown + 0.1)):
+        camera = single(FILM, who, "FS", 40, 2, 50)
+        assert project(camera, who.crown)[0][0, 1] == pytest.approx(crown, abs=0.025)
+
+
 def test_lead_room_is_on_the_side_the_face_looks_to() -> None:
     for azimuth in (20, 160):
         camera = single(FILM, ANNA, "MCU", azimuth, 2, 65)

@@ -130,11 +130,11 @@ class CameraBrief:
 
     @property
     def travel(self) -> tuple[float, float, float]:
-        """How far the first focus person's face goes from start to end, metres."""
+        """How far the first focus person goes from start to end, metres: on the floor they stand on, bent or not."""
         for node in self.focus:
             first, last = self.moments[0].figure(node), self.moments[-1].figure(node)
             if first is not None and last is not None:
-                x, y, z = np.subtract(last.face, first.face)
+                x, y, z = np.subtract(last.base, first.base)
                 return float(x), float(y), float(z)
         return 0.0, 0.0, 0.0
 
@@ -151,7 +151,7 @@ class CameraBrief:
         if not (self.walks and self.people):
             return False
         last = self.moments[-1].figure(self.people[0].node_id)
-        return last is not None and float(np.hypot(*np.subtract(last.face, self.people[0].face)[:2])) > TRAVEL / 2
+        return last is not None and float(np.hypot(*np.subtract(last.base, self.people[0].base)[:2])) > TRAVEL / 2
 
     @property
     def stages(self) -> tuple[Figure, ...]:
@@ -160,7 +160,7 @@ class CameraBrief:
         for moment in self.moments:
             for person in self.people:
                 there = moment.figure(person.node_id)
-                if there is not None and np.hypot(*np.subtract(there.face, person.face)[:2]) > TRAVEL:
+                if there is not None and np.hypot(*np.subtract(there.base, person.base)[:2]) > TRAVEL:
                     found.append(there)
         return tuple(found)
 

@@ -143,7 +143,7 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
 def _passing(brief: CameraBrief, moment: Moment, fault: Fault) -> Fault:
     """Return a fault as it weighs before or after the moment that is drawn."""
     there, drawn = moment.figure(fault.subject), brief.drawn.figure(fault.subject)
-    walks = there is None or drawn is None or math.dist(there.face, drawn.face) > TRAVEL
+    walks = there is None or drawn is None or math.dist(there.base, drawn.base) > TRAVEL
     comes = walks and len(brief.people) > 1 and fault.kind in ("out_of_frame", "face_out", "cropped")
     return fault.model_copy(update={"severity": (_COMING if comes else _PASSING) * fault.severity})
 

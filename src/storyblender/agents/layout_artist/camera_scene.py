@@ -23,8 +23,8 @@ from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
-_REST = 0.55
-"""Share of an action, or of a shot without one, at which it is drawn."""
+_REST, _HEIGHT = 0.55, 0.45
+"""Share of a shot in which nothing happens, and of what happens, at which it is drawn."""
 _ARRIVAL = 0.85
 """Share of a way to somebody at which it is drawn: where it leads."""
 _AT_REST = ("idle", "look", "listen", "turn")
@@ -48,7 +48,7 @@ def story_moment(shot: ShotContext) -> int:
     length = cue.duration if cue.duration is not None else min([*after, shot.duration]) - cue.start
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     meets = together and clip_of(cue.clip).speed is not None
-    return min(last, cue.start + round(length * (_ARRIVAL if meets else _REST)))
+    return min(last, cue.start + round(length * (_ARRIVAL if meets else _HEIGHT)))
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
-from storyblender.agents.layout_artist.camera_solids import body, solids
+from storyblender.agents.layout_artist.camera_solids import body, holds, lidded, opened, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import SCALES, Figure, head_share, project
@@ -23,8 +23,8 @@ _TURNS = (0, 15, -15, 30, -30, 48, -48, 70, -70, 95, -95, 125, -125, 155, -155, 
 _OVER_TURNS = (0, 8, -8, 16, -16, 28, -28, 40, -40)
 """Degrees to go round from the preferred azimuth; over a shoulder there is little choice."""
 _RISES = (0, 9)
-_CROWD_RISES = (0, 9, 19)
-"""Degrees to go up; three people or more are seen past each other from higher."""
+_HIGH_RISES = (0, 9, 19)
+"""Degrees to go up; three people or more are seen past each other from higher, and so is who sits in a boat."""
 _NEAR = 0.3
 """Metres a camera needs from things."""
 _AT_BACK = 0.1
@@ -40,8 +40,6 @@ _OWN = 0.3
 """Metres before a body that are its own: its chair, the pillar it leans at."""
 _AT_HAND = 0.12
 """Metres before a thing in an insert that are its own: the hand that holds it, the cloth it lies on."""
-_BOARD = 0.06
-"""Metres: the thickness of a table's top."""
 _MOST = 0.3
 """Share of somebody that may be hidden."""
 _LOOMING = 1.2
@@ -65,7 +63,8 @@ def scouted(brief: CameraBrief) -> list[Take]:
         return [start(brief)]
     turns = _OVER_TURNS if shoulder(brief) is not None else _TURNS
     takes: dict[Take, float] = {}
-    for rise in _CROWD_RISES if len(brief.people) > 2 else _RISES:
+    aboard = any(holds(box, figure) for box in brief.props.values() for figure in brief.people)
+    for rise in _HIGH_RISES if len(brief.people) > 2 or aboard else _RISES:
         for turn in turns:
             take = start(brief, turn, rise)
             away = abs(turn) / 240 + rise / 45
@@ -148,11 +147,13 @@ def _things(brief: CameraBrief, take: Take) -> float:
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
     if brief.instruction.kind == "insert":
         spots = [(box.x, box.y, box.top) for box in brief.things]
-        bodies = [box for figure in brief.drawn.figures for box in body(figure)]
-        boxes = [*bodies, *_solids(brief, take.hidden)]
+        figures, boxes = brief.drawn.figures, _solids(brief, take.hidden)
+        bodies = [box for figure in figures for box in body(figure)]
+        around = [box for box in [*bodies, *boxes] if any(_meets(box, *spot, near=0.0) for spot in spots)]
         # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere: only its top
-        # does, as the top of a table does.
-        boxes = [_top_of(box) if any(_meets(box, *spot, near=0.0) for spot in spots) else box for box in boxes]
+        # does, as the top of a table does. A boat has none.
+        tops = [lidded(box) for box in around if not any(holds(box, figure) for figure in figures)]
+        boxes = [*(box for box in [*bodies, *boxes] if box not in around), *tops]
         framed &= ~hidden(boxes, take.camera.position, spots, _AT_HAND)
     return (1.0 if brief.people else 2.5) * float((~framed).sum())
 
@@ -176,10 +177,6 @@ def _meets(box: Box, x: float, y: float, z: float, near: float = _NEAR) -> bool:
     return box.z - near < z < box.top + near and distance_to_point(box, x, y) <= near
 
 
-def _top_of(box: Box) -> Box:
-    return replace(box, z=box.top - min(_BOARD, box.height), height=min(_BOARD, box.height))
-
-
 def _solids(brief: CameraBrief, hidden: Sequence[str]) -> list[Box]:
     own = belongings(brief, brief.named) if brief.detail is not None else brief.focus
     return solids(dict(brief.props), brief.plan, (*hidden, *own))
@@ -196,7 +193,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
     for figure in there:
         others = [box for other in there if other is not figure for box in bodies[other.node_id]]
         if figure.node_id in brief.focus and instruction.kind != "establishing":
-            points += _subject(brief, camera, figure, [*others, *solid])
+            points += _subject(brief, camera, figure, [*others, *opened(solid, figure)])
         elif figure.node_id == over and instruction.kind == "ots":
             (near,), _ = project(camera, [figure.face])
             points += 1.5 * (abs(float(near[0]) - 0.5) > AT_EDGE)

@@ -9,10 +9,11 @@ from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, fi
 from storyblender.agents.layout_artist.camera_brief import Moment, pose_at
 from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_scout import CLEARED, cost, hidden_share, scouted
-from storyblender.agents.layout_artist.camera_solids import solids
+from storyblender.agents.layout_artist.camera_solids import holds, opened, solids
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
+from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import group, over_shoulder, project
 from storyblender.memory.scene_context import SceneSize
 
@@ -31,6 +32,21 @@ def test_a_stage_is_a_solid() -> None:
     block = Slab(node_id="stage", role="block", polygon=corners, z=1, thickness=1, material="m")
     (box,) = solids({}, PLAN.model_copy(update={"pieces": (), "slabs": (block,)}), ())
     assert (box.x, box.y, box.z, box.width, box.depth, box.top) == (2, 1, 0, 4, 2, 1)
+
+
+def test_who_sits_in_a_boat_is_seen_over_its_side_and_who_sits_on_a_chair_is_seen_as_before() -> None:
+    rower = figure("anna", 0.2, 0, 0, 1.3)
+    boat, chair = Box(0, 0, 0, 3.4, 1.5, 0.75), Box(0.2, 0, 0, 0.5, 0.5, 0.9)
+    assert holds(boat, rower) and not holds(chair, rower)
+    assert opened([chair], rower) == [chair] and len(opened([boat], rower)) == 4
+    view = brief([rower], kind="action", size="FS", focus_on_ids=("anna",), props={"boat": boat})
+    level, high = start(view), start(view, 0, 19)
+    assert high.camera.elevation > level.camera.elevation + 15
+    sides = opened([boat], rower)
+    assert hidden_share(high.camera, rower, sides) < hidden_share(level.camera, rower, sides)
+    assert high in scouted(view), "the scout goes up for her"
+    ashore = replace(view, props={})
+    assert high not in scouted(ashore)
 
 
 def test_a_camera_does_not_look_into_a_pier() -> None:
