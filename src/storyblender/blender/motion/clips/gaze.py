@@ -81,7 +81,7 @@ def look_around(stage: Stage, who: Performer, beat: Beat) -> float:
     """Scan the room: left, right, and where it all comes together."""
     t = beat.start
     for degrees, hold in ((55, 0.75), (-55, 0.85), (20, 0.5)):
-        look_at(who, t, _aside(who, degrees))
+        look_at(who, t, aside(who, degrees))
         who.accent.set(t + 0.1, 0.5, (0, 0, 0.2 * degrees))
         t += hold
     look_at(who, t, who.ahead)
@@ -130,7 +130,7 @@ def shake_head(stage: Stage, who: Performer, beat: Beat) -> float:
 def think(stage: Stage, who: Performer, beat: Beat) -> float:
     """Look up and aside, a hand at the chin."""
     t, end = beat.start, beat.start + (beat.duration or 2.4)
-    look_at(who, t, _aside(who, 25, 1.3))
+    look_at(who, t, aside(who, 25, 1.3))
     who.nod.set(t, 0.5, (3, 6, 0))
     if beat.side not in who.held:
         chin = by_head(
@@ -143,7 +143,7 @@ def think(stage: Stage, who: Performer, beat: Beat) -> float:
     return end
 
 
-def _aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
+def aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
     """Return a point far away, turned from straight ahead."""
 
     def point(t: float) -> Vector:

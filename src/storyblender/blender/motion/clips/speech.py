@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from storyblender.blender.motion.channel import clamp, ease_out
-from storyblender.blender.motion.clips.gaze import look_at_subject, mood
+from storyblender.blender.motion.channel import clamp
+from storyblender.blender.motion.clips.gaze import aside, look_at_subject, mood
+from storyblender.blender.motion.clips.phrasing import REST, Phrase, gesticulate, phrases
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import by_chest, by_head
+from storyblender.blender.motion.hands import by_head
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, other
+from storyblender.blender.motion.skeleton import SIDES
 from storyblender.blender.motion.stage import Beat, Stage
+
+LOOKS_AWAY = 0.45
+"""Share of the phrases before which a speaker looks aside."""
 
 
 @dataclass(frozen=True)
@@ -21,28 +26,38 @@ class Manner:
 
     Attributes:
         size: Of the gestures.
-        period: Seconds from one to the next, before chance.
+        pace: Seconds of a phrase, before chance.
         lean: Degrees of bent trunk.
-        chops: Raises a finger and strikes with it; otherwise shows open palms.
+        shares: How often each gesture is made, and how often the hands rest.
         mouth: How wide it opens.
         rate: Syllables per second.
     """
 
     size: float
-    period: float
+    pace: float
     lean: float
-    chops: bool = False
+    shares: Mapping[str, float]
     mouth: float = 0.75
     rate: float = 2.3
 
 
+QUIET_HANDS: Mapping[str, float] = {REST: 1.0}
 MANNERS: dict[str, Manner] = {
-    "neutral": Manner(0.55, 0.72, 0),
-    "happy": Manner(0.9, 0.55, -2),
-    "sad": Manner(0.3, 0.9, 8, mouth=0.55, rate=2.0),
-    "angry": Manner(1.0, 0.42, 9, True, 1.0, 3.1),
-    "afraid": Manner(0.4, 0.5, -4, mouth=0.6, rate=3.0),
-    "tender": Manner(0.3, 1.0, 4, mouth=0.55, rate=2.0),
+    "neutral": Manner(
+        0.7, 1.9, 0, {REST: 2.2, "offer": 2.5, "open": 1.2, "stress": 1.6, "toss": 1.2, "weigh": 1.4, "self": 0.8}
+    ),
+    "happy": Manner(1.0, 1.6, -2, {REST: 0.8, "open": 2.5, "offer": 2, "toss": 2, "self": 1.2, "weigh": 1}),
+    "sad": Manner(0.35, 2.4, 7, {REST: 3.0, "offer": 1.4, "self": 1.6, "weigh": 1}, mouth=0.55, rate=2.0),
+    "angry": Manner(
+        1.0,
+        1.35,
+        8,
+        {REST: 0.6, "finger": 2.6, "chop": 2.2, "open": 1.4, "toss": 1.2, "self": 0.8},
+        mouth=1.0,
+        rate=3.1,
+    ),
+    "afraid": Manner(0.5, 1.4, -4, {REST: 1.8, "weigh": 1.6, "self": 1.8, "open": 1.2}, mouth=0.6, rate=3.0),
+    "tender": Manner(0.4, 2.3, 4, {REST: 2.6, "offer": 2, "self": 1.8, "weigh": 0.8}, mouth=0.55, rate=2.0),
 }
 
 
@@ -55,13 +70,13 @@ def talk(stage: Stage, who: Performer, beat: Beat) -> float:
 @clip("whisper")
 def whisper(stage: Stage, who: Performer, beat: Beat) -> float:
     """Speak low, leaning in, hands quiet."""
-    return _speak(stage, who, beat, Manner(0.0, 1.2, 10, mouth=0.35, rate=2.6))
+    return _speak(stage, who, beat, Manner(0.0, 1.8, 10, QUIET_HANDS, mouth=0.35, rate=2.6))
 
 
 @clip("shout")
 def shout(stage: Stage, who: Performer, beat: Beat) -> float:
     """Speak with all one has."""
-    return _speak(stage, who, beat, Manner(1.0, 0.5, 6, True, 1.0, 2.2))
+    return _speak(stage, who, beat, Manner(1.0, 1.3, 6, MANNERS["angry"].shares, 1.0, 2.2))
 
 
 def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
@@ -73,36 +88,46 @@ def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
     who.speeches.append((t, end, manner.mouth, manner.rate))
     who.accent.set(t, 0.4, (manner.lean, 0, 0))
     who.nod.set(t, 0.3, (-3, 0, 0))
+    spoken = phrases(t + 0.15, end - 0.2, manner.shares, manner.pace, rng)
     hands = [side for side in SIDES if side not in who.held and who.free[side] <= t + 0.2]
-    lead = next((side for side in (beat.side, other(beat.side)) if side in hands), None)
-    gesturing = lead is not None and manner.size > 0 and end - t > 1.2 and who.posture not in ("lie", "asleep")
-    if gesturing:
+    if hands and manner.size > 0 and end - t > 1.2 and who.posture not in ("lie", "asleep"):
         who.lean_after.set(t, 0, 0.0)
-    room = _room(stage, who, beat)
-    stroke = t + 0.15
-    while stroke < end - 0.5:
-        swing = rng.uniform(-6, 6) * manner.size
-        if gesturing and lead is not None:
-            active = lead if len(hands) < 2 or rng.random() < 0.75 else other(lead)
-            for side in hands:
-                _gesture(who, side, stroke, manner, side == active, side == lead, room, rng)
-        depth = rng.uniform(3, 7) * manner.size + 2
-        who.nod.set(stroke + 0.4 * manner.period, 0.14, (depth, rng.uniform(-4, 4) * manner.size, 0.8 * swing))
-        who.nod.set(stroke + 0.75 * manner.period, 0.25, (0, rng.uniform(-2, 2), 0))
-        push = 5 if manner.chops else 0
-        who.accent.set(stroke + 0.4 * manner.period, 0.25, (manner.lean + push, 0, swing))
-        if push:
-            who.accent.set(stroke + 0.9 * manner.period, 0.25, (manner.lean, 0, 0.6 * swing))
-        stroke += manner.period * rng.uniform(1.05, 1.7)
-    if gesturing:
+        gesticulate(who, hands, beat.side, spoken, manner.size, _room(stage, who, beat), rng)
         for side in hands:
-            who.hands[side].set(end - 0.3, 0.5, who.home[side])
+            who.hands[side].set(end - 0.3, 0.6, who.home[side])
         who.lean_after.set(end + 0.3, 0, 1.0)
+    for phrase in spoken:
+        _stress(who, phrase, manner, rng)
+    if beat.target is not None and beat.mood != "angry":
+        _look_away(stage, who, beat, spoken[1:], rng)
     who.accent.set(end - 0.2, 0.5, (0, 0, 0))
     who.nod.set(end - 0.2, 0.3, (0, 0, 0))
     if beat.mood != "neutral":
         mood(who, end, "neutral", 0.8)
     return end
+
+
+def _stress(who: Performer, phrase: Phrase, manner: Manner, rng: np.random.Generator) -> None:
+    """Head and trunk go with the words: a way of holding the head for the phrase, a nod on every stress."""
+    turned, tilted = rng.uniform(-5, 5) * manner.size, rng.uniform(-5, 5)
+    push = 4.0 if manner.size == 1.0 else 1.5
+    for stress in phrase.stresses:
+        depth = rng.uniform(3, 7) * manner.size + 2
+        who.nod.set(stress - 0.05, 0.15, (depth, tilted, turned))
+        who.nod.set(stress + 0.18, 0.3, (0, 0.7 * tilted, 0.5 * turned))
+        who.accent.set(stress - 0.06, 0.24, (manner.lean + push, 0, turned))
+        who.accent.set(stress + 0.3, 0.4, (manner.lean, 0, 0.6 * turned))
+
+
+def _look_away(stage: Stage, who: Performer, beat: Beat, spoken: list[Phrase], rng: np.random.Generator) -> None:
+    """Look aside for a moment where a new thought begins, and back at the listener."""
+    for phrase in spoken:
+        if rng.random() < LOOKS_AWAY:
+            who.eyes.set(
+                phrase.start - 0.1, 0.1, aside(who, float(rng.choice((-28, -18, 18, 28))), rng.uniform(0.8, 1.1))
+            )
+            who.blinks.append(phrase.start - 0.05)
+            look_at_subject(stage, who, phrase.start + 0.45, beat)
 
 
 def _room(stage: Stage, who: Performer, beat: Beat) -> float:
@@ -111,56 +136,6 @@ def _room(stage: Stage, who: Performer, beat: Beat) -> float:
         return 1.0
     gap = (stage.ground_of(beat.target) - who.position).length
     return clamp((gap - 0.35) / (1.25 * who.m.arm), 0.55, 1.0)
-
-
-def _gesture(
-    who: Performer,
-    side: str,
-    t: float,
-    manner: Manner,
-    active: bool,
-    lead: bool,
-    room: float,
-    rng: np.random.Generator,
-) -> None:
-    """One gesture: a preparation of half a period, then a fast stroke."""
-    period = manner.period
-    raised = rng.uniform(0, 0.20) * manner.size * (1.0 if active else 0.45)
-    out = rng.uniform(-0.08, 0.16) * manner.size
-    if manner.chops and not lead:  # fist on the hip
-        fist = by_chest(
-            who, side, (0.16, 0.10, -0.80), (-0.35, 0.75, -0.55), (-1, -0.1, -0.2), pole=(1, -0.35, -0.2),
-            curl=(60, 70, 20),
-        )  # fmt: skip
-        who.hands[side].set(t, 0.6 * period, fist)
-        return
-    if manner.chops:
-        finger = (2, 80, 25)
-        ready = by_chest(
-            who,
-            side,
-            (-0.02 + 0.5 * out, 0.62 * room, 0.22 + raised),
-            (-0.1, 0.75, 0.75),
-            (-0.75, 0.3, -0.5),
-            curl=finger,
-        )
-        struck = by_chest(who, side, (-0.10 + 0.5 * out, room, -0.12), (-0.12, 1, -0.05), (-0.7, 0, -0.7), curl=finger)
-        who.hands[side].set(t, 0.45 * period, ready)
-        who.hands[side].set(t + 0.5 * period, 0.13, struck, ease=ease_out)
-        return
-    ready = by_chest(
-        who,
-        side,
-        (-0.02 + out, 0.50, -0.42 + raised),
-        (-0.3, 0.9, 0.25 + raised),
-        (-0.55, -0.1, 0.85),
-        curl=(10, 18, 0),
-    )
-    shown = by_chest(
-        who, side, (0.06 + out, 0.56, -0.50 + 0.5 * raised), (-0.15, 1, 0), (-0.45, -0.1, 0.9), curl=(14, 22, 0)
-    )
-    who.hands[side].set(t, 0.5 * period, ready)
-    who.hands[side].set(t + 0.55 * period, 0.16, shown, ease=ease_out)
 
 
 @clip("laugh", "head")
