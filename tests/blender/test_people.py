@@ -9,11 +9,12 @@ import pytest
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import load_body_pack
 from storyblender.blender.people.person import PersonBuild, build_person
+from storyblender.blender.people.scalp import Scalp, above_hairline
 from storyblender.blender.people.skin import whisker_growth
 from storyblender.blender.people.whiskers import build_whiskers
 from storyblender.catalog.bodies import recipe
 from storyblender.catalog.garments import GARMENTS
-from storyblender.catalog.hair import HAIRSTYLES
+from storyblender.catalog.hair import HAIRSTYLES, hairstyle
 from storyblender.catalog.skeleton import SKELETON
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 
@@ -224,3 +225,19 @@ def test_no_lock_falls_on_the_temples_from_under_a_cap() -> None:
     eye = person.armature.data.bones["eye.L"].head_local
     face = (points[:, 1] < eye.y + 0.025) & (points[:, 2] < eye.z + 0.02) & (points[:, 2] > eye.z - 0.06)
     assert not face.any()
+
+
+@needs_data
+def test_a_lock_knows_how_far_above_the_hairline_it_grows() -> None:
+    pack = load_body_pack()
+    assert pack is not None
+    figure = Figure(pack, pack.shape(recipe(CharacterLook(gender="female", age=30), 1)))
+    scalp = Scalp(figure, hairstyle("short"), 0.0)
+    skin = figure.part("skin")
+    line = above_hairline(skin.base, scalp.spec, 0.0)
+    for direction in np.array(((0.0, -0.6, 0.8), (0.3, 0.5, 0.81), (0.0, 1.0, 0.0), (-0.5, -0.2, 0.84))):
+        found = scalp.surface(direction / np.linalg.norm(direction))
+        assert found is not None
+        nearest = int(np.argmin(np.linalg.norm(skin.points - found[0], axis=1)))
+        assert abs(found[1] - line[nearest]) < 0.12
+    assert scalp.figure.joint("neck") is scalp.figure.joint("neck"), "read for every point of hair, measured once"

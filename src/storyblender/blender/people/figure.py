@@ -36,10 +36,14 @@ class Figure:
         self.stature = float(points[PARTS["skin"], 2].max())
         self.k = self.stature / 1.7
         """Lengths given for a person of 1.70 m are multiplied by this."""
+        self._joints: dict[str, Floats] = {}
 
     def joint(self, name: str) -> Floats:
-        """Return the position of a joint of the body pack."""
-        return self.pack.joint(self.points, name)
+        """Return the position of a joint of the body pack; every point of hair asks for some."""
+        if name not in self._joints:
+            self._joints[name] = self.pack.joint(self.points, name)
+            self._joints[name].flags.writeable = False
+        return self._joints[name]
 
     @cached_property
     def head_scale(self) -> float:

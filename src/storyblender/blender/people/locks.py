@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from mathutils import Vector
@@ -124,6 +125,13 @@ def leaf(figure: Figure, strand: Strand, spec: HairSpec, width: float) -> Sheet:
 
 def ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: int = 7, rings: int = 5) -> Sheet:
     """Return a small ellipsoid; ``spin`` (3, 3) turns it."""
+    points, faces = _unit_ball(segments, rings)
+    placed = center + (points * radii) @ spin.T
+    return rigid(placed, list(faces), hair_weights(figure, placed))
+
+
+@cache
+def _unit_ball(segments: int, rings: int) -> tuple[Floats, tuple[tuple[int, ...], ...]]:
     points = [np.array((0.0, 0.0, 1.0))]
     for ring in range(1, rings):
         tilt = np.pi * ring / rings
@@ -141,8 +149,7 @@ def ball(figure: Figure, center: Floats, radii: Floats, spin: Floats, segments: 
             faces.append((a + step, b + step, b + after, a + after))
         end = 1 + (rings - 2) * segments
         faces.append((end + step, last, end + after))
-    placed = center + (np.array(points) * radii) @ spin.T
-    return rigid(placed, faces, hair_weights(figure, placed))
+    return np.array(points), tuple(faces)
 
 
 def curl(scalp: Scalp, root: Floats, rng: np.random.Generator) -> Sheet:

@@ -79,6 +79,13 @@ class Scalp:
     def _tree(self) -> BVHTree:
         return BVHTree.FromPolygons(self._skull.points.tolist(), polygons(self._skull))
 
+    @cached_property
+    def _corners(self) -> list[list[tuple[Vector, float]]]:
+        """The corners of every face of the skull, each with how far it lies above the hairline: read for every lock."""
+        grown = above_hairline(self._skull.base, self.spec, self.masculine).tolist()
+        corners = [(Vector(point), high) for point, high in zip(self._skull.points.tolist(), grown, strict=True)]
+        return [[corners[index] for index in face] for face in polygons(self._skull)]
+
     def thickness(self, base: Floats) -> Floats:
         """Return the thickness of the hair over points of the base mesh, metres."""
         spec = self.spec
@@ -110,12 +117,8 @@ class Scalp:
         hit, _, face, _ = self._tree.ray_cast(Vector(self.center), Vector(direction))
         if hit is None:
             return None
-        corners = self._skull.faces[face]
-        corners = corners[corners >= 0]
-        distance = np.linalg.norm(self._skull.points[corners] - np.array(hit), axis=1)
-        share = 1 / (distance + 1e-6)
-        base = (share / share.sum()) @ self._skull.base[corners]
-        return np.array(hit), float(above_hairline(base[None], self.spec, self.masculine)[0])
+        shares = [(1 / ((corner - hit).length + 1e-6), high) for corner, high in self._corners[face]]
+        return np.array(hit), sum(share * high for share, high in shares) / sum(share for share, _ in shares)
 
     def over(self, direction: Floats, lift: float) -> tuple[Floats, float] | None:
         """Return the point on the hair in a direction, ``lift`` metres higher, and its place above the hairline."""
@@ -123,10 +126,11 @@ class Scalp:
         if found is None:
             return None
         point, grown = found
-        high = float(np.clip((direction[2] + 0.1) / 0.9, 0, 1))
+        up = float(direction[2])
+        high = min(max((up + 0.1) / 0.9, 0.0), 1.0)
         full = self.spec.side * (1 - high) + self.spec.top * high
         if self.hatted:
-            full *= 1 - 0.9 * float(np.clip((direction[2] + 0.05) / 0.3, 0, 1))
+            full *= 1 - 0.9 * min(max((up + 0.05) / 0.3, 0.0), 1.0)
             lift = min(lift, 0.0)
-        thick = 0.0015 + full * float(np.clip((grown + 0.12) / 0.4, 0.25, 1)) ** 0.6
+        thick = 0.0015 + full * min(max((grown + 0.12) / 0.4, 0.25), 1.0) ** 0.6
         return point + direction * (thick * self.figure.head_scale + lift), grown
