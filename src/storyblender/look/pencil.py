@@ -75,6 +75,7 @@ def draw_pencil(display: Image, ink: Image, flesh: Image, strength: float) -> Im
     tone = np.clip((soft - 0.05) / key, 0, 1) ** 0.8
     wash = np.interp(tone, _TONE_IN, _TONE_OUT).astype(np.float32)
     wash += (np.interp(soft, _SKIN_IN, _SKIN_OUT).astype(np.float32) - wash) * flesh
+    wash *= _texture(seen)
     drawn = _hatched(wash, sheet) * (1 - flesh * (1 - _features(seen, flesh)))
     line = _GRAPHITE * strength * _by_hand(ink, sheet)
     return (np.clip(drawn, 0, 1) * (1 - line))[..., None] * _PAPER
@@ -86,6 +87,13 @@ def _features(tone: Image, flesh: Image) -> Image:
     around = blur(shrink(tone * flesh, 2), radius) / np.maximum(blur(shrink(flesh, 2), radius), 1e-3)
     around = np.maximum(around, 1e-3).repeat(2, axis=0).repeat(2, axis=1)
     return np.clip(1.25 * tone / around - 0.1, 0.25, 1)
+
+
+def _texture(seen: Image) -> Image:
+    """Return how dark strands, folds and joints are against what is around them, 0.84 to 1: they outlast the key."""
+    radius = max(1, round(3 * seen.shape[0] / _ROWS))
+    around = np.maximum(blur(shrink(seen, 2), radius), 1e-2).repeat(2, axis=0).repeat(2, axis=1)
+    return np.clip(1.6 * seen / around - 0.57, 0.84, 1)
 
 
 def _hatched(wash: Image, sheet: _Sheet) -> Image:
@@ -153,11 +161,11 @@ def _strokes(rows: Image, columns: Image, angle: float, pitch: float, bow: Image
         columns: (h, w) of every pixel.
         angle: Of the strokes from the horizontal, degrees, rising to the right.
         pitch: Pixels from stroke to stroke.
-        bow: (h, w) how far they bend aside, about a pitch at 1.
+        bow: (h, w) how far they bend aside, half a pitch at 1.
         seed: Of their lengths and pressure.
     """
     turn = np.radians(angle)
-    across = (columns * np.sin(turn) + rows * np.cos(turn)) / pitch + 0.9 * bow + 8
+    across = (columns * np.sin(turn) + rows * np.cos(turn)) / pitch + 0.6 * bow + 8
     number = across.astype(np.int32)
     chance = np.random.default_rng(seed).random((2, 1024), np.float32)
     along = (columns * np.cos(turn) - rows * np.sin(turn)) / (_STROKE * pitch) + 4 * chance[0][number % 1024] + 1024

@@ -95,6 +95,14 @@ def test_pencil_tells_dark_skin_from_fair():
     assert tones[0] + 0.1 < tones[1] < tones[2] - 0.1
 
 
+def test_pencil_keeps_the_strands_of_white_hair():
+    display = np.full((108, 192, 3), 0.8, np.float32)
+    display[:, ::8] = display[:, 1::8] = 0.7
+    none = np.zeros((108, 192), np.float32)
+    drawn = draw_pencil(display, none, none, 0.86)
+    assert drawn[:, ::8].mean() < 0.95 * drawn[:, 4::8].mean()
+
+
 def test_pencil_hatches_shade_and_leaves_light_bare():
     none = np.zeros((540, 960), np.float32)
     shade, light = (
