@@ -123,8 +123,7 @@ class Terminal:
         for scene in graph.outline:
             shots = graph.shots_of(scene.scene_id)
             people = dict.fromkeys(names[person] for shot in shots for person in shot.on_stage)
-            heading = scene.heading or scene.scene_description
-            table.add_row(str(scene.scene_id), str(len(shots)), escape(heading), escape(", ".join(people)))
+            table.add_row(str(scene.scene_id), str(len(shots)), escape(scene.title), escape(", ".join(people)))
         self._results.print(table)
 
     def check(self, report: Inspection) -> None:

@@ -55,8 +55,7 @@ def write_board(
         for index, panel in enumerate(page):
             x, y, width, height = _cell(index, layout, graph.format.aspect)
             if index == 0 or panel.scene is not page[index - 1].scene:
-                heading = panel.scene.heading or panel.scene.scene_description
-                _line(canvas, heading, x, y + 4, 9, width, color=GREY)
+                _line(canvas, panel.scene.title, x, y + 4, 9, width, color=GREY)
             _panel(canvas, panel, frames.get(panel.name), graph.format.aspect, x, y, width, height, layout)
         canvas.showPage()
     canvas.save()

@@ -43,8 +43,7 @@ def write_page(
     for scene in graph.outline:
         shown = [panel for panel in shots if panel.scene is scene]
         cards = "\n".join(_card(panel, frames.get(panel.name), folder, counts[panel.name]) for panel in shown)
-        heading = escape(scene.heading or scene.scene_description)
-        scenes.append(f'<h2>{heading}</h2>\n<div class="grid">\n{cards}\n</div>')
+        scenes.append(f'<h2>{escape(scene.title)}</h2>\n<div class="grid">\n{cards}\n</div>')
     minutes, seconds = divmod(round(sum(panel.seconds for panel in shots)), 60)
     counted = f"{_counted(graph.outline, 'scene')}, {_counted(shots, 'shot')}, {minutes}:{seconds:02d} minutes"
     summary = f"{escape(graph.story_summary)} <br>{counted}" if graph.story_summary else counted

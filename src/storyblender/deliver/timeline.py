@@ -40,16 +40,25 @@ def write_extra(graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: P
     """Write the timeline as ``edl`` or ``fcpxml`` beside ``out`` and return its path.
 
     Raises:
-        InputError: The adapter is not installed.
+        InputError: The adapter is not installed, or an EDL has no timecode for the rate.
     """
     adapter, suffix = EXTRA_FORMATS[name]
     if adapter not in otio.adapters.available_adapter_names():
         raise InputError(f"{name} needs an extra", mend="pip install 'storyblender[edl]'")
     path = out.with_suffix(suffix)
-    timeline = build_timeline(graph, frames, out.parent)
-    options = {"rate": graph.format.fps} if adapter == "cmx_3600" else {}
+    timeline, rate = build_timeline(graph, frames, out.parent), graph.format.fps
+    if adapter == "cmx_3600" and not otio.opentime.RationalTime(0, rate).is_valid_timecode_rate(rate):
+        raise InputError(
+            f"an EDL cannot count {rate} frames a second", mend="timeline.otio can; or make it with --fps 24"
+        )
+    options = {"rate": rate} if adapter == "cmx_3600" else {}
     otio.adapters.write_to_file(timeline, str(path), adapter_name=adapter, **options)
     return path
+
+
+def reel_of(panel: Panel) -> str:
+    """Return the name an EDL knows a shot's picture by: eight characters at most, and of no other shot."""
+    return panel.name.replace("SC", "").replace("SH", "")
 
 
 def _clip(panel: Panel, frame: Path | None, folder: Path) -> otio.schema.Clip:
@@ -60,6 +69,7 @@ def _clip(panel: Panel, frame: Path | None, folder: Path) -> otio.schema.Clip:
         media = otio.schema.ExternalReference(frame.relative_to(folder).as_posix(), span)
     clip = otio.schema.Clip(name=panel.name, media_reference=media, source_range=span)
     instruction = panel.shot.camera_instruction
+    clip.metadata["cmx_3600"] = {"reel": reel_of(panel)}
     clip.metadata["storyblender"] = {
         "scene": panel.shot.scene_id,
         "shot": panel.shot.shot_id,
@@ -72,6 +82,6 @@ def _clip(panel: Panel, frame: Path | None, folder: Path) -> otio.schema.Clip:
     }
     for speech in speeches(panel):
         start, length = (otio.opentime.RationalTime(n, panel.fps) for n in (speech.start, speech.end - speech.start))
-        name = f"{speech.line.speaker_name}: {speech.line.text}"
+        name = " ".join(f"{speech.line.speaker_name}: {speech.line.text}".split())
         clip.markers.append(otio.schema.Marker(name=name, marked_range=otio.opentime.TimeRange(start, length)))
     return clip

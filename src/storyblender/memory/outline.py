@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Literal
 
 from pydantic import Field
 
 from storyblender.memory.base import Frozen
+
+LINE = 90
+"""Characters of a title."""
 
 
 class SourceSpan(Frozen):
@@ -48,3 +52,8 @@ class SceneOutline(Frozen):
     """The scene number written in the screenplay, if any."""
     span: SourceSpan | None = None
     shots: tuple[ShotOutline, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """The heading; where the script has none, where and when it is and how it begins, in one line."""
+        return self.heading or textwrap.shorten(self.scene_description, LINE, placeholder=" …")

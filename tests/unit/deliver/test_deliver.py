@@ -19,6 +19,7 @@ from storyblender.deliver import animatic, board, contact_sheet, page, shot_list
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import cue_of, panels, timecode
 from storyblender.deliver.speech import speeches, subtitles
+from storyblender.errors import InputError
 from storyblender.geometry import orbit
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -187,7 +188,7 @@ def test_animatic_has_every_frame_and_subtitles(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
     clips = {"SC010_SH010": list(frames.values())}
-    animatic.write_animatic(graph, clips, frames, tmp_path / "animatic.mp4")
+    animatic.write_animatic(graph, clips, frames, tmp_path / "animatic.mp4", tmp_path / "kept")
     with av.open(str(tmp_path / "animatic.mp4")) as film:
         pictures = [frame.to_ndarray(format="rgb24").mean(axis=(0, 1)) for frame in film.decode(video=0)]
         film.seek(0)
@@ -228,3 +229,25 @@ def test_contact_sheet_holds_all(frames: dict[str, Path], tmp_path: Path) -> Non
     contact_sheet.write_contact_sheet(frames, tmp_path / "sheet.png", columns=2, width=100)
     with Image.open(tmp_path / "sheet.png") as sheet:
         assert sheet.width == 218
+
+
+def test_a_scene_without_heading_is_called_by_how_it_begins() -> None:
+    scene = SceneOutline(scene_id=1, scene_description="Day. " + "She waits and waits. " * 20)
+    assert scene.title.startswith("Day. She waits") and scene.title.endswith(" …") and len(scene.title) <= 90
+    assert scene.model_copy(update={"heading": "INT. BAR - DAY"}).title == "INT. BAR - DAY"
+
+
+def test_an_edl_has_one_reel_a_shot_and_one_line_a_marker(
+    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
+) -> None:
+    pytest.importorskip("otio_cmx3600_adapter")
+    lines = graph.outline[0].shots[1].lines
+    said = graph.outline[0].shots[1].model_copy(update={"lines": (lines[0].model_copy(update={"text": "One.\nTwo."}),)})
+    scene = graph.outline[0].model_copy(update={"shots": (graph.outline[0].shots[0], said)})
+    with pytest.raises(InputError, match="cannot count 12 frames a second"):
+        timeline.write_extra(graph, frames, tmp_path / "timeline.otio", "edl")
+    graph = graph.model_copy(update={"outline": (scene,), "format": ProjectFormat(fps=25)})
+    path = timeline.write_extra(graph, frames, tmp_path / "timeline.otio", "edl")
+    events = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line[:3].isdigit()]
+    assert [event[1] for event in events] == ["010_010", "010_020"]
+    assert "ONE. TWO." in path.read_text(encoding="utf-8") and "TRUNCATED" not in path.read_text(encoding="utf-8")

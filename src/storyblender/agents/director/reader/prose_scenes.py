@@ -64,7 +64,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
         place = place or scenes[-1].place
     else:
         whole = " ".join(told)
-        place = _place(opening, scenes) or _place(whole, scenes) or _any_place(whole) or "unknown"
+        place = _place(opening, scenes) or _place(whole, scenes) or _any_place(whole)
     time = time_of(opening) or (time_of(" ".join(told)) or time_of(title) if not scenes else None)
     scene_type = _scene_type(place)
     return SceneReading(
@@ -121,5 +121,5 @@ def _leading_place(words: list[str]) -> str:
 
 
 def _scene_type(place: str) -> SceneType:
-    head = place.split()[-1]
+    head = place.rpartition(" ")[2]
     return "indoor" if head in lexicon.INDOOR and head not in lexicon.OUTDOOR else "outdoor"
