@@ -239,5 +239,5 @@ def test_a_lock_knows_how_far_above_the_hairline_it_grows() -> None:
         found = scalp.surface(direction / np.linalg.norm(direction))
         assert found is not None
         nearest = int(np.argmin(np.linalg.norm(skin.points - found[0], axis=1)))
-        assert abs(found[1] - line[nearest]) < 0.12
+        assert abs(found[1] - line[nearest]) < 0.25, "decimetres: about the width of a face of the skull"
     assert scalp.figure.joint("neck") is scalp.figure.joint("neck"), "read for every point of hair, measured once"
