@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from av.subtitles.subtitle import SubtitleSet
 from PIL import Image
 
 from storyblender.deliver.panel import Panel, panels
+from storyblender.deliver.segments import Segment, add_track, encoded, join
 from storyblender.deliver.speech import Subtitle, subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -26,7 +27,12 @@ _MILLISECOND = Fraction(1, 1000)
 
 
 def write_animatic(
-    graph: ContinuityMemoryGraph, clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path], out: Path
+    graph: ContinuityMemoryGraph,
+    clips: Mapping[str, Sequence[Path]],
+    stills: Mapping[str, Path],
+    out: Path,
+    kept: Path,
+    processes: int = 1,
 ) -> None:
     """Write the film with a subtitle track that a player can switch off and, beside it, the same as ``.srt``.
 
@@ -35,22 +41,21 @@ def write_animatic(
         clips: Shot name to its moving frames in order; each is held so that together they fill the shot.
         stills: Shot name to its board frame, for a shot without moving frames.
         out: The ``.mp4``.
+        kept: A folder of its own for the encoded shots; the next film encodes only those that changed.
+        processes: How many shots are encoded at a time.
     """
-    shots = panels(graph)
-    size = _size(clips, stills)
-    with av.open(str(out), "w", options={"movflags": "faststart"}) as container:
-        stream = container.add_stream("libx264", rate=graph.format.fps)
-        stream.width, stream.height = size
-        stream.pix_fmt = "yuv420p"
-        stream.options = {"crf": "20", "preset": "veryfast", "threads": "1"}
-        stream.time_base = Fraction(1, graph.format.fps)
-        _add_subtitles(container, subtitles(shots))
-        for index, picture in enumerate(_pictures(shots, clips, stills, size)):
-            frame = av.VideoFrame.from_image(picture)
-            frame.pts = index
-            frame.time_base = Fraction(1, graph.format.fps)
-            container.mux(stream.encode(frame))
-        container.mux(stream.encode(None))
+    shots, size = panels(graph), _size(clips, stills)
+    pieces = [
+        Segment(tuple(clips.get(panel.name) or [stills[panel.name]]), panel.shot.duration, size, panel.fps)
+        for panel in shots
+    ]
+    paths = encoded(pieces, kept, processes)
+    part = out.with_name(f".{out.name}.part")
+    with av.open(str(part), "w", format="mp4", options={"movflags": "faststart"}) as film:
+        track = add_track(film, paths[0])
+        _add_subtitles(film, subtitles(shots))
+        join([(path, piece.length) for path, piece in zip(paths, pieces, strict=True)], graph.format.fps, film, track)
+    part.replace(out)
     out.with_suffix(".srt").write_text(subrip(shots), encoding="utf-8")
 
 
@@ -78,22 +83,6 @@ def _add_subtitles(container: OutputContainer, pieces: Sequence[Subtitle]) -> No
         packet.pts = packet.dts = start
         packet.duration = length
         container.mux(packet)
-
-
-def _pictures(
-    shots: Sequence[Panel], clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path], size: tuple[int, int]
-) -> Iterator[Image.Image]:
-    for panel in shots:
-        paths = clips.get(panel.name) or [stills[panel.name]]
-        shown: Path | None = None
-        picture = Image.new("RGB", size)
-        for frame in range(panel.shot.duration):
-            path = paths[min(len(paths) - 1, frame * len(paths) // panel.shot.duration)]
-            if path != shown:
-                with Image.open(path) as image:
-                    picture = image.convert("RGB").resize(size)
-                shown = path
-            yield picture
 
 
 def _size(clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path]) -> tuple[int, int]:

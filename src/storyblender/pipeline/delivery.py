@@ -25,6 +25,7 @@ from storyblender.project import write_atomic
 from storyblender.trace import Event
 
 PRINTS = "build/prints"
+SEGMENTS = "build/film"
 JPEG_QUALITY = 88
 
 
@@ -59,7 +60,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", 3, steps, "animatic.mp4")
     film = folder / "animatic.mp4"
     if clips is not None and frames:
-        write_animatic(graph, clips, frames, film)
+        write_animatic(graph, clips, frames, film, run.project.path(SEGMENTS), run.engine.processes)
     elif film.exists() and (stale := shots_not_in_film(run)):
         told = f"still shows {', '.join(stale)} as before; `storyblender render --animatic` shoots it again"
         run.tell(Event(kind="warning", role="animatic.mp4", message=told))

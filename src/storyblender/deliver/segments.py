@@ -1,0 +1,121 @@
+"""Shots of the film as H.264 segments, named by what they show: encoded once, and joined without encoding again."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from fractions import Fraction
+from io import BytesIO
+from pathlib import Path
+
+import av
+from av.container import OutputContainer
+from av.video.stream import VideoStream
+from PIL import Image
+
+_CODEC = {"crf": "20", "preset": "veryfast", "threads": "1"}
+"""One thread an encoder: its result is the same on every machine; segments are encoded side by side."""
+_SEEK = 2
+"""Seconds between pictures that a player can jump to."""
+
+
+@dataclass(frozen=True)
+class Segment:
+    """One shot of the film.
+
+    Attributes:
+        pictures: In order; each is held so that together they fill the shot.
+        length: Frames of the film.
+        size: Pixels across and down, both even.
+        fps: Frames a second.
+    """
+
+    pictures: tuple[Path, ...]
+    length: int
+    size: tuple[int, int]
+    fps: int
+
+    @property
+    def digest(self) -> str:
+        """Names what it shows: equal digests, equal segments."""
+        settings = (av.__version__, sorted(_CODEC.items()), _SEEK, self.length, self.size, self.fps)
+        content = hashlib.sha256(repr(settings).encode())
+        for path in self.pictures:
+            content.update(hashlib.sha256(path.read_bytes()).digest())
+        return content.hexdigest()[:16]
+
+
+def encoded(segments: Sequence[Segment], folder: Path, processes: int = 1) -> list[Path]:
+    """Return a file for each segment, in order; only those that are new are encoded, and those not named are deleted.
+
+    Args:
+        segments: The film.
+        folder: Where they are kept; made if it does not exist.
+        processes: How many are encoded at a time.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = [folder / f"{segment.digest}.mp4" for segment in segments]
+    new = {path: segment for path, segment in zip(paths, segments, strict=True) if not path.exists()}
+    with ThreadPoolExecutor(processes) as threads:
+        list(threads.map(_encode, new.values(), new))
+    for path in set(folder.iterdir()) - set(paths):
+        path.unlink()
+    return paths
+
+
+def add_track(film: OutputContainer, segment: Path) -> VideoStream:
+    """Give a film a stream for pictures such as those of a segment."""
+    with av.open(str(segment)) as piece:
+        return film.add_stream_from_template(piece.streams.video[0])
+
+
+def join(segments: Sequence[tuple[Path, int]], fps: int, film: OutputContainer, track: VideoStream) -> None:
+    """Put segments one behind the other.
+
+    Args:
+        segments: Files of equal size, and their lengths in frames.
+        fps: Frames a second.
+        film: Takes them.
+        track: Its stream for pictures.
+    """
+    start = 0
+    for path, length in segments:
+        with av.open(str(path)) as piece:
+            for packet in piece.demux(video=0):
+                if packet.dts is None or packet.pts is None:  # the demuxer's last, which is empty
+                    continue
+                offset = round(Fraction(start, fps) / packet.time_base)
+                packet.pts, packet.dts = packet.pts + offset, packet.dts + offset
+                packet.stream = track
+                film.mux(packet)
+        start += length
+
+
+def _encode(segment: Segment, path: Path) -> None:
+    part = path.with_suffix(".part")
+    with av.open(str(part), "w", format="mp4") as container:
+        stream = container.add_stream("libx264", rate=segment.fps)
+        stream.width, stream.height = segment.size
+        stream.pix_fmt = "yuv420p"
+        stream.options = {**_CODEC, "g": str(_SEEK * segment.fps)}
+        stream.time_base = rate = Fraction(1, segment.fps)
+        shown, frame = b"", None
+        for index in range(segment.length):
+            content = segment.pictures[index * len(segment.pictures) // segment.length].read_bytes()
+            if content != shown or frame is None:
+                shown, frame = content, _frame(content, segment.size)
+            frame.pts, frame.time_base = index, rate
+            container.mux(stream.encode(frame))
+        container.mux(stream.encode(None))
+    part.replace(path)
+
+
+def _frame(content: bytes, size: tuple[int, int]) -> av.VideoFrame:
+    """Return a picture as the codec wants it; a frame that is held is converted once."""
+    with Image.open(BytesIO(content)) as image:
+        picture = image.convert("RGB")
+    if picture.size != size:
+        picture = picture.resize(size)
+    return av.VideoFrame.from_image(picture).reformat(format="yuv420p")
