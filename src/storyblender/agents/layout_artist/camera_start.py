@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Moment, Take, orbit_of, share_of
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
-from storyblender.geometry.boxes import corners
+from storyblender.geometry.boxes import Box, corners
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import eased, followed, moved
@@ -76,11 +77,22 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
         first, last = (moved(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
     hidden: list[str] = []
     if brief.plan is not None:
-        loose = {node: box for node, box in brief.props.items() if node not in brief.focus}
+        loose = {
+            node: box for node, box in brief.props.items() if node not in brief.focus and not _bears(box, brief.moments)
+        }
         hidden = taken_away(brief.plan, loose, dict.fromkeys((first, camera, last)), _targets(brief))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(brief.node(instruction.pov_id))
     return Take(camera, first, last, tuple(hidden))
+
+
+def _bears(box: Box, moments: Iterable[Moment]) -> bool:
+    """Return whether somebody sits or lies on a thing: it never goes, or they would float."""
+    for figure in (figure for moment in moments for figure in moment.figures):
+        across, along = box.to_local(figure.face[0], figure.face[1])
+        if abs(across) < box.width / 2 and abs(along) < box.depth / 2 and figure.face[2] > box.z:
+            return True
+    return False
 
 
 def _targets(brief: CameraBrief) -> list[np.ndarray]:

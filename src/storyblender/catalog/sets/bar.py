@@ -28,7 +28,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.against("back", "back_bar", at, 0.28)
         room.against("back", "bar_counter", at, 1.5)
     for at in (-2.3, -1.45, -0.6, 0.6, 1.45, 2.3):
-        room.against("back", "bar_stool", at, 2.15, required=abs(at) < 2)
+        stool, height = ("stool", 0.72) if past else ("bar_stool", 0.76)
+        room.against("back", stool, at, 2.15, required=abs(at) < 2, height=height)
     room.mark("behind_bar", 0.4, y - 0.85, 0, "bar", "staff")
     room.mark("bar", 0.0, y - 2.25, 180, "bar")
     for at in (-y * 0.45, 0.3):

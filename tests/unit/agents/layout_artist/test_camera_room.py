@@ -1,14 +1,16 @@
 """The camera in a room: what lies outside is known from the plan, and lenses fit the floor there is."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take
 from storyblender.agents.layout_artist.camera_room import fitted, outside
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
-from storyblender.agents.layout_artist.camera_start import start
+from storyblender.agents.layout_artist.camera_start import start, take
 from storyblender.catalog.set_plan import SetPlan, Slab, Wall
+from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.geometry.orbit import between
 from storyblender.memory.scene_context import SceneSize
@@ -100,3 +102,13 @@ def test_a_tight_shot_is_about_the_first() -> None:
     assert view.focus == ("anna",)
     take: Take = scouted(view)[0]
     assert view.people[0].turned_from(take.camera.position) < 60
+
+
+def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
+    sleeper, guest = person("anna", 0.0, -2.4, 0), person("tom", 0.0, 1.5, 0)
+    view = brief(sleeper, guest, in_frame=("anna", "tom"), kind="group", size="MWS", focus_on_ids=("tom",))
+    bed = {"bed": Box(0.0, -2.4, 0.0, 1.0, 2.0, 1.4)}
+    camera = between((0.0, -4.5, 1.2), (0.0, 1.5, 1.2), 24.0, **FILM)
+    assert "bed" not in take(replace(view, props=bed), camera).hidden
+    empty = brief(guest, in_frame=("tom",), kind="single", size="MWS", focus_on_ids=("tom",))
+    assert "bed" in take(replace(empty, props=bed), camera).hidden, "nobody would float without it"
