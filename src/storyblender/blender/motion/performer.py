@@ -14,7 +14,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 from numpy.typing import NDArray
 
-from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp
+from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp, smooth
 from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
@@ -26,6 +26,8 @@ HORIZON = 180.0
 """Seconds of blinks and glances made up in advance; no shot is longer."""
 NEAREST = 0.42
 """Arm lengths between shoulder and wrist below which a hand goes around the shoulder."""
+SHIFTING = 1.1
+"""Seconds in which the weight goes from one leg to the other."""
 SHORT_REACH = 0.004
 """Metres, times k, that a hand may miss before the trunk leans after it."""
 
@@ -48,7 +50,7 @@ class Performer:
         self.m = measure(body)
         self.bones = Skeleton(body)
         self.rng = np.random.default_rng(seed)
-        self.drift = self.rng.uniform(0, 2 * math.pi, 3)
+        self.breathing = self.rng.uniform(0, 2 * math.pi)
         self.root = Channel((0, 0, 0))
         self.hips = Channel((0, 0, self.standing_height, 0, 0, 0))
         """dx, dy and height of the mid hip joint in the root's frame; rotation x, y, z."""
@@ -78,6 +80,10 @@ class Performer:
         self.blinks = _moments(self.rng, 0.8, 2.0, 5.5)
         glances = _moments(self.rng, 0.0, 0.5, 2.4)
         self.glances = [(t, self.rng.normal(0, 2.2), self.rng.normal(0, 1.2)) for t in glances]
+        way = self.rng.choice((-1.0, 1.0))
+        starts = _moments(self.rng, -self.rng.uniform(2, 6), 4.0, 9.0)
+        self.shifts = [(t, way * (-1) ** n * self.rng.uniform(0.5, 1.3)) for n, t in enumerate(starts)]
+        """When the weight goes over to the other leg, and how far."""
         self.position, self.yaw = Vector((0, 0)), 0.0
         self.posture, self.support = "stand", ""
         self.bedside: object | None = None
@@ -211,20 +217,24 @@ class Performer:
         bones.turn = dict.fromkeys(bones.names, IDENTITY)
         dx, dy, height, rx, ry, rz = self.hips(t)
         swing, phase, gait = self.gait_at(t)
-        sway = (math.sin(0.61 * t + self.drift[0]) + 0.6 * math.sin(1.13 * t + self.drift[1])) * self._idle(t, swing)
+        sway = self._weight(t) * float(self.life(t)) * max(0.0, 1 - swing)
         if swing > 0 and gait is not None:
             dx, height = self._pelvis_swing(swing, phase, gait, dx, height)
         pinned = float(self.pinned(t)) > 0.5
         if not pinned:
-            dx, ry = dx + 0.012 * k * sway, ry - 1.0 * sway
+            dx, ry = dx + 0.020 * k * sway, ry - 1.8 * sway
         bones.turn["hips"] = about("Z", rz) @ about("Y", ry) @ about("X", rx) @ bones.turn["hips"]
         middle = (bones.head["thigh.L"] + bones.head["thigh.R"]) / 2
         to_hips = bones.head["hips"] - middle
         bones.offset = Vector((dx, middle.y + dy, height - drop)) + bones.turn["hips"] @ to_hips - bones.head["hips"]
         return swing, phase, gait, sway
 
-    def _idle(self, t: float, swing: float) -> float:
-        return float(self.life(t)) * max(0.0, 1 - swing)
+    def _weight(self, t: float) -> float:
+        """How much the weight is on the left leg (> 0) or the right: people stand on one, then on the other."""
+        newest = bisect_right(self.shifts, t, key=lambda each: each[0]) - 1
+        start, there = self.shifts[max(newest, 0)]
+        before = self.shifts[newest - 1][1] if newest > 0 else there
+        return before + (there - before) * smooth(clamp((t - start) / SHIFTING))
 
     def _pelvis_swing(self, swing: float, phase: float, gait: Gait, dx: float, height: float) -> tuple[float, float]:
         turn, k = 2 * math.pi * phase, self.m.k
@@ -244,12 +254,12 @@ class Performer:
 
     def _pose_spine(self, t: float, swing: float, phase: float, gait: Gait | None, sway: float) -> None:
         bend, side, twist = self.spine(t) + self.accent(t)
-        breath = 0.5 * math.sin(2 * math.pi * 0.27 * t + self.drift[2]) * float(self.life(t))
+        breath = 0.5 * math.sin(2 * math.pi * 0.27 * t + self.breathing) * float(self.life(t))
         if gait is not None:
             twist += (9 if gait.running else 8) * swing * math.cos(2 * math.pi * phase)
             bend += swing * (10 if gait.running else gait.stoop)
         for bone, share in (("spine", 0.32), ("chest", 0.36), ("upper_chest", 0.32)):
-            self.bones.rotate(bone, x=(bend + breath) * share, y=(side + sway) * share, z=twist * share)
+            self.bones.rotate(bone, x=(bend + breath) * share, y=(side + 1.6 * sway) * share, z=twist * share)
 
     def needed_drop(self, t: float) -> float:
         """Return by how much the pelvis must sink so that both legs reach their feet, trunk posed at ``t``."""

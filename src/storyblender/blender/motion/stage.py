@@ -10,7 +10,8 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Channel
-from storyblender.blender.motion.hands import blend_hands, hanging
+from storyblender.blender.motion.ease import at_ease
+from storyblender.blender.motion.hands import blend_hands
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
@@ -105,7 +106,7 @@ class Stage:
         """Seconds at which doors and lids are moved, by person and the cue's frame."""
         self.problems: list[Problem] = []
         for who in self.people.values():
-            who.home = {side: hanging(who, side) for side in SIDES}
+            who.home = {side: at_ease(who, side) for side in SIDES}
             for side in SIDES:
                 who.hands[side] = Channel(who.home[side], blend_hands)
 

@@ -10,7 +10,8 @@ from mathutils import Vector
 from storyblender.blender.motion.channel import smoothstep, turn_between
 from storyblender.blender.motion.clips.locomotion import face, step_to, travel
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import hanging, on_thigh
+from storyblender.blender.motion.ease import at_ease
+from storyblender.blender.motion.hands import on_thigh
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import carried
 from storyblender.blender.motion.skeleton import SIDES, other, sign
@@ -202,7 +203,7 @@ def _release(stage: Stage, who: Performer, t: float, whole: float) -> None:
     who.life.set(t + whole, 0.5, 1.0)
     who.lean_after.set(t + whole, 0, 1.0)
     for side in SIDES:
-        who.home[side] = hanging(who, side)
+        who.home[side] = at_ease(who, side)
     refill_hands(stage, who, t + 0.3 * whole, 0.7 * whole)
     who.posture, who.support = "stand", ""
 
