@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
+from storyblender.agents.director.reader.by_names import nicknamed, tagged_name, worn_name
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
@@ -66,6 +67,7 @@ class _Sighting:
     name: str
     after: str
     """What follows it in its paragraph."""
+    nickname: str = ""
 
 
 def find_cast(script: Manuscript) -> Roster:
@@ -102,6 +104,10 @@ def find_cast(script: Manuscript) -> Roster:
 
 def _in_action(script: Manuscript, text: str, start: int, cues: set[str]) -> list[_Sighting]:
     found: list[_Sighting] = []
+    nicknames = nicknamed(text)
+    for at, end, name, nickname in nicknames:
+        found.append(_Sighting(start + at, name, text[end:], nickname))
+        text = text[:at] + " " * (end - at) + text[end:]
     for match in _RUN.finditer(text):
         name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
         before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + 40]
@@ -164,7 +170,12 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
     name = re.sub(r"['’]S (VOICE|POV|HAND|HANDS|FACE|EYES)$", "", name)
     parts = [part.strip() for part in re.split(r" AND | & | ?/ ?", name) if part.strip()]
     return [
-        _Sighting(sighting.at + max(name.find(part), 0), part, sighting.after if part == parts[-1] else "")
+        _Sighting(
+            sighting.at + max(name.find(part), 0),
+            part,
+            sighting.after if part == parts[-1] else "",
+            sighting.nickname,
+        )
         for part in parts
     ]
 
@@ -178,13 +189,20 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     known = roster.find(name)
     if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
         return
-    person = known[0] if known else _apposed(roster, sighting, name, text) or _newcomer(roster, sighting, base)
+    other = None if known else _apposed(roster, sighting, name, text) or worn_name(roster, name)
+    if other:
+        roster.call(other, bare(name))
+    person = known[0] if known else other or _newcomer(roster, sighting, base)
+    if sighting.nickname:
+        roster.call(person, bare(sighting.nickname))
     looks = _looks(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else []
     if not known:
         _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, text[max(0, sighting.at - 40) : sighting.at])
     for said in looks:
         describe(person, said)
+        if person.role and (tag := tagged_name(said, full_names)):
+            roster.call(person, bare(tag))
 
 
 def _looks(after: str) -> list[str]:

@@ -66,10 +66,14 @@ class _Builder:
     clauses: list[Clause] = field(default_factory=list)
     subject: list[NounPhrase] = field(default_factory=list)
     """Subject of the clauses so far; a verb without one inherits it."""
+    outer: list[NounPhrase] = field(default_factory=list)
+    """Subject of the clause around ``where he told her``: its verbs go on after a comma."""
     pending: list[NounPhrase] = field(default_factory=list)
     """A noun read before its verb."""
     relative: list[NounPhrase] = field(default_factory=list)
     """``a man, who, peering in, knocked``: whose verbs come next."""
+    inserted: bool = False
+    """The noun before its verb stands after ``where`` or ``until``."""
     preposition: str = ""
     aside: bool = False
     """Within ``, a book in her lap``: its places are the book's, not the clause's."""
@@ -144,6 +148,10 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
     left = builder.phrases[index - 1] if index else None
     if verb.kind == "pp" and left and left.kind == "verb" and builder.current and builder.current.verb in _RESTING:
         return  # sits hunched, lies sprawled
+    if builder.outer and not builder.pending and left and left.text == ",":
+        builder.subject, builder.outer = builder.outer, []
+    if builder.pending and builder.clauses and builder.inserted:
+        builder.outer = builder.subject
     participle = verb.kind in ("ing", "inf")
     clause = Clause(
         phrase.first,
@@ -209,6 +217,7 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
 _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
 """``Outside a blizzard was raging``: no preposition where subject and verb follow."""
 _RESTING = lexicon.words("stative") - {"be"}
+_INSERTING = frozenset({"where", "when", "until", "because", "since"})
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
 _WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", "wait", "hesitate", "fail"})
@@ -243,6 +252,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         or (linked and (_verb_follows(builder.phrases, index) or _is_absolute(builder.phrases, index)))
     )
     if starts_clause:
+        builder.inserted = left is not None and left.text in _INSERTING
         builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
         return
     if builder.preposition:
@@ -286,7 +296,10 @@ def _verb_follows(phrases: list[Phrase], index: int) -> bool:
         return True
     while index < len(phrases):
         phrase = phrases[index]
-        joins = phrase.text in (",", "and") and index + 1 < len(phrases) and phrases[index + 1].kind == "noun"
+        right = phrases[index + 1] if index + 1 < len(phrases) else None
+        joins = (
+            right is not None and right.kind == "noun" and (phrase.text in (",", "and") or phrase.kind == "preposition")
+        )
         if phrase.kind != "noun" and not joins:
             return phrase.kind == "verb" and (phrase.verb is None or phrase.verb.kind != "ing")
         index += 1

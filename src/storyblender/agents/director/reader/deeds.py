@@ -19,6 +19,7 @@ _FOLLOWING = frozenset({"walk", "run", "sneak"})
 """Motions that may be after somebody, wherever they lead."""
 _TO_PLACES = _GOING - {"aim", "shoot"} | {"look"}
 """Motions that may go to a piece of scenery."""
+_UPON = frozenset({"to", "against", "on", "onto", "upon"})
 _MUTUAL = frozenset({"hug", "kiss", "shake_hands", "fight", "dance"})
 _PAIRING = frozenset({"walk", "hug", "kiss", "run", "touch", "shake_hands"})
 _QUALITIES = lexicon.ADJECTIVES | lexicon.words("manner")
@@ -77,7 +78,10 @@ def _repeats(stage: Stage, deed: Deed) -> bool:
 def _only_a_pose(clause: Clause, roles: Roles, motion: str) -> bool:
     """Touching oneself; ``reads it, standing``."""
     own = bool(clause.object) and bool(roles.subjects) and clause.object[0].owner == roles.subjects[0].id
-    own = own and not any(place.people or any(n.owner for n in place.nouns) for place in roles.places)
+    own = own and not any(
+        place.people or (place.things and place.preposition in _UPON) or any(n.owner for n in place.nouns)
+        for place in roles.places
+    )
     return own if motion == "touch" else clause.participle and not clause.places
 
 

@@ -17,6 +17,7 @@ _GENDERED = frozenset({"man", "woman", "boy", "girl", "lady", "guy", "gentleman"
 _ELDERS = lexicon.KIN - lexicon.YOUNGER_KIN - {"brother", "sister", "husband", "wife"}
 _SIBLINGS = frozenset({"brother", "sister"})
 _PAIRS = lexicon.words("pairs")
+_YOUTH = 17
 _SMALL = frozenset({"small", "little", "tiny", "petite", "short", "slight", "thin", "slim", "skinny", "frail"})
 _LARGE = frozenset({"big", "large", "huge", "tall", "heavy", "fat", "stout", "burly", "broad", "massive", "towering"})
 
@@ -72,7 +73,9 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     pool = [
         person
         for person in stage.spoken_of()
-        if fits(person, gender) and person.kind == "human" and (not person.role or young or mention.head in _GENDERED)
+        if fits(person, gender)
+        and person.kind == "human"
+        and (not person.role or young or mention.head in _GENDERED | lexicon.KIN)
     ]
     if not pool:
         pool = [person for person in stage.spoken_of() if fits(person, gender) and person.kind == "human"]
@@ -82,9 +85,10 @@ def _generic(stage: Stage, mention: Mention) -> list[Person]:
     elif young:
         pool = [person for person in pool if years(person) < 31 and not _ELDERS & set(person.aliases)]
         pool = [person for person in pool if person.gender == gender] or pool
-        pool.sort(key=lambda person: (years(person) > 17, -stage.discourse.salience.get(person.id, 0.0)))
+        pool.sort(key=lambda p: (years(p) > _YOUTH, not p.age, -stage.discourse.salience.get(p.id, 0.0)))
     else:
-        pool.sort(key=lambda person: -stage.discourse.salience.get(person.id, 0.0))
+        nameless = mention.head in lexicon.KIN
+        pool.sort(key=lambda p: (nameless and p.role not in _GENDERED, -stage.discourse.salience.get(p.id, 0.0)))
     return pool[:1]
 
 

@@ -41,6 +41,10 @@ _SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
 _SOME_OF = frozenset({"one", "some", "both", "each", "all", "none", "most", "another", "two", "half"})
 _NOBODY = frozenset({"we", "i", "you"})
 """``We see``: the audience."""
+_INDEFINITE = frozenset(
+    f"{some}{one}" for some in ("some", "every", "any", "no") for one in ("thing", "one", "body")
+) - {"noone"}
+"""They stand alone: ``In the hall something fell``."""
 _SUBJECT_PRONOUNS = frozenset({"he", "she", "they", "it", "i", "you", "we"})
 
 
@@ -186,7 +190,10 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         possessor, first = at, at + 1
     end = first
     while (
-        end < len(words) and _in_noun_phrase(words[end]) and not (end > first and words[end].low in lexicon.PARTICLES)
+        end < len(words)
+        and _in_noun_phrase(words[end])
+        and not (end > at and words[end].low in _INDEFINITE)
+        and not (end > first and words[end].low in lexicon.PARTICLES)
     ):
         end += 1
     name = end < len(words) and words[end].mention is not None and words[end].named and words[end].text[0].isupper()

@@ -37,7 +37,20 @@ def prose_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Se
             text = " ".join(word.quotation.strip(QUOTATION_MARKS) for word in quotations)
             sentence.words, sentence.speech = _said(told, " ".join(text.split()))
         sentences.append(sentence)
+    _who_follows(sentences)
     return sentences
+
+
+def _who_follows(sentences: list[Sentence]) -> None:
+    """Note who is spoken of after a quotation that opens a paragraph, and which quotations stand alone."""
+    first = sentences[0] if sentences else None
+    if first is None or first.speech is None or first.words:
+        return
+    told = next((sentence.words for sentence in sentences if sentence.words), [])
+    first.speech.alone = not told
+    opens = next((word for word in told[:3] if word.mention or word.low in ("he", "she")), None)
+    if opens and not any(word.low == "'s" for word in told[:4]):
+        first.speech.after = opens
 
 
 def _mark_the_other(words: list[Word]) -> None:

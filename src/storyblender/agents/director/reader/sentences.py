@@ -29,11 +29,16 @@ class Speech:
     """Screenplay: the cue."""
     extension: str = ""
     parenthetical: str = ""
+    sung: bool = False
     dual: bool = False
     verb: str = "say"
     """Prose: said, whispered, shouted ..."""
     subject: list[Word] = field(default_factory=list)
     """Prose: the words for who says it."""
+    after: Word | None = None
+    """Prose: who is spoken of right after it, where nobody is said to say it: ``"It is fear." She raised her veil``."""
+    alone: bool = False
+    """Prose: its paragraph tells nothing else."""
 
 
 @dataclass
@@ -136,6 +141,7 @@ def speech_sentences(manuscript: Manuscript, index: int, scene: int, cue: Paragr
         cue.name if cue else "",
         cue.extension if cue else "",
         before.text if before.kind == "parenthetical" else "",
-        cue.dual if cue else False,
+        dual=cue.dual if cue else False,
+        sung=manuscript.screenplay.elements[paragraph.element].kind == "lyric",
     )
     return [Sentence(paragraph, scene, paragraph.start, paragraph.end, speech=speech)]

@@ -16,6 +16,7 @@ _OFF = re.compile(
     r"V\.?\s?O|O\.?\s?S|O\.?\s?C|OFF|FILTER|INTO PHONE|PRE-?LAP|ON (?:PHONE|RADIO|TV|SCREEN)", re.IGNORECASE
 )
 _QUIET = re.compile(r"whisper|quiet|soft|under (?:his|her) breath|low|sotto|hush|murmur|mutter")
+_SUNG = re.compile(r"\bs[iu]ngs?\b|\bsinging\b|\bcroon|\bchant")
 _LOUD = re.compile(r"shout|scream|yell|loud|calling|bellow|roar")
 _CALLED_OUT = re.compile(r"[^.?!]{1,24}!")
 """``Yusuf! Who salted this?``"""
@@ -28,6 +29,7 @@ _POSES = frozenset({"hold", "stand", "sit", "lie_down", "sleep", "listen", "look
 _MANNER = {
     "whisper": "whisper", "murmur": "whisper", "mutter": "whisper", "hiss": "whisper",
     "shout": "shout", "cry": "shout", "scream": "shout", "yell": "shout", "roar": "shout", "exclaim": "shout",
+    "call": "shout", "bellow": "shout", "holler": "shout", "shriek": "shout", "bark": "shout", "thunder": "shout",
 }  # fmt: skip
 _VOCATIVE = re.compile(
     r"(?:^|[,.!]\s*)(child|kid|boy|girl|son|sir|ma'am|madam|miss|officer|doctor|doc|sergeant|captain|king|mister|sheriff|"
@@ -72,7 +74,7 @@ def _narrated_speaker(stage: Stage, speech: Speech) -> Person | None:
     if not speech.subject and speech.verb == "answer" and stage.discourse.last_listener:
         return stage.discourse.last_listener
     if not speech.subject:
-        return stage.discourse.subjects[0] if stage.discourse.subjects else None
+        return _unnamed_speaker(stage, speech)
     mention = next((word.mention for word in speech.subject if word.mention), None)
     if mention:
         people = resolve_mention(stage, mention) or mention.candidates
@@ -81,6 +83,24 @@ def _narrated_speaker(stage: Stage, speech: Speech) -> Person | None:
         if any(word is said for said in speech.subject) and stage.sentence.pronouns.get(index, ([], None))[0]:
             return stage.sentence.pronouns[index][0][0]
     return None
+
+
+def _unnamed_speaker(stage: Stage, speech: Speech) -> Person | None:
+    """Nobody is said to speak: who does something next does, in a dialogue who was spoken to, else who acted last."""
+    discourse = stage.discourse
+    turns = [person for person in (discourse.last_listener, discourse.last_speaker) if person]
+    if speech.after and speech.after.mention:
+        people = resolve_mention(stage, speech.after.mention)
+        return people[0] if people else None
+    if speech.after:
+        gender = lexicon.PRONOUNS[speech.after.low]
+        fitting = [p for p in turns if p.gender in (gender, "unknown") and p is not stage.roster.narrator]
+        if fitting:
+            return fitting[0]
+    replies = speech.alone and len(stage.reading.units) > 1 and stage.reading.units[-2].kind == "dialogue"
+    if replies and discourse.last_listener and discourse.last_listener.id in stage.scene.on:
+        return discourse.last_listener
+    return discourse.subjects[0] if discourse.subjects else None
 
 
 def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) -> None:
@@ -116,6 +136,8 @@ def _manner(speech: Speech, prose: bool, device: str) -> str:
         return "phone"
     if _QUIET.search(parenthetical):
         return "whisper"
+    if speech.sung or _SUNG.search(parenthetical):
+        return "sing"
     if _LOUD.search(parenthetical):
         return "shout"
     if prose:

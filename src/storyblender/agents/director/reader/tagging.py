@@ -50,6 +50,13 @@ PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
 _COMPOUNDS = lexicon.words("gerund_compounds")
 _RESTING = lexicon.words("stative")
+_RANKING = frozenset(
+    {"first", "second", "third", "fourth", "fifth", "last", "next", "upper", "lower", "narrow", "small"}
+)
+"""``the second landing``."""
+_ATTIRING = frozenset({"dress", "wrap", "swathe", "veil", "bundle", "cloak", "robe", "shroud"})
+"""``a lady dressed in black``: she does nothing."""
+_RISING = frozenset({"as", "and", "from", "to", "when", "with", ".", ",", "up"})
 _INVERTING = lexicon.INVERTING
 """Verbs whose subject may follow: ``In the booth sit two thugs``."""
 
@@ -179,8 +186,9 @@ def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
         return False
     if row.last_kind == "inf" and left.low in ("and", ","):
         return True
-    at = next((i for i in range(len(row.words) - 1, -1, -1) if row.words[i].verb), None)
-    if at is None or (row.words[at].verb or VerbForm("", "past")).lemma not in PERCEIVING:
+    verbs = [i for i, word in enumerate(row.words) if word.verb or form_kind(word.low) == "past"]
+    at = verbs[-1] if verbs else None
+    if at is None or (row.words[at].verb or FORMS[row.words[at].low]).lemma not in PERCEIVING:
         return False
     between = row.words[at + 1 :]
     return (
@@ -329,15 +337,19 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
     """A verb by its form alone: past tenses, participles, auxiliaries, infinitives after ``to``."""
     word = words[at]
     before = words[at - 1].low if at else ""
+    after_word = words[at + 1].low if at + 1 < len(words) else ""
     form = FORMS.get(word.low) or _rare_participle(words, at)
     if form is None or form.kind == "3sg" or _names_a_kind(word, words[at + 1] if at + 1 < len(words) else None):
         return None
     if before in OPENERS or before == "'s" or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
         return None
+    if form.kind == "ing" and at > 1 and before in _RANKING and words[at - 2].low in OPENERS:
+        return None
+    if form.kind == "past" and form.lemma in _ATTIRING and after_word in ("in", "as"):
+        return VerbForm(form.lemma, "pp")
     if form.kind == "past" and word.low in _THINGS and not _does_something(words, at):
         return None
-    after = words[at + 1].low if at + 1 < len(words) else ""
-    modifies = form.kind in ("ing", "pp") and after in _SOLID and at > 0
+    modifies = form.kind in ("ing", "pp") and after_word in _SOLID and at > 0
     return None if modifies and before in lexicon.PREPOSITIONS else form
 
 
@@ -366,5 +378,8 @@ def _does_something(words: list[Word], at: int) -> bool:
         return not words[at - 2].mention and lexicon.noun_class(singular(words[at - 2].low)) in ("unknown", "abstract")
     if left.mention or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS:
         return True
+    right = words[at + 1].low if at + 1 < len(words) else "."
+    if words[at].low == "rose" and left.text == "," and right in _RISING:
+        return any(word.mention for word in words[:at])
     noun = lexicon.noun_class(singular(left.low)) not in ("unknown", "abstract")
     return noun and any(word.low in OPENERS for word in words[max(0, at - 4) : at - 1])

@@ -68,3 +68,34 @@ def test_towns_motels_and_ships_are_nobody() -> None:
 def test_a_boy_beside_somebody_is_somebody_else() -> None:
     reading = story("A deputy stood at the door, and next to him, wrapped in a blanket, a boy of ten. The boy nodded.")
     assert ("boy", "nod", None) in deeds(reading)
+
+
+def test_who_raises_her_veil_after_a_line_has_said_it() -> None:
+    reading = story(
+        "Tom and a lady sat by the fire.",
+        '"What is it?" asked Tom.',
+        '"It is fear." She raised her veil as she spoke.',
+        '"Of whom?"',
+    )
+    said = [unit.speaker for unit in reading.units if unit.kind == "dialogue"]
+    assert said == ["tom", "lady", "tom"]
+
+
+def test_something_in_the_hall_is_no_hall() -> None:
+    assert deeds(story("Mira sat. In the hall something fell over.")) == [("mira", "sit", None)]
+
+
+def test_after_where_he_told_her_it_is_still_she() -> None:
+    found = deeds(story("Joel sat down. Mira found the tin where he told her to look, opened it and took a key."))
+    assert {("mira", "open", "tin"), ("mira", "take", "key")} <= set(found)
+
+
+def test_a_beam_of_light_hits_them_and_not_they() -> None:
+    found = deeds(story("Tom and Anna opened the door, and a beam of light hit them in the eyes."))
+    assert {motion for _, motion, _ in found} == {"open"}
+
+
+def test_a_lady_dressed_in_black_rose() -> None:
+    found = deeds(story("Tom sat. A lady dressed in black, who had been sitting by the window, rose as he spoke."))
+    assert ("lady", "stand_up", None) in found
+    assert not any(motion == "wear" for _, motion, _ in found)

@@ -51,3 +51,25 @@ def test_his_son_and_a_name_are_one(read_scene: Read) -> None:
 
 def test_a_name_in_s_is_a_name(read_scene: Read) -> None:
     assert [person.name for person in read_scene("On the stairs is DOLORES. She waves.").people] == ["DOLORES"]
+
+
+def test_nicknames_name_tags_and_grey_suits_are_names(read_scene: Read) -> None:
+    reading = read_scene(
+        'BEATRIZ "BEA" LUNA (17) and a WAITRESS (40s, name tag that says MARGE) wait. A MAN IN A GREY SUIT enters.\n\n'
+        "BEA\nHi.\n\nMARGE\nHon?\n\nGREY SUIT\nEvening."
+    )
+    assert [person.name for person in reading.people] == ["BEATRIZ LUNA", "WAITRESS", "MAN IN A GREY SUIT"]
+
+
+def test_the_mother_is_the_woman_without_a_name(read_scene: Read) -> None:
+    found = told(read_scene, "A WOMAN (40s) screams. Anna takes off her cap. The mother sits down on the floor.")
+    assert any(actor == "woman" and motion == "sit" for actor, motion, _ in found)
+
+
+def test_who_sings_does_not_talk(read_scene: Read) -> None:
+    reading = read_scene("GUS (35) strolls out.\n\nGUS\n~My baby left on the nine-fifteen\n\nGUS\n(singing)\nAlone.")
+    assert [deed.motion for unit in reading.units for deed in unit.deeds] == ["walk", "sing", "sing"]
+
+
+def test_a_forehead_on_the_glass_touches_it(read_scene: Read) -> None:
+    assert ("anna", "touch", "window") in told(read_scene, "Anna presses her forehead to the window.")
