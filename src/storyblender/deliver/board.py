@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
+from xml.sax.saxutils import escape
 
 from reportlab import rl_config
 from reportlab.lib.colors import Color, HexColor
@@ -13,9 +14,10 @@ from reportlab.lib.pagesizes import A4, landscape
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.platypus import Paragraph
+from reportlab.platypus import Flowable, Paragraph
 
 from storyblender.deliver import fonts
+from storyblender.deliver.lettering import Lettering
 from storyblender.deliver.panel import Panel, Way, cue_of, panels
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -126,12 +128,9 @@ def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room:
     style = ParagraphStyle("action", fontName=fonts.REGULAR, fontSize=size * 0.9, leading=size * 1.12, textColor=INK)
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
     said = panel.action or ("" if panel.dialogue else panel.outline.shot_description)
-    texts = [(fonts.markup(said), style)] if said else []
-    for line in panel.dialogue:
-        cue = f'<font color="{GREY.hexval().replace("0x", "#")}">{fonts.markup(cue_of(line))}</font>'
-        texts.append((f"{cue} {fonts.markup(line.text)}", speech))
-    for text, kind in texts:
-        paragraph = Paragraph(text, kind)
+    texts = [_setting([(said, INK)], style)] if said else []
+    texts += [_setting([(cue_of(line), GREY), (line.text, INK)], speech) for line in panel.dialogue]
+    for paragraph in texts:
         _, used = paragraph.wrap(width, room)
         if used > room:
             for lines in paragraph.split(width, room)[:1]:
@@ -145,6 +144,20 @@ def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room:
         y, room = y - used, room - used
 
 
+def _setting(pieces: Sequence[tuple[str, Color]], style: ParagraphStyle, most: int = 0) -> Flowable:
+    """Return texts with their colours as a paragraph; as a picture of it where Noto Sans lacks their letters.
+
+    Args:
+        pieces: Texts with their colours, in reading order.
+        style: Size and indent.
+        most: Lines that a picture may have; 0 for all.
+    """
+    colored = [(text, f"#{color.hexval()[2:]}") for text, color in pieces]
+    if not all(fonts.in_regular(text) for text, _ in pieces):
+        return Lettering(colored, style.fontSize, style.leftIndent, most)
+    return Paragraph(" ".join(f'<font color="{color}">{escape(text)}</font>' for text, color in colored), style)
+
+
 def _line(
     canvas: Canvas,
     text: str,
@@ -156,12 +169,12 @@ def _line(
     color: Color = INK,
     right: bool = False,
 ) -> None:
-    """One line of text, cut with an ellipsis where it is too long."""
-    while text and canvas.stringWidth(text, fonts.REGULAR, size) > width:
+    """One line of text, cut where it is too long."""
+    while text and fonts.in_regular(text) and canvas.stringWidth(text, fonts.REGULAR, size) > width:
         text = text[:-2].rstrip() + "…"
     style = ParagraphStyle("line", fontName=fonts.REGULAR, fontSize=size, leading=size * 1.2,
                            textColor=color, alignment=2 if right else 0)  # fmt: skip
-    paragraph = Paragraph(fonts.markup(text), style)
+    paragraph = _setting([(text, color)], style, most=1)
     paragraph.wrap(width, size * 3)
     paragraph.drawOn(canvas, x, y - size * 0.35)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 from collections.abc import Callable
 from dataclasses import replace
-from html import escape
 from itertools import pairwise
 from pathlib import Path
 
@@ -100,7 +99,8 @@ def test_timeline_reads_back_with_relative_media(
 def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_path: Path, layout: str) -> list[str]:
     """Everything that a board says, page by page, as it is set."""
     said: list[str] = []
-    monkeypatch.setattr(board.fonts, "markup", lambda text: said.append(text) or escape(text))
+    set_ = board._setting
+    monkeypatch.setattr(board, "_setting", lambda p, *a, **k: said.extend(text for text, _ in p) or set_(p, *a, **k))
     monkeypatch.setattr(board, "_arrow", lambda canvas, way, *where: said.append(f"arrow {way}"))
     show = Canvas.drawRightString
     monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or show(*a))
