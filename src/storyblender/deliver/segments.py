@@ -12,13 +12,14 @@ from pathlib import Path
 
 import av
 from av.container import OutputContainer
+from av.video.frame import PictureType
+from av.video.reformatter import ColorRange
 from av.video.stream import VideoStream
-from PIL import Image
 
 _CODEC = {"crf": "20", "preset": "veryfast", "threads": "1"}
 """One thread an encoder: its result is the same on every machine; segments are encoded side by side."""
-_SEEK = 2
-"""Seconds between pictures that a player can jump to."""
+_SEEK = 4
+"""Seconds at most between pictures that a player can jump to; every cut is one."""
 
 
 @dataclass(frozen=True)
@@ -113,9 +114,10 @@ def _encode(segment: Segment, path: Path) -> None:
 
 
 def _frame(content: bytes, size: tuple[int, int]) -> av.VideoFrame:
-    """Return a picture as the codec wants it; a frame that is held is converted once."""
-    with Image.open(BytesIO(content)) as image:
-        picture = image.convert("RGB")
-    if picture.size != size:
-        picture = picture.resize(size)
-    return av.VideoFrame.from_image(picture).reformat(format="yuv420p")
+    """Return a picture as the codec wants it; JPEGs stay what they are within, which halves the cost."""
+    with av.open(BytesIO(content), "r") as image:
+        picture = next(image.decode(video=0))
+    full, film = ColorRange.JPEG, ColorRange.MPEG
+    frame = picture.reformat(*size, format="yuv420p", src_color_range=full, dst_color_range=film)
+    frame.pict_type = PictureType.NONE  # a picture by itself is a key frame; in the film the codec decides
+    return frame
