@@ -12,6 +12,8 @@ FLOOR = 0.04
 """Reflectance added to every albedo, so that gloss on black survives the division."""
 _BAND = 90
 """Rows upsampled at a time; keeps the temporaries small."""
+_MIXED, _BEND = 0.002, 0.01
+"""Least weight of a block of light that mixes surfaces, and the bend of its depth at which it begins to."""
 _SAME_DEPTH = 0.02
 """Difference of depth, as a share of it, at which two pixels begin to show different things."""
 
@@ -41,21 +43,36 @@ def upsample(low: Image, gbuffer: GBuffer, factor: int) -> Image:
     coarse, fine = gbuffer.view.height // height, gbuffer.view.height // (height * factor)
     low_depth, low_normal = every(gbuffer.depth, coarse), every(gbuffer.normal, coarse).astype(np.float32)
     depth, normal = every(gbuffer.depth, fine), every(gbuffer.normal, fine)
+    whole = _whole(gbuffer.depth, low_depth, coarse)
     rows = (np.arange(height * factor, dtype=np.float32) + 0.5) / factor - 0.5
     columns = (np.arange(width * factor, dtype=np.float32) + 0.5) / factor - 0.5
     result = np.empty((height * factor, width * factor, 3), np.float32)
     for top in range(0, height * factor, _BAND):
         band = slice(top, top + _BAND)
         result[band] = _blend(
-            low, low_depth, low_normal, depth[band], normal[band].astype(np.float32), rows[band], columns
+            low, low_depth, low_normal, whole, depth[band], normal[band].astype(np.float32), rows[band], columns
         )
     return result
+
+
+def _whole(depth: Image, middle: Image, step: int) -> Image:
+    """Return 1 for each block of ``step`` pixels that shows one surface, down to a little where it mixes near and far.
+
+    The corners of a block on a plane, however it recedes, mirror each other about its middle in 1 / depth.
+    """
+    last = step - 1
+    bent = np.zeros_like(middle)
+    for (top, left), (bottom, right) in (((0, 0), (last, last)), ((0, last), (last, 0))):
+        corners = 1 / depth[top::step, left::step] + 1 / depth[bottom::step, right::step]
+        bent += np.abs(corners * middle - 2)
+    return _MIXED + (1 - _MIXED) * np.exp(-bent / _BEND)
 
 
 def _blend(
     low: Image,
     low_depth: Image,
     low_normal: Image,
+    whole: Image,
     depth: Image,
     normal: Image,
     rows: NDArray[np.float32],
@@ -73,7 +90,7 @@ def _blend(
             near = (fy if dy else 1 - fy) * (fx if dx else 1 - fx) + 0.02
             level = np.exp(-np.abs(low_depth[y, x] - depth) / tolerance)
             facing = np.maximum(0.02, np.einsum("hwc,hwc->hw", low_normal[y, x], normal)) ** 4
-            weight = near * level * facing + 1e-5
+            weight = near * level * facing * whole[y, x] + 1e-5
             mixed += low[y, x] * weight[..., None]
             weights += weight
     return mixed / weights[..., None]

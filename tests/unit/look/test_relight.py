@@ -28,6 +28,13 @@ def test_light_does_not_bleed_over_an_edge():
     assert high[ids == WALL].mean() < 0.02
 
 
+def test_light_that_mixes_two_surfaces_is_not_trusted():
+    shown = (FRAME.ids == PERSON).astype(np.float32)
+    mixed = shown.reshape(27, 4, 48, 4).mean((1, 3))  # as a path tracer averages over its pixels
+    high = upsample(mixed[..., None].repeat(3, 2), FRAME, 2)[..., 0]
+    assert np.percentile(high[FRAME.reduced(2).ids == PERSON], 10) > 0.95
+
+
 def test_even_light_stays_even():
     light = np.full((27, 48, 3), 0.37, np.float32)
     assert upsample(light, FRAME, 2) == pytest.approx(0.37, abs=1e-4)
