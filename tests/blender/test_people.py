@@ -162,6 +162,9 @@ def test_a_bob_goes_round_the_back_of_the_head_and_ends_at_the_jaw() -> None:
     around = np.degrees(np.arctan2(low[:, 0] - head.x, low[:, 1] - head.y))
     assert np.histogram(around, bins=12, range=(-90, 90))[0].min() > 0
     assert 0.2 < np.ptp(points[:, 2]) < 0.3
+    back = points[np.abs(points[:, 0] - head.x) < 0.03]
+    hem = back[back[:, 2] < back[:, 2].min() + 0.02, 1].max()
+    assert hem < back[:, 1].max() - 0.02, "it turns in at the nape, a lampshade does not"
 
 
 @needs_data

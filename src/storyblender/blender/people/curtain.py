@@ -22,6 +22,8 @@ _OPEN = np.radians(113)
 """How far to each side of the back the hair reaches round the head."""
 _JAW = 0.1
 """Length below the ear from which hair can touch neck and shoulders; shorter hair turns in a little instead."""
+_TURNS_IN = 0.045
+"""Metres; how strongly hair to the jaw bends towards the nape. Straight down it would look like a lampshade."""
 _LEAVES = -0.1
 """Height on the unit sphere at which hair leaves the head."""
 _HEM = ((0.007, -0.004), (0.018, 0.010))
@@ -52,7 +54,7 @@ def curtain(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Sheet,
         for row in range(1, falling + 1):
             down = row / falling
             swing = spec.wave * np.sin(2.2 * np.pi * down * spec.hang / 0.16 + 1.3 * ridge[column])
-            inward = 0.0 if long else -0.010 * down**2
+            inward = 0.0 if long else -_TURNS_IN * (0.45 + 0.55 * max(np.cos(turn), 0.0)) * down**2
             flare = 0.0035 * ridge[column] * down / falling * 2 + inward / falling * 2
             sway = 3.0 * swing / falling
             step = np.array((0.0, 0.0, -drop)) + scale * (out * (flare + 0.35 * sway) + across * sway)

@@ -36,11 +36,20 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for px in (-0.7, 0.7):
         room.furnish("candle_holder", px, y - 1.2, 0.06 + 1.02, required=False)
     room.mark("altar", 0, y - 2.2, 0, "altar", "bar")
-    rows = max(1, int((y - 1.9) // 1.15))
+    rows = max(1, int((2 * y - 5.2) // 1.15))
     for row in range(rows):
         py = -y + 0.9 + 1.15 * row
+        beside = abs(py) < 2.0  # the crossing stays free for people: pews beside it are shorter
         for side in (-1, 1):
-            room.furnish("pew", side * (x + 0.55) / 2, py, yaw=180, width=round(x - 2.3, 2))
+            left, right = (1.9 if beside else 0.9), x - 0.75
+            room.furnish(
+                "pew",
+                side * (left + right) / 2,
+                py,
+                yaw=180,
+                required=not beside and py < 0,
+                width=round(right - left, 2),
+            )
     for side in (-1, 1):
         for py in (-y * 0.3, y * 0.35):
             room.piece(

@@ -41,6 +41,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.mark("aisle", 0, y - 1.4, 180, "table", "shelf")
     room.furnish("shopping_cart", -x + 1.4, -y + 0.8, yaw=90, required=False)
     room.furnish("crate", -x + 1.3, y * 0.05 - 2.2, required=False, height=0.5)
+    for at, style in ((-y + 0.75, "picture"), (-y + 2.65, "notice_board")):
+        room.on_wall("right", style, at, 1.5)
+    room.against("front", "store_shelf", x - 0.75, 0.25, required=False, material="enamel", height=1.3, rows=3.0)
+    room.furnish("basket", x - 2.35, -y + 0.45, required=False)
     room.against("right", "fridge", -y * 0.08, 0.36, required=False)
     room.against("right", "fridge", -y * 0.08 + 0.75, 0.36, required=False)
     room.on_wall("right", "wall_clock", y * 0.3, 2.2)
