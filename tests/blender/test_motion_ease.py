@@ -5,9 +5,10 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
-from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, perform
+from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, perform, world_at
 
 from storyblender.blender.motion import ease
+from storyblender.blender.motion.plan import StageProp
 from storyblender.blender.people.body import Body
 
 pytestmark = pytest.mark.blender
@@ -55,3 +56,11 @@ def test_the_weight_goes_from_leg_to_leg_over_feet_that_stay(bodies: dict[str, B
     assert (np.abs(np.diff(hips)) < 0.002).mean() > 0.4, "between two shifts one stands still"
     feet = np.array([tuple(play.joint("foot.L", frame)) for frame in frames])
     assert np.ptp(feet, axis=0).max() < 0.004
+
+
+@pytest.mark.parametrize(("thickness", "level"), [(0.006, False), (0.02, True)])
+def test_papers_are_carried_on_edge_and_plates_level(bodies: dict[str, Body], thickness: float, level: bool) -> None:
+    props = {"thing": StageProp(world_at(0, 0, -5), (0.2, 0.2, thickness))}
+    shot = perform(bodies, (mark_at("man", 0, 0, held=(("R", "thing"),)),), (), 1, props=props)
+    up = abs(shot.props["thing"][12, 2, 2])
+    assert up > 0.98 if level else up < 0.5

@@ -23,6 +23,8 @@ HANGING = 0.25
 """Metres; things taller than this with a grip near the top hang from a straight arm."""
 STAFF, SLENDER, STAFF_GRIP = 0.7, 0.16, 1.0
 """Metres: how tall and how thin a staff is, and at most how high it is held."""
+SHEET = 0.012
+"""Metres; thinner things are papers, and are carried on edge in a low hand, not level like a plate."""
 SETTLE = 0.3
 """Seconds in which a prop comes to its place in a new hand, while both move."""
 
@@ -98,6 +100,11 @@ class PropPuppet:
     def is_staff(self) -> bool:
         """Carried upright, one end on the floor: walking sticks, spears, brooms."""
         return self.size.z > STAFF and max(self.size.x, self.size.y) < SLENDER and not self.anchors
+
+    @property
+    def is_sheet(self) -> bool:
+        """Carried on edge: letters, envelopes, tickets, photographs."""
+        return self.size.z < SHEET and not self.two_handed
 
     @property
     def centre(self) -> Vector:
@@ -193,8 +200,12 @@ def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
             foot = who.place + who.facing @ Vector((s * 0.26 * m.k, -0.22 * m.k, 0))
             return grip.hand(Matrix.Translation(foot) @ who.facing.to_4x4(), pole)
         beside = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
+        fingers, palm = turn @ grip.fingers, turn @ grip.normal
+        if prop.is_sheet and not float(who.pinned(t)):
+            at = (0.06, 0.32, -0.72)
+            fingers, palm = beside @ Vector((-0.15 * s, -0.95, -0.3)), beside @ Vector((-s, 0.1, 0.25))
         place = who.to_world(shoulder_rest(who, side)) + beside @ (Vector((s * at[0], -at[1], at[2])) * m.arm)
-        return hand(place, turn @ grip.fingers, turn @ grip.normal, pole, grip.curl)
+        return hand(place, fingers, palm, pole, grip.curl)
 
     return target
 

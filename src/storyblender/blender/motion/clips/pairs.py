@@ -140,6 +140,7 @@ def _hand_over(
     taker.hands[other_side].set(touch + 0.25, 0.8, carried(taker, other_side, prop))
     taker.accent.set(touch + 0.4, 0.6, (0, 0, 0))
     look_at(giver, touch + 0.5, stage.point_of(taker))
+    look_at(taker, touch + 1.3, stage.point_of(giver))
     return touch + 1.1
 
 
