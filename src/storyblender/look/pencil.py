@@ -16,7 +16,7 @@ _TONE_IN = (0.0, 0.10, 0.20, 0.32, 0.42, 0.60, 0.74, 0.95)
 _TONE_OUT = (0.26, 0.33, 0.46, 0.55, 0.69, 0.80, 0.93, 1.0)
 """Soft steps: flat, rise, flat, rise."""
 _SKIN_IN = (0.0, 0.08, 0.24, 0.42, 0.62, 0.85)
-_SKIN_OUT = (0.40, 0.50, 0.68, 0.80, 0.95, 1.0)
+_SKIN_OUT = (0.40, 0.51, 0.72, 0.86, 0.97, 1.0)
 """Display luminance of skin to its tone: lighter than things as bright, so that a face is read by its features."""
 _KEY, _MIDDLE = 0.62, 0.33
 """Display luminance that becomes bare paper, and the mean of the frame in which it does. It follows the root of the
@@ -103,7 +103,7 @@ def _hatched(wash: Image, sheet: _Sheet) -> Image:
     drawn = wash * (1 - (0.38 - 0.26 * wash) * np.clip(first * 4, 0, 1)) * (1 - 0.28 * np.clip(second * 4, 0, 1))
     drawn += 0.05 * (1 - wash)
     # Graphite catches on the tooth: most where the tone is between bare and full.
-    drawn += sheet.tooth * (0.05 + 0.45 * wash * (1 - wash))
+    drawn += sheet.tooth * (0.05 + 0.36 * wash * (1 - wash))
     return 0.04 + 0.94 * drawn
 
 
