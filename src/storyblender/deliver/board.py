@@ -82,7 +82,7 @@ def _cell(index: int, layout: str, aspect: float) -> tuple[float, float, float, 
 
 def _furniture(canvas: Canvas, title: str, number: int, count: int) -> None:
     """Title and page number around the panels."""
-    _line(canvas, title or "Untitled", MARGIN, PAGE_HEIGHT - MARGIN, 12, PAGE_WIDTH * 0.5)
+    _line(canvas, title or "Untitled", MARGIN, PAGE_HEIGHT - MARGIN, 12, PAGE_WIDTH - 2 * MARGIN)
     canvas.setFillColor(GREY)
     canvas.setFont(fonts.REGULAR, 8)
     canvas.drawRightString(PAGE_WIDTH - MARGIN, MARGIN - 12, f"{number} / {count}")

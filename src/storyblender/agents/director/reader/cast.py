@@ -35,6 +35,7 @@ _INTRODUCED = re.compile(
     r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |the |in h|early |mid|late "
     rf"|barely |not yet |{_YEARS})|\s*\([^)]*(?:{_YEARS})"
 )
+_AGED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d\d?(?:['’]?s)?\s*[),]")
 _WORN = "|".join(sorted(word for word in lexicon.WORN if word.endswith("s")))
 _LOOK = re.compile(
     rf"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|the|her|his|early|mid|late|barely|\d|{_YEARS})[^.;]*?)"
@@ -146,6 +147,8 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
     title = base.split()[0].strip(".").lower()
     if is_person_noun(head) or (title in lexicon.TITLES and " " in base):
         return True
+    if _AGED.match(after) or _is_called_a_person(after):
+        return True
     if head in lexicon.PROPS | lexicon.SET_PIECES:
         return False
     if {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES or _INTRODUCED.match(after):
@@ -153,6 +156,12 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
     if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
         return False
     return _acts_like_a_person(base, before, after, text)
+
+
+def _is_called_a_person(after: str) -> bool:
+    """Whether an apposition says so, whatever the name means: ``STONE, a big man, carries``."""
+    told = re.match(r"\s*,\s*(an?\s.*)", after)
+    return told is not None and any(phrase.start == 0 for phrase in find_person_nouns(told.group(1)))
 
 
 def _acts_like_a_person(base: str, before: str, after: str, text: str) -> bool:

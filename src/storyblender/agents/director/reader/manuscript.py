@@ -7,6 +7,7 @@ every offset in a paragraph's body is an offset in the script.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -95,7 +96,7 @@ def without_quotations(text: str) -> str:
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
     """Lay out a screenplay for reading."""
     paragraphs: list[Paragraph] = []
-    shouted = _is_all_capitals(screenplay)
+    recase = _recasing(screenplay)
     for index, element in enumerate(screenplay.elements):
         kind = _KINDS.get(element.kind)
         last = paragraphs[-1] if paragraphs else None
@@ -106,21 +107,41 @@ def open_manuscript(screenplay: Screenplay) -> Manuscript:
             and _only_comment(screenplay.text[last.end : element.start])
         ):
             joined = element.model_copy(update={"start": last.start, "text": f"{last.text} {element.text}"})
-            paragraphs[-1] = _paragraph(screenplay, last.element, joined, kind, shouted)
+            paragraphs[-1] = _paragraph(screenplay, last.element, joined, kind, recase)
         elif kind:
-            paragraphs.append(_paragraph(screenplay, index, element, kind, shouted))
+            paragraphs.append(_paragraph(screenplay, index, element, kind, recase))
     return Manuscript(screenplay, paragraphs)
 
 
-def _is_all_capitals(screenplay: Screenplay) -> bool:
-    """Whether a script writes all its action in capitals."""
+def _recasing(screenplay: Screenplay) -> Callable[[str], str] | None:
+    """Return what gives action its usual capitals, if a script writes it all in capitals or all without."""
     told = [element.text for element in screenplay.elements if element.kind == "action" and " " in element.text.strip()]
-    return bool(told) and not any(letter.islower() for text in told for letter in text)
+    if told and not any(letter.islower() for text in told for letter in text):
+        return lambda text: _lowered(text, screenplay)
+    if told and not any(letter.isupper() for text in told for letter in text):
+        return lambda text: _raised(text, screenplay)
+    return None
+
+
+def _spoken_names(screenplay: Screenplay) -> set[str]:
+    return {word for element in screenplay.elements if element.kind == "cue" for word in element.name.split()}
+
+
+def _raised(text: str, screenplay: Screenplay) -> str:
+    """Action in small letters as it is usually written: sentences begin with a capital, and so do those who speak."""
+    names = {name.lower() for name in _spoken_names(screenplay)}
+
+    def write(match: re.Match[str]) -> str:
+        word = match.group(0)
+        starts = not text[: match.start()].rstrip() or text[: match.start()].rstrip()[-1] in ".!?"
+        return word.capitalize() if (starts or word in names) and len(word.capitalize()) == len(word) else word
+
+    return re.sub(r"[^\W\d_]+", write, text)
 
 
 def _lowered(text: str, screenplay: Screenplay) -> str:
     """Action in capitals as it is usually written: only those who speak keep theirs."""
-    names = {word for element in screenplay.elements if element.kind == "cue" for word in element.name.split()}
+    names = _spoken_names(screenplay)
 
     def write(match: re.Match[str]) -> str:
         word = match.group(0)
@@ -134,9 +155,11 @@ def _only_comment(between: str) -> bool:
     return between.strip() != "" and not blanked(_MARKUP, between).strip() and not re.search(r"\n\s*\n", between)
 
 
-def _paragraph(screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind, shouted: bool) -> Paragraph:
+def _paragraph(
+    screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind, recase: Callable[[str], str] | None
+) -> Paragraph:
     raw = blanked(_MARKUP, screenplay.text[element.start : element.end])
-    raw = _lowered(raw, screenplay) if shouted and kind == "action" else raw
+    raw = recase(raw) if recase and kind == "action" else raw
     paragraph = Paragraph(
         kind, index, element.start, element.end, element.text, raw, element.name, element.extension, element.dual,
         element.scene_number, body=raw,

@@ -40,3 +40,17 @@ ROCCO sits.
     reading = read_script(read(script, "fountain"))
     assert [(scene.place, scene.time) for scene in reading.scenes] == [("gym", "day"), ("living room", "night")]
     assert [person.name for person in reading.people] == ["ROCCO"]
+
+
+@pytest.mark.parametrize("intro", ["STONE, a big man, carries a ladder.", "STONE (45) carries a ladder."])
+def test_a_name_may_mean_a_thing(intro: str) -> None:
+    reading = read_script(read(f"INT. ROOM - DAY\n\n{intro}\n\nThe LAMP, a gift of her father, falls.\n", "fountain"))
+    assert "STONE" in [person.name for person in reading.people]
+    assert "LAMP" not in [person.name for person in reading.people]
+
+
+def test_a_script_without_capitals_has_its_people() -> None:
+    script = "int. kitchen - day\n\nSAM\nHungry?\n\next. garden - later\n\nwind. sam brings two bowls.\n"
+    reading = read_script(read(script, "fountain"))
+    sam = reading.people[0]
+    assert sam.name == "SAM" and reading.units[-1].on_stage == [sam.id]
