@@ -119,6 +119,8 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     if builder.clauses:
         builder.clauses[0].places += builder.leading
         builder.clauses[0].opening = len(builder.leading)
+    if builder.clauses and words[0].low in _WONDERING:
+        builder.clauses[0].unreal = True
     _give_to_inverted(builder.clauses)
     for clause in builder.clauses:
         if clause.verb == "be":
@@ -217,6 +219,7 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
 _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
 """``Outside a blizzard was raging``: no preposition where subject and verb follow."""
 _RESTING = lexicon.words("stative") - {"be"}
+_WONDERING = frozenset({"how", "why", "whether"})
 _INSERTING = frozenset({"where", "when", "until", "because", "since"})
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
@@ -253,6 +256,8 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     )
     if starts_clause:
         builder.inserted = left is not None and left.text in _INSERTING
+        if left is not None and left.text in _INSERTING | {"as", "while"} and not listed and not builder.clauses:
+            builder.outer = builder.pending
         builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
         return
     if builder.preposition:

@@ -152,6 +152,9 @@ def _group(stage: Stage, mention: Mention) -> list[Person]:
         return _latest(stage, mention.number)
     if mention.head in TOGETHER:
         return own_people(stage, mention.head)
+    exact = [person for person in mention.candidates if person.first == mention.start and person.kind == "group"]
+    if exact:
+        return exact
     numbered = [p for p in stage.roster.people if p.role == mention.head and re.search(r"\d$", p.id)]
     absent = not any(person.id in stage.scene.on for person in numbered)
     if mention.number > 1 and len(numbered) == mention.number and not (mention.determiner == "the" and absent):

@@ -23,6 +23,7 @@ _SMALL = (
 _MODALS = frozenset(
     {"can", "could", "cannot", "ca", "dare", "would", "will", "should", "might", "may", "must", "wo", "'ll", "'d"}
 )
+_HYPOTHETICAL = frozenset({"should", "could", "would", "cannot", "shall"})
 _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
@@ -262,6 +263,7 @@ def _in_noun_phrase(word: Word) -> bool:
         and word.low not in lexicon.ADVERBS
         and word.low not in lexicon.PRONOUNS
         and word.low not in _NOBODY
+        and word.low not in _HYPOTHETICAL
         and not word.low.endswith("ly")
     )
 

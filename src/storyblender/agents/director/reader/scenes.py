@@ -20,6 +20,14 @@ _SAME_TIME = re.compile(
     r"(LATER|EARLIER)|THE NEXT DAY|FLASHBACK|PRESENT( DAY)?|ESTABLISHING)\)?\.?$"
 )
 _BACK = re.compile(r"^back (?:in|at|to) (?:the )?|^(?:the|a) ")
+_STOP = re.compile(r"(?<=[A-Za-z]{2})(?<!\bST)(?<!\bMT)(?<!\bDR)(?<!\bMR)(?<!\bMRS)(?<!\bFT)(?<!\bNO)\.\s+(?=[A-Z0-9])")
+"""``INT. ASHDOWN PARK, BALLROOM. NIGHT. 1811``: full stops divide like dashes."""
+_CLOCK = re.compile(r"\b(\d{1,2})(?::\d\d)?\s*([AP])\.?M\b", re.IGNORECASE)
+_YEAR = re.compile(r"(?:CIRCA )?[12]\d{3}(?:['’]?S)?$")
+_HOURS: tuple[tuple[int, TimeOfDay], ...] = (
+    (5, "night"), (7, "dawn"), (12, "morning"), (13, "noon"), (17, "afternoon"), (20, "evening"), (24, "night"),
+)  # fmt: skip
+"""Until which hour it is what time of the day."""
 _BRACKETS = re.compile(r"\s*\([^)]*\)\s*")
 _SMALL = frozenset({"the", "a", "of", "in", "at", "s"})
 
@@ -60,7 +68,7 @@ def first_scene(paragraph: Paragraph) -> SceneReading:
 
 def _place_and_time(rest: str, scenes: list[SceneReading]) -> tuple[str, TimeOfDay, str]:
     inherited: TimeOfDay = scenes[-1].time if scenes else "day"
-    parts = [part for part in _DASH.split(rest) if part]
+    parts = [part for whole in _DASH.split(rest) if whole for part in _STOP.split(whole)]
     if len(parts) == 1 and "," in rest:
         place, last = rest.rsplit(",", 1)
         parts = [place, last.strip()] if _heading_time(last) or _SAME_TIME.match(last.strip().upper()) else parts
@@ -68,7 +76,7 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> tuple[str, TimeOfD
     while len(parts) > 1:
         last = parts[-1].strip(" .").upper()
         told = _heading_time(last)
-        if not told and not _SAME_TIME.match(last):
+        if not told and not _SAME_TIME.match(last) and not _YEAR.match(last):
             break
         time, written = (told or time), f"{last} {written}".strip()
         parts.pop()
@@ -83,6 +91,10 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> tuple[str, TimeOfD
 
 def _heading_time(text: str) -> TimeOfDay | None:
     """The time at the end of a heading, in English or another language."""
+    clock = _CLOCK.search(text)
+    if clock:
+        hour = int(clock.group(1)) % 12 + 12 * (clock.group(2).upper() == "P")
+        return next(time for until, time in _HOURS if hour < until)
     words = re.findall(r"[^\W\d_]+", text.lower())
     return time_of(text) or next((lexicon.FOREIGN_TIMES[word] for word in words if word in lexicon.FOREIGN_TIMES), None)
 

@@ -229,6 +229,11 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left.low in (")", '"'):
         return third
     if left.low in _LINKS:
+        told_in_past = not row.last_kind and any(
+            form_kind(w.low) == "past" or w.low in ("was", "were", "had") for w in row.words
+        )
+        if third and told_in_past and singular(word.low) in _NOUNS:
+            return False
         listed = third and left.low in (",", "and") and _reads_as_noun(word, right, row)
         return _continues(form, left, right, row) and not listed
     return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(word, form, left, right)

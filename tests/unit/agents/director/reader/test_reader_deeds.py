@@ -1,6 +1,8 @@
 """Deeds told in the manners of screenplays: parts of bodies, agents, late names, groups, things worn and made."""
 
 from conftest import Read
+from storyblender.agents.director.reader import read_script
+from storyblender.screenplay.source import read
 
 
 def told(read_scene: Read, action: str) -> set[tuple[str, str, str | None]]:
@@ -73,3 +75,21 @@ def test_who_sings_does_not_talk(read_scene: Read) -> None:
 
 def test_a_forehead_on_the_glass_touches_it(read_scene: Read) -> None:
     assert ("anna", "touch", "window") in told(read_scene, "Anna presses her forehead to the window.")
+
+
+def test_full_stops_and_clocks_in_headings() -> None:
+    reading = read_script(
+        read(
+            "INT. ASHDOWN PARK, BALLROOM. NIGHT. 1811.\n\nANNA sits.\n\nINT. ST. BRIGID'S - WARD - 4:10 A.M.\n\n"
+            "She stands.\n\nINT. DINER - 3 P.M. - ESTABLISHING\n\nAnna waits.\n"
+        )
+    )
+    assert [(scene.place, scene.time) for scene in reading.scenes] == [
+        ("ashdown park, ballroom", "night"),
+        ("st. brigid's ward", "night"),
+        ("diner", "afternoon"),
+    ]
+
+
+def test_hands_and_knees_are_not_kneeing(read_scene: Read) -> None:
+    assert told(read_scene, "Anna was on her hands and knees.") == set()
