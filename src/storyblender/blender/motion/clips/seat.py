@@ -10,6 +10,7 @@ from mathutils import Vector
 from storyblender.blender.motion.channel import smoothstep, turn_between
 from storyblender.blender.motion.clips.locomotion import face, step_to, travel
 from storyblender.blender.motion.clips.registry import clip
+from storyblender.blender.motion.clips.tabletop import bend_to, resting_place, table_before
 from storyblender.blender.motion.ease import at_ease
 from storyblender.blender.motion.hands import on_thigh
 from storyblender.blender.motion.performer import Performer
@@ -92,14 +93,15 @@ def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
     who.hips.set(t, 0.5 * whole, half_way, ease=smoothstep)
     who.spine.set(t, 0.5 * whole, (16, 0, 0))
     who.hips.set(t + 0.38 * whole, 0.62 * whole, (0, dy, height, -4, 0, 0))
-    who.spine.set(t + 0.5 * whole, 0.6 * whole, (6, 0, 0))
+    hips = who.position - forward * back
+    table = table_before(stage, who, hips, seat.height)
+    who.spine.set(t + 0.5 * whole, 0.6 * whole, (bend_to(who, table), 0, 0))
     who.pinned.set(t, 0.9 * whole, 1.0)
     who.life.set(t, whole, 0.5)
     who.seated.set(t + 0.25 * whole, 0.70 * whole, 1.0)
-    hips = who.position - forward * back
     for side in SIDES:
         _seat_foot(who, side, t, whole, height, hips, forward)
-        who.home[side] = on_thigh(who, side)
+        who.home[side] = resting_place(stage, who, side, hips, table)
     refill_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
     who.posture = "sit"
     return t + 1.1 * whole

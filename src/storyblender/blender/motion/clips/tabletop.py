@@ -1,0 +1,109 @@
+"""Hands of who sits: on the table before them, where there is one and the place is free, else on the lap."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats, TargetOf
+from storyblender.blender.motion.hands import hand, on_thigh
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.plan import StageFurniture
+from storyblender.blender.motion.skeleton import sign
+from storyblender.blender.motion.stage import Stage
+from storyblender.memory.asset_sheet import Anchor
+
+NEAREST_EDGE, FARTHEST_EDGE = 0.10, 0.52
+"""Metres, times k, from the hips to the edge of a table that is sat at."""
+OVER_LAP, UNDER_SHOULDERS = 0.17, 0.16
+"""Metres, times k: a table stands higher than the seat by the one, lower than the shoulders by the other."""
+OUT = {"L": (0.13, 0.07), "R": (0.10, 0.11)}
+"""Metres, times k, from the middle of the body and from the edge to each palm: nobody sits like a sphinx."""
+UPRIGHT = 6.0
+"""Degrees the back of a sitter is bent."""
+APART = 0.13
+"""Metres between a palm and the middle of what stands on the table."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table one sits at: metres from the hips to its edge, and its height."""
+
+    edge: float
+    height: float
+
+
+def bend_to(who: Performer, table: Table | None) -> float:
+    """Return how far, in degrees, the back of somebody who sits is bent: towards a table that is farther away."""
+    return UPRIGHT if table is None else UPRIGHT + 45 * max(0.0, table.edge / who.m.k - 0.30)
+
+
+def resting_place(stage: Stage, who: Performer, side: str, hips: Vector, table: Table | None) -> TargetOf:
+    """Return where a free hand of somebody who sits rests.
+
+    Args:
+        stage: With its furniture and props.
+        who: Sitting, or about to sit; planned yaw.
+        side: L or R.
+        hips: On the floor plan.
+        table: Before them, if there is one.
+    """
+    if table is None:
+        return on_thigh(who, side)
+    k, forward = who.m.k, who.forward
+    aside, beyond = (metres * k for metres in OUT[side])
+    left = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    spot = hips + forward * (table.edge + beyond) + left * (sign(side) * aside)
+    if not _is_free(stage, spot, table.height):
+        return on_thigh(who, side)
+    palm = Vector((*spot, table.height + 0.024 * k))
+    fingers = Vector((*(forward - left * (0.5 * sign(side))), 0))
+    pole = Vector((*(left * sign(side) - forward * 0.3), -0.3))
+
+    def target(t: float) -> Floats:
+        return hand(palm, fingers, Vector((0, 0, -1)), pole, (16, 22, 0))
+
+    return target
+
+
+def table_before(stage: Stage, who: Performer, hips: Vector, seat_height: float) -> Table | None:
+    """Return the table before somebody who sits with the hips there; None where there is none."""
+    k = who.m.k
+    low = seat_height + OVER_LAP * k
+    high = seat_height + who.m.shoulder_height - who.m.hip_height - UNDER_SHOULDERS * k
+    found: list[tuple[float, float]] = []
+    for piece in stage.plan.furniture.values():
+        for top in piece.anchors:
+            height = (Matrix(piece.world.tolist()) @ Vector(top.location)).z
+            edge = _edge(piece, top, hips, who.forward) if top.kind == "top" and low < height < high else None
+            if edge is not None and NEAREST_EDGE * k < edge < FARTHEST_EDGE * k:
+                found.append((edge, height))
+    return Table(*min(found)) if found else None
+
+
+def _edge(piece: StageFurniture, top: Anchor, spot: Vector, forward: Vector) -> float | None:
+    """Return the distance from a spot outside to where a top begins in a direction; None where it does not."""
+    back = Matrix(piece.world.tolist()).inverted()
+    origin, way = back @ Vector((*spot, 0)), back.to_3x3() @ Vector((*forward, 0))
+    near, far = 0.0, math.inf
+    for axis in (0, 1):
+        half, offset = top.size[axis] / 2, origin[axis] - top.location[axis]
+        if abs(way[axis]) < 1e-6:
+            if abs(offset) > half:
+                return None
+            continue
+        first, last = sorted((side - offset) / way[axis] for side in (-half, half))
+        near, far = max(near, first), min(far, last)
+    return near if 0 < near < far else None
+
+
+def _is_free(stage: Stage, spot: Vector, height: float) -> bool:
+    """Tell whether nothing stands on a table where a palm would lie."""
+    things = [(Vector(each.world[:3, 3].tolist()), each.dimensions) for each in stage.plan.furniture.values()]
+    things += [(each.matrix.translation, tuple(each.size)) for each in stage.props.values()]
+    for place, size in things:
+        if abs(place.z - height) < 0.05 and (place.xy - spot).length < APART + 0.35 * max(size[:2]):
+            return False
+    return True

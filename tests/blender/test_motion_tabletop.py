@@ -1,0 +1,54 @@
+"""Who sits at a table rests their hands on it; who sits before none, or a low one, on the lap."""
+
+from __future__ import annotations
+
+import bpy
+import pytest
+from mathutils import Vector
+from tests.blender.motion_stage import Playback, build_bodies, chair_at, cue_of, mark_at, perform, table_at, world_at
+
+from storyblender.blender.motion.plan import StageFurniture, StageProp
+from storyblender.blender.people.body import Body
+from storyblender.memory.asset_sheet import Anchor
+
+pytestmark = pytest.mark.blender
+SEATED = mark_at("man", 0, 0.24, 0, "sit", support_id="chair")
+
+
+@pytest.fixture(scope="module")
+def bodies() -> dict[str, Body]:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return build_bodies("man")
+
+
+def _hands(
+    bodies: dict[str, Body], furniture: dict[str, StageFurniture], props: dict[str, StageProp] | None = None
+) -> dict[str, Vector]:
+    shot = perform(bodies, (SEATED,), (), 1, furniture={"chair": chair_at(0, 0.24), **furniture}, props=props)
+    assert shot.problems == ()
+    play = Playback(bodies["man"], shot, "man")
+    return {side: play.joint(f"hand.{side}", 12) for side in "LR"}
+
+
+@pytest.mark.parametrize("gap", [-0.40, -0.50])
+def test_hands_lie_on_the_table_one_sits_at(bodies: dict[str, Body], gap: float) -> None:
+    for hand in _hands(bodies, {"table": table_at(0, gap)}).values():
+        assert 0.75 < hand.z < 0.86
+        assert hand.y < gap + 0.35 + 0.12, "at its edge"
+
+
+def test_hands_stay_on_the_lap_before_a_low_table_and_where_something_stands(bodies: dict[str, Body]) -> None:
+    low = StageFurniture(
+        world_at(0, -0.5), (1.2, 0.7, 0.42), (Anchor(kind="top", name="top", location=(0, 0, 0.42), size=(1.2, 0.7)),)
+    )
+    assert max(hand.z for hand in _hands(bodies, {"table": low}).values()) < 0.72
+    vase = {"vase": StageProp(world_at(0.12, -0.2, 0.75), (0.1, 0.1, 0.3))}
+    hands = _hands(bodies, {"table": table_at(0, -0.45)}, vase)
+    assert hands["L"].z < 0.72 < hands["R"].z
+
+
+def test_who_gets_up_from_the_table_takes_their_hands_along(bodies: dict[str, Body]) -> None:
+    furniture = {"chair": chair_at(0, 0.24), "table": table_at(0, -0.5)}
+    shot = perform(bodies, (SEATED,), (cue_of("man", "rise", 4),), 4, furniture=furniture)
+    play, last = Playback(bodies["man"], shot, "man"), len(shot.frames) - 1
+    assert (play.joint("hand.R", last).xy - play.joint("hips", last).xy).length < 0.45
