@@ -188,7 +188,7 @@ class CameraBrief:
 
     def bounds(self) -> Floats:
         """Return (n, 3) points around whom the shot is meant to show and what stands by them; everything if nobody."""
-        moment = self.moments[0]
+        moment = self.drawn
         meant = {*self.focus, *self.in_frame}
         people = [figure for figure in moment.figures if figure.node_id in meant] or list(moment.figures)
         points = [point for figure in people for point in (figure.base, figure.crown)]

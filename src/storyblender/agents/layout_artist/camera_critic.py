@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from storyblender.agents.layout_artist.camera_brief import (
     CROWDED,
     TIGHT,
-    TRAVEL,
     CameraBrief,
     Moment,
     Take,
@@ -39,8 +38,6 @@ _LEFT_OUT = 1.2
 """Most points for a thing that a picture of people does not show."""
 _PASSING = 0.5
 """How much of a fault's weight is left where it passes: the board shows the middle of the shot."""
-_COMING = 0.15
-"""How much is left of it for one of several who walks into the picture, or out of it."""
 _ARMS = 0.5
 """Metres between the faces of two who are in each other's arms."""
 _WHOLE = ("FS", "WS", "EWS")
@@ -92,19 +89,10 @@ class CameraCritic:
 
 
 def telling_moments(brief: CameraBrief, takes: Sequence[Take]) -> list[Moment]:
-    """Return the moments worth a look: the middle if nothing moves, all of them if the camera or the subject does."""
-    first, middle, last = brief.moments[0], brief.drawn, brief.moments[-1]
-    if brief.walks or any(take.moves for take in takes) or len(brief.moments) == 1:
+    """Return the moments worth a look: the one that is drawn; all of them if the camera moves or goes with a walk."""
+    if brief.walks or any(take.moves for take in takes):
         return list(brief.moments)
-    told = [middle]
-    for moment in (first, last):
-        changes = {figure.node_id for figure in moment.figures} != {figure.node_id for figure in middle.figures}
-        for figure in moment.figures:
-            there = middle.figure(figure.node_id)
-            changes |= there is not None and math.dist(there.face, figure.face) > 0.15
-        if changes and moment is not middle:
-            told.append(moment)
-    return sorted(told, key=lambda moment: moment.frame)
+    return [brief.drawn]
 
 
 def _request(brief: CameraBrief, take: Take, frame: int) -> ViewRequest:
@@ -127,7 +115,11 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
         camera = take.at(share_of(brief, moment.frame))
         found = _visibility(brief, moment, view)
         if moment is not main:
-            found = [_passing(brief, moment, each) for each in found if each.kind != "face_away"]
+            found = [
+                each.model_copy(update={"severity": _PASSING * each.severity})
+                for each in found
+                if each.kind != "face_away"
+            ]
         found += [*_place(view), *_void(_nothing(brief, take, camera, view))]
         if moment is main:
             found += [*composition(brief, camera, moment, view), *_surroundings(brief, view)]
@@ -138,14 +130,6 @@ def _faults(brief: CameraBrief, take: Take, seen: Sequence[tuple[Moment, CameraV
         if node in take.hidden:
             told.append(fault("cleared", node, CLEARED, f"{node} stands aside for this picture"))
     return tuple(told)
-
-
-def _passing(brief: CameraBrief, moment: Moment, fault: Fault) -> Fault:
-    """Return a fault as it weighs before or after the moment that is drawn."""
-    there, drawn = moment.figure(fault.subject), brief.drawn.figure(fault.subject)
-    walks = there is None or drawn is None or math.dist(there.base, drawn.base) > TRAVEL
-    comes = walks and len(brief.people) > 1 and fault.kind in ("out_of_frame", "face_out", "cropped")
-    return fault.model_copy(update={"severity": (_COMING if comes else _PASSING) * fault.severity})
 
 
 def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fault]:

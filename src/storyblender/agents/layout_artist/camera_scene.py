@@ -23,7 +23,7 @@ from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
-_REST, _HEIGHT = 0.55, 0.45
+_REST, _HEIGHT = 0.55, 0.5
 """Share of a shot in which nothing happens, and of what happens, at which it is drawn."""
 _ARRIVAL = 0.85
 """Share of a way to somebody at which it is drawn: where it leads."""
@@ -52,11 +52,15 @@ def story_moment(shot: ShotContext) -> int:
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:
-    """Rank what a shot is remembered by: what people do to each other 3, any deed 2, words and signs 1, a way 0."""
+    """Rank what a shot is remembered by: what people do to each other 3, a deed or a sign 2, words 1, a way 0.
+
+    What goes on in the background, as somebody's playing or reading does, counts as words.
+    """
     motion = clip_of(cue.clip)
     if motion.speed is not None:
         return 0
-    if motion.reach == "self" and motion.after is None and (motion.stretches or not motion.hands):
+    goes_on = motion.stretches and not motion.before
+    if motion.reach == "self" and motion.after is None and (goes_on or not motion.hands):
         return 1
     return 3 if cue.target_id in shot.on_stage and motion.reach != "self" else 2
 

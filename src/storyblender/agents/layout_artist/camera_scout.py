@@ -44,6 +44,8 @@ _MOST = 0.3
 """Share of somebody that may be hidden."""
 _LOOMING = 1.2
 """Points for a head that is e times as large as the size wants: nobody fills the foreground of a group."""
+_LEAVES, _COMES = 1.5, 0.2
+"""Points for a moment at which the first person is out of the picture: who is alone in it, and one of several."""
 _GRID = (15, 8)
 """Columns and rows of the rays that look for what stands before everybody."""
 _FRONT = 0.08
@@ -125,12 +127,12 @@ def _before(brief: CameraBrief, take: Take) -> float:
 
 
 def _kept(brief: CameraBrief, take: Take) -> float:
-    """Weigh moments of the shot at which its first person has left the picture."""
-    points = 0.0
+    """Weigh moments of the shot at which its first person has left the picture; one of several may come and go."""
+    points, price = 0.0, _COMES if len(brief.people) > 1 else _LEAVES
     for moment in brief.moments if brief.focus and brief.instruction.kind != "establishing" else ():
         figure = moment.figure(brief.focus[0])
         if figure is not None:
-            points += 1.5 * (not _framed(take.at(share_of(brief, moment.frame)), figure))
+            points += price * (not _framed(take.at(share_of(brief, moment.frame)), figure))
     return points
 
 
@@ -162,7 +164,8 @@ def _position(brief: CameraBrief, take: Take) -> float:
     """Weigh a camera in the floor, in a thing or in somebody."""
     points = 0.0
     over = brief.node(brief.instruction.over_id or "") if brief.instruction.kind == "ots" else None
-    there = [figure for figure in brief.moments[0].figures if figure.node_id not in take.hidden]
+    passing = [figure for moment in brief.moments for figure in moment.figures]
+    there = [figure for figure in passing if figure.node_id not in take.hidden]
     for camera in dict.fromkeys((take.start, take.end)):
         x, y, z = (float(value) for value in camera.position)
         points += 5.0 * (z < 0.12)
@@ -187,7 +190,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
     moment = brief.drawn
     camera, instruction, points = take.camera, brief.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
-    solid = _solids(brief, take.hidden)
+    solid = solids(dict(brief.props), brief.plan, take.hidden)
     over, wanted = brief.node(instruction.over_id or ""), SCALES[instruction.size].head
     bodies = {figure.node_id: body(figure) for figure in there}
     for figure in there:

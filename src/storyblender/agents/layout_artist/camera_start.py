@@ -173,7 +173,7 @@ def face_limit(brief: CameraBrief) -> float:
 def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
     """Bring a master to where its nearest person is large enough to be somebody, and small enough for a place."""
     meant = {*brief.focus, *brief.in_frame}
-    people = [figure for figure in brief.moments[0].figures if figure.node_id in meant]
+    people = [figure for figure in brief.drawn.figures if figure.node_id in meant]
     if not people:
         return camera
     tall = max(figure.crown[2] - figure.base[2] for figure in people)

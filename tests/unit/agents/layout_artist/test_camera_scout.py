@@ -74,6 +74,18 @@ def test_sending_somebody_away_costs_a_little() -> None:
     assert "guard" not in take.hidden, "who is not in the picture need not go"
 
 
+def test_nobody_walks_into_the_camera_and_one_of_several_may_leave_the_picture() -> None:
+    wish = {"kind": "two_shot", "size": "MS", "focus_on_ids": ("anna", "tom")}
+    still = brief(moments=tuple(Moment(frame, (ANNA, TOM)) for frame in (0, 20, 40)), **wish)
+    take = start(still)
+    x, y, _ = take.camera.position
+    prices = []
+    for there in (figure("anna", float(x), float(y), 0), figure("anna", 30.0, 0.0, 0)):
+        moments = (*still.moments[:2], Moment(40, (there, TOM)))
+        prices.append(cost(replace(still, moments=moments), take) - cost(still, take))
+    assert prices[0] > 4 and 0 < prices[1] < 0.5
+
+
 def test_three_people_in_a_row_are_seen_past_each_other() -> None:
     crowd = [figure("a", 0, 0, 0), figure("b", 0.3, 0.9, 0), figure("c", -0.2, 1.8, 0)]
     _, residual, finder = shoot(brief(crowd, kind="group", size="MWS", focus_on_ids=("a", "b", "c")))
