@@ -60,7 +60,8 @@ class AssetStore:
         path = self._folder / f"{job.digest}.json"
         if path.exists():
             return AssetMeasure.model_validate_json(path.read_bytes())
-        bpy.ops.wm.read_factory_settings(use_empty=True)
+        # An empty file; the add-ons stay registered, which a return to factory settings would do anew for each asset.
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
         measure = self._build(job)
         part = path.with_suffix(".json.part")
         part.write_text(measure.model_dump_json())

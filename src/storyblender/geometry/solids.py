@@ -5,12 +5,16 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 Face = tuple[int, ...]
+
+_OTHER_AXES = np.array([(1, 2), (0, 2), (0, 1)])
+"""The two axes that a projection along each axis keeps."""
 
 
 def translation(location: ArrayLike) -> Floats:
@@ -50,13 +54,23 @@ def box(size: ArrayLike, bevel: float = 0.0) -> tuple[Floats, list[Face]]:
     signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     corners = signs * half
     if bevel <= 1e-5:
-        faces: list[Face] = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-        return corners, faces
-    # Corner c has three vertices, one on each face it touches: 3 * c + axis of that face.
-    vertices = np.repeat(corners, 3, axis=0)
+        plain: list[Face] = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        return corners, plain
+    vertices, faces = _chamfered(signs, half, bevel), _chamfered_faces()
+    return vertices, list(faces) if bevel < half.min() else [_outward(vertices, face) for face in faces]
+
+
+def _chamfered(signs: Floats, half: Floats, bevel: float) -> Floats:
+    """Return the vertices of a chamfered box: three of each corner, one on each face it touches (3 * corner + axis)."""
     inward = np.repeat(-signs * bevel, 3, axis=0)
     inward[np.arange(24), np.tile(np.arange(3), 8)] = 0
-    vertices = vertices + inward
+    return np.repeat(signs * half, 3, axis=0) + inward
+
+
+@cache
+def _chamfered_faces() -> tuple[Face, ...]:
+    """Return the faces of a chamfered box, outwards: the same for every box that its chamfers leave a face of."""
+    signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     flat: list[Face] = []
     for axis, face in enumerate(((0, 1, 3, 2), (0, 4, 5, 1), (0, 2, 6, 4))):
         flat.append(tuple(3 * corner + axis for corner in face))
@@ -69,7 +83,8 @@ def box(size: ArrayLike, bevel: float = 0.0) -> tuple[Floats, list[Face]]:
                 first, second = [other for other in range(3) if other != axis]
                 flat.append((3 * a + first, 3 * b + first, 3 * b + second, 3 * a + second))
         flat.append((3 * a, 3 * a + 1, 3 * a + 2))
-    return vertices, [_outward(vertices, face) for face in flat]
+    vertices = _chamfered(signs, np.full(3, 0.5), 0.1)
+    return tuple(_outward(vertices, face) for face in flat)
 
 
 def _outward(vertices: Floats, face: Face) -> Face:
@@ -193,16 +208,22 @@ def box_uv(vertices: Floats, faces: Sequence[Sequence[int]], grain: bool) -> Flo
         faces: Corner indices.
         grain: Lay u along the longer side of each face (wood), instead of along the horizontal (brick).
     """
-    layout = []
-    for face in faces:
-        points = vertices[list(face)]
-        normal = np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
-        axis = int(np.abs(normal).argmax())
-        flat = points[:, [other for other in range(3) if other != axis]]
-        if grain and np.ptp(flat[:, 1]) > np.ptp(flat[:, 0]):
-            flat = flat[:, ::-1]
-        layout.append(flat)
-    return np.concatenate(layout) if layout else np.zeros((0, 2))
+    sizes = np.array([len(face) for face in faces], int)
+    starts = np.cumsum(sizes) - sizes
+    layout = np.zeros((int(sizes.sum()), 2))
+    for size in np.unique(sizes).tolist():  # all quads at once, all triangles at once
+        these = np.flatnonzero(sizes == size)
+        points = vertices[np.array([faces[index] for index in these])]
+        x, y, z = np.moveaxis(points, 2, 0)
+        after_x, after_y, after_z = (np.roll(axis, -1, axis=1) for axis in (x, y, z))
+        crosses = (y * after_z - z * after_y, z * after_x - x * after_z, x * after_y - y * after_x)
+        axis = np.abs([part.sum(axis=1) for part in crosses]).argmax(axis=0)
+        flat = np.take_along_axis(points, _OTHER_AXES[axis][:, None, :], axis=2)
+        if grain:
+            tall = np.ptp(flat[:, :, 1], axis=1) > np.ptp(flat[:, :, 0], axis=1)
+            flat[tall] = flat[tall][:, :, ::-1]
+        layout[starts[these][:, None] + np.arange(size)] = flat
+    return layout
 
 
 def signed_volume(vertices: Floats, faces: Sequence[Sequence[int]]) -> float:

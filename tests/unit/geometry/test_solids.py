@@ -66,3 +66,22 @@ def test_the_back_of_a_chair_is_turned_to_the_back(yaw):
 def test_units():
     assert unit_for(90.0, 0.9)[0] == "centimetre"
     assert unit_for(35.4, 0.9)[0] == "inch"
+
+
+@pytest.mark.parametrize("size", [(1.0, 2.0, 3.0), (0.6, 0.012, 0.4), (0.008, 0.008, 1.0)])
+def test_a_chamfered_box_faces_outwards_at_any_size(size):
+    vertices, faces = solids.box(size, bevel=0.004)
+    assert solids.signed_volume(vertices, faces) > 0
+    for face in faces:
+        points = vertices[list(face)]
+        normal = np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
+        assert normal @ points.mean(axis=0) >= -1e-12
+
+
+def test_texture_layout_keeps_the_order_of_mixed_faces():
+    vertices = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (0, 0, 3), (2, 0, 3)], float)
+    faces = [(0, 1, 2, 3), (0, 3, 4), (0, 1, 5, 4)]
+    expected = np.r_[vertices[[0, 1, 2, 3]][:, :2], vertices[[0, 3, 4]][:, 1:], vertices[[0, 1, 5, 4]][:, [0, 2]]]
+    assert np.array_equal(solids.box_uv(vertices, faces, grain=False), expected)
+    turned = solids.box_uv(vertices, faces, grain=True)
+    assert np.array_equal(turned[:4], expected[:4]) and np.array_equal(turned[7:], expected[7:, ::-1])

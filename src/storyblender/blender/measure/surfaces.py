@@ -131,7 +131,7 @@ def _rectangles(
     room[hits.row[level], hits.column[level]] = hits.room[level]
     free = ~np.isnan(height)
     found = []
-    while True:
+    while free.sum() * cell * cell >= LEAST_AREA:
         row, column, rows, columns = _largest_rectangle(free)
         area = rows * columns * cell * cell
         if area < LEAST_AREA or min(rows, columns) * cell < 0.06:
@@ -139,16 +139,19 @@ def _rectangles(
         part = np.s_[row : row + rows, column : column + columns]
         found.append((area, (float(np.median(height[part])), row, column, rows, columns, float(room[part].min()))))
         free[part] = False
+    return found
 
 
 def _largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int]:
     """Return row, column, rows, columns of the largest all-true rectangle (stack over column heights)."""
     best = (0, 0, 0, 0)
-    heights = np.zeros(free.shape[1], int)
-    for row in range(free.shape[0]):
-        heights = np.where(free[row], heights + 1, 0)
+    rows, columns = np.flatnonzero(free.any(1)), np.flatnonzero(free.any(0))
+    left, right = int(columns[0]), int(columns[-1]) + 1  # a level is often one board among many: look only there
+    heights = np.zeros(right - left, int)
+    for row in range(int(rows[0]), int(rows[-1]) + 1):
+        heights = np.where(free[row, left:right], heights + 1, 0)
         stack: list[tuple[int, int]] = []
-        for column, tall in enumerate([*heights.tolist(), 0]):
+        for column, tall in enumerate([*heights.tolist(), 0], left):
             start = column
             while stack and stack[-1][1] >= tall:
                 start, height = stack.pop()

@@ -182,28 +182,31 @@ class _Cloth:
         span = self.points[self.edges[:, 1]] - self.points[self.edges[:, 0]]
         self.points += self._spread(self.edges, span) / self.valence * 0.12 * self.free
 
-    def _depth(self, obstacle: BVHTree, point: Floats, gap: float) -> Floats | None:
-        nearest, normal, _, _ = obstacle.find_nearest(Vector(point), REACH)
-        if nearest is None:
-            return None
-        depth = gap - (Vector(point) - nearest).dot(normal)
-        return np.array(normal) * depth if depth > 0 else None
-
     def _push_vertices(self, obstacle: BVHTree) -> None:
-        for row in np.flatnonzero(self.free[:, 0] > 0):
-            push = self._depth(obstacle, self.points[row], GAP * self.k)
-            if push is not None:
-                self.points[row] += 0.8 * push
+        loose = np.flatnonzero(self.free[:, 0] > 0)
+        hit, moves = _pushes(obstacle, self.points[loose], GAP * self.k)
+        self.points[loose[hit]] += 0.8 * moves
 
     def _push_edges(self, obstacle: BVHTree) -> None:
         """Push the middles of edges too: vertices alone let a thigh cut through a coarse skirt."""
         loose = np.flatnonzero(self.free[self.edges, 0].max(1) > 0)
-        middles = self.points[self.edges[loose]].mean(1)
-        for row, middle in zip(loose, middles, strict=True):
-            push = self._depth(obstacle, middle, 0.6 * GAP * self.k)
-            if push is not None:
-                for vertex in self.edges[row]:
-                    self.points[vertex] += push * self.free[vertex]
+        hit, moves = _pushes(obstacle, self.points[self.edges[loose]].mean(1), 0.6 * GAP * self.k)
+        for end in (0, 1):
+            vertices = self.edges[loose[hit], end]
+            np.add.at(self.points, vertices, moves * self.free[vertices])
+
+
+def _pushes(obstacle: BVHTree, points: Floats, gap: float) -> tuple[Ints, Floats]:
+    """Return which of the points lie deeper than ``gap`` outside an obstacle, and the move that takes each out."""
+    hit: list[int] = []
+    moves: list[tuple[float, float, float]] = []
+    find = obstacle.find_nearest
+    for row, point in enumerate(map(Vector, points.tolist())):
+        nearest, normal, _, _ = find(point, REACH)
+        if nearest is not None and (depth := gap - (point - nearest).dot(normal)) > 0:
+            hit.append(row)
+            moves.append((normal.x * depth, normal.y * depth, normal.z * depth))
+    return np.array(hit, np.int64), np.array(moves, float).reshape(-1, 3)
 
 
 def _vertex_weights(garment: bpy.types.Object, body: Body) -> Floats:
