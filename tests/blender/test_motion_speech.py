@@ -63,3 +63,13 @@ def test_who_talks_with_a_full_hand_gestures_with_the_other(bodies: dict[str, Bo
     play = Playback(bodies["man"], shot, "man")
     moved = {side: np.ptp([play.joint(f"hand.{side}", f).z for f in range(10, 190, 6)]) for side in "LR"}
     assert moved["L"] > 0.2
+
+
+def test_who_laughs_throws_the_head_back_and_doubles_up_over_a_hand(bodies: dict[str, Body]) -> None:
+    shot = perform(bodies, (mark_at("man", 0, 0),), (cue_of("man", "laugh", 2, duration=48),), 3)
+    play = Playback(bodies["man"], shot, "man")
+    ahead = [-play.joint("head", frame).y for frame in range(len(shot.frames))]
+    assert min(ahead[8:20]) < ahead[0] - 0.03
+    assert max(ahead[30:45]) > ahead[0] + 0.06
+    assert (play.joint("hand.R", 36) - play.joint("spine", 36)).length < 0.35
+    assert ahead[-1] == pytest.approx(ahead[0], abs=0.03)

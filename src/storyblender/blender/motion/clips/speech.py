@@ -11,11 +11,13 @@ from storyblender.blender.motion.channel import clamp
 from storyblender.blender.motion.clips.gaze import aside, look_at_subject, mood
 from storyblender.blender.motion.clips.phrasing import REST, Phrase, gesticulate, phrases
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.hands import by_head
+from storyblender.blender.motion.hands import by_chest, by_head
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES
+from storyblender.blender.motion.skeleton import SIDES, other
 from storyblender.blender.motion.stage import Beat, Stage
 
+LONG_LAUGH = 1.4
+"""Seconds; in a shorter laugh no hand has time to move."""
 LOOKS_AWAY = 0.45
 """Share of the phrases before which a speaker looks aside."""
 
@@ -140,20 +142,30 @@ def _room(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("laugh", "head")
 def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Laugh: head back, shoulders shaking."""
+    """Laugh: the head goes back, then the trunk doubles up over a hand on the belly, shoulders shaking throughout."""
     t, end = beat.start, beat.start + (beat.duration or 2.0)
     if beat.target is not None:
         look_at_subject(stage, who, t, beat)
+    side = next((each for each in (beat.side, other(beat.side)) if each not in who.held and who.free[each] <= t), None)
+    doubled = t + max(0.7, 0.45 * (end - t))
+    if side is not None and end - t > LONG_LAUGH and who.posture in ("stand", "sit"):
+        belly = by_chest(
+            who, side, (-0.24, 0.30, -0.52), (-0.95, 0.1, 0.1), (0.1, -1, 0.1), pole=(0.9, 0.1, -0.4), curl=(14, 20, 0)
+        )
+        who.hands[side].set(t + 0.2, 0.5, belly)
+        who.hands[side].set(end - 0.3, 0.6, who.home[side])
     who.face.set(t, 0.25, (0.75, 1, 0.35, 0.2, 0))
-    who.nod.set(t, 0.3, (-14, 3, 0))
-    who.accent.set(t, 0.3, (-6, 0, 0))
-    while t < end - 0.5:
-        who.accent.set(t + 0.3, 0.11, (-1, 0, 0))
-        who.accent.set(t + 0.42, 0.11, (-6, 0, 0))
-        t += 0.24
+    who.nod.set(t, 0.3, (-16, 4, 0))
+    who.nod.set(doubled, 0.35, (8, -3, 0))
+    who.accent.set(t, 0.3, (-7, 0, 0))
+    beats = np.arange(t + 0.3, end - 0.3, 0.24)
+    for now in beats.tolist():
+        bend = -7 if now < doubled else 15
+        who.accent.set(now, 0.11, (bend + 4, 0, 0))
+        who.accent.set(now + 0.12, 0.12 if now < doubled else 0.2, (bend, 0, 0))
     who.face.set(end - 0.3, 0.4, (0, 0.5, 0, 0, 0))
     who.nod.set(end - 0.3, 0.4, (0, 0, 0))
-    who.accent.set(end - 0.2, 0.4, (0, 0, 0))
+    who.accent.set(end - 0.2, 0.45, (0, 0, 0))
     return end
 
 
