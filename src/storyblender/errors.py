@@ -43,9 +43,5 @@ class EngineError(StoryBlenderError):
     """Blender failed at a job, after restarts."""
 
 
-class ProviderError(StoryBlenderError):
-    """A service failed, after retries."""
-
-
 class ProjectLocked(StoryBlenderError):
     """Another run is writing to the project folder."""

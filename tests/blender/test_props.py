@@ -148,6 +148,14 @@ def test_a_file_without_a_mesh_is_refused(tmp_path):
         build_from_file(tmp_path / "notes.txt")
 
 
+@pytest.mark.parametrize(("name", "data"), [("a.glb", b"glTF broken"), ("a.blend", b"BLENDER-v405 broken")])
+def test_a_damaged_model_says_what_is_wrong_and_not_where_in_blender(tmp_path, name, data):
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(InputError, match=r"the model cannot be read \(.+\); export it again as .glb$") as told:
+        build_from_file(tmp_path / name)
+    assert "Location" not in str(told.value) and "\n" not in str(told.value)
+
+
 def test_a_bent_line_goes_through_its_points_without_corners():
     points = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
     curve = bent(points, 8)

@@ -14,7 +14,7 @@ INK = "#1b1b1f"
 @pytest.mark.parametrize(
     ("letter", "font"),
     [("A", "NotoSans["), ("Ж", "NotoSans["), ("雨", "CJK"), ("の", "CJK"), ("한", "CJK"), ("ل", "Arabic"),
-     ("ש", "Hebrew"), ("ก", "Thai"), ("த", "Tamil"), ("ა", "Georgian"), ("😀", "Emoji")],
+     ("ש", "Hebrew"), ("ก", "Thai"), ("த", "Tamil"), ("ა", "Georgian"), ("😀", "Emoji"), ("∞", "Math")],
 )  # fmt: skip
 def test_every_script_has_its_font(letter: str, font: str) -> None:
     assert font in font_of(letter).name

@@ -60,7 +60,14 @@ def _read(path: Path) -> None:
         else:
             bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
     except (RuntimeError, OSError, ValueError) as error:
-        raise InputError("the model cannot be read", mend=str(error).strip().splitlines()[-1], path=path) from error
+        problem = f"the model cannot be read ({_reason(error)})"
+        raise InputError(problem, mend="export it again as .glb", path=path) from error
+
+
+def _reason(error: Exception) -> str:
+    """Return the last thing that an importer says went wrong, without where in its own code."""
+    said = [line.strip() for line in str(error).splitlines() if line.strip() and not line.startswith("Location:")]
+    return said[-1].removeprefix("Error: ") if said else type(error).__name__
 
 
 def _append(path: Path) -> None:
