@@ -23,7 +23,7 @@ def to_display(image: Image, contrast: str = AGX_CONTRAST) -> Image:
         image: (h, w, 3) scene-linear Rec. 709.
         contrast: Name of an AgX look of Blender's colour configuration.
     """
-    processor = _processor(contrast)
+    processor = display_of(contrast)
     if processor is None:
         return _filmic(image)
     display = np.array(image, np.float32, order="C", copy=True)
@@ -37,7 +37,8 @@ def to_bytes(display: Image) -> NDArray[np.uint8]:
 
 
 @cache
-def _processor(contrast: str) -> Any:
+def display_of(contrast: str) -> Any:
+    """Return OpenColorIO's way from light to display for an AgX look, None without it; a first call takes a while."""
     folder, ocio = blender_folder(), bundled_module("PyOpenColorIO")
     if folder is None or ocio is None:
         return None

@@ -138,7 +138,7 @@ def test_grade_is_monotone_and_neutral():
 
 def test_without_colour_libraries_the_fallback_looks_alike(monkeypatch):
     agx = to_display(GREY)[0, 0, 0]
-    monkeypatch.setattr(grade, "_processor", lambda contrast: None)
+    monkeypatch.setattr(grade, "display_of", lambda contrast: None)
     assert to_display(GREY)[0, 0, 0] == pytest.approx(agx, abs=0.08)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
 import bpy
@@ -19,7 +20,7 @@ from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
 from storyblender.look.exposure import Face, bright_half, find_faces, trim
 from storyblender.look.gbuffer import GBuffer
-from storyblender.look.grade import to_bytes, to_display
+from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
 from storyblender.look.ink import apply_ink, draw_ink, people_nearby
 from storyblender.look.looks import LOOKS, Look
@@ -28,7 +29,7 @@ from storyblender.look.raster import Image, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
 from storyblender.look.surface import FLESH
 from storyblender.look.wet_ground import add_wet_ground, wetness
-from storyblender.memory.scene_context import Light, Lighting
+from storyblender.memory.scene_context import Fog, Light, Lighting
 
 
 @dataclass(frozen=True)
@@ -117,16 +118,20 @@ def render_frame(
     """
     look = _look_of(request)
     step = request.supersample or look.supersample
-    with RenderSession(scene, camera_object, request.frame, request.hidden_node_ids) as session:
+    with (
+        RenderSession(scene, camera_object, request.frame, request.hidden_node_ids) as session,
+        ThreadPoolExecutor(1) as aside,  # for what needs no Blender, while Blender draws
+    ):
+        aside.submit(display_of, look.contrast)
         passes = render_passes(session, request.width * step, request.height * step)
         set_light = balanced(scene, lighting)
         plan = set_light.plan
+        inked = aside.submit(_inked, passes.gbuffer, plan.fog, look, step)
         shot = ShotLight(session, passes, set_light, people, step * look.light_step, shadows=request.shadows)
         lights = shot.set_lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
-    gbuffer = passes.gbuffer.reduced(step)
+    gbuffer, through, ink = inked.result()
     depth, rays, eye = gbuffer.depth, gbuffer.view.rays(), gbuffer.view.eye
-    through = transmittance(plan.fog, depth, rays, eye)
     picture = add_halos(add_fog(picture, plan.fog, through, rays), lights, depth, rays, eye)
     wet = wetness(plan, set_light.roofed)
     picture = add_wet_ground(picture, gbuffer, plan.sky, wet, water=look.light == "numpy")
@@ -136,15 +141,21 @@ def render_frame(
     picture = add_rain(picture, depth, plan.rain, request.seed)
     display = to_display(picture, look.contrast)
     statistics = _statistics(passes, picture, display, faces, stops)
-    drawing = _drawn(display, passes.gbuffer, through, look, step)
+    drawing = _drawn(display, passes.gbuffer, ink, look, step)
     return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 
 
-def _drawn(display: Image, gbuffer: GBuffer, through_air: Image, look: Look, step: int) -> Image:
+def _inked(gbuffer: GBuffer, fog: Fog | None, look: Look, step: int) -> tuple[GBuffer, Image, Image | None]:
+    """Return the G-buffer at the picture's size, the share of light that the air lets through, and the look's lines."""
+    small = gbuffer.reduced(step)
+    through = transmittance(fog, small.depth, small.view.rays(), small.view.eye)
+    return small, through, draw_ink(gbuffer, step, through) if look.ink > 0 else None
+
+
+def _drawn(display: Image, gbuffer: GBuffer, ink: Image | None, look: Look, step: int) -> Image:
     """Return the display picture with the look's lines, or as the look's drawing."""
-    if look.ink <= 0:
+    if ink is None:
         return display
-    ink = draw_ink(gbuffer, step, through_air)
     if look.style == "pencil":
         return draw_pencil(display, ink, gbuffer.coverage(FLESH, step), look.ink)
     return apply_ink(display, ink, people_nearby(gbuffer, step), look.ink)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -55,7 +56,11 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     view = session.view(width, height)
     objects = session.visible_objects()
     materials = list(bpy.data.materials)
-    with flat_workbench(session.scene), _identity_colors(objects) as nodes:
+    with (
+        ThreadPoolExecutor(1) as aside,  # reads the normals while Blender draws what follows
+        flat_workbench(session.scene),
+        _identity_colors(objects) as nodes,
+    ):
         with _shading(session.scene, light="FLAT", color_type="OBJECT"):
             channels = session.exr(width, height, depth=True)
         red, green, blue = (_levels(channels[f"Combined.{name}"]) for name in "RGB")
@@ -65,7 +70,7 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         depth = np.where(ids > 0, channels["Depth.Z"], FAR).astype(np.float32)
         del channels, red, green, blue
         with _shading(session.scene, light="MATCAP", studio_light=NORMAL_MATCAP, color_type="SINGLE"):
-            normal = _decode_normals(session.exr(width, height), view)
+            decoded = aside.submit(_decode_normals, session.exr(width, height), view)
         with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
             albedo = color(session.exr(width, height)).astype(np.float16)
         if skin_colored.any():
@@ -76,6 +81,7 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
             painted = skin_colored[window.cut]
             albedo[window.cut][painted] = color(skin)[painted]
         material = _material_pass(session, materials, width, height)
+        normal = decoded.result()
     material[ids == 0] = 0
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
