@@ -19,6 +19,8 @@ from storyblender.agents.director.reader.words import joined
 from storyblender.agents.director.reading import Person
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
+_POSED = frozenset({"seat", "slump", "sprawl", "curl", "perch", "huddle", "crouch", "settle"})
+"""``is slumped over the bar``: a posture, done by nobody else."""
 _SOMEWHERE = frozenset({"prop", "set_piece", "scenery"})
 _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 """``walks out, followed by Mia``: it is Mia who follows."""
@@ -184,7 +186,7 @@ def _dress(stage: Stage, roles: Roles) -> None:
 
 
 def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
-    if not roles.subjects or (clause.passive and clause.verb != "seat"):
+    if not roles.subjects or (clause.passive and clause.verb not in _POSED):
         return None
     head = stage.inventory.head(roles.things[0]) if roles.things else "person" if roles.people else ""
     if roles.things and head in lexicon.BODY and stage.inventory.class_of(roles.things[0]) == "prop":

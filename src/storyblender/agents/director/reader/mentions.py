@@ -80,7 +80,7 @@ def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list
             and not any(years(person) > _OLD for person in people)
         ):
             continue
-        if named or (role and (key[-1] == role or key[-1].strip("#").isdigit())):
+        if named or (role and (singular(key[-1]) == role or key[-1].strip("#").isdigit())):
             return length, people
     return 0, []
 

@@ -54,7 +54,7 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     noun = lexicon.MOTION_OF_VERB.get(object_head)
     if noun and clause.verb in _LIGHT and _is_deed(clause.object[-1]) and clause.object[-1].head == object_head:
         return noun
-    if clause.verb in _COPULAS and clause.object and _is_quality(clause.object[0]):
+    if clause.verb in _COPULAS - {"stand"} and clause.object and _is_quality(clause.object[0]):
         return None
     if clause.verb == "stand":
         rises = clause.particle == "up" or (posture in _SUPINE and not clause.places and not clause.participle)

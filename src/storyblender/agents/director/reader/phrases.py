@@ -198,6 +198,11 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     ):
         end += 1
     name = end < len(words) and words[end].mention is not None and words[end].named and words[end].text[0].isupper()
+    if end + 2 < len(words) and end > first and words[end].mention and words[end + 1].low == "'s":
+        owned = _noun_phrase(words, end + 2)
+        if owned and owned.noun and owned.noun.kind == "thing" and words[end].text.islower():
+            owned.noun.possessor, owned.noun.determiner = None, determiner
+            return replace(owned, first=at)
     leads = any(_is_thing(word) or (name and not _describes(word)) for word in words[first:end])
     if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at) and not leads:
         noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]

@@ -33,6 +33,8 @@ _BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
 """Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
 _COMING_TO_REST, _WHERE = lexicon.words("coming_to_rest"), ("on", "in", "into", "onto", "under", "behind", "beneath")
 _AT_WORK = frozenset({"cook", "eat", "drink", "read", "write", "type", "work", "cut", "clean", "pour", "play_music"})
+_CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
+"""``eats a sandwich on a ladder``: it is the eater who is on it."""
 _HOLDING = frozenset({"hold", "raise", "lift", "wave", "swing"})
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _OPENINGS = frozenset({"door", "window", "gate"})
@@ -99,6 +101,7 @@ def _telling_places(clause: Clause, roles: Roles, motion: str | None) -> list[Pl
         place
         for place in roles.places
         if (place.preposition == "at" and motion in _AT_WORK and not place.people)
+        or (place.preposition in ("on", "in") and motion in _CONSUMING and not place.people)
         or (place.preposition in _BESIDE and (place.people or not roles.things))
     ]
 
@@ -284,6 +287,9 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
         if noun.head in _OPENINGS and kind == "behind" and anchor.kind != "thing":
             continue
         thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+        consumed = lexicon.MOTION_OF_VERB.get(stage.sentence.verb) in _CONSUMING
+        if consumed and thing == stage.sentence.object_thing and kind in ("on", "in"):
+            continue
         if anchor.head in _GRIPS:
             for holder in _anchors(stage, anchor, subjects, previous):
                 hold(stage, holder, thing)

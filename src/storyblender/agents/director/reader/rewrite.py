@@ -7,8 +7,16 @@ the subject of ``Grabs a shovel.``, the ``was`` of ``MAN #2 on the bed``; apposi
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.morphology import form_kind, singular
-from storyblender.agents.director.reader.tagging import Row, as_participles, may_be_verb, tag_verb, was, written_verb
+from storyblender.agents.director.reader.morphology import VerbForm, form_kind, singular
+from storyblender.agents.director.reader.tagging import (
+    Row,
+    as_participles,
+    is_contracted,
+    may_be_verb,
+    tag_verb,
+    was,
+    written_verb,
+)
 from storyblender.agents.director.reader.words import Word
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
@@ -55,6 +63,8 @@ def regularise(words: list[Word]) -> list[Word]:
             continue
         if word.text.isalpha() and word.mention is None:
             tag_verb(words, at, row)
+        elif is_contracted(words, at):
+            word.verb, row.verb_seen = VerbForm("be", "aux"), True
         row.words.append(word)
         at += 1
     regular = row.words if row.verb_seen else _complete_fragment(row.words)

@@ -106,10 +106,9 @@ def _named_at_last(words: list[Word]) -> list[tuple[list[Word], bool]]:
             or not words[at + 1].text.isupper()
         ):
             continue
-        somebody = [
-            w.mention for w in words[:at] if w.mention and w.mention.kind == "generic" and not w.mention.candidates
-        ]
-        if len(somebody) == 1 and somebody[0].determiner in ("a", "an") and not any(w.named for w in words[:at]):
+        people = [w.mention for w in words[:at] if w.mention and w.mention.head not in lexicon.ANIMALS]
+        somebody = [mention for mention in people if mention.kind == "generic" and not mention.candidates]
+        if len(somebody) == len(people) == 1 and somebody[0].determiner in ("a", "an"):
             somebody[0].kind, somebody[0].candidates = "name", name.candidates
             return [(words[:at], False), (words[at + 1 :], False)]
     return []

@@ -132,7 +132,7 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
 def _manner(speech: Speech, prose: bool, device: str) -> str:
     """Talk, whisper, shout or phone."""
     parenthetical = speech.parenthetical.lower()
-    if "phone" in parenthetical or device in ("phone", "cell", "receiver"):
+    if re.search(r"\b(?:tele)?phone\b", parenthetical) or device in ("phone", "cell", "receiver"):
         return "phone"
     if _QUIET.search(parenthetical):
         return "whisper"

@@ -25,7 +25,10 @@ _TAKING = frozenset({"pick_up", "take", "hold", "carry", "catch"})
 _LOSING = frozenset({"put_down", "drop", "throw"})
 _NOT_HELD = frozenset({"abstract", "body", "set_piece", "scenery"})
 _SUPPORTED = frozenset({"sit", "lie_down", "sleep", "lean", "kneel"})
-_READY = re.compile(r"\b([a-z-]+) (drawn|raised|ready|in hand|at the ready|in his hand|in her hand)(?! of)\b")
+_READY = re.compile(
+    r"\b([a-z-]+) (drawn|raised|ready|at the ready"
+    r"|in (?:(?:his|her|each|one|the other|both|either) )?hands?)(?! of)\b"
+)
 
 
 def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:

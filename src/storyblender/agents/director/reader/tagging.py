@@ -50,6 +50,7 @@ PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
 _COMPOUNDS = lexicon.words("gerund_compounds")
 _RESTING = lexicon.words("stative")
+_CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
 _RANKING = frozenset(
     {"first", "second", "third", "fourth", "fifth", "last", "next", "upper", "lower", "narrow", "small"}
 )
@@ -126,6 +127,18 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
             row.verb_seen, row.last_kind = True, form.kind
     elif form.kind == "ing" and not row.verb_seen:
         _tag_participle(words, at, row)
+
+
+def is_contracted(words: list[Word], at: int) -> bool:
+    """``He's in the booth``, ``They're off``, ``Vance's in the chair``: a short is or are, no possessor."""
+    word, left = words[at], words[at - 1] if at else None
+    right = words[at + 1] if at + 1 < len(words) else None
+    if left is None or right is None or word.low not in ("'s", "'re", "'m") or right.low in ("got", "been"):
+        return False
+    if left.low in _CONTRACTING:
+        return True
+    named = left.mention is not None and left.mention.kind == "name"
+    return named and (right.low in lexicon.PREPOSITIONS or right.low in ("a", "an", "the", "already", "still", "not"))
 
 
 def _names_a_kind(word: Word, following: Word | None) -> bool:
@@ -236,7 +249,16 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
             return False
         listed = third and left.low in (",", "and") and _reads_as_noun(word, right, row)
         return _continues(form, left, right, row) and not listed
+    if not third and form.lemma in lexicon.MOTION_OF_VERB and _several_described(row):
+        return singular(word.low) not in _NOUNS
     return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(word, form, left, right)
+
+
+def _several_described(row: Row) -> bool:
+    """``SOLDIERS in white smocks``: several people first, then what they have on, and no verb yet."""
+    first, *rest = row.words
+    several = first.mention is not None and any(person.count > 1 for person in first.mention.candidates)
+    return several and not row.verb_seen and bool(rest) and rest[0].low in ("in", "with", "of", "from")
 
 
 def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
@@ -346,7 +368,10 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
     form = FORMS.get(word.low) or _rare_participle(words, at)
     if form is None or form.kind == "3sg" or _names_a_kind(word, words[at + 1] if at + 1 < len(words) else None):
         return None
-    if before in OPENERS or before == "'s" or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
+    owned = before == "'s" and words[at - 1].verb is None
+    if before in OPENERS or owned or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
+        return None
+    if word.low == "left" and before in ("from", "to", "on", "at"):
         return None
     if form.kind == "ing" and at > 1 and before in _RANKING and words[at - 2].low in OPENERS:
         return None

@@ -93,3 +93,33 @@ def test_full_stops_and_clocks_in_headings() -> None:
 
 def test_hands_and_knees_are_not_kneeing(read_scene: Read) -> None:
     assert told(read_scene, "Anna was on her hands and knees.") == set()
+
+
+def test_short_forms_of_is(read_scene: Read) -> None:
+    reading = read_scene("ANNA (30) is here. She's in the booth. Anna's on the stairs, she's smoking a cigar.")
+    assert ("anna", "sit") in {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds}
+    assert ("anna", "smoke") in {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds}
+
+
+def test_slumped_is_how_somebody_sits(read_scene: Read) -> None:
+    assert ("bob", "sit") in {deed[:2] for deed in told(read_scene, "Bob is slumped at the bar.")}
+
+
+def test_people_in_smocks_run(read_scene: Read) -> None:
+    reading = read_scene("SOLDIERS in white smocks run past the wall.")
+    assert [(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds] == [("soldier", "run")]
+
+
+def test_a_maids_uniform_is_worn_by_a_woman(read_scene: Read) -> None:
+    found = told(read_scene, "A WOMAN in a hotel maid's uniform (40s) is screaming at Bob.")
+    assert ("woman", "shout", "bob") in found
+
+
+def test_who_eats_on_a_ladder_is_on_it(read_scene: Read) -> None:
+    reading = read_scene("ANNA (30) eats a sandwich on a ladder.")
+    assert [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations] == [("anna", "on", "ladder")]
+
+
+def test_a_microphone_is_no_phone(read_scene: Read) -> None:
+    reading = read_scene("ANNA (30) waits.\n\nANNA\n(tapping a microphone)\nIs this on?")
+    assert reading.units[-1].deeds[-1].motion == "talk"
