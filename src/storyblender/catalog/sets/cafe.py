@@ -40,9 +40,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.against("left", "bar_stool", at, 2.1, required=False)
 
     tables = [
-        (x - 1.35, -y * 0.04, 110),
+        (x - 1.35, -y * 0.12, 110),
         (0.3, arcade - 0.95, 90),
-        (x - 1.35, -y * 0.55, 70),
+        (x - 1.35, -y * 0.58, 70),
         (-x * 0.12, -y + 1.5, 80),
     ]
     if x > 5.4:
@@ -68,8 +68,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         (-x + 1.6, -1.3),
         (-x + 1.6, 0.9),
         (0, -0.2),
-        (x - 1.35, -y * 0.55),
-        (x - 1.35, y * 0.02),
+        (x - 1.35, -y * 0.58),
+        (x - 1.35, -y * 0.08),
         (0, -y + 1.4),
     ):
         room.hang(lamp, px, py)

@@ -32,7 +32,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             for turn in (-1, 1):
                 room.furnish(
                     "store_shelf", side * 2.35 + 0.24 * turn, at, yaw=90.0 * turn, required=False, material="enamel",
-                    height=1.6, rows=4.0,
+                    height=1.3, rows=3.0,
                 )  # fmt: skip
     room.furnish("counter", x - 1.3, -y + 1.7, yaw=90, material="enamel")
     room.furnish("cash_register", x - 1.3, -y + 1.5, 0.96, 90, required=False)
