@@ -41,6 +41,8 @@ def make_camera(
     tag(camera, kind="camera", node_id=name.lower())
     collection.objects.link(camera)
     _key(camera, state, shot.duration, start)
+    # A new action is played only when the timeline moves: until then the camera stands where it was set last.
+    _set(camera, pose_at(state, scene.frame_current - start))
     return camera
 
 
