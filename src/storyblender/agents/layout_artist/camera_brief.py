@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -22,6 +22,8 @@ CROWDED = ("WS", "EWS", "FS")
 _ONE_PERSON = ("single", "reaction", "ots")
 _NEARBY = 1.3
 """Metres from somebody within which a thing belongs to them: their table, their chair."""
+_BENT = 0.3
+"""Metres that the face of somebody who bends is lower than before."""
 TRAVEL = 0.6
 """Metres from which a move of the subject is a walk that the camera has to follow or hold."""
 
@@ -152,6 +154,15 @@ class CameraBrief:
             return False
         last = self.moments[-1].figure(self.people[0].node_id)
         return last is not None and float(np.hypot(*np.subtract(last.base, self.people[0].base)[:2])) > TRAVEL / 2
+
+    def upright(self, figure: Figure) -> Figure:
+        """Return somebody as tall as they are during the shot: who bends over a thing has walked up to it."""
+        there = [each for moment in self.moments if (each := moment.figure(figure.node_id)) is not None]
+        tall = max((each.face[2] - each.base[2] for each in there), default=0.0)
+        if tall - (figure.face[2] - figure.base[2]) < _BENT:
+            return figure
+        x, y, z = figure.base
+        return replace(figure, face=(x, y, z + tall))
 
     @property
     def stages(self) -> tuple[Figure, ...]:

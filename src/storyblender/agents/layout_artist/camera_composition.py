@@ -49,8 +49,9 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
             text = f"the group is {off:+.2f} of the width off the middle"
             found.append(fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
     over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
-    found += _headroom(brief, [subject for _, subject in heads], over)
-    return found
+    bends = brief.walks and any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
+    # The air above somebody bent is where they stood.
+    return found if bends else found + _headroom(brief, [subject for _, subject in heads], over)
 
 
 def _thing(brief: CameraBrief, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:

@@ -147,7 +147,8 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if brief.in_stride and not _tight(brief):
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
-    return framing.single(film, lead, instruction.size, azimuth, elevation, lens)
+    shown = brief.upright(lead) if brief.walks and not _tight(brief) else lead
+    return framing.single(film, shown, instruction.size, azimuth, elevation, lens)
 
 
 def shoulder(brief: CameraBrief) -> Figure | None:

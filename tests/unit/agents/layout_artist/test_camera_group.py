@@ -15,10 +15,10 @@ from storyblender.agents.layout_artist.camera_solids import body
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.framing import Film, crown_height, group, group_from, head_share, project
+from storyblender.geometry.framing import Figure, Film, crown_height, group, group_from, head_share, project
 from storyblender.geometry.orbit import between, orbit
 from storyblender.geometry.sight import hidden
-from storyblender.memory.measure import ViewRequest
+from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 
 APART = person("anna", -2.4, 1.8, 60), person("tom", 2.3, -0.5, -60), person("sam", 1.9, 2.2, -20)
 NAMES = ("anna", "tom", "sam")
@@ -106,6 +106,33 @@ def test_whoever_has_arrived_is_taken_by_the_face_and_not_by_the_way() -> None:
         )
         assert view.walks and view.in_stride == stride
         assert view.people[0].turned_from(start(view).camera.position) < 70
+
+
+def test_who_walks_up_and_bends_over_a_thing_is_in_the_picture_all_the_way() -> None:
+    wish = {"kind": "action", "size": "FS", "focus_on_ids": ("anna",), "movement": "track"}
+    here, came = person("anna", 1.5, 0.0, 90), person("anna", -2.0, 0.0, 90)
+    bent = replace(here, face=(2.0, 0.0, 0.85))
+    view = replace(
+        brief(here, in_frame=("anna",), **wish),
+        moments=(Moment(0, (came,)), Moment(40, (bent,)), Moment(47, (here,))),
+        plan=None,
+    )
+    assert view.upright(bent).face == (1.5, 0.0, here.face[2]) and view.upright(here) is here
+    take = start(view)
+    for moment in view.moments:
+        (face,), _ = project(take.at(moment.frame / 47), [moment.figures[0].face])
+        assert ((face > 0) & (face < 1)).all()
+    told = {fault.kind for fault in composition(view, take.camera, view.drawn, _seen(view, take, bent))}
+    assert "headroom" not in told
+
+
+def _seen(view: CameraBrief, take: Take, figure: Figure) -> CameraView:
+    (face, top), _ = project(take.camera, [figure.face, figure.crown])
+    sight = SubjectView(
+        node_id="anna", visible_fraction=1.0, in_frame_fraction=1.0, face=tuple(face), head_top=float(top[1]),
+        head_height=0.108,
+    )  # fmt: skip
+    return CameraView(subjects=(sight,), void=0.0)
 
 
 def test_walks_are_held_only_where_people_stay_large_enough() -> None:
