@@ -26,6 +26,8 @@ from storyblender.catalog.sets.places import find_kit
         ("INTERROGATION ROOM", "indoor", "interrogation"),
         ("AIRPORT", "indoor", "lobby"),
         ("AIRPORT RUNWAY", "outdoor", "airfield"),
+        ("HOSPITAL - PARKING LOT", "outdoor", "street"),
+        ("HIGHWAY", "outdoor", "street"),
         ("WOODS", "outdoor", "forest"),
         ("HARBOUR", "outdoor", "dock"),
         ("MARKET SQUARE", "outdoor", "square"),

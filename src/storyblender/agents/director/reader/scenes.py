@@ -116,6 +116,8 @@ def weather_of(text: str) -> Weather:
 
 
 def _scene_type(prefix: str, place: str) -> SceneType:
+    if "/" in prefix and place.split()[-1:] and place.split()[-1] in lexicon.OUTDOOR - lexicon.INDOOR:
+        return "outdoor"
     if prefix:
         return "indoor" if prefix.startswith(("int", "i/")) else "outdoor"
     return "indoor" if set(place.split()) & lexicon.INDOOR else "outdoor"

@@ -54,3 +54,16 @@ def test_a_script_without_capitals_has_its_people() -> None:
     reading = read_script(read(script, "fountain"))
     sam = reading.people[0]
     assert sam.name == "SAM" and reading.units[-1].on_stage == [sam.id]
+
+
+@pytest.mark.parametrize(
+    ("heading", "side"),
+    [
+        ("INT./EXT. FARMHOUSE PORCH - DAY", "outdoor"),
+        ("INT/EXT. CAR - DAY", "indoor"),
+        ("EXT./INT. KITCHEN - DAY", "outdoor"),
+        ("INT. PORCH - DAY", "indoor"),
+    ],
+)
+def test_a_place_on_both_sides_of_a_wall_is_where_its_name_is(heading: str, side: str) -> None:
+    assert read_script(read(f"{heading}\n\nANNA waits.\n", "fountain")).scenes[0].scene_type == side
