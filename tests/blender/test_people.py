@@ -244,3 +244,13 @@ def test_a_lock_knows_how_far_above_the_hairline_it_grows() -> None:
         nearest = int(np.argmin(np.linalg.norm(skin.points - found[0], axis=1)))
         assert abs(found[1] - line[nearest]) < 0.25, "decimetres: about the width of a face of the skull"
     assert scalp.figure.joint("neck") is scalp.figure.joint("neck"), "read for every point of hair, measured once"
+
+
+@needs_data
+def test_the_armholes_of_a_vest_lie_inside_the_shoulders() -> None:
+    worn = tuple(Garment(key=key) for key in ("shirt", "vest", "trousers"))
+    person = build_person("tom", CharacterLook(gender="male", age=40, garments=worn), 1)
+    shoulder = person.armature.data.bones["upper_arm.L"].head_local
+    vest = _coordinates(_part(person, "vest"))
+    high = vest[vest[:, 2] > shoulder.z - 0.03]
+    assert np.abs(high[:, 0]).max() < abs(shoulder.x) + 0.035

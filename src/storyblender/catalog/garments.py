@@ -119,7 +119,7 @@ GARMENTS: Catalog[GarmentSpec] = Catalog("garment", (
     _spec("sweater", "pullover, jumper, turtleneck", 42, "upper", "#7a3b2e #3d5240 #6d6a63 #2f3a55",
           Top(sleeve=1.9, neck=0.03, ease=0.013, drape=12, hem=("hip", -0.05), elbow=0.054, cuff=0.038, fabric="knit")),
     _spec("vest", "waistcoat, sleeveless jacket", 45, "upper", "#3b3d45 #4d4136 #22252b",
-          Top(sleeve=0.0, neck=0.004, ease=0.010, drape=8, hem=("hip", 0.01), opening=_VEST_V),
+          Top(sleeve=-0.12, neck=0.004, ease=0.010, drape=8, hem=("hip", 0.01), opening=_VEST_V),
           Buttons(top=("ribs", 0.0), bottom=("hip", 0.07), count=4, radius=0.006, tint="#15110e")),
     _spec("cardigan", "knitted jacket", 55, "upper", "#6d7fa6 #8a6d4f #5c6b54 #7a4a52",
           Top(sleeve=1.85, neck=0.0, ease=0.013, drape=12, hem=("crotch", 0.04), opening=_KNIT_V, elbow=0.05,
