@@ -15,6 +15,8 @@ from storyblender.reflection import Fault
 _STRAY = 0.09
 """How far in widths or heights of the picture a face may be from its place."""
 _THING_STRAY = 0.14
+AT_SIDE = 0.08
+"""Share of the width at either side in which nobody of a group has the face: the frame would cut the body."""
 _PAST_OTHERS = 24.0
 """Degrees up to which several people are seen past each other before it reads as a high angle."""
 
@@ -48,6 +50,10 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         if abs(off) > _STRAY:
             text = f"the group is {off:+.2f} of the width off the middle"
             found.append(fault("placement", heads[0][1].node_id, 0.8 + abs(off), text, pan_x=off * camera.aspect))
+        aside = max(AT_SIDE - min(xs), max(xs) - 1 + AT_SIDE)
+        if aside > 0:
+            text = "the frame cuts the people at its sides"
+            found.append(fault("squeezed", heads[0][1].node_id, 1.0 + 10 * aside, text, dolly=-2.0, ops="zoom_out"))
     over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
     bends = brief.walks and any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
     # The air above somebody bent is where they stood.

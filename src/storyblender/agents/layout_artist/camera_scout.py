@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
+from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import body, holds, lidded, opened, solids
@@ -217,6 +218,8 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     points = weight * 2.0 * max(0.0, (figure.turned_from(camera.position) - limit) / 60)
     if not _framed(camera, figure):
         return points + 3.0
+    x = float(project(camera, [figure.face])[0][0, 0])
+    points += len(brief.people) > 1 and not AT_SIDE < x < 1 - AT_SIDE
     share = hidden_share(camera, figure, boxes)
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
     off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)

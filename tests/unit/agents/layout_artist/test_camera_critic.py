@@ -1,12 +1,14 @@
 """What the critic takes off for what the viewfinder saw: every picture here is written down, not drawn."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import pytest
 from test_camera_operator import ANNA, GUARD, TOM, brief, figure
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
 from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
+from storyblender.agents.layout_artist.camera_scout import cost
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.geometry.boxes import Box
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
@@ -103,3 +105,13 @@ def test_a_camera_that_stands_still_is_looked_through_when_it_is_drawn() -> None
     assert telling_moments(still, [start(still)]) == [still.drawn]
     pushed = brief(moments=moments, kind="two_shot", size="MS", focus_on_ids=("anna", "tom"), movement="push in")
     assert telling_moments(pushed, [start(pushed)]) == list(moments)
+
+
+@pytest.mark.parametrize(("x", "cut"), [(0.03, True), (0.15, False)])
+def test_the_frame_cuts_nobody_of_a_group_at_its_sides(x: float, cut: bool) -> None:
+    view = brief(kind="two_shot", size="MS", focus_on_ids=("anna", "tom"))
+    found = faults(view, sight("anna", face=(x, 0.25)), sight("tom", face=(1 - x, 0.25)))
+    assert (("squeezed", "anna") in found) == cut
+    camera = start(view).camera
+    near = replace(camera, distance=camera.distance * (0.7 if cut else 1.0))
+    assert (cost(view, replace(start(view), start=near, end=near, camera=near)) > cost(view, start(view)) + 1) == cut
