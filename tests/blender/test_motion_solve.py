@@ -27,6 +27,7 @@ from storyblender.blender.motion.plan import (
     StagePerson,
     StagePlan,
     StageProp,
+    box_of,
 )
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.people.body import Body
@@ -247,3 +248,21 @@ def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[st
         play = Playback(bodies[who], shot, who)
         for frame in (len(shot.frames) // 2, len(shot.frames) - 1):
             assert min(m.translation.z for m in play.matrices(frame).values()) > -0.05
+
+
+def test_who_has_no_room_between_a_person_and_a_wall_passes_sideways(bodies: dict[str, Body]) -> None:
+    start, end, girl = mark_at("man", 0.15, -1.4, 180), mark_at("man", 0.15, 1.2, 180), mark_at("girl", -0.18, 0, 90)
+    walls = {f"wall_{x}": StageFurniture(world_at(x, 0), (0.1, 4.0, 2.0)) for x in (-0.42, 0.42)}
+    plan = StagePlan(
+        people={
+            "man": StagePerson(bodies["man"], Blocking(start=start, end=end)),
+            "girl": StagePerson(bodies["girl"], Blocking(start=girl, end=girl)),
+        },
+        frames=8 * FPS,
+        cues=(cue_of("man", "walk", 2, mark=end),),
+        obstacles=tuple(box_of(node, wall) for node, wall in walls.items()),
+        bounds=(-0.5, -2.0, 0.5, 2.0),
+    )
+    shot = solve_shot(plan, FPS)
+    assert [problem.kind for problem in shot.problems if problem.kind in ("no_path", "late")] == []
+    assert shot.people["man"].root[-1, 1] == pytest.approx(1.2, abs=0.05)

@@ -27,6 +27,8 @@ OVERHEAD = 1.9
 """Boxes that begin above this height stand in nobody's way."""
 LOW = 0.08
 """Boxes that end below this height, rugs and kerbs, are walked over."""
+GIRTH, SIDEWAYS = 0.8, 0.3
+"""Shares of the radius that others take up in a way: standing, and turned aside for who has no other way."""
 EMBRACE = 0.30
 """Metres between two who hug; nearer, they are in each other."""
 PointOf = Callable[[float], Vector]
@@ -213,8 +215,8 @@ class Stage:
 
     # --- ways -----------------------------------------------------------------------------------------------------
 
-    def footprints(self, who: Performer, skip: tuple[str, ...] = ()) -> list[Footprint]:
-        """Return what stands in a person's way: boxes, and the others where they will be."""
+    def footprints(self, who: Performer, skip: tuple[str, ...] = (), girth: float = GIRTH) -> list[Footprint]:
+        """Return what stands in a person's way: boxes, and the others where they will be, as wide as ``girth`` says."""
         boxes = [
             Footprint(box.centre[:2], box.size[:2], box.yaw, name=box.node_id)
             for box in self.plan.obstacles
@@ -223,21 +225,27 @@ class Stage:
             and box.centre[2] + box.size[2] / 2 > LOW
         ]
         others = [
-            Footprint(tuple(o.position), (0.0, 0.0), 0.0, 0.8 * o.m.radius, o.asset_id)
+            Footprint(tuple(o.position), (0.0, 0.0), 0.0, girth * o.m.radius, o.asset_id)
             for o in self.people.values()
             if o is not who and o.asset_id not in skip
         ]
         return boxes + others
 
     def path(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
-        """Return the way from where a person is planned to be to ``goal``."""
+        """Return the way to ``goal`` from where a person will be: with room, or squeezing past, or sideways."""
         start = tuple(who.position)
-        obstacles = self.footprints(who, skip)
-        ends = np.array([start, goal])
-        # Whoever already stands inside something (a bed, a bench with arms) may step out of it.
-        obstacles = [box for box in obstacles if float(clearance(ends[:1], [box])[0]) > -0.02]
-        wide = find_path(start, goal, obstacles, self.plan.bounds, who.m.radius + PADDING)
-        return wide or find_path(start, goal, obstacles, self.plan.bounds, SQUEEZE * who.m.k)
+        ways = ((GIRTH, who.m.radius + PADDING), (GIRTH, SQUEEZE * who.m.k), (SIDEWAYS, SQUEEZE * who.m.k))
+        for girth, room in ways:
+            # Whoever already stands inside something (a bed, a bench with arms) may step out of it.
+            obstacles = [
+                box
+                for box in self.footprints(who, skip, girth)
+                if float(clearance(np.array([start]), [box])[0]) > -0.02
+            ]
+            way = find_path(start, goal, obstacles, self.plan.bounds, room)
+            if way is not None:
+                return way
+        return None
 
     def others_tracks(self, who: Performer, partner: Performer | None, goal: Vec2) -> list[tuple[Track, float]]:
         """Return where everybody else goes, and how far to stay from them: whoever one goes to is let near."""
