@@ -11,7 +11,7 @@ PLACES: tuple[PropEntry, ...] = (
         "store_shelf",
         "supermarket shelf, shop shelf, store shelves, grocery shelf, aisle shelf, storage shelf, pantry shelf",
         (1.2, 0.46, 1.9),
-        {"body": "wood", "jar": "glass_amber", "tin": "steel"},
+        {"body": "enamel", "jar": "glass_amber", "tin": "steel"},
         "Shelves of tins, jars and boxes.",
         params={"rows": 5.0, "fill": 0.94},
     ),

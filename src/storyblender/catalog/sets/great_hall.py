@@ -43,11 +43,26 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.piece(
             "banner", side * (x - 0.06), -y * 0.35, h - 0.6, -90.0 * side, width=0.9, length=2.2, color="#23385c"
         )
+    if x > 5.9 and throne == "throne":
+        _long_tables(room)
     room.furnish("chest", -x + 0.6, y - 0.6, required=False)
     room.furnish("bench", x - 0.5, y * 0.15, yaw=-90, required=False)
     room.hang("chandelier", 0, -y * 0.1)
     room.lamp("dais", (0, y - 1.6, h - 0.6), 60, CANDLE, kind="AREA", size=1.8, target=(0, y - 1.0, 0.8))
     return room.finish()
+
+
+def _long_tables(room: Room) -> None:
+    """Set a long table with benches before the columns on either side; the way to the throne stays free."""
+    for side in (-1, 1):
+        at, py = side * (room.half_x - 2.95), -room.half_y * 0.36
+        room.furnish("dining_table", at, py, yaw=90, required=False, width=3.0, depth=0.8)
+        for off in (-0.68, 0.68):
+            room.furnish(
+                "bench", at + off, py, yaw=-90.0 * side if off * side > 0 else 90.0 * side, required=False, width=2.6
+            )
+        for along in (-0.8, 0.8):
+            room.furnish("candelabra", at, py + along, 0.76, 90, required=False)
 
 
 KIT = SetKit(

@@ -28,11 +28,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.against("left", "counter", 0.67, 1.5)
     room.mark("behind_counter", -x + 0.8, -0.2, 90, "bar", "counter", "staff")
     room.mark("counter", -x + 2.3, -0.2, 270, "bar", "counter")
+    wood = "enamel" if modern else "wood"
     for at in (-1.44, -0.2, 1.04):
-        room.against("left", "store_shelf", at, 0.25, required=at == -0.2, fill=0.9)
+        room.against("left", "store_shelf", at, 0.25, required=at == -0.2, material=wood, fill=0.9)
     for at in (0.1, 1.34, 2.58):
         if at < x - 1.5:
-            room.against("back", "store_shelf", at, 0.25, required=False)
+            room.against("back", "store_shelf", at, 0.25, required=False, material=wood)
     room.furnish("barrel", x - 0.55, y - 0.55, required=False)
     room.furnish("crate", x - 1.2, y - 0.5, required=False)
     room.on_wall("back", "wall_clock", -0.6, 2.1)

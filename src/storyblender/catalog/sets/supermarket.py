@@ -21,17 +21,15 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.window("front", x * 0.5, width=2.6, height=1.8, sill=0.6, style="shop", mark=True)
     for index in range(int(2 * (x - 0.3) // _SHELF)):
         at = -x + 0.3 + _SHELF * (index + 0.5)
-        room.against(
-            "back", "store_shelf", at, 0.25, required=index % 2 == 0, material="enamel", fill=0.94 - 0.04 * (index % 2)
-        )
+        room.against("back", "store_shelf", at, 0.25, required=index % 2 == 0, fill=0.94 - 0.04 * (index % 2))
     for index in range(int((2 * y - 3.0) // _SHELF)):
-        room.against("left", "store_shelf", y - 1.3 - _SHELF * index, 0.25, required=False, material="enamel")
+        room.against("left", "store_shelf", y - 1.3 - _SHELF * index, 0.25, required=False)
     for side in (-1, 1):
         for index in range(max(1, int((y - 1.2) // _SHELF))):
             at = y - 2.4 - _SHELF * index
             for turn in (-1, 1):
                 room.furnish(
-                    "store_shelf", side * 2.35 + 0.24 * turn, at, yaw=90.0 * turn, required=False, material="enamel",
+                    "store_shelf", side * 2.35 + 0.24 * turn, at, yaw=90.0 * turn, required=False,
                     height=1.3, rows=3.0,
                 )  # fmt: skip
     room.furnish("counter", x - 1.3, -y + 1.7, yaw=90, material="enamel")
@@ -43,7 +41,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("crate", -x + 1.3, y * 0.05 - 2.2, required=False, height=0.5)
     for at, style in ((-y + 0.75, "picture"), (-y + 2.65, "notice_board")):
         room.on_wall("right", style, at, 1.5)
-    room.against("front", "store_shelf", x - 0.75, 0.25, required=False, material="enamel", height=1.3, rows=3.0)
+    room.against("front", "store_shelf", x - 0.75, 0.25, required=False, height=1.3, rows=3.0)
     room.furnish("basket", x - 2.35, -y + 0.45, required=False)
     room.against("right", "fridge", -y * 0.08, 0.36, required=False)
     room.against("right", "fridge", -y * 0.08 + 0.75, 0.36, required=False)
