@@ -38,6 +38,8 @@ _CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
 _HOLDING = frozenset({"hold", "raise", "lift", "wave", "swing"})
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _OPENINGS = frozenset({"door", "window", "gate"})
+_IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "screen", "monitor", "reflection"})
+_ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across", "behind", "between"})
 _FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their|the) (left|right)\b")
 _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
@@ -65,7 +67,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     ]
     found: list[_Stated] = []
     if located:
-        for place in _telling_places(clause, roles, motion):
+        for place in _telling_places(stage, clause, roles, motion):
             found += _placed(stage, clause, place, located)
         if _is_still(clause, roles, motion):
             _between(stage, roles, located)
@@ -87,7 +89,12 @@ def _is_still(clause: Clause, roles: Roles, motion: str | None) -> bool:
     return still or laid or (clause.passive and clause.verb in _PLACING | _AT_REST | _ATTACHING)
 
 
-def _telling_places(clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
+def _has_furniture(stage: Stage, place: Place) -> bool:
+    """``writes at the desk``, but not ``works at the knot``."""
+    return any(stage.inventory.class_of(thing) in ("set_piece", "scenery") for thing in place.things)
+
+
+def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
     """The places of a clause that tell where its subject is once it is over."""
     if _is_still(clause, roles, motion):
         return roles.places
@@ -100,7 +107,7 @@ def _telling_places(clause: Clause, roles: Roles, motion: str | None) -> list[Pl
     return [
         place
         for place in roles.places
-        if (place.preposition == "at" and motion in _AT_WORK and not place.people)
+        if (place.preposition == "at" and motion in _AT_WORK and _has_furniture(stage, place))
         or (place.preposition in ("on", "in") and motion in _CONSUMING and not place.people)
         or (place.preposition in _BESIDE and (place.people or not roles.things))
     ]
@@ -124,6 +131,9 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
     kind = "on" if place.preposition == "to" and clause.verb in _ATTACHING else kind
     if kind is None or kind == "between" or place.preposition == "down":
         return []
+    past_it = place.preposition == "across" and clause.verb == "be" and stage.person(located[0]) is not None
+    if past_it or _is_an_image(stage, kind, place):
+        return []
     if kind == "on" and any(stage.inventory.head(thing) in _OPENINGS for thing in place.things):
         return []  # with his hand upon the gate
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
@@ -136,6 +146,8 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
         surfaces = kind == "in" or place.preposition in ("on", "onto", "upon")
         anchors += [thing for thing in place.things if surfaces and stage.inventory.head(thing) in _SURFACES]
     body = next((noun for noun in place.nouns if noun.kind == "thing" and noun.head in lexicon.BODY), None)
+    if body and body.owner and kind == "under":
+        return []  # ducks under his arm
     if body and body.owner:
         anchors, kind = [body.owner], ("on" if place.preposition in ("across", "in", "over") else kind)
     return [
@@ -145,6 +157,11 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
         for subject in located
         if subject != anchor
     ]
+
+
+def _is_an_image(stage: Stage, kind: RelationKind, place: Place) -> bool:
+    """``In the mirror stands a man``: he is somewhere else."""
+    return kind == "in" and any(stage.inventory.head(thing) in _IMAGES for thing in place.things)
 
 
 def _exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
@@ -193,6 +210,12 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
     moved = [thing for thing in roles.things if stage.inventory.class_of(thing) != "body"]
     moved += [person.id for person in roles.people]
     for place in roles.places:
+        wearer = _wearer(place)
+        if wearer and roles.things:
+            for thing in moved:
+                if not stage.person(thing):
+                    found.append((thing, "on", wearer))
+            continue
         kind = lexicon.relation_of(place.preposition)
         kind = "on" if place.preposition == "to" and stage.sentence.verb in _ATTACHING else kind
         if kind not in ("on", "in", "under", "next_to", "behind", "against", "in_front_of"):
@@ -211,6 +234,13 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
                 if thing != anchor:
                     found.append((thing, _exact_kind(stage, kind, anchor, "put"), anchor))
     return _furniture_beside(stage, roles, found)
+
+
+def _wearer(place: Place) -> str | None:
+    """``pins it on the old woman's coat``, ``around her shoulders``: it is on her."""
+    if place.preposition not in _ONTO_SOMEBODY:
+        return None
+    return next((n.owner for n in place.nouns if n.owner and n.head in lexicon.BODY | lexicon.WORN), None)
 
 
 def _furniture_beside(stage: Stage, roles: Roles, found: list[_Stated]) -> list[_Stated]:

@@ -167,7 +167,7 @@ class Stage:
 
     def relate(self, subject: str, kind: RelationKind, anchor: str, second: str | None = None) -> None:
         """State a spatial relation, once a scene."""
-        if subject == anchor or (kind == "in" and self.person(anchor)):
+        if subject == anchor or (kind in ("in", "at") and self.person(anchor)):
             return
         stated = (
             self.unit.scene,

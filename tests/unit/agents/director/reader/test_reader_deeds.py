@@ -123,3 +123,27 @@ def test_who_eats_on_a_ladder_is_on_it(read_scene: Read) -> None:
 def test_a_microphone_is_no_phone(read_scene: Read) -> None:
     reading = read_scene("ANNA (30) waits.\n\nANNA\n(tapping a microphone)\nIs this on?")
     assert reading.units[-1].deeds[-1].motion == "talk"
+
+
+def related(read_scene: Read, action: str) -> set[tuple[str, str, str]]:
+    reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
+    return {(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations}
+
+
+def test_what_is_put_on_somebodys_coat_is_on_them(read_scene: Read) -> None:
+    assert ("badge", "on", "bob") in related(read_scene, "Anna pins the badge on Bob's coat.")
+
+
+def test_who_shouts_at_somebody_is_not_placed_at_them(read_scene: Read) -> None:
+    assert (
+        related(read_scene, "Anna, standing, screams at Bob. In the mirror stands Bob. Bob is across the table.")
+        == set()
+    )
+
+
+def test_who_works_at_a_knot_is_nowhere(read_scene: Read) -> None:
+    assert related(read_scene, "Anna works at the knot. Bob works at the desk.") == {("bob", "at", "desk")}
+
+
+def test_a_hot_dog_is_food(read_scene: Read) -> None:
+    assert ("bob", "eat") in {deed[:2] for deed in told(read_scene, "Bob bites into a hot dog. The hot dog is cold.")}
