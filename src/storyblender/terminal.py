@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Mapping, Sequence
+from io import TextIOWrapper
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
@@ -48,6 +49,11 @@ class Terminal:
     """
 
     def __init__(self, *, quiet: bool, json_lines: bool) -> None:
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(
+                    errors="backslashreplace"
+                )  # a name never stops a run for a terminal that lacks letters
         self._json = json_lines
         silent = quiet or json_lines
         self._console = Console(stderr=True, quiet=silent, highlight=False)

@@ -87,6 +87,14 @@ def test_a_huge_file_is_no_script(tmp_path: Path) -> None:
     refuses("far more than a script", "plan", path)
 
 
+def test_a_name_that_is_no_text_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "\udcff.fountain"
+    path.write_text(GOOD)
+    refuses("rename it", "plan", path)
+    assert CliRunner().invoke(app, ["plan", str(path), "--json"]).exit_code == 2
+    assert len(list(tmp_path.iterdir())) == 1
+
+
 @pytest.mark.parametrize("name", [".", "/dev/null"])
 def test_not_a_file(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)

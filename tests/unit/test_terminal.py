@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 
 import pytest
@@ -78,3 +79,11 @@ def test_an_error_is_json_too_where_a_machine_listens(capsys: pytest.CaptureFixt
     Terminal(quiet=False, json_lines=True).error("no such script")
     out, err = capsys.readouterr()
     assert json.loads(out) == {"error": "no such script"} and "no such script" in err
+
+
+def test_a_terminal_without_the_letters_shows_their_codes(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = TextIOWrapper(BytesIO(), encoding="ascii")
+    monkeypatch.setattr("sys.stdout", stream)
+    Terminal(quiet=False, json_lines=False).files(Path("雨"), [])
+    stream.flush()
+    assert b"\\u96e8" in stream.buffer.getvalue()  # type: ignore[attr-defined]

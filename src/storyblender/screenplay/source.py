@@ -106,6 +106,9 @@ def decode(data: bytes, path: Path | str = "") -> str:
 
 
 def _bytes(path: Path) -> bytes:
+    shown = str(path).encode("utf-8", "backslashreplace").decode()
+    if shown != str(path):  # it goes into the graph, the page and the commands told, which are UTF-8
+        raise InputError("the name of the file is not text in UTF-8", mend="rename it", path=shown)
     try:
         if path.is_dir():
             raise InputError("this is a folder, not a script", mend="name a file in it", path=path)
