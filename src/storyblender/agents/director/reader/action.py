@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader import changes, deeds, entrances, relations, states
+from storyblender.agents.director.reader import changes, deeds, distances, entrances, relations, states
 from storyblender.agents.director.reader.body_parts import motion_of_part
 from storyblender.agents.director.reader.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.coreference import Referents, remember, resolve_owner, resolve_pronoun
@@ -48,7 +48,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     previous = stage.discourse.subjects
     stage.sentence = SentenceState(words, pictured=sentence.pictured or entrances.is_about_absence(joined(words)))
     _notice_nouns(stage, phrases)
-    relations.settle_apart(stage, words)
+    distances.settle_apart(stage, words)
     if not clauses:
         _name_people(stage)
         _name_thing(stage, phrases)
@@ -56,7 +56,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
         _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
     entrances.named_enter(stage, words, clauses)
     subjects = stage.sentence.subjects
-    relations.relate_apart(stage, words, subjects, previous)
+    distances.relate_apart(stage, words, subjects, previous)
     _leftover_pronouns(stage, subjects, previous)
     relations.relate_noun_phrases(stage, phrases, subjects, previous)
     states.drawn_weapons(stage, subjects or previous)

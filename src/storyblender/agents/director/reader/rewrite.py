@@ -15,9 +15,9 @@ from storyblender.agents.director.reader.tagging import (
     may_be_verb,
     tag_verb,
     was,
-    written_verb,
 )
 from storyblender.agents.director.reader.words import Word
+from storyblender.agents.director.reader.written_verbs import written_verb
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
 _NO_FRAGMENT = frozenset({"of", "with", "to", "as"})

@@ -21,7 +21,7 @@ from storyblender.agents.director.reader.morphology import (
 from storyblender.agents.director.reader.words import Word
 
 OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
-_OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
+OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
 """Words that start the object of a verb, and hardly ever follow a plural noun."""
 _DIRECTIONS = frozenset(
     {
@@ -35,29 +35,19 @@ _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":"
 _SUBORDINATORS = frozenset({"when", "as", "while", "after", "before", "once", "until", "if", "since", "because"})
 _PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
 _AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
-_SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
-_PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
+SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
+PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
 _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then"})
 _LIMBS = frozenset({"hands", "arms", "fingers", "thumbs", "eyes", "knees", "elbows"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = _THINGS | lexicon.WORN
-_SOLID, _ANY_NOUNS = lexicon.SET_PIECES | lexicon.PROPS, _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
-_BEFORE_INFINITIVE = frozenset(
-    {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "cannot", "let"}
-)
+_ANY_NOUNS = _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
 PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
 _COMPOUNDS = lexicon.words("gerund_compounds")
 _RESTING = lexicon.words("stative")
 _CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
-_RANKING = frozenset(
-    {"first", "second", "third", "fourth", "fifth", "last", "next", "upper", "lower", "narrow", "small"}
-)
-"""``the second landing``."""
-_ATTIRING = frozenset({"dress", "wrap", "swathe", "veil", "bundle", "cloak", "robe", "shroud"})
-"""``a lady dressed in black``: she does nothing."""
-_RISING = frozenset({"as", "and", "from", "to", "when", "with", ".", ",", "up"})
 _INVERTING = lexicon.INVERTING
 """Verbs whose subject may follow: ``In the booth sit two thugs``."""
 
@@ -102,7 +92,7 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
     form = FORMS.get(word.low) or _rare_verb(word, following, row)
-    if form is None or _names_a_kind(word, following):
+    if form is None or names_a_kind(word, following):
         return
     left = row.neighbour()
     if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
@@ -141,7 +131,7 @@ def is_contracted(words: list[Word], at: int) -> bool:
     return named and (right.low in lexicon.PREPOSITIONS or right.low in ("a", "an", "the", "already", "still", "not"))
 
 
-def _names_a_kind(word: Word, following: Word | None) -> bool:
+def names_a_kind(word: Word, following: Word | None) -> bool:
     """``reading glasses``, ``a vending machine``: no reading."""
     return following is not None and f"{word.low}_{singular(following.low)}" in _COMPOUNDS
 
@@ -160,8 +150,8 @@ def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
     right = following.low if following else "."
     form = RARE_FORMS.get(word.low)
     if left is None or not word.text.islower() or len(word.low) < 4:
-        return form if left is None and form and form.kind == "3sg" and right in _OBJECTS else None
-    if form and form.kind == "3sg" and right in _OBJECTS:
+        return form if left is None and form and form.kind == "3sg" and right in OBJECTS else None
+    if form and form.kind == "3sg" and right in OBJECTS:
         return form if left.low not in _BEFORE_NOUN else None
     after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
     listed = left.low in ("and", ",", "then", "but") and row.verb_seen
@@ -174,7 +164,7 @@ def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
     if form is None:
         form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
     told = listed and word.low not in lexicon.ADJECTIVES and not row.last_kind
-    if form is None or (form.kind == "past" and (listed or after_noun) and right not in _OBJECTS and not told):
+    if form is None or (form.kind == "past" and (listed or after_noun) and right not in OBJECTS and not told):
         return None
     known_noun = form.kind == "3sg" and singular(word.low) in _ANY_NOUNS
     return None if known_noun and not after_person else form
@@ -188,14 +178,14 @@ def _guessed(word: Word) -> VerbForm | None:
 
 
 def _goes_on(right: str) -> bool:
-    return right in _AFTER_VERB or right in _OBJECTS | _DIRECTIONS | {"not", "to"} or right.endswith("ly")
+    return right in _AFTER_VERB or right in OBJECTS | _DIRECTIONS | {"not", "to"} or right.endswith("ly")
 
 
 def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
     """``watches her go to the window, part the blinds``: a base form after a perceived object, or one more of them."""
     right = following.low if following else "."
     left = row.neighbour()
-    if left is None or not _goes_on(right) or (singular(word.low) in _NOUNS and right not in _OBJECTS | _DIRECTIONS):
+    if left is None or not _goes_on(right) or (singular(word.low) in _NOUNS and right not in OBJECTS | _DIRECTIONS):
         return False
     if row.last_kind == "inf" and left.low in ("and", ","):
         return True
@@ -231,13 +221,13 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return False
     if _is_inverted(form, following, row):
         return True
-    if left.mention and left.low not in _PLURAL_PRONOUNS:
+    if left.mention and left.low not in PLURAL_PRONOUNS:
         return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
     if left.low in ("who", "which", "that") and not third:
         return _goes_on(right) and left.low != "that"
-    if left.low in _SINGULAR_PRONOUNS or (left.low == "other" and third):
+    if left.low in SINGULAR_PRONOUNS or (left.low == "other" and third):
         return third
-    if left.low in _PLURAL_PRONOUNS:
+    if left.low in PLURAL_PRONOUNS:
         return True
     if left.low in (")", '"'):
         return third
@@ -283,7 +273,7 @@ def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
     """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``slips in``."""
     if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
         return False
-    if right in _OBJECTS | _DIRECTIONS or right.endswith("ly"):
+    if right in OBJECTS | _DIRECTIONS or right.endswith("ly"):
         return False
     if (word.low in _LIMBS and right in lexicon.PREPOSITIONS) or form_kind(right) in ("past", "pp"):
         return True
@@ -316,7 +306,7 @@ def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
     """A verb after a comma or conjunction goes on with the verb form before it."""
     if form.kind == "base":
         several = any(w.mention and w.mention.kind == "group" for w in row.words)
-        return row.last_kind == "base" or (several and not row.verb_seen and left.low == "," and right in _OBJECTS)
+        return row.last_kind == "base" or (several and not row.verb_seen and left.low == "," and right in OBJECTS)
     if left.low in lexicon.CONJUNCTIONS:
         return left.low in ("and", "then", "but", "or") and (row.verb_seen or any(w.inserted for w in row.words))
     somebody = any(w.mention for w in row.words)
@@ -325,7 +315,7 @@ def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
 
 def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
     """``The phone rings.``, ``The doors slam shut.``, ``A map lies spread out``, but not ``Two yellow eyes,``."""
-    if form.kind == "3sg" and left.low in lexicon.ADJECTIVES and singular(word.low) in _NOUNS and right not in _OBJECTS:
+    if form.kind == "3sg" and left.low in lexicon.ADJECTIVES and singular(word.low) in _NOUNS and right not in OBJECTS:
         return False
     if form.kind == "3sg" and form.lemma in ("lie", "stand", "sit", "hang") and form_kind(right) in ("past", "pp"):
         return True
@@ -355,61 +345,6 @@ def as_participles(words: list[Word]) -> None:
         acts = left is not None and (
             (left.verb is not None and left.verb.lemma not in _RESTING) or left.mention is not None
         )
-        done = left is None or not (acts or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS)
+        done = left is None or not (acts or left.low in SINGULAR_PRONOUNS | PLURAL_PRONOUNS)
         if word.verb and form and form.kind == "past" and word.low != form.lemma and done:
             word.verb = VerbForm(form.lemma, "pp")
-
-
-def written_verb(words: list[Word], at: int) -> VerbForm | None:
-    """A verb by its form alone: past tenses, participles, auxiliaries, infinitives after ``to``."""
-    word = words[at]
-    before = words[at - 1].low if at else ""
-    after_word = words[at + 1].low if at + 1 < len(words) else ""
-    form = FORMS.get(word.low) or _rare_participle(words, at)
-    if form is None or form.kind == "3sg" or _names_a_kind(word, words[at + 1] if at + 1 < len(words) else None):
-        return None
-    owned = before == "'s" and words[at - 1].verb is None
-    if before in OPENERS or owned or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
-        return None
-    if word.low == "left" and before in ("from", "to", "on", "at"):
-        return None
-    if form.kind == "ing" and at > 1 and before in _RANKING and words[at - 2].low in OPENERS:
-        return None
-    if form.kind == "past" and form.lemma in _ATTIRING and after_word in ("in", "as"):
-        return VerbForm(form.lemma, "pp")
-    if form.kind == "past" and word.low in _THINGS and not _does_something(words, at):
-        return None
-    modifies = form.kind in ("ing", "pp") and after_word in _SOLID and at > 0
-    return None if modifies and before in lexicon.PREPOSITIONS else form
-
-
-def _rare_participle(words: list[Word], at: int) -> VerbForm | None:
-    """``kneading the dough``, ``strapped to a cot``: a participle of the large list, not before a noun."""
-    form = RARE_FORMS.get(words[at].low)
-    after = words[at + 1].low if at + 1 < len(words) else "."
-    if form is None or not words[at].text.islower():
-        return None
-    if form.kind == "base":
-        return form if words[at - 1].low == "to" and at > 1 and after in _OBJECTS else None
-    opens = after in _OBJECTS | lexicon.PREPOSITIONS or not after[:1].isalpha()
-    if form.kind == "ing":
-        return form if opens else None
-    help_verb = words[at - 1].verb if at else None
-    helped = help_verb is not None and help_verb.kind == "aux"
-    return VerbForm(form.lemma, "pp") if form.kind == "past" and helped and opens else None
-
-
-def _does_something(words: list[Word], at: int) -> bool:
-    """Whether a past tense that is also a noun is a verb: ``he saw``, ``the wind rose``, ``turned pale and rose``."""
-    left = words[at - 1] if at else None
-    if left is None:
-        return False
-    if left.low == "and" and any(word.verb and word.verb.kind == "past" for word in words[:at]):
-        return not words[at - 2].mention and lexicon.noun_class(singular(words[at - 2].low)) in ("unknown", "abstract")
-    if left.mention or left.low in _SINGULAR_PRONOUNS | _PLURAL_PRONOUNS:
-        return True
-    right = words[at + 1].low if at + 1 < len(words) else "."
-    if words[at].low == "rose" and left.text == "," and right in _RISING:
-        return any(word.mention for word in words[:at])
-    noun = lexicon.noun_class(singular(left.low)) not in ("unknown", "abstract")
-    return noun and any(word.low in OPENERS for word in words[max(0, at - 4) : at - 1])
