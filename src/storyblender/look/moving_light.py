@@ -6,7 +6,7 @@ What stands still under a camera that stands still keeps its light, so a frame c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,19 +15,29 @@ from storyblender.look.atmosphere import add_halos, transmittance, veil
 from storyblender.look.gbuffer import View, same_view
 from storyblender.look.illumination import ambient_light, light_field, sky_light, total
 from storyblender.look.occlusion import ambient_occlusion
-from storyblender.look.raster import LUMA, Image, Mask, Window, blur, every, spread
+from storyblender.look.raster import LUMA, Image, Mask, Window, any_of, blur, every, spread, windows_round
 from storyblender.look.relight import upsample_by_depth
 from storyblender.memory.scene_context import Light, Lighting
 
 _MOST_LAMPS = 6
 """Lamps of the set that are worked out, besides the sun and those of faces."""
 _BOUNCE = 0.4
-_SAME = 0.004
-"""Change of depth, as a share of it, below which a pixel still shows the same place."""
 _ROUND = 0.04
 """Range of depth in a neighbourhood, as a share of it, up to which it is one surface."""
-_FOLLOW = 0.15
+_FOLLOW = 0.3
 """Metres a lamp may move before the light that it gave to still things is worked out anew."""
+_CORNER = 0.02
+"""Change of a corner's darkness that is seen."""
+_REACH = 20
+"""Pixels, of the light, over which a thing darkens what is beside it."""
+_ROOM = 3
+"""Pixels, of the light, round what has changed that are drawn again: lines, and the rounding of the light."""
+_GAP = 16
+"""Pixels, of the light, over which what has changed is drawn in two parts: each part has a price of its own."""
+_CLEAR = 1e-4
+"""What the air takes or gives, below which there is none."""
+_EDGE = 2
+"""Pixels at a window's edge whose normals lack a neighbour."""
 
 
 @dataclass(frozen=True)
@@ -39,62 +49,44 @@ class FlatFrame:
         coverage: (h, w) 0 where the sky shows.
         depth: (h, w) metres along the camera axis; ``FAR`` where sky.
         glow: (h, w, 3) light given off.
-        moving: (h, w) what may have moved since the last frame although its depth has not: the people.
+        changed: (h, w) where it is not as in the last frame.
+        moving: (h, w) what may move, under a camera that stands still.
         view: The camera, at this size.
-        window: The part of the picture in which anything may have changed since the last frame; even numbers.
     """
 
     albedo: Image
     coverage: Image
     depth: Image
     glow: Image
+    changed: Mask
     moving: Mask
     view: View
-    window: Window
 
 
-@dataclass(frozen=True)
-class _Low:
-    """What is lit of a frame: every second pixel each way, because light is smooth.
-
-    Attributes:
-        view: The camera, at this size.
-        depth: (h, w).
-        rays: (h, w, 3).
-        positions: (h, w, 3) world.
-        albedo: (h, w, 3).
-        coverage: (h, w).
-        moving: (h, w).
-    """
-
-    view: View
-    depth: Image
-    rays: Image
-    positions: Image
-    albedo: Image
-    coverage: Image
-    moving: Mask
-
-
-@dataclass(frozen=True)
 class _Held:
-    """The light of a frame, kept for the next one.
+    """The light of a frame at half its size, because light is smooth; kept for the next one.
+
+    Args:
+        view: The camera, at this size.
+        lamps: That light it.
 
     Attributes:
-        view: Its camera.
-        lamps: That lit it.
-        depth: (h, w).
-        light: (h, w, 3) illumination.
-        through: (h, w, 1) share that comes through the air.
-        added: (h, w, 3) light of air and sky.
+        rays: (h, w, 3) world, to a depth of one metre.
+        depth: (h, w) metres.
+        positions: (h, w, 3) world.
+        normal: (h, w, 3) world, unit, rounded off.
+        contact: (h, w) share of light that corners leave.
+        bounce: (3,) light that the surfaces give each other, in the illumination.
+        layers: (7, h, w) illumination, share that comes through the air, light of air and sky.
     """
 
-    view: View
-    lamps: tuple[Light, ...]
-    depth: Image
-    light: Image
-    through: Image
-    added: Image
+    def __init__(self, view: View, lamps: tuple[Light, ...]) -> None:
+        self.view, self.lamps, self.rays = view, lamps, view.rays()
+        size = (view.height, view.width)
+        self.depth, self.contact = np.zeros(size, np.float32), np.zeros(size, np.float32)
+        self.bounce = np.zeros(3, np.float32)
+        self.positions, self.normal = np.zeros((*size, 3), np.float32), np.zeros((*size, 3), np.float32)
+        self.layers = np.zeros((7, *size), np.float32)
 
 
 class MovingLight:
@@ -108,57 +100,53 @@ class MovingLight:
     def __init__(self, plan: Lighting, roofed: float) -> None:
         self._plan, self._roofed = plan, roofed
         self._held: _Held | None = None
-        self._bounce = np.zeros(3, np.float32)
 
-    def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> tuple[Window, Image]:
-        """Return the part of the picture that is not as in the last frame, linear, with its air."""
-        chosen = tuple(strongest(lamps, frame.view))
-        low = _reduced(frame)
-        window, held = frame.window, self._held
-        if held is None or not same_view(held.view, low.view) or _moved(held.lamps, chosen):
-            window, held = frame.view.whole, None
-        step = frame.view.width // low.view.width
-        part = window.reduced(step)
-        normal = normals_of(low.positions[part.cut], low.depth[part.cut], low.rays[part.cut])
-        self._held = held = self._worked_out(low, chosen, part, normal, held)
-        contact = 0.35 + 0.65 * ambient_occlusion(low.depth, low.view, low.positions, normal, part)
-        light = held.light[part.cut] * contact[..., None]
-        layers = np.concatenate([light, held.through[part.cut], held.added[part.cut]], axis=2)
-        if step > 1:
-            planes = np.ascontiguousarray(np.moveaxis(layers, 2, 0))
-            layers = np.moveaxis(upsample_by_depth(planes, low.depth[part.cut], frame.depth[window.cut]), 0, 2)
-        light, through, added = layers[..., :3], layers[..., 3:4], layers[..., 4:]
-        return window, (frame.albedo[window.cut] * light + frame.glow[window.cut]) * through + added
+    def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> list[tuple[Window, Image]]:
+        """Return the parts of the picture that are not as in the last frame, linear, with their air."""
+        step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
+        view, chosen = frame.view.reduced(step), tuple(strongest(lamps, frame.view))
+        held, touched = self._held, any_of(frame.changed, step)
+        if held is None or not same_view(held.view, view) or _moved(held.lamps, chosen):
+            held, touched = _Held(view, chosen), np.ones((view.height, view.width), bool)
+        held.depth = every(frame.depth, step)
+        open_sky = np.float32(1) - every(frame.coverage, step)
+        around = windows_round(touched, _REACH)
+        for window in around:
+            held.positions[window.cut] = held.rays[window.cut] * held.depth[window.cut][..., None] + view.eye
+        fresh = spread(touched)
+        for window in around:
+            touched |= _shaped(held, window, fresh)
+        self._work_out(held, fresh, open_sky[fresh])
+        if touched.all():
+            self._bounce(held, every(frame.albedo, step), open_sky)
+        self._held = held
+        return [
+            (window.enlarged(step), _lit(frame, held, window, step)) for window in windows_round(touched, _ROOM, _GAP)
+        ]
 
-    def _worked_out(
-        self, frame: _Low, lamps: tuple[Light, ...], window: Window, normal: Image, held: _Held | None
-    ) -> _Held:
-        """Light what has changed in the window, given its normals; take the rest from before."""
-        depth = frame.depth[window.cut]
-        changed = np.ones(depth.shape, bool)
-        if held is not None:
-            before = held.depth[window.cut]
-            changed = frame.moving[window.cut] | (np.abs(depth - before) > _SAME * before)
-        normal = _smooth(normal, depth)[changed][:, None]
-        parts = (frame.positions[window.cut], frame.rays[window.cut], depth)
-        places, rays, depth = (part[changed][:, None] for part in parts)
-        fields = [light_field(lamp, places, normal) for lamp in lamps]
-        open_air = np.ones(depth.shape, np.float32)
-        light = total(fields, ambient_light(self._plan, self._roofed, normal, open_air))
-        if held is None:
-            leaving = np.minimum(frame.albedo * light.reshape(frame.albedo.shape), 4.0)
-            solid = frame.coverage > 0.5
-            self._bounce = leaving[solid].mean(axis=0) * np.float32(_BOUNCE) if solid.any() else self._bounce
-        light += self._bounce
-        open_sky = 1 - frame.coverage[window.cut][changed][:, None, None]
-        through, added = self._air(open_sky, frame.view.eye, lamps, rays, depth)
-        if held is None:
-            size = frame.depth.shape
-            lit, clear, veiled = (part.reshape(*size, -1) for part in (light, through, added))
-            return _Held(frame.view, lamps, frame.depth, lit, clear, veiled)
-        for whole, part in ((held.light, light), (held.through, through), (held.added, added)):
-            whole[window.cut][changed] = part[:, 0]
-        return replace(held, depth=frame.depth)
+    def _work_out(self, held: _Held, fresh: Mask, open_sky: Image) -> None:
+        """Light what is fresh.
+
+        Args:
+            held: With normals.
+            fresh: (h, w).
+            open_sky: (n,) share of each fresh pixel that shows the sky.
+        """
+        places, rays, normal, depth = (
+            part[fresh][:, None] for part in (held.positions, held.rays, held.normal, held.depth)
+        )
+        fields = [light_field(lamp, places, normal) for lamp in held.lamps]
+        light = total(fields, ambient_light(self._plan, self._roofed, normal, np.ones(depth.shape, np.float32)))
+        through, added = self._air(open_sky[:, None, None], held.view.eye, held.lamps, rays, depth)
+        held.layers[:, fresh] = np.concatenate([light + held.bounce, through, added], axis=2)[:, 0].T
+
+    def _bounce(self, held: _Held, albedo: Image, open_sky: Image) -> None:
+        """Add the first bounce, the same everywhere: the mean light that leaves the surfaces of the picture."""
+        solid = open_sky < 0.5
+        if solid.any():
+            leaving = np.minimum(albedo * np.moveaxis(held.layers[:3], 0, 2), 4.0)[solid].mean(axis=0)
+            held.bounce = leaving * np.float32(_BOUNCE)
+            held.layers[:3] += held.bounce[:, None, None]
 
     def _air(
         self, open_sky: Image, eye: NDArray[np.float64], lamps: Sequence[Light], rays: Image, depth: Image
@@ -169,16 +157,34 @@ class MovingLight:
         return through, add_halos(added, lamps, depth, rays, eye)
 
 
-def _reduced(frame: FlatFrame) -> _Low:
-    """Return the frame at half its size, or whole where its size is odd."""
-    step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
-    view = frame.view.reduced(step)
-    depth, albedo, coverage, moving = (
-        every(part, step) for part in (frame.depth, frame.albedo, frame.coverage, frame.moving)
-    )
-    rays = view.rays()
-    positions = rays * depth[..., None] + view.eye.astype(np.float32)
-    return _Low(view, depth, rays, positions, albedo, coverage, moving)
+def _shaped(held: _Held, window: Window, fresh: Mask) -> Mask:
+    """Find normals and corners in the window; return the (h, w) corners that are fresh or look different now."""
+    depth, rays, positions = (part[window.cut] for part in (held.depth, held.rays, held.positions))
+    normal = normals_of(positions, depth, rays)
+    openness = ambient_occlusion(held.depth, held.view, held.positions, normal, window)
+    whole = window.inner(_EDGE, held.view.height, held.view.width)
+    inner = whole.within(window).cut
+    held.normal[whole.cut] = _smooth(normal, depth)[inner]
+    contact, before = (0.35 + 0.65 * openness)[inner], held.contact[whole.cut]
+    differs = fresh[whole.cut] | (np.abs(contact - before) > _CORNER)
+    before[differs] = contact[differs]
+    result = np.zeros_like(fresh)
+    result[whole.cut] = differs
+    return result
+
+
+def _lit(frame: FlatFrame, held: _Held, window: Window, step: int) -> Image:
+    """Return a part of the picture; the window is the light's."""
+    here = window.enlarged(step).cut
+    layers = held.layers[:, window.top : window.bottom, window.left : window.right].copy()
+    layers[:3] *= held.contact[window.cut]
+    if layers[3].min() > 1 - _CLEAR and layers[4:].max() < _CLEAR:
+        layers = layers[:3]
+    if step > 1:
+        layers = upsample_by_depth(layers, held.depth[window.cut], frame.depth[here])
+    layers = np.moveaxis(layers, 0, 2)
+    picture = frame.albedo[here] * layers[..., :3] + frame.glow[here]
+    return picture if layers.shape[2] == 3 else picture * layers[..., 3:4] + layers[..., 4:]
 
 
 def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 
@@ -33,9 +34,8 @@ def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image,
     facing = [np.ascontiguousarray(normal[..., axis]) for axis in range(3)]
     reach = np.clip(_RADIUS * view.pixels_per_metre / np.maximum(depth[window.cut], 0.1), 2, width * 0.06)
     rows, columns = np.mgrid[window.cut].astype(np.float32)
-    # A fixed seed: the grain is the same in every frame, so it cannot flicker.
-    turn = np.random.default_rng(1).random((height, width), np.float32)[window.cut] * np.float32(2 * np.pi)
-    across, down = np.cos(turn) * reach, np.sin(turn) * reach
+    cosines, sines = _turns(height, width)
+    across, down = cosines[window.cut] * reach, sines[window.cut] * reach
     shade = np.zeros(window.shape, np.float32)
     for tap in range(_TAPS):
         distance = math.sqrt((tap + 0.5) / _TAPS)
@@ -48,3 +48,10 @@ def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image,
         rise = sum(step * way for step, way in zip(toward, facing, strict=True)) / length
         shade += np.clip(rise - 0.12, 0, 1) * (length < _RADIUS * 1.6)
     return blur(np.clip(1 - _STRENGTH * shade / _TAPS, 0.15, 1), 1)
+
+
+@cache
+def _turns(height: int, width: int) -> tuple[Image, Image]:
+    """Return (h, w) cosines and sines that turn each pixel's spiral: the same in every frame, so it cannot flicker."""
+    turn = np.random.default_rng(1).random((height, width), np.float32) * np.float32(2 * np.pi)
+    return np.cos(turn), np.sin(turn)

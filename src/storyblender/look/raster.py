@@ -36,9 +36,13 @@ class Window:
         """Rows and columns."""
         return self.bottom - self.top, self.right - self.left
 
-    def reduced(self, step: int) -> Window:
-        """Return the rectangle in a picture with ``step`` times fewer pixels each way; its edges are multiples."""
-        return Window(self.top // step, self.left // step, self.bottom // step, self.right // step)
+    def enlarged(self, step: int) -> Window:
+        """Return the rectangle in a picture with ``step`` times as many pixels each way."""
+        return Window(self.top * step, self.left * step, self.bottom * step, self.right * step)
+
+    def within(self, outer: Window) -> Window:
+        """Return the rectangle's place in another one."""
+        return Window(self.top - outer.top, self.left - outer.left, self.bottom - outer.top, self.right - outer.left)
 
     def inner(self, by: int, height: int, width: int) -> Window:
         """Return it smaller by some pixels on each side that is not the edge of the whole picture."""
@@ -48,6 +52,41 @@ class Window:
             self.bottom - by * (self.bottom < height),
             self.right - by * (self.right < width),
         )
+
+
+def windows_round(mask: Mask, room: int, gap: int = 0) -> list[Window]:
+    """Return rectangles round all that is set, with some room on every side, that do not overlap.
+
+    Args:
+        mask: (h, w).
+        room: Pixels.
+        gap: What lies further apart than that, in rows or columns, gets rectangles of its own; at least twice the room.
+    """
+    height, width = mask.shape
+    gap = max(gap, 2 * room)
+    found: list[Window] = []
+    unsplit = [Window(0, 0, height, width)]
+    while unsplit:
+        window = unsplit.pop()
+        part = mask[window.cut]
+        rows, columns = (np.flatnonzero(part.any(axis=axis)) for axis in (1, 0))
+        if not len(rows):
+            continue
+        row_runs, column_runs = _runs(rows + window.top, gap), _runs(columns + window.left, gap)
+        if len(row_runs) * len(column_runs) > 1:
+            unsplit += [Window(top, left, bottom, right) for top, bottom in row_runs for left, right in column_runs]
+            continue
+        ((top, bottom),), ((left, right),) = row_runs, column_runs
+        found.append(
+            Window(max(0, top - room), max(0, left - room), min(height, bottom + room), min(width, right + room))
+        )
+    return sorted(found, key=lambda window: (window.top, window.left))
+
+
+def _runs(places: NDArray[np.int64], gap: int) -> list[tuple[int, int]]:
+    """Return (first, past the last) of the stretches that lie further apart than the gap."""
+    pieces = np.split(places, np.flatnonzero(np.diff(places) > gap) + 1)
+    return [(int(piece[0]), int(piece[-1]) + 1) for piece in pieces]
 
 
 def luminance(image: Image) -> Image:
@@ -72,6 +111,12 @@ def shrink(image: NDArray, factor: int) -> Image:
 def every(image: NDArray, step: int) -> NDArray:
     """Take one pixel from the middle of each ``step`` x ``step`` block, as a contiguous copy."""
     return np.ascontiguousarray(image[step // 2 :: step, step // 2 :: step])
+
+
+def any_of(mask: Mask, step: int) -> Mask:
+    """Return of each block of ``step`` x ``step`` pixels whether one is set."""
+    height, width = mask.shape
+    return mask.reshape(height // step, step, width // step, step).any(axis=(1, 3))
 
 
 def blur(image: Image, radius: int) -> Image:

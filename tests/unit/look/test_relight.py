@@ -75,19 +75,35 @@ def test_moving_light_reuses_what_stands_still_and_relights_what_moves():
     lamp = Light(name="lamp", kind="POINT", location=(1, 1, 2.5), power=80)
     coverage = (~FRAME.sky).astype(np.float32)
     albedo, glow = FRAME.albedo.astype(np.float32), np.zeros((108, 192, 3), np.float32)
-    first = FlatFrame(albedo, coverage, FRAME.depth, glow, FRAME.ids == PERSON, FRAME.view, FRAME.view.whole)
-    nearer = np.where(FRAME.ids == PERSON, np.float32(2.5), FRAME.depth)
-    second = dataclasses.replace(first, depth=nearer)
+    body = FRAME.ids == PERSON
+    first = FlatFrame(albedo, coverage, FRAME.depth, glow, body, body, FRAME.view)
+    second = dataclasses.replace(first, depth=np.where(body, np.float32(2.5), FRAME.depth))
 
     mover = MovingLight(plan, 1.0)
-    mover.light(first, [lamp])
-    _, moved = mover.light(second, [lamp])
+    ((window, start),) = mover.light(first, [lamp])
+    assert window == FRAME.view.whole
+    parts = mover.light(second, [lamp])
+    moved = start.copy()
+    for window, picture in parts:
+        moved[window.cut] = picture
+    assert body[parts[0][0].cut].any() and sum(picture.size for _, picture in parts) < start.size
     fresh = MovingLight(plan, 1.0)
-    fresh.light(first, [lamp])
-    fresh._held = None
-    _, whole = fresh.light(second, [lamp])
+    ((_, whole),) = fresh.light(second, [lamp])
 
     still = (FRAME.ids == WALL) & (np.abs(moved - whole).max(axis=2) < 0.02)
     assert still.sum() > 0.95 * (FRAME.ids == WALL).sum()
-    body = FRAME.ids == PERSON
     assert np.abs(moved - whole)[body].mean() < 0.1 * whole[body].mean()
+
+
+def test_a_lamp_that_moves_lights_the_whole_picture_anew():
+    plan = Lighting(sky=DARK, ambient=(0.1, 0.1, 0.1))
+    lamp = Light(name="lamp", kind="POINT", location=(1, 1, 2.5), power=80)
+    albedo, glow = FRAME.albedo.astype(np.float32), np.zeros((108, 192, 3), np.float32)
+    coverage = (~FRAME.sky).astype(np.float32)
+    nowhere = np.zeros_like(FRAME.sky)
+    frame = FlatFrame(albedo, coverage, FRAME.depth, glow, nowhere, nowhere, FRAME.view)
+    mover = MovingLight(plan, 1.0)
+    mover.light(frame, [lamp])
+    assert mover.light(frame, [lamp]) == []
+    ((window, _),) = mover.light(frame, [lamp.model_copy(update={"location": (2, 1, 2.5)})])
+    assert window == FRAME.view.whole

@@ -20,10 +20,16 @@ from storyblender.blender.render.passes import flat_workbench, has_painted_skin,
 from storyblender.blender.render.session import DRAWN, RenderSession, changed
 from storyblender.look.gbuffer import FAR, View
 from storyblender.look.moving_light import FlatFrame
-from storyblender.look.raster import Image, Mask, Window
+from storyblender.look.raster import Image, Mask, Window, windows_round
 
 _AT_ONCE = 24
 """Frames drawn by one call: Blender keeps what it knows of the scene between them."""
+_BODY = 32
+"""Pixels over which two places that have changed belong to one body."""
+_SAME = 0.002
+"""Change of depth, as a share of it, below which a pixel still shows the same place."""
+_TONE, _DARK = 0.03, 0.1
+"""Change of colour, as a share of it and of a dark one, below which a pixel looks the same."""
 
 
 def draw_flat(session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
@@ -46,9 +52,15 @@ def _drawings(session: RenderSession, frames: Sequence[int], movement: Movement)
     """Draw what is not held."""
     plate = _plate(session, frames[:1], movement) if movement.is_locked_off else None
     wanted = [(number, view) for number, view, anew in zip(frames, movement.views, movement.anew, strict=True) if anew]
+    last = plate
     for first in range(0, len(wanted), _AT_ONCE):
         batch, views = zip(*wanted[first : first + _AT_ONCE], strict=True)
-        yield from _whole(session, batch, movement, views) if plate is None else _over(plate, session, batch, movement)
+        if plate is None or last is None:
+            yield from _whole(session, batch, movement, views)
+            continue
+        for part in _parts(plate.view, session, batch, movement):
+            last = _laid_over(plate, part, movement.window, last)
+            yield last
 
 
 def _whole(
@@ -56,12 +68,11 @@ def _whole(
 ) -> Iterator[FlatFrame]:
     """Draw everything: the camera moves."""
     width, height = views[0].width, views[0].height
-    everywhere = np.ones((height, width), bool)
     with out_of_picture(movement.unseen):
         pictures = session.exr_frames(frames, width, height, depth=True)
         glows = render_glow(session, frames, width, height)
     for channels, view, glow in zip(pictures, views, glows, strict=True):
-        yield _flat(channels, view, everywhere, glow)
+        yield _flat(channels, view, glow)
 
 
 def _plate(session: RenderSession, frame: Sequence[int], movement: Movement) -> FlatFrame:
@@ -70,40 +81,67 @@ def _plate(session: RenderSession, frame: Sequence[int], movement: Movement) -> 
     with out_of_picture((*movement.unseen, *movement.movers)):
         (channels,) = session.exr_frames(frame, view.width, view.height, depth=True)
         (glow,) = render_glow(session, frame, view.width, view.height)
-    return _flat(channels, view, np.zeros((view.height, view.width), bool), glow)
+    return _flat(channels, view, glow)
 
 
-def _over(plate: FlatFrame, session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
-    """Draw what moves, in its window, and lay it over the plate."""
-    view, window, movers = plate.view, movement.window, set(movement.movers)
+def _parts(view: View, session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
+    """Draw what moves, in its window."""
+    window, movers = movement.window, set(movement.movers)
     with out_of_picture(obj for obj in session.scene.objects if obj.type in DRAWN and obj not in movers):
         pictures = session.exr_frames(frames, view.width, view.height, depth=True, window=window)
         glows = render_glow(session, frames, view.width, view.height, window=window)
     for channels, glow in zip(pictures, glows, strict=True):
-        part = _flat(channels, view.cropped(window), np.ones(window.shape, bool), glow)
-        yield _laid_over(plate, part, window)
+        yield _flat(channels, view.cropped(window), glow)
 
 
-def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window) -> FlatFrame:
-    """Return the plate with the part before it where that is nearer."""
-    nearer = part.depth < plate.depth[window.cut]
-    albedo, coverage = plate.albedo.copy(), plate.coverage.copy()
-    depth, glow, moving = plate.depth.copy(), plate.glow.copy(), plate.moving.copy()
-    for whole, piece in (
-        (albedo, part.albedo),
-        (coverage, part.coverage),
-        (depth, part.depth),
-        (glow, part.glow),
-        (moving, part.moving),
-    ):
-        whole[window.cut][nearer] = piece[nearer]
-    return FlatFrame(albedo, coverage, depth, glow, moving, plate.view, window)
+def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window, last: FlatFrame) -> FlatFrame:
+    """Return the plate with the part before it where that is nearer; what differs invisibly stays as it was.
+
+    Args:
+        plate: What stands still.
+        part: What moves.
+        window: Where the part lies.
+        last: The frame before; the plate itself before the first.
+    """
+    here = window.cut
+    nearer = part.depth < plate.depth[here]
+    depth = np.where(nearer, part.depth, plate.depth[here])
+    albedo, glow = (
+        np.where(nearer[..., None], own, behind[here])
+        for own, behind in ((part.albedo, plate.albedo), (part.glow, plate.glow))
+    )
+    coverage = np.where(nearer, part.coverage, plate.coverage[here])
+    differs = np.abs(depth - last.depth[here]) > _SAME * depth
+    for now, before in ((albedo, last.albedo[here]), (glow, last.glow[here])):
+        differs |= (np.abs(now - before) > _TONE * (now + _DARK)).any(axis=2)
+    # Whoever turns a little keeps much of depth and colour, but takes the light otherwise.
+    for near in windows_round(differs, _BODY // 2):
+        differs[near.cut] |= nearer[near.cut] | last.moving[here][near.cut]
+    changed, moving = np.zeros(last.depth.shape, bool), np.zeros(last.depth.shape, bool)
+    changed[here], moving[here] = differs, nearer
+    albedo, coverage, depth, glow = (
+        _changed(before, now, differs, window)
+        for before, now in (
+            (last.albedo, albedo),
+            (last.coverage, coverage),
+            (last.depth, depth),
+            (last.glow, glow),
+        )
+    )
+    return FlatFrame(albedo, coverage, depth, glow, changed, moving, plate.view)
 
 
-def _flat(channels: Channels, view: View, moving: Mask, glow: Image) -> FlatFrame:
+def _changed(before: Image, now: Image, differs: Mask, window: Window) -> Image:
+    result = before.copy()
+    result[window.cut][differs] = now[differs]
+    return result
+
+
+def _flat(channels: Channels, view: View, glow: Image) -> FlatFrame:
     coverage = channels["Combined.A"]
     depth = np.where(coverage > 0.5, channels["Depth.Z"], np.float32(FAR))
-    return FlatFrame(color(channels), coverage, depth, glow, moving, view, view.whole)
+    everywhere, nowhere = np.ones(depth.shape, bool), np.zeros(depth.shape, bool)
+    return FlatFrame(color(channels), coverage, depth, glow, everywhere, nowhere, view)
 
 
 @contextmanager

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.measure.figures import figures
+from storyblender.blender.render.detail import in_detail_seen
 from storyblender.blender.render.flat_frames import animatic_workbench, draw_flat
-from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
+from storyblender.blender.render.frame import FrameRequest, FrameResult, PersonHead, render_frame
 from storyblender.blender.render.movement import watch
 from storyblender.blender.render.picture import write_jpeg
 from storyblender.blender.render.session import RenderSession
@@ -66,38 +68,46 @@ def render_motion(
     if not frames:
         return ()
     paths: list[Path] = []
-    request = FrameRequest(
-        look="fast",
-        width=_METER_WIDTH,
-        height=max(2, round(_METER_WIDTH * height / width / 2) * 2),
-        hidden_node_ids=tuple(hidden_node_ids),
-        supersample=1,
-        shadows=False,
-    )
-    with held_still(scene, frames[0]) as moment:
-        moment.collection.objects.link(camera_object)
-        still = render_frame(moment, camera_object, lighting, _heads(figures(scene), in_frame), request)
-    gain = np.float32(2.0**still.statistics.exposure)
-    plan, light = still.balance.plan, MovingLight(still.balance.plan, still.balance.roofed)
     shown = np.zeros((height, width, 3), np.uint8)
-    with RenderSession(scene, camera_object, frames[0], hidden_node_ids) as session:
+    with ExitStack() as stack:
+        session = stack.enter_context(RenderSession(scene, camera_object, frames[0], hidden_node_ids))
+        stack.enter_context(in_detail_seen(session, frames, width, height))
+        still = _metered(session, lighting, height / width, in_frame)
+        plan, gain = still.balance.plan, np.float32(2.0**still.statistics.exposure)
+        light = MovingLight(plan, still.balance.roofed)
         movement = watch(session, frames, width, height)
         people = [_heads(faces, in_frame) for faces in movement.people]
-        with animatic_workbench(session, movement):
-            film = zip(frames, people, movement.anew, draw_flat(session, frames, movement), strict=True)
-            for number, heads, anew, flat in film:
-                paths.append(out_dir / f"{number:05d}.jpg")
-                if plan.rain > 0:
-                    flat = replace(flat, window=flat.view.whole)
-                elif not anew:
-                    shutil.copyfile(paths[-2], paths[-1])
-                    continue
-                window, picture = light.light(flat, still.set_lights + _followed(still.lights, people[0], heads))
+        stack.enter_context(animatic_workbench(session, movement))
+        film = zip(frames, people, movement.anew, draw_flat(session, frames, movement), strict=True)
+        for number, heads, anew, flat in film:
+            paths.append(out_dir / f"{number:05d}.jpg")
+            if plan.rain > 0:
+                flat = replace(flat, changed=np.ones_like(flat.changed))
+            elif not anew:
+                shutil.copyfile(paths[-2], paths[-1])
+                continue
+            for window, picture in light.light(flat, still.set_lights + _followed(still.lights, people[0], heads)):
                 depth = flat.depth[window.cut]
                 picture = add_rain(picture * gain, depth, plan.rain, seed + number)
                 _paste(shown, add_lines(picture, depth, flat.view), window)
-                write_jpeg(shown, paths[-1])
+            write_jpeg(shown, paths[-1])
     return tuple(paths)
+
+
+def _metered(session: RenderSession, lighting: Lighting, tall: float, in_frame: Sequence[str] | None) -> FrameResult:
+    """Draw the first frame as a small still, for its lamps and its exposure.
+
+    Args:
+        session: The shot.
+        lighting: The scene's light plan as designed.
+        tall: Height / width.
+        in_frame: asset_ids of the people who get lamps of their own; None is everybody.
+    """
+    height = max(2, round(_METER_WIDTH * tall / 2) * 2)
+    request = FrameRequest("fast", _METER_WIDTH, height, supersample=1, shadows=False)
+    with held_still(session.scene) as moment:
+        moment.collection.objects.link(session.camera)
+        return render_frame(moment, session.camera, lighting, _heads(figures(session.scene), in_frame), request)
 
 
 def _paste(shown: NDArray[np.uint8], picture: Picture, window: Window) -> None:
