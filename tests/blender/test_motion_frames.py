@@ -151,6 +151,9 @@ def test_small_figures_are_drawn_with_fewer_faces_and_keep_their_play(room):
             assert skin.data is whole
         with in_detail_seen(session, FRAMES, 80, 44):
             assert skin.data is small
+        skin.parent.location = room.camera.location
+        with in_detail_seen(session, FRAMES, 80, 44):
+            assert skin.data is whole
 
 
 def _figure(room):
@@ -167,7 +170,7 @@ def _figure(room):
     for obj in (skin, rig):
         obj["node_id"], obj["kind"] = "bo", "character"
         room.collection.objects.link(obj)
-    rig.location = skin.location = (0, 1, 1.6)
+    skin.parent, rig.location = rig, (0, 1, 1.6)
     skin.modifiers.new("rig", "ARMATURE").object = rig
     skin.shape_key_add(name="Basis")
     opened = skin.shape_key_add(name="open", from_mix=False)

@@ -21,6 +21,8 @@ _LOOK_EVERY = 24
 """Frames between looks at how near everybody comes."""
 _PIXELS = 3.0
 """Square pixels of surface, front and back, that one vertex stands for."""
+_CLOSE = 0.1
+"""Metres before the eye at which somebody could not be nearer."""
 _MOST = 4
 """Times that a mesh is halved."""
 _SMALL = 300
@@ -64,7 +66,7 @@ def _nearest(session: RenderSession, frames: Sequence[int], width: int, height: 
         view = session.view(width, height)
         for figure in figures(session.scene):
             depth = float(view.project(np.asarray(figure.face))[2]) - figure.head
-            pixels = view.pixels_per_metre / depth if depth > 0.1 else np.inf
+            pixels = view.pixels_per_metre / max(depth, _CLOSE)
             scale[figure.node_id] = max(scale.get(figure.node_id, 0.0), pixels)
     return scale
 
