@@ -40,9 +40,13 @@ class Window:
         """Return the rectangle in a picture with ``step`` times as many pixels each way."""
         return Window(self.top * step, self.left * step, self.bottom * step, self.right * step)
 
+    def moved(self, rows: int, columns: int) -> Window:
+        """Return the rectangle moved down and to the right."""
+        return Window(self.top + rows, self.left + columns, self.bottom + rows, self.right + columns)
+
     def within(self, outer: Window) -> Window:
         """Return the rectangle's place in another one."""
-        return Window(self.top - outer.top, self.left - outer.left, self.bottom - outer.top, self.right - outer.left)
+        return self.moved(-outer.top, -outer.left)
 
     def inner(self, by: int, height: int, width: int) -> Window:
         """Return it smaller by some pixels on each side that is not the edge of the whole picture."""

@@ -103,38 +103,39 @@ def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window, last: FlatFram
         window: Where the part lies.
         last: The frame before; the plate itself before the first.
     """
-    here = window.cut
-    nearer = part.depth < plate.depth[here]
-    depth = np.where(nearer, part.depth, plate.depth[here])
-    albedo, glow = (
-        np.where(nearer[..., None], own, behind[here])
-        for own, behind in ((part.albedo, plate.albedo), (part.glow, plate.glow))
-    )
-    coverage = np.where(nearer, part.coverage, plate.coverage[here])
-    differs = np.abs(depth - last.depth[here]) > _SAME * depth
-    for now, before in ((albedo, last.albedo[here]), (glow, last.glow[here])):
-        differs |= (np.abs(now - before) > _TONE * (now + _DARK)).any(axis=2)
-    # Whoever turns a little keeps much of depth and colour, but takes the light otherwise.
-    for near in windows_round(differs, _BODY // 2):
-        differs[near.cut] |= nearer[near.cut] | last.moving[here][near.cut]
+    nearer = part.depth < plate.depth[window.cut]
     changed, moving = np.zeros(last.depth.shape, bool), np.zeros(last.depth.shape, bool)
-    changed[here], moving[here] = differs, nearer
-    albedo, coverage, depth, glow = (
-        _changed(before, now, differs, window)
-        for before, now in (
-            (last.albedo, albedo),
-            (last.coverage, coverage),
-            (last.depth, depth),
-            (last.glow, glow),
-        )
-    )
+    moving[window.cut] = nearer
+    layers = [layer.copy() for layer in (last.depth, last.albedo, last.coverage, last.glow)]
+    pieces = (part.depth, part.albedo, part.coverage, part.glow)
+    behind = (plate.depth, plate.albedo, plate.coverage, plate.glow)
+    for near in windows_round(nearer | last.moving[window.cut], 0, _BODY):
+        here = near.moved(window.top, window.left).cut
+        front = nearer[near.cut]
+        now = [_in_front(front, piece[near.cut], back[here]) for piece, back in zip(pieces, behind, strict=True)]
+        differs = _differs(now, [layer[here] for layer in layers])
+        # Whoever turns a little keeps much of depth and colour, but takes the light otherwise.
+        body = front | last.moving[here]
+        for piece in windows_round(differs, _BODY // 2):
+            differs[piece.cut] |= body[piece.cut]
+        changed[here] = differs
+        for layer, value in zip(layers, now, strict=True):
+            layer[here][differs] = value[differs]
+    depth, albedo, coverage, glow = layers
     return FlatFrame(albedo, coverage, depth, glow, changed, moving, plate.view)
 
 
-def _changed(before: Image, now: Image, differs: Mask, window: Window) -> Image:
-    result = before.copy()
-    result[window.cut][differs] = now[differs]
-    return result
+def _in_front(front: Mask, piece: Image, back: Image) -> Image:
+    return np.where(front if piece.ndim == 2 else front[..., None], piece, back)
+
+
+def _differs(now: Sequence[Image], before: Sequence[Image]) -> Mask:
+    """Return where depth, albedo or glow are not the same to the eye; both in that order, coverage third."""
+    differs = np.abs(now[0] - before[0]) > _SAME * now[0]
+    for layer, last in ((now[1], before[1]), (now[3], before[3])):
+        away = np.abs(layer - last) - _TONE * (layer + _DARK)
+        differs |= np.maximum(np.maximum(away[..., 0], away[..., 1]), away[..., 2]) > 0
+    return differs
 
 
 def _flat(channels: Channels, view: View, glow: Image) -> FlatFrame:

@@ -46,7 +46,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     phrases = find_phrases(words)
     clauses = find_clauses(words, phrases)
     previous = stage.discourse.subjects
-    stage.sentence = SentenceState(words, pictured=sentence.pictured or entrances.is_about_absence(joined(words)))
+    stage.sentence = SentenceState(words, pictured=sentence.pictured or _tells_of_elsewhere(stage, joined(words)))
     _notice_nouns(stage, phrases)
     distances.settle_apart(stage, words)
     if not clauses:
@@ -63,6 +63,12 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     changes.note_sounds(stage, clauses)
     if subjects:
         stage.discourse.subjects = subjects
+
+
+def _tells_of_elsewhere(stage: Stage, text: str) -> bool:
+    """Whether those a sentence names are not there: gone, or in a picture."""
+    lately = [stage.inventory.head(thing) for thing in stage.discourse.recent_things]
+    return entrances.is_about_absence(text) or entrances.is_in_a_picture(text, lately)
 
 
 def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:

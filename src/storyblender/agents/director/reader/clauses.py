@@ -84,6 +84,8 @@ class _Builder:
     negated: bool = False
     unreal: bool = False
     passive: bool = False
+    perfect: bool = False
+    """``has fallen``: somebody's own deed."""
 
     @property
     def current(self) -> Clause | None:
@@ -122,6 +124,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     if builder.clauses and words[0].low in _WONDERING:
         builder.clauses[0].unreal = True
     _give_to_inverted(builder.clauses)
+    _give_to_following(builder.clauses, words)
     for clause in builder.clauses:
         if clause.verb == "be":
             clause.complement, clause.object = clause.object, []
@@ -140,12 +143,28 @@ def _give_to_inverted(clauses: list[Clause]) -> None:
             clause.subject, clause.elided = last.object, False
 
 
+def _give_to_following(clauses: list[Clause], words: list[Word]) -> None:
+    """``Sitting on the bench, Bob waves``: it is Bob who sits."""
+    for number, clause in enumerate(clauses):
+        if not number and not (clause.participle and clause.subject and clause.subject[0].head == ""):
+            return
+        if number and not clause.elided and not clause.participle and clause.subject[0].head:
+            first = clause.subject[0].index
+            comma = max((index for index in range(first) if words[index].text == ","), default=first)
+            between = {word.low for word in words[comma:first]}
+            if clause.subject[0].kind != "thing" and first - comma <= _NEAR and not between & lexicon.CONJUNCTIONS:
+                for before in clauses[:number]:
+                    before.subject, before.elided = clause.subject, False
+            return
+
+
 def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
     verb = phrase.verb or VerbForm(phrase.text, "past")
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     if verb.kind == "aux" and following and following.kind in ("verb", "negation"):
         past = following.verb is not None and following.verb.kind in ("past", "pp")
         builder.passive = past and verb.lemma == "be"
+        builder.perfect = past and verb.lemma == "have"
         return
     left = builder.phrases[index - 1] if index else None
     if verb.kind == "pp" and left and left.kind == "verb" and builder.current and builder.current.verb in _RESTING:
@@ -162,12 +181,12 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         subject=_subject(builder, index, verb),
         participle=participle,
         infinitive=verb.kind == "inf",
-        passive=verb.kind == "pp" or builder.passive,
+        passive=(verb.kind == "pp" and not builder.perfect) or builder.passive,
         negated=builder.negated,
         unreal=builder.unreal or _is_unreal(builder, index),
         main=not builder.clauses or not participle,
     )
-    builder.negated = builder.unreal = builder.passive = False
+    builder.negated = builder.unreal = builder.passive = builder.perfect = False
     if builder.relative and not builder.pending:
         clause.subject = builder.relative
         clause.main = not builder.clauses
