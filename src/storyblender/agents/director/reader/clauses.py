@@ -162,9 +162,9 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
     verb = phrase.verb or VerbForm(phrase.text, "past")
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     if verb.kind == "aux" and following and following.kind in ("verb", "negation"):
-        past = following.verb is not None and following.verb.kind in ("past", "pp")
-        builder.passive = past and verb.lemma == "be"
-        builder.perfect = past and verb.lemma == "have"
+        past = following.verb if following.verb and following.verb.kind in ("past", "pp") else None
+        builder.passive = past is not None and verb.lemma == "be"
+        builder.perfect = past is not None and verb.lemma == "have" and past.lemma in _ARRIVED
         return
     left = builder.phrases[index - 1] if index else None
     if verb.kind == "pp" and left and left.kind == "verb" and builder.current and builder.current.verb in _RESTING:
@@ -238,6 +238,10 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
 _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
 """``Outside a blizzard was raging``: no preposition where subject and verb follow."""
 _RESTING = lexicon.words("stative") - {"be"}
+_ARRIVED = frozenset(
+    {"fall", "come", "go", "sit", "rise", "kneel", "enter", "arrive", "return", "climb", "step", "stop"}
+)
+"""``has fallen asleep``, ``had come in``: what somebody has done shows still."""
 _WONDERING = frozenset({"how", "why", "whether"})
 _INSERTING = frozenset({"where", "when", "until", "because", "since"})
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
@@ -291,7 +295,8 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     if builder.aside and not clause.object:
         clause.asides.append(noun)
         return
-    if left and left.kind == "link" and left.text == "and" and clause.places and not clause.object:
+    of_both = bool(clause.places) and clause.places[-1][0] == "of" and clause.places[-1][1][-1].kind == noun.kind
+    if left and left.kind == "link" and left.text == "and" and clause.places and (of_both or not clause.object):
         clause.places[-1][1].append(noun)
     elif linked and clause.object and noun.kind == "person":
         clause.object.append(noun)

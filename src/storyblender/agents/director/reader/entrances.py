@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
 from storyblender.agents.director.reader.people_meant import resolve_mention
-from storyblender.agents.director.reader.roles import Roles
+from storyblender.agents.director.reader.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Word
 from storyblender.agents.director.reading import Person
@@ -24,6 +24,7 @@ _LEAVING = re.compile(
     r"|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
 )
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "ride", "drive"})
+_OTHER = frozenset({"another", "next", "other", "adjoining"})
 _WEATHER = lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
 _STAYING = frozenset({"stand", "be", "remain", "stay"})
 _COMING_OUT = frozenset({"back", "crawl", "pull", "step", "burst", "come", "get", "look", "emerge", "climb", "lean"})
@@ -36,7 +37,8 @@ _PICTURE_OF = re.compile(
 _IMAGE = r"(?:picture|photo|photograph|snapshot|portrait|painting|drawing|sketch|poster|image)s?"
 _SHOWN = re.compile(
     rf"\b{_IMAGE}\b.*\b(?:shows?|showed|depicts?|depicted)\b"
-    r"|^(?:it|they)(?: \w+)? (?:shows?|showed|depicts?|depicted) .*\b(?:standing|sitting|holding|smiling|frame|background)\b"
+    r"|^(?:it|they)(?: \w+)? (?:shows?|showed|depicts?|depicted) .*"
+    r"\b(?:standing|sitting|holding|smiling|frame|background)\b"
 )
 """What a picture shows is not there."""
 _ANOTHER = re.compile(r"(?:another|one|a second) (?:of|with) ")
@@ -146,6 +148,7 @@ def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
     goes_out = (
         motion in _TRAVEL and clause.particle in ("out", "off", "away", "outside") and clause.verb not in _COMING_OUT
     ) or (motion in _TRAVEL and indoors and "out of" in roles.prepositions and clause.verb not in _COMING_OUT)
+    goes_out |= motion in _TRAVEL and indoors and any(_is_another_room(stage, place) for place in roles.places)
     if not (goes or goes_out) or clause.verb == "slip":
         return
     left_behind = clause.verb == "leave" and any(
@@ -154,6 +157,18 @@ def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
     if left_behind or (not indoors and "into" in roles.prepositions):
         return
     stage.scene.leaving += [person.id for person in roles.subjects if person.id not in stage.scene.leaving]
+
+
+def _is_another_room(stage: Stage, place: Place) -> bool:
+    """``runs for his room``, ``goes into Ana's bedroom``, ``rushes into another room``: none of this scene."""
+    words = stage.sentence.words
+    return place.preposition in ("into", "to", "for") and any(
+        noun.kind == "thing"
+        and noun.head in lexicon.INDOOR
+        and (noun.head == "room" or noun.head not in stage.place.place.lower().split())
+        and (noun.possessor is not None or {w.low for w in words[max(0, noun.index - 2) : noun.index]} & _OTHER)
+        for noun in place.nouns
+    )
 
 
 def clear_exits(stage: Stage) -> None:

@@ -1,0 +1,35 @@
+"""Who is there, who has left, and who is only in a picture."""
+
+from collections.abc import Callable
+
+from storyblender.agents.director.reading import Reading
+
+Read = Callable[[str], Reading]
+PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
+
+
+def told(reading: Reading) -> list[tuple[str, str]]:
+    return [(deed.actor, deed.motion) for deed in reading.units[-1].deeds]
+
+
+def test_what_is_done_before_the_name_is_done_by_whom_it_names(read_scene: Read) -> None:
+    reading = read_scene(PEOPLE + "Kate waits.\n\nRushing around the room, Joe grabs a coat.")
+    assert told(reading) == [("joe", "run"), ("joe", "take")]
+
+
+def test_what_somebody_has_done_shows_still(read_scene: Read) -> None:
+    assert told(read_scene(PEOPLE + "Joe has fallen asleep on his stool.")) == [("joe", "sleep")]
+
+
+def test_who_goes_into_a_room_of_his_own_is_gone(read_scene: Read) -> None:
+    for exit in ("Joe runs for his room.", "Joe walks into Kate's bedroom.", "Joe rushes into another room."):
+        assert read_scene(PEOPLE + exit + "\n\nKate sighs.").units[-1].on_stage == ["kate"]
+    assert read_scene(PEOPLE + "Joe heads for the door.\n\nKate sighs.").units[-1].on_stage == ["joe", "kate"]
+
+
+def test_whom_a_picture_shows_is_not_there(read_scene: Read) -> None:
+    reading = read_scene(
+        "TOM (9) and ANA (8) and JOE (40) sit.\n\nINT. HALL - DAY\n\nKATE (35, a woman) stands.\n\n"
+        "She picks up a picture of Tom and Ana. Another of Tom, Joe and Ana at the sea. The photo shows Tom standing."
+    )
+    assert reading.units[-1].on_stage == ["kate"]
