@@ -52,3 +52,18 @@ def test_who_gets_up_from_the_table_takes_their_hands_along(bodies: dict[str, Bo
     shot = perform(bodies, (SEATED,), (cue_of("man", "rise", 4),), 4, furniture=furniture)
     play, last = Playback(bodies["man"], shot, "man"), len(shot.frames) - 1
     assert (play.joint("hand.R", last).xy - play.joint("hips", last).xy).length < 0.45
+
+
+def test_what_is_held_at_a_table_stands_on_it_and_is_lifted_over_it(bodies: dict[str, Body]) -> None:
+    furniture = {"chair": chair_at(0, 0.24), "table": table_at(0, -0.5)}
+    props = {
+        "glass": StageProp(world_at(3, 3), (0.07, 0.07, 0.12), node_id="glass"),
+        "letter": StageProp(world_at(0.05, -0.30, 0.75), (0.22, 0.11, 0.006), node_id="letter"),
+    }
+    sits = SEATED.model_copy(update={"held": (("R", "glass"),)})
+    takes = cue_of("man", "pick_up", 4, prop_id="letter", hand="L")
+    shot = perform(bodies, (sits,), (takes,), 4, furniture=furniture, props=props)
+    assert shot.problems == ()
+    glass, letter = shot.props["glass"], shot.props["letter"]
+    assert glass[-1][2][3] == pytest.approx(0.75, abs=0.01)
+    assert 0.80 < letter[-1][2][3] < 1.0

@@ -51,7 +51,7 @@ ELEVATION: dict[str, float] = {
     "worm's-eye": -32.0,
     "dutch": 2.0,
 }
-"""Degrees that the camera is above the subject's eyes."""
+"""Degrees that the camera is above the subject's eyes; see ``elevation_of``."""
 ELEVATION_BAND: dict[str, tuple[float, float]] = {
     "eye-level": (-9.0, 14.0),
     "high angle": (16.0, 55.0),
@@ -60,6 +60,8 @@ ELEVATION_BAND: dict[str, tuple[float, float]] = {
     "worm's-eye": (-60.0, -18.0),
     "dutch": (-9.0, 14.0),
 }
+WHOLE = ("FS", "WS", "EWS")
+"""Sizes that show bodies from head to feet."""
 FILL: dict[str, float] = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}
 """How much of the picture's height or width a thing fills; wider sizes take ``FILL_WIDE``."""
 FILL_WIDE = 0.2
@@ -83,6 +85,10 @@ _HATS = 0.12
 """Highest that the crowns of a group go: some of them wear hats."""
 _LOWER = 0.1
 """Most that a whole body lower than a standing one goes down in the picture."""
+_BODIES = 0.88
+"""Most of the picture's height that whole bodies take in a group."""
+_LOW_WHOLE = 0.5
+"""What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
 _CROWN = 0.55
 """Crown above the face's centre, in head heights."""
 
@@ -123,6 +129,11 @@ class Figure:
         way = np.asarray(eye, float) - np.asarray(self.face)
         cosine = float(np.dot(self.forward, way) / max(float(np.linalg.norm(way)), 1e-9))
         return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
+
+
+def elevation_of(angle: str, size: str) -> float:
+    """Return the degrees that the camera is above the subject's eyes, for an angle of ``ELEVATION`` and a shot size."""
+    return ELEVATION[angle] * (_LOW_WHOLE if angle == "low angle" and size in WHOLE else 1.0)
 
 
 def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
@@ -221,6 +232,10 @@ def group(
         aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
         needed = aside / span - depth + camera.distance
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
+    if size in WHOLE:
+        tops, bottoms = (project(camera, [getattr(each, end) for each in figures])[0] for end in ("crown", "base"))
+        tall = float(bottoms[:, 1].max() - tops[:, 1].min())
+        camera = replace(camera, distance=camera.distance * max(tall / _BODIES, 1.0))
     tallest = max(figures, key=lambda figure: figure.face[2])
     share = tallest.head / camera.frame_height
     camera = placed(camera, tallest.face, 0.5, max(crown_height(share), _HATS) + (_CROWN + 0.1) * share)
@@ -253,8 +268,12 @@ def group_from(
     holds = film.sensor_width * span / (2 * math.tan(half))
     heads = np.array([figure.head for figure in figures]) / np.maximum(apart * np.cos(aside - aside.mean()), 0.3)
     sized = SCALES[size].band[1] / float(heads.max()) * film.sensor_width / film.aspect
-    lens = min(lens, max(min(holds, sized), widest))
     crowns = np.arctan2([figure.crown[2] - eye[2] for figure in figures], apart)
+    if size in WHOLE:
+        feet = np.arctan2([figure.base[2] - eye[2] for figure in figures], apart)
+        tall = 2 * math.tan(float(crowns.max() - feet.min()) / 2)
+        sized = min(sized, _BODIES / tall * film.sensor_width / film.aspect)
+    lens = min(lens, max(min(holds, sized), widest))
     high = int(crowns.argmax())
     crown = max(crown_height(float(heads[high]) / (2 * film.tangent(lens))), _HATS)
     pitch = float(crowns[high]) - math.atan((1 - 2 * crown) * film.tangent(lens))

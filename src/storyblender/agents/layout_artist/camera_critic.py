@@ -23,6 +23,7 @@ from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, void_points
 from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED
 from storyblender.agents.layout_artist.camera_start import face_limit
+from storyblender.geometry.framing import WHOLE
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.ports import Viewfinder, ViewRequest
@@ -40,7 +41,6 @@ _PASSING = 0.5
 """How much of a fault's weight is left where it passes: the board shows the middle of the shot."""
 _ARMS = 0.5
 """Metres between the faces of two who are in each other's arms."""
-_WHOLE = ("FS", "WS", "EWS")
 _AROUND = "orbit_left orbit_right"
 
 
@@ -155,7 +155,7 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
             weight = 1 + 4 * (hidden - _HIDDEN)
             weight = weight if is_person or not brief.people else min(weight, _LEFT_OUT)
             found.append(fault("hidden", node, weight, text, ops=f"{_AROUND} orbit_up"))
-        whole = size in _WHOLE if is_person else kind == "insert"
+        whole = size in WHOLE if is_person else kind == "insert"
         if whole and kind != "establishing" and subject.in_frame_fraction < 0.96:
             cut = 1 - subject.in_frame_fraction
             found.append(fault("cropped", node, 0.5 + 2 * cut, f"{node} is cut off", ops="zoom_out pan_down pan_up"))

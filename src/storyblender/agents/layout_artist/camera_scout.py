@@ -16,7 +16,7 @@ from storyblender.agents.layout_artist.camera_room import outside, rays, void_po
 from storyblender.agents.layout_artist.camera_solids import body, holds, lidded, opened, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
-from storyblender.geometry.framing import SCALES, Figure, head_share, project
+from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import hidden
 
@@ -43,6 +43,8 @@ _AT_HAND = 0.12
 """Metres before a thing in an insert that are its own: the hand that holds it, the cloth it lies on."""
 _MOST = 0.3
 """Share of somebody that may be hidden."""
+_CUT = 0.04
+"""Share of a whole body that the frame may take off."""
 _LOOMING = 1.2
 """Points for a head that is e times as large as the size wants: nobody fills the foreground of a group."""
 _LEAVES, _COMES = 1.5, 0.2
@@ -222,6 +224,10 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     points += len(brief.people) > 1 and not AT_SIDE < x < 1 - AT_SIDE
     share = hidden_share(camera, figure, boxes)
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
+    if brief.instruction.size in WHOLE:
+        (_, top), (_, bottom) = project(camera, [figure.crown, figure.base])[0]
+        cut = (max(float(bottom) - 1, 0.0) + max(-float(top), 0.0)) / max(float(bottom - top), 1e-3)
+        points += (0.5 + 2 * cut) * (cut > _CUT)
     off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)
     return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
 

@@ -126,7 +126,7 @@ def _follows(brief: CameraBrief, camera: Orbit) -> bool:
 
 def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
     instruction, film, people = brief.instruction, brief.film, brief.people
-    elevation = framing.ELEVATION[instruction.angle] + rise
+    elevation = framing.elevation_of(instruction.angle, instruction.size) + rise
     if instruction.kind == "pov" and (pov := _pov(brief, lens)) is not None:
         return pov
     if instruction.kind == "establishing" or not (people or brief.things):

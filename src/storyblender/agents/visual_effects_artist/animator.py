@@ -77,6 +77,7 @@ class AnimatorRules:
         floor = Floor(view.layout, view.assets, view.plan)
         rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps)
         rehearsal.company.find_players(view.shots)
+        rehearsal.company.put_away(view.shots)
         lines = {shot.shot_id: shot.lines for shot in view.outline.shots} if view.outline else {}
         stagings: list[ShotStaging] = []
         for index, shot in enumerate(view.shots):

@@ -68,6 +68,12 @@ class Company:
                 self.players[action.asset_id] = prop
             handled |= {prop} if prop is not None else set()
 
+    def put_away(self, shots: Sequence[ShotContext]) -> None:
+        """Take what somebody brings out of a pocket from where the layout laid it: nobody sees it before."""
+        for change in (each for shot in shots for each in shot.asset_modifications):
+            if change.modification_type == "add" and self.lying.pop(change.asset_id, None) is not None:
+                self.touched[change.asset_id] = None
+
     def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
         for person in cast:
@@ -269,9 +275,12 @@ class Company:
         for name, prop in self.players.items():
             if self.people[name].present:
                 self.hand_over(self.people[name], prop)
+        brought_out = {change.asset_id for change in shot.asset_modifications if change.modification_type == "add"}
         for action in shot.character_actions:
             prop, person = self.prop_of(action), self.people.get(action.asset_id)
             if prop is None or person is None or not person.present or prop in self.lying or self.holder(prop):
+                continue
+            if prop in brought_out:
                 continue
             if clip_of(action.motion).key in ("pick_up", "take", "catch"):
                 if self.bag_for(person, prop):

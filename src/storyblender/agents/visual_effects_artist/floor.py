@@ -247,11 +247,26 @@ class Floor:
         spot = (x + max(-half[0], min(half[0], lx - x)), y + max(-half[1], min(half[1], ly - y)), z)
         return thing.world(spot)
 
+    def on_top(self, thing: Thing, point: Vec2) -> Vec3 | None:
+        """Return the point of a thing's top that is under a point of the floor plan; None where there is no top."""
+        x, y = thing.local(point)
+        for top in thing.of_kind("top"):
+            if abs(x - top.location[0]) <= top.size[0] / 2 and abs(y - top.location[1]) <= top.size[1] / 2:
+                return thing.world((x, y, top.location[2]))
+        return None
+
     def nearest_top(self, point: Vec2, within: float) -> Thing | None:
-        """Return the nearest thing with a top to put something on."""
+        """Return the nearest thing with a top to put something on; what is sat on is none where there is another."""
         tops = [t for t in self.things.values() if t.of_kind("top") and 0.3 < t.location[2] + t.size[2] < 1.4]
-        tops.sort(key=lambda t: math.dist(self.top_of(t, point)[:2], point))
-        return tops[0] if tops and math.dist(self.top_of(tops[0], point)[:2], point) < within else None
+        away = {t.node_id: math.dist(self.top_of(t, point)[:2], point) for t in tops}
+        near = [t for t in tops if away[t.node_id] < within]
+        return min(near, key=lambda t: (_is_seat(t), away[t.node_id]), default=None)
+
+
+def _is_seat(thing: Thing) -> bool:
+    """Tell whether the first of a thing's tops is what one sits or lies on."""
+    top = thing.of_kind("top")[0].location[2]
+    return any(seat.location[2] > top - UNDERFOOT for seat in thing.of_kind("seat", "bed"))
 
 
 def facing(start: Vec2, goal: Vec2) -> float:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
-from storyblender.agents.visual_effects_artist.floor import facing
+from storyblender.agents.visual_effects_artist.floor import Thing, facing
 from storyblender.agents.visual_effects_artist.person import Person, turn_between
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.memory.base import Vec3
@@ -21,6 +21,9 @@ BOX = 0.18
 """Metres of the second largest extent."""
 SEATED_REACH = 0.45
 """Metres from a seat's edge to what its sitter can take."""
+BEFORE, TO_THE_SIDE, AT_TABLE = 0.24, 0.20, 1.3
+"""Metres: how far before the edge of a sitter's seat, and at most how far aside, a thing is put down for them, by who
+comes that near."""
 ASIDE = math.radians(60)
 """What is farther aside than this is turned to before it is handled."""
 
@@ -158,16 +161,30 @@ class Handling:
             x, y = person.place
             spot: Vec3 = (x + 0.42 * person.k * math.sin(person.yaw), y - 0.42 * person.k * math.cos(person.yaw), 0.0)
         else:
-            spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
+            spot = self._spot_on(thing, person)
             if person.upright and math.dist(spot[:2], person.place) > REACH:
                 stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
                 if stand is not None:
                     t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
-                    spot = self.company.clear_of_props(self.company.floor.top_of(thing, person.place))
+                    spot = self._spot_on(thing, person)
         t = self.turn_to(person, spot, t)
         self.company.lay(person, prop, spot)
         rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
         return t, Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))
+
+    def _spot_on(self, thing: Thing, person: Person) -> Vec3:
+        """Return where something is put on a top: before who sits at it, towards who puts it there; else nearest."""
+        floor = self.company.floor
+        sitters = [p for p in self.company.people.values() if p.present and p.posture == "sit"]
+        for sitter in sorted(sitters, key=lambda each: math.dist(each.place, person.place)):
+            (x, y), yaw = sitter.place, sitter.yaw
+            away = (person.place[0] - x) * math.cos(yaw) + (person.place[1] - y) * math.sin(yaw)
+            aside = max(-TO_THE_SIDE, min(TO_THE_SIDE, away))
+            ahead = (x + BEFORE * math.sin(yaw), y - BEFORE * math.cos(yaw))
+            spot = floor.on_top(thing, (ahead[0] + aside * math.cos(yaw), ahead[1] + aside * math.sin(yaw)))
+            if spot is not None and math.dist(spot[:2], person.place) < AT_TABLE:
+                return self.company.clear_of_props(spot)
+        return self.company.clear_of_props(floor.top_of(thing, person.place))
 
     def turn_to(self, person: Person, spot: Vec3, t: float) -> float:
         """Face what the hands are about to work on; return the end."""

@@ -89,6 +89,8 @@ class Performer:
         self.bedside: object | None = None
         """The seat from which they lay down, and where they get up again."""
         self.held: dict[str, str] = {}
+        self.table: dict[str, Vector] = {}
+        """Where on the table they sit at each hand can lie; empty where there is none."""
         self.free: dict[str, float] = dict.fromkeys(("body", "head", "L", "R"), 0.0)
         self.place = Vector((0, 0, 0))
         self.facing, self.facing_back = IDENTITY, IDENTITY

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from mathutils import Euler, Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp, smooth
-from storyblender.blender.motion.hands import Triple, chest_yaw, hand, shoulder_rest
+from storyblender.blender.motion.hands import Triple, chest_yaw, fixed, hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageProp
 from storyblender.blender.motion.skeleton import frame, sign
@@ -25,6 +25,9 @@ STAFF, SLENDER, STAFF_GRIP = 0.7, 0.16, 1.0
 """Metres: how tall and how thin a staff is, and at most how high it is held."""
 SHEET = 0.012
 """Metres; thinner things are papers, and are carried on edge in a low hand, not level like a plate."""
+ON_TABLE, OVER_TABLE, CLEAR = 0.05, 0.12, 0.03
+"""Metres: what is held at a table is so much farther in than an empty hand (times k), and so much above the top (times
+k) where the palm that holds it would not be clear of it."""
 SETTLE = 0.3
 """Seconds in which a prop comes to its place in a new hand, while both move."""
 
@@ -172,9 +175,23 @@ def held_matrix(who: Performer, side: str, grip: Grip) -> Matrix:
 
 
 def carried(who: Performer, side: str, prop: PropPuppet) -> TargetOf:
-    """Where the hand carries a prop: upright, before the body; hanging for bags; both hands for large things."""
+    """Where the hand carries a prop: upright, before the body; hanging for bags; both hands for large things.
+
+    Who sits at a table has a cup stand on it, and a letter above it.
+    """
     grip = prop.grip(side)
     s, m = sign(side), who.m
+    if side in who.table and not (prop.two_handed or prop.hangs or prop.is_staff):
+        ahead = who.table[side].xy + who.forward * (ON_TABLE * m.k)
+        above = grip.palm.z if grip.palm.z > CLEAR else OVER_TABLE * m.k
+        turn = Matrix.Rotation(who.yaw, 3, "Z")
+        return fixed(
+            Vector((*ahead, who.table[side].z + above)),
+            turn @ grip.fingers,
+            turn @ grip.normal,
+            turn @ Vector((s * 0.5, 0.3, -0.85)),
+            grip.curl,
+        )
 
     def target(t: float) -> Floats:
         turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")

@@ -15,7 +15,7 @@ from storyblender.blender.render.lamps import lit
 from storyblender.blender.render.meter import SetLight, balanced
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
-from storyblender.blender.render.shot_light import PersonHead, ShotLight
+from storyblender.blender.render.shot_light import FACE_SHADOWS, SHADOWS, PersonHead, ShotLight
 from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
 from storyblender.look.exposure import Face, bright_half, find_faces, trim
@@ -45,7 +45,7 @@ class FrameRequest:
         hidden_node_ids: Wild walls, taken away for this shot.
         supersample: Size of the passes over the picture; None takes the look's.
         samples: Paths a pixel; None takes the look's.
-        shadows: Solve the lamps by the shadows they cast.
+        shadows: Solve the lamps by the shadows that they cast.
     """
 
     look: str = "board"
@@ -127,7 +127,8 @@ def render_frame(
         set_light = balanced(scene, lighting)
         plan = set_light.plan
         inked = aside.submit(_inked, passes.gbuffer, plan.fog, look, step)
-        shot = ShotLight(session, passes, set_light, people, step * look.light_step, shadows=request.shadows)
+        cast = (SHADOWS if look.light == "numpy" else FACE_SHADOWS) if request.shadows else {}
+        shot = ShotLight(session, passes, set_light, people, step * look.light_step, shadows=cast)
         lights = shot.set_lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
     gbuffer, through, ink = inked.result()

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -32,9 +33,10 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 
 _MOST_LIT_FACES = 4
-_SET_SHADOWS = 2
-"""Lamps of the set that get a shadow map; the sun and the keys always do."""
-_KEY_SHADOWS = 2
+SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 2, "set": 2})
+"""Lamps that get a shadow map, by role; practicals count with the set."""
+FACE_SHADOWS: Mapping[str, int] = MappingProxyType({"sun": 1, "key": 2})
+"""Enough to solve the faces, where a path tracer draws the shadows that are seen."""
 _LEAST_STRENGTH = 0.08
 """Share of the frame's light below which a lamp's shadow would not be seen."""
 
@@ -67,7 +69,7 @@ class ShotLight:
         set_light: Balanced light of the set.
         people: Everyone whose face may show.
         step: Pixels of the G-buffer for one pixel of light.
-        shadows: Draw the shadows of the lamps that matter; else ask of every lamp at each face whether it reaches it.
+        shadows: Lamps that get a shadow map, by role; of the others it is asked at each face whether they reach it.
     """
 
     def __init__(
@@ -78,7 +80,7 @@ class ShotLight:
         people: Sequence[PersonHead],
         step: int,
         *,
-        shadows: bool = True,
+        shadows: Mapping[str, int] = SHADOWS,
     ) -> None:
         self.gbuffer: GBuffer = passes.gbuffer.reduced(step)
         self.plan = set_light.plan
@@ -90,7 +92,7 @@ class ShotLight:
         self.roof_light = roof_light(self.plan, set_light.roofed, self._normal) * self._openness[..., None]
         lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)
         fields = [light_field(lamp, self._positions, self._normal) for lamp in lamps]
-        casting = self._casting(fields) if shadows else frozenset[int]()
+        casting = self._casting(fields, shadows)
         fields = self._with_shadows(session, fields, casting, _pixels_of(people, passes, self.gbuffer))
         from_set = total([f for f in fields if f.light.for_asset is None], ambient)
         bounce = bounce_light(self.albedo, from_set, ~self.gbuffer.sky, self._openness)
@@ -114,11 +116,11 @@ class ShotLight:
         """Return the (h, w, 3) illumination by every lamp."""
         return total(self.fields, self._around)
 
-    def _casting(self, fields: Sequence[LightField]) -> frozenset[int]:
+    def _casting(self, fields: Sequence[LightField], most: Mapping[str, int]) -> frozenset[int]:
         """Return which lamps matter enough to cast shadows."""
         shares = [strength(field, self.albedo) for field in fields]
         whole = max(sum(shares), 1e-9)
-        return _casting(fields, [share / whole for share in shares])
+        return _casting(fields, [share / whole for share in shares], most)
 
     def _with_shadows(
         self,
@@ -160,14 +162,14 @@ def _round_face(head: PersonHead) -> list[Vec3]:
     return [(x, y, z), (x + reach, y, z), (x - reach, y, z), (x, y + reach, z), (x, y - reach, z - reach)]
 
 
-def _casting(fields: Sequence[LightField], shares: Sequence[float]) -> frozenset[int]:
+def _casting(fields: Sequence[LightField], shares: Sequence[float], most: Mapping[str, int]) -> frozenset[int]:
     """Return which lamps get a shadow map: the sun, the strongest keys, the strongest lamps of the set."""
     by_share = sorted(range(len(fields)), key=lambda index: (-shares[index], index))
     chosen: list[int] = []
-    for kinds, most in ((("sun",), 1), (("key",), _KEY_SHADOWS), (("set", "practical"), _SET_SHADOWS)):
-        able = [index for index in by_share if fields[index].light.role in kinds and fields[index].amount.any()]
-        least = 0.0 if kinds != ("set", "practical") else _LEAST_STRENGTH
-        chosen += [index for index in able if shares[index] >= least][:most]
+    for kind, roles in (("sun", ("sun",)), ("key", ("key",)), ("set", ("set", "practical"))):
+        able = [index for index in by_share if fields[index].light.role in roles and fields[index].amount.any()]
+        least = _LEAST_STRENGTH if kind == "set" else 0.0
+        chosen += [index for index in able if shares[index] >= least][: most.get(kind, 0)]
     return frozenset(chosen)
 
 

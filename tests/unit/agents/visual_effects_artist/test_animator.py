@@ -18,6 +18,7 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSize
 from storyblender.memory.shot_context import (
+    AssetModification,
     Blocking,
     BodyState,
     CameraInstruction,
@@ -258,6 +259,45 @@ def test_a_prop_goes_from_hand_to_hand_to_table() -> None:
     assert state.location is not None
     assert state.location[2] == pytest.approx(0.75)
     assert state.held_by is None
+
+
+def test_what_is_put_down_for_somebody_at_a_table_is_before_them_on_it_not_on_their_chair() -> None:
+    chair = _thing("chair", (0.46, 0.48, 0.9), SEAT, Anchor(kind="top", location=(0, 0, 0.45), size=(0.42, 0.4)))
+    objects = tuple(
+        each if each.node_id != "chair_l" else each.model_copy(update={"location": (-0.75, 1.0, 0.0)})
+        for each in LAYOUT.objects
+    )
+    view = _view(
+        _shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), seconds=6, states=(
+            BodyState(asset_id="rick", held=("letter",)),
+            BodyState(asset_id="ilsa", posture="sit", support_id="chair_l"),
+        )),
+        _shot(2, _do("ilsa", "pick_up", prop_id="letter")),
+    )  # fmt: skip
+    view = view.model_copy(
+        update={
+            "assets": (chair, *(each for each in ASSETS if each.asset_id != "chair")),
+            "layout": LAYOUT.model_copy(update={"objects": objects}),
+        }
+    )
+    put, taken = AnimatorRules().propose(view).shots
+    (state,) = taken.prop_states
+    assert state.location is not None
+    assert state.location[2] == pytest.approx(0.75), "on the table, not on the chair"
+    sitter = _end(put, "ilsa").location
+    assert 0.2 < state.location[0] - sitter[0] < 0.5, "before her"
+    assert abs(state.location[1] - sitter[1]) < 0.25
+    assert _end(taken, "ilsa").held == (("R", "letter"),)
+
+
+def test_what_comes_out_of_a_pocket_is_not_seen_lying_about_before() -> None:
+    brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
+    before, after = _stage(
+        _shot(1), _shot(2, _do("rick", "take", prop_id="cup"), asset_modifications=(brought,), seconds=5)
+    )
+    assert [state.visible for state in before.prop_states] == [False]
+    assert _end(after, "rick").held == (("R", "cup"),)
+    assert "pick_up" not in _cues(after, "rick"), "not from the table"
 
 
 def test_drinking_walks_to_the_cup_and_picks_it_up() -> None:

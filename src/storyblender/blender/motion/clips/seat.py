@@ -10,7 +10,7 @@ from mathutils import Vector
 from storyblender.blender.motion.channel import smoothstep, turn_between
 from storyblender.blender.motion.clips.locomotion import face, step_to, travel
 from storyblender.blender.motion.clips.registry import clip
-from storyblender.blender.motion.clips.tabletop import bend_to, resting_place, table_before
+from storyblender.blender.motion.clips.tabletop import bend_to, places_on, resting_place, table_before
 from storyblender.blender.motion.ease import at_ease
 from storyblender.blender.motion.hands import on_thigh
 from storyblender.blender.motion.performer import Performer
@@ -95,13 +95,14 @@ def settle(stage: Stage, who: Performer, seat: Seat, t: float) -> float:
     who.hips.set(t + 0.38 * whole, 0.62 * whole, (0, dy, height, -4, 0, 0))
     hips = who.position - forward * back
     table = table_before(stage, who, hips, seat.height)
+    who.table = places_on(who, hips, table)
     who.spine.set(t + 0.5 * whole, 0.6 * whole, (bend_to(who, table), 0, 0))
     who.pinned.set(t, 0.9 * whole, 1.0)
     who.life.set(t, whole, 0.5)
     who.seated.set(t + 0.25 * whole, 0.70 * whole, 1.0)
     for side in SIDES:
         _seat_foot(who, side, t, whole, height, hips, forward)
-        who.home[side] = resting_place(stage, who, side, hips, table)
+        who.home[side] = resting_place(stage, who, side)
     refill_hands(stage, who, t + 0.15 * whole, 0.8 * whole)
     who.posture = "sit"
     return t + 1.1 * whole
@@ -204,6 +205,7 @@ def _release(stage: Stage, who: Performer, t: float, whole: float) -> None:
     who.pinned.set(t + 0.5 * whole, 0.4 * whole, 0.0)
     who.life.set(t + whole, 0.5, 1.0)
     who.lean_after.set(t + whole, 0, 1.0)
+    who.table = {}
     for side in SIDES:
         who.home[side] = at_ease(who, side)
     refill_hands(stage, who, t + 0.3 * whole, 0.7 * whole)

@@ -40,25 +40,35 @@ def bend_to(who: Performer, table: Table | None) -> float:
     return UPRIGHT if table is None else UPRIGHT + 45 * max(0.0, table.edge / who.m.k - 0.30)
 
 
-def resting_place(stage: Stage, who: Performer, side: str, hips: Vector, table: Table | None) -> TargetOf:
-    """Return where a free hand of somebody who sits rests.
+def places_on(who: Performer, hips: Vector, table: Table | None) -> dict[str, Vector]:
+    """Return where on a table before somebody who sits each of their hands lies; nothing where there is no table.
 
     Args:
-        stage: With its furniture and props.
         who: Sitting, or about to sit; planned yaw.
-        side: L or R.
         hips: On the floor plan.
         table: Before them, if there is one.
     """
     if table is None:
-        return on_thigh(who, side)
-    k, forward = who.m.k, who.forward
-    aside, beyond = (metres * k for metres in OUT[side])
+        return {}
     left = Vector((math.cos(who.yaw), math.sin(who.yaw)))
-    spot = hips + forward * (table.edge + beyond) + left * (sign(side) * aside)
-    if not _is_free(stage, spot, table.height):
+    return {
+        side: Vector(
+            (
+                *(hips + who.forward * (table.edge + beyond * who.m.k) + left * (sign(side) * aside * who.m.k)),
+                table.height,
+            )
+        )
+        for side, (aside, beyond) in OUT.items()
+    }
+
+
+def resting_place(stage: Stage, who: Performer, side: str) -> TargetOf:
+    """Return where a free hand of somebody who sits rests: on their table where its place is free, else on the lap."""
+    spot = who.table.get(side)
+    if spot is None or not _is_free(stage, spot):
         return on_thigh(who, side)
-    palm = Vector((*spot, table.height + 0.024 * k))
+    forward, left = who.forward, Vector((math.cos(who.yaw), math.sin(who.yaw)))
+    palm = spot + Vector((0, 0, 0.024 * who.m.k))
     fingers = Vector((*(forward - left * (0.5 * sign(side))), 0))
     pole = Vector((*(left * sign(side) - forward * 0.3), -0.3))
 
@@ -99,11 +109,12 @@ def _edge(piece: StageFurniture, top: Anchor, spot: Vector, forward: Vector) -> 
     return near if 0 < near < far else None
 
 
-def _is_free(stage: Stage, spot: Vector, height: float) -> bool:
+def _is_free(stage: Stage, spot: Vector) -> bool:
     """Tell whether nothing stands on a table where a palm would lie."""
     things = [(Vector(each.world[:3, 3].tolist()), each.dimensions) for each in stage.plan.furniture.values()]
-    things += [(each.matrix.translation, tuple(each.size)) for each in stage.props.values()]
+    loose = [prop for prop in stage.props.values() if prop.holder is None]
+    things += [(each.matrix.translation, tuple(each.size)) for each in loose]
     for place, size in things:
-        if abs(place.z - height) < 0.05 and (place.xy - spot).length < APART + 0.35 * max(size[:2]):
+        if abs(place.z - spot.z) < 0.05 and (place.xy - spot.xy).length < APART + 0.35 * max(size[:2]):
             return False
     return True
