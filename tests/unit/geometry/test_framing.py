@@ -8,8 +8,10 @@ from storyblender.geometry.framing import (
     SCALES,
     Figure,
     Film,
+    elevation_of,
     face_height,
     group,
+    group_from,
     insert,
     master,
     over_shoulder,
@@ -72,6 +74,22 @@ def test_a_wide_group_steps_back_until_all_are_in() -> None:
     crowd = [figure(f"p{i}", -3 + 1.5 * i, 0.3 * i, 0) for i in range(5)]
     xs = project(group(FILM, crowd, "MS", 0, 2, 50), [who.face for who in crowd])[0][:, 0]
     assert xs.min() > 0.15 and xs.max() < 0.85
+
+
+@pytest.mark.parametrize("angle", ["eye-level", "low angle", "high angle"])
+def test_a_full_shot_of_a_group_holds_heads_and_feet(angle: str) -> None:
+    spots = [spot for who in (ANNA, TOM) for spot in (who.crown, who.base)]
+    for azimuth in (0, 60):
+        camera = group(FILM, [ANNA, TOM], "FS", azimuth, elevation_of(angle, "FS"), 35)
+        ys = project(camera, spots)[0][:, 1]
+        assert ys.min() > 0 and ys.max() < 1
+    near = project(group_from(FILM, [ANNA, TOM], "FS", (0, -2.8, 1.0), 35, 18), spots)[0][:, 1]
+    assert near.min() > 0 and near.max() < 1, "where the room is short the lens is wide enough for the feet"
+
+
+def test_a_low_angle_of_whole_bodies_is_moderate() -> None:
+    assert elevation_of("low angle", "MS") < elevation_of("low angle", "FS") < -6
+    assert elevation_of("worm's-eye", "FS") == elevation_of("worm's-eye", "MS")
 
 
 @pytest.mark.parametrize("side", [1, -1])

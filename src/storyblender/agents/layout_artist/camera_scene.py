@@ -26,7 +26,7 @@ from storyblender.trace import Listener, silent
 _REST, _HEIGHT = 0.55, 0.5
 """Share of a shot in which nothing happens, and of what happens, at which it is drawn."""
 _ARRIVAL = 0.95
-"""Share of a way to somebody at which it is drawn: where it leads."""
+"""Share of a way to somebody at which it is drawn: where it leads, with the face turned to them."""
 _AT_REST = ("idle", "look", "listen", "turn")
 """Clips that tell nothing by themselves."""
 _ANSWERS = ("single", "reaction", "ots")

@@ -116,7 +116,7 @@ HUG = {"clip": "hug", "start": 120, "target_id": "tom"}
             100,
             140,
         ),
-        ([{"clip": "walk", "start": 5}], 160, 199),
+        ([{"clip": "walk", "start": 5}], 188, 197),
         ([{"clip": "walk", "start": 5}, {**TALK, "start": 100}], 100, 160),
         ([{"clip": "rise", "start": 5}, {"clip": "point", "start": 90, "duration": 60}], 90, 150),
         ([TAKE, {**HUG, "start": 210}], 80, 199),

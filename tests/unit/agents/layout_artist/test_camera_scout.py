@@ -15,6 +15,7 @@ from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import group, over_shoulder, project
+from storyblender.geometry.orbit import pan
 from storyblender.memory.scene_context import SceneSize
 
 ARCADE = Piece(
@@ -72,6 +73,14 @@ def test_sending_somebody_away_costs_a_little() -> None:
     away = replace(take, hidden=("guard",))
     assert cost(view, away) == pytest.approx(cost(view, kept) + CLEARED)
     assert "guard" not in take.hidden, "who is not in the picture need not go"
+
+
+def test_a_full_shot_that_cuts_the_feet_costs() -> None:
+    view = brief((ANNA, TOM), kind="action", size="FS", focus_on_ids=("anna", "tom"))
+    whole = start(view)
+    cut = replace(whole, camera=pan(whole.camera, 0.0, 0.15))
+    assert project(cut.camera, ANNA.base)[0][0, 1] > 1 > project(whole.camera, ANNA.base)[0][0, 1]
+    assert cost(view, cut) > cost(view, whole) + 0.5
 
 
 def test_nobody_walks_into_the_camera_and_one_of_several_may_leave_the_picture() -> None:
