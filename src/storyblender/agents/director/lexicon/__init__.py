@@ -117,7 +117,8 @@ INVERTING = frozenset(_rules["inverting"]) | {verb for verb, motion in MOTION_OF
 """Verbs whose subject may follow: ``Behind him trudges SERGEANT OAKE``."""
 
 # -- things ------------------------------------------------------------------------------------------------------
-ABSTRACT, BODY = frozenset(_nouns["abstract"]) | _wordnet["abstract"], frozenset(_nouns["body"])
+_SOLID = frozenset(noun for kind in ("prop", "worn", "set_piece") for noun in _nouns[kind])
+ABSTRACT, BODY = frozenset(_nouns["abstract"]) | (_wordnet["abstract"] - _SOLID), frozenset(_nouns["body"])
 PROPS, WORN, SET_PIECES, SCENERY = (
     frozenset(_nouns[kind]) | _wordnet[kind] for kind in ("prop", "worn", "set_piece", "scenery")
 )

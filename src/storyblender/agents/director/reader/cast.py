@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.by_names import nicknamed, tagged_name, worn_name
+from storyblender.agents.director.reader.later_names import call_by_nouns
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
@@ -99,6 +100,7 @@ def find_cast(script: Manuscript) -> Roster:
         if paragraph.kind == "action":
             _named_later(roster, paragraph.raw)
     _add_animals(roster, script)
+    call_by_nouns(roster, script.text)
     roster.link_variants()
     return roster
 

@@ -73,3 +73,15 @@ def _join(roster: Roster, named: Person, nameless: Person) -> None:
         if not getattr(named, look):
             setattr(named, look, getattr(nameless, look))
     roster.people.remove(nameless)
+
+
+def call_by_nouns(roster: Roster, text: str) -> None:
+    """``A MOVER``, later ``the mover``: the name is a noun for what they do, though no list knows it."""
+    for person in roster.people:
+        name = person.name.lower()
+        known = name in lexicon.FIRST_NAMES or lexicon.noun_class(name) != "unknown"
+        if person.role or known or not name.isalpha():
+            continue
+        shown = re.search(rf"\b(?i:an?|the) (?:[\w-]+ ){{0,2}}{name.upper()}\b", text)
+        if shown and re.search(rf"\bthe (?:[a-z-]+ )?{name}\b", text):
+            person.role = name

@@ -115,3 +115,9 @@ def test_names_in_any_latin_letters_are_whole_and_have_their_gender() -> None:
 
 def test_what_follows_a_dash_is_no_name() -> None:
     assert ids("— Where are you going? asked Marie.\n\n— Home, said Paul.\n\nShe took his arm.\n") == ["marie", "paul"]
+
+
+def test_a_calling_no_list_knows_is_met_without_capitals(read_scene: Read) -> None:
+    reading = read_scene("A MOVER (30s) backs in. Then the mover sits.")
+    assert [deed.motion for deed in reading.units[-1].deeds] == ["sit"]
+    assert [thing.id for thing in reading.things] == []
