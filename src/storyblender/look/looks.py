@@ -46,7 +46,7 @@ class Look:
 
 
 _ALL = (
-    Look("board", "Board", ("storyboard", "default", "inked", "colour"), light="cycles", light_step=4),
+    Look("board", "Board", ("storyboard", "default", "inked", "colour"), light="cycles", light_step=4, samples=4),
     Look("fast", "Fast board", ("draft", "quick", "preview"), light="numpy"),
     Look("pencil", "Pencil", ("graphite", "sketch", "drawing", "black and white"), light="numpy", style="pencil"),
     Look(

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
+from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import DOLLY, Orbit
@@ -19,6 +20,10 @@ AT_SIDE = 0.08
 """Share of the width at either side in which nobody of a group has the face: the frame would cut the body."""
 _PAST_OTHERS = 24.0
 """Degrees up to which several people are seen past each other before it reads as a high angle."""
+
+
+_PAST_SIDES = 30.0
+"""Degrees up to which whoever is in a boat is seen over its side."""
 
 
 def fault(kind: str, subject: str, severity: float, message: str, **fix: float | str) -> Fault:
@@ -87,6 +92,8 @@ def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
         high = max(high, 45.0)
     if brief.instruction.angle == "eye-level" and (brief.instruction.kind == "ots" or len(brief.people) > 2):
         high = max(high, _PAST_OTHERS)
+    if aboard(brief.props.values(), brief.people):
+        high = max(high, _PAST_SIDES)
     elevation = camera.elevation
     if low <= elevation <= high:
         return []

@@ -13,8 +13,8 @@ from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, Camer
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
-from storyblender.agents.layout_artist.camera_solids import body, holds, lidded, opened, solids
-from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start
+from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
+from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start, talks
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
 from storyblender.geometry.orbit import Floats, Orbit
@@ -23,8 +23,11 @@ from storyblender.geometry.sight import hidden
 _TURNS = (0, 15, -15, 30, -30, 48, -48, 70, -70, 95, -95, 125, -125, 155, -155, 180)
 _OVER_TURNS = (0, 8, -8, 16, -16, 28, -28, 40, -40)
 """Degrees to go round from the preferred azimuth; over a shoulder there is little choice."""
+_PROFILE_TURNS = (54, -54, 70, -70, 88, -88)
+"""Degrees to go further round over the shoulder of somebody who sees a back: to where faces are in profile."""
 _RISES = (0, 9)
 _HIGH_RISES = (0, 9, 19)
+_BOAT_RISES = (0, 9, 19, 27)
 """Degrees to go up; three people or more are seen past each other from higher, and so is who sits in a boat."""
 _NEAR = 0.3
 """Metres a camera needs from things."""
@@ -66,10 +69,11 @@ def scouted(brief: CameraBrief) -> list[Take]:
     """
     if brief.instruction.kind == "pov":
         return [start(brief)]
-    turns = _OVER_TURNS if shoulder(brief) is not None else _TURNS
+    turns, rises = _TURNS, _HIGH_RISES if len(brief.people) > 2 else _RISES
+    if (over := shoulder(brief)) is not None:
+        turns = _OVER_TURNS if talks(brief.people[0], over) else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[Take, float] = {}
-    aboard = any(holds(box, figure) for box in brief.props.values() for figure in brief.people)
-    for rise in _HIGH_RISES if len(brief.people) > 2 or aboard else _RISES:
+    for rise in _BOAT_RISES if aboard(brief.props.values(), brief.people) else rises:
         for turn in turns:
             take = start(brief, turn, rise)
             away = abs(turn) / 240 + rise / 45

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from storyblender.catalog.footprints import piece_boxes
@@ -52,6 +52,11 @@ def holds(box: Box, figure: Figure) -> bool:
     x, y = box.to_local(figure.base[0], figure.base[1])
     aboard = min(box.width / 2 - abs(x), box.depth / 2 - abs(y)) > _ABOARD
     return aboard and box.z < (figure.base[2] + figure.crown[2]) / 2 < box.top
+
+
+def aboard(boxes: Iterable[Box], people: Sequence[Figure]) -> bool:
+    """Return whether any of the people are in a thing, as in a boat."""
+    return any(holds(box, figure) for box in boxes for figure in people)
 
 
 def opened(boxes: Sequence[Box], figure: Figure) -> list[Box]:

@@ -160,14 +160,21 @@ def shoulder(brief: CameraBrief) -> Figure | None:
     if brief.instruction.kind != "ots" or over is None or not brief.people:
         return None
     lead = brief.people[0]
-    meets = brief.instruction.explicit or lead.turned_from(over.face) < _TALKS
+    meets = brief.instruction.explicit or talks(lead, over)
     return over if over.node_id != lead.node_id and meets else None
 
 
+def talks(lead: Figure, over: Figure) -> bool:
+    """Return whether somebody looks at the partner, so that the face is seen over the partner's shoulder."""
+    return lead.turned_from(over.face) < _TALKS
+
+
 def face_limit(brief: CameraBrief) -> float:
-    """Return the degrees a focus face may be turned from the camera: on the way, or watched going, it may turn."""
-    if brief.in_stride or (brief.instruction.kind == "ots" and brief.instruction.explicit):
+    """Return the degrees a focus face may be turned from the camera: on the way it may turn far."""
+    if brief.in_stride:
         return 150.0
+    if brief.instruction.kind == "ots" and brief.instruction.explicit:
+        return framing.FACE_ANGLE["two_shot"]
     return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)
 
 
