@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
 from storyblender.agents.layout_artist.camera_solids import aboard
+from storyblender.agents.layout_artist.camera_start import looks_after
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import DOLLY, Orbit
@@ -45,7 +46,13 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
     if not heads or kind in ("establishing", "pov"):
         return found
     found += _size(brief, [subject for _, subject in heads])
-    if len(heads) == 1 or kind == "ots":
+    over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
+    after = looks_after(brief)
+    if over is not None and over.face is not None and after is not None:
+        # Who looks after somebody and who goes are a group.
+        heads.append((after, over))
+        over = None
+    if len(heads) == 1 or over is not None:
         figure, subject = heads[0]
         assert figure is not None and subject.face is not None
         found += _lone_place(brief, camera, figure, subject)
@@ -59,7 +66,6 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         if aside > 0:
             text = "the frame cuts the people at its sides"
             found.append(fault("squeezed", heads[0][1].node_id, 1.0 + 10 * aside, text, dolly=-2.0, ops="zoom_out"))
-    over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
     bends = brief.walks and any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
     # The air above somebody bent is where they stood.
     return found if bends else found + _headroom(brief, [subject for _, subject in heads], over)

@@ -14,7 +14,7 @@ from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
-from storyblender.agents.layout_artist.camera_start import face_limit, shoulder, start, talks
+from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, shoulder, start
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
 from storyblender.geometry.orbit import Floats, Orbit
@@ -70,8 +70,8 @@ def scouted(brief: CameraBrief) -> list[Take]:
     if brief.instruction.kind == "pov":
         return [start(brief)]
     turns, rises = _TURNS, _HIGH_RISES if len(brief.people) > 2 else _RISES
-    if (over := shoulder(brief)) is not None:
-        turns = _OVER_TURNS if talks(brief.people[0], over) else (*_OVER_TURNS, *_PROFILE_TURNS)
+    if shoulder(brief) is not None:
+        turns = _OVER_TURNS if looks_after(brief) is None else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[Take, float] = {}
     for rise in _BOAT_RISES if aboard(brief.props.values(), brief.people) else rises:
         for turn in turns:

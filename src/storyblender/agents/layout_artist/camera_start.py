@@ -29,6 +29,8 @@ _SHORTEST = {"EWS": 0.1}
 _SHORT, _TALL = 0.19, 0.38
 _TALKS = 80.0
 """Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
+_SHOULDER_TURN = 45.0
+"""Degrees to go round to where two are beside each other, and no longer one before the other's shoulder."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
@@ -141,6 +143,8 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if over is not None:
         side = line_side(brief, lead, over)
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
+        if abs(turn) > _SHOULDER_TURN:
+            return framing.group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
         return grouped(brief, lens, group_azimuth(brief) + turn, elevation)
@@ -160,13 +164,14 @@ def shoulder(brief: CameraBrief) -> Figure | None:
     if brief.instruction.kind != "ots" or over is None or not brief.people:
         return None
     lead = brief.people[0]
-    meets = brief.instruction.explicit or talks(lead, over)
+    meets = brief.instruction.explicit or lead.turned_from(over.face) < _TALKS
     return over if over.node_id != lead.node_id and meets else None
 
 
-def talks(lead: Figure, over: Figure) -> bool:
-    """Return whether somebody looks at the partner, so that the face is seen over the partner's shoulder."""
-    return lead.turned_from(over.face) < _TALKS
+def looks_after(brief: CameraBrief) -> Figure | None:
+    """Return over whose shoulder the camera looks, if they see a back: the subject does not look at them."""
+    over = shoulder(brief)
+    return over if over is not None and brief.people[0].turned_from(over.face) >= _TALKS else None
 
 
 def face_limit(brief: CameraBrief) -> float:

@@ -7,6 +7,8 @@ import pytest
 from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
 
 from storyblender.agents.layout_artist.camera_brief import Moment, pose_at
+from storyblender.agents.layout_artist.camera_composition import AT_SIDE
+from storyblender.agents.layout_artist.camera_critic import CameraCritic
 from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_scout import CLEARED, cost, hidden_share, scouted
 from storyblender.agents.layout_artist.camera_solids import holds, opened, solids
@@ -117,6 +119,28 @@ def test_a_script_that_asks_for_a_shoulder_gets_it_even_if_the_subject_walks_awa
         view = brief((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=explicit)
         seen = project(start(view).camera, TOM.face)
         assert (0 < seen[0][0, 0] < 1 and seen[1][0] > 0) == over
+
+
+def test_who_is_looked_after_is_no_back_where_a_side_shows_more() -> None:
+    away = figure("anna", -0.6, 0, -90, 1.65)
+    view = brief((away, TOM), kind="ots", size="MS", focus_on_ids=("anna",), over_id="tom", explicit=True)
+    camera, residual, _ = shoot(view)
+    assert away.turned_from(camera.position) < 120 < away.turned_from(start(view).camera.position)
+    assert all(AT_SIDE < x < 1 - AT_SIDE for x in project(camera, [away.face, TOM.face])[0][:, 0]), "both are shown"
+    assert not [flaw for flaw in residual if flaw.kind in ("placement", "no_shoulder", "squeezed")]
+    back = [flaw.kind for flaw in CameraCritic(NumberFinder(view.moments, {})).judge(start(view), view).faults]
+    assert "face_away" in back
+
+
+def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
+    rower, friend = figure("anna", 0.4, 0, -90, 1.3), figure("tom", -0.4, 0, 90, 1.3)
+    view = brief([rower, friend], kind="action", size="MWS", focus_on_ids=("anna", "tom"))
+    boat = replace(view, props={"boat": Box(0, 0, 0, 3.4, 1.5, 0.75)})
+    for here, minded in ((view, True), (boat, False)):
+        take = start(here, 0, 27)
+        faults = CameraCritic(NumberFinder(here.moments, {})).judge(take, here).faults
+        assert ("angle" in [fault.kind for fault in faults]) == minded
+        assert (take in scouted(here)) != minded
 
 
 def test_a_group_is_held_wherever_one_of_it_walks() -> None:
