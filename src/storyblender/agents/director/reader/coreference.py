@@ -117,6 +117,7 @@ def _they(stage: Stage, role: Role, subjects: Sequence[Person], excluded: Sequen
         if (
             group
             and stage.roster.narrator not in group
+            and (not here or set(_ids(group)) & set(stage.scene.on))
             and discourse.sentence - sentence <= memory
             and not overlaps
             and not set(_ids(group)) & set(_ids(excluded))

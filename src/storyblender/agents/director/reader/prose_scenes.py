@@ -6,6 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
+from storyblender.agents.director.reader.morphology import form_kind
 from storyblender.agents.director.reader.scenes import same_place, time_of, weather_of
 from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import SceneType
@@ -15,6 +16,11 @@ _PLACE_PHRASE = re.compile(
     r"|above|upon|beside|round)\s+"
     r"(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))"
 )
+_NUMBERED = re.compile(
+    r"\b((?:room|cabin|cell|ward|suite|flat|apartment|compartment|berth|bay|platform|hangar|studio|laboratory|lab)"
+    rf" (?:number )?(?:\d+|{'|'.join(sorted(set(lexicon.NUMBERS) - {'a', 'an'}))}))\b"
+)
+"""``the door of Room Nine``."""
 _SENTENCE_END = re.compile(r"(?<=[.!?])(?<!Mr\.)(?<!Dr\.)(?<!Ms\.)(?<!Mrs\.)\s")
 _NOUN_PHRASE = re.compile(r"(?=\b(?:the|a|an|his|her|their)\s+((?:[a-z'’-]+\s+){0,3}[a-z'’-]+))")
 _TIME_JUMP = re.compile(
@@ -36,7 +42,11 @@ _NEXT_DAY = re.compile(
     r"\b(?:next|following) (?:day|morning|evening|night|afternoon)\b|(?:early |late )?next (?:day|morning|evening)\b"
 )
 """``In the pale sun next morning``: a scene of its own, where the last one was if it names no place."""
+_OTHER_TIME = re.compile(r"(?:that|in the|by|towards?|at) (?:\w+ )?(?:morning|evening|night|noon|dawn|dusk|midnight)\b")
+"""``In the morning there was an egg``: the same place, unless one is named."""
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
+_PLAIN = lexicon.ADJECTIVES | _SMALL | {"", "other", "next", "same", "whole", "own", "old", "empty", "single"}
+"""``the day room`` is a kind of room, ``the little room`` is not."""
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES
 
 
@@ -59,7 +69,9 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
             return None
         place = _place(opening, scenes) or (_place(told[1], scenes) if later and len(told) > 1 else "")
         next_day = _NEXT_DAY.match(opening) is not None
-        if not next_day and place in ("", scenes[-1].place):
+        hour = time_of(opening) if later else None
+        elapsed = hour is not None and hour != scenes[-1].time and _OTHER_TIME.match(opening) is not None
+        if not (next_day or elapsed) and place in ("", scenes[-1].place):
             return None
         place = place or scenes[-1].place
     else:
@@ -86,6 +98,9 @@ def _place(opening: str, scenes: list[SceneReading]) -> str:
     """The place a sentence happens in; a known kind of place wins over others, else the first named."""
     if _HOME.search(opening) and scenes:
         return scenes[0].place
+    numbered = _NUMBERED.search(opening)
+    if numbered:
+        return numbered.group(1)
     places = [
         _part(opening[: match.start()]) or _leading_place(match.group(1).split())
         for match in _PLACE_PHRASE.finditer(opening)
@@ -116,10 +131,11 @@ def _leading_place(words: list[str]) -> str:
         if word in lexicon.PLACES and not compound:
             before = words[index - 1] if index else ""
             pair = f"{before} {word}".strip()
-            return pair if before in lexicon.PLACES | _THINGS or pair in lexicon.PLACE_KINDS else word
+            of_a_kind = word == "room" and before not in _PLAIN and form_kind(before) in ("", "ing")
+            return pair if of_a_kind or before in lexicon.PLACES | _THINGS or pair in lexicon.PLACE_KINDS else word
     return ""
 
 
 def _scene_type(place: str) -> SceneType:
-    head = place.rpartition(" ")[2]
+    head = place.partition(" ")[0] if _NUMBERED.match(place) else place.rpartition(" ")[2]
     return "indoor" if head in lexicon.INDOOR and head not in lexicon.OUTDOOR else "outdoor"

@@ -170,7 +170,17 @@ def _open_scene(stage: Stage, sentence: Sentence) -> None:
     first = [word.low for word in sentence.words[:_CARRIED]]
     if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
         stage.scene.on = [person for person in before.on if person not in before.leaving]
+        single = next((lexicon.PRONOUNS[word] for word in first if word in ("they", "he", "she", "i", "we", "it")), "")
+        if single in ("male", "female"):
+            stage.scene.on = _of_whom_it_is_told(stage, stage.scene.on, single)
     stage.discourse.next_scene(keep_groups=prose)
+
+
+def _of_whom_it_is_told(stage: Stage, people: list[str], gender: str) -> list[str]:
+    """``That night she``: of several women there, the one the story has told most of."""
+    told = Counter(id for unit in stage.reading.units for id in unit.people)
+    fitting = [id for id in people if (person := stage.person(id)) and person.gender == gender]
+    return [max(fitting, key=lambda id: told[id])] if len(fitting) > 1 else people
 
 
 def _close(stage: Stage) -> None:

@@ -2,7 +2,9 @@
 
 from collections.abc import Callable
 
+from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
+from storyblender.screenplay.source import read
 
 Read = Callable[[str], Reading]
 PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
@@ -33,3 +35,22 @@ def test_whom_a_picture_shows_is_not_there(read_scene: Read) -> None:
         "She picks up a picture of Tom and Ana. Another of Tom, Joe and Ana at the sea. The photo shows Tom standing."
     )
     assert reading.units[-1].on_stage == ["kate"]
+
+
+def test_prose_changes_scene_with_the_hour_and_knows_numbered_rooms() -> None:
+    reading = read_script(
+        read(
+            "On Sunday Dora walked into the day room with a bag. Mr. Bhatt was asleep in the armchair.\n\n"
+            "Dora sat down beside him. A nurse called Ada came in and shook her head. Dora smiled.\n\n"
+            "That night she tapped at the door of Room Nine in her dressing gown. Mr. Bhatt let her in.\n\n"
+            "They sat on the bed and watched.\n\nIn the morning there was an egg. Mr. Bhatt picked it up.\n"
+        )
+    )
+    assert [(scene.place, scene.time) for scene in reading.scenes] == [
+        ("day room", "day"),
+        ("room nine", "night"),
+        ("room nine", "morning"),
+    ]
+    night = [unit for unit in reading.units if unit.scene == 1]
+    assert night[0].on_stage == ["dora"], "the one the story has told most of"
+    assert {deed.actor for deed in night[-1].deeds} == {"dora", "mr_bhatt"}
