@@ -23,6 +23,8 @@ UNDERFOOT, OVERHEAD = 0.12, 2.0
 BODY = 0.24
 """Metres, times stature over 1.7: the disc a standing person takes."""
 PADDING = 0.10
+TOPS, ROOMY = (0.32, 1.4), 0.25
+"""Metres: heights of tops on which things are put down, and how far across such a top is at least."""
 PERSONAL = 0.55
 """Metres between two people who have nothing to do with each other."""
 
@@ -257,10 +259,16 @@ class Floor:
 
     def nearest_top(self, point: Vec2, within: float) -> Thing | None:
         """Return the nearest thing with a top to put something on; what is sat on is none where there is another."""
-        tops = [t for t in self.things.values() if t.of_kind("top") and 0.3 < t.location[2] + t.size[2] < 1.4]
+        tops = [t for t in self.things.values() if _has_room_on_top(t)]
         away = {t.node_id: math.dist(self.top_of(t, point)[:2], point) for t in tops}
         near = [t for t in tops if away[t.node_id] < within]
         return min(near, key=lambda t: (_is_seat(t), away[t.node_id]), default=None)
+
+
+def _has_room_on_top(thing: Thing) -> bool:
+    """Tell whether something can be put on a thing: not in a flowerpot, not on a wardrobe."""
+    top = next(iter(thing.of_kind("top")), None)
+    return top is not None and min(top.size) > ROOMY and TOPS[0] < thing.location[2] + top.location[2] < TOPS[1]
 
 
 def _is_seat(thing: Thing) -> bool:

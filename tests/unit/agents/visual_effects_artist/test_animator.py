@@ -290,6 +290,17 @@ def test_what_is_put_down_for_somebody_at_a_table_is_before_them_on_it_not_on_th
     assert _end(taken, "ilsa").held == (("R", "letter"),)
 
 
+def test_nothing_is_put_down_in_a_flowerpot() -> None:
+    pot = _thing("pot", (0.4, 0.4, 1.1), Anchor(kind="top", location=(0, 0, 0.6), size=(0.2, 0.2)))
+    states = (BodyState(asset_id="rick", held=("letter",)),)
+    view = _view(_shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states), _shot(2))
+    layout = LAYOUT.model_copy(update={"objects": (_at("pot", -1, -0.4), *LAYOUT.objects)})
+    after = AnimatorRules().propose(view.model_copy(update={"assets": (pot, *ASSETS), "layout": layout})).shots[1]
+    (state,) = after.prop_states
+    assert state.location is not None
+    assert state.location[2] == pytest.approx(0.75), "on the table, though the pot is nearer"
+
+
 def test_what_comes_out_of_a_pocket_is_not_seen_lying_about_before() -> None:
     brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
     before, after = _stage(
