@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import bpy
 import pytest
 from mathutils import Vector
@@ -67,3 +69,16 @@ def test_what_is_held_at_a_table_stands_on_it_and_is_lifted_over_it(bodies: dict
     glass, letter = shot.props["glass"], shot.props["letter"]
     assert glass[-1][2][3] == pytest.approx(0.75, abs=0.01)
     assert 0.80 < letter[-1][2][3] < 1.0
+
+
+@pytest.mark.parametrize(("away", "most"), [(0.5, 33), (0.62, 43)])
+def test_who_stands_at_a_table_bows_no_deeper_than_the_hand_needs(
+    bodies: dict[str, Body], away: float, most: float
+) -> None:
+    props = {"cup": StageProp(world_at(0.05, -away, 0.75), (0.08, 0.08, 0.1), node_id="cup")}
+    takes = cue_of("man", "pick_up", 4, prop_id="cup", hand="R")
+    shot = perform(bodies, (mark_at("man", 0, 0),), (takes,), 4, props=props)
+    assert shot.problems == (), "and the hand is there"
+    play = Playback(bodies["man"], shot, "man")
+    trunks = [play.joint("neck", frame) - play.joint("hips", frame) for frame in range(10, 60, 4)]
+    assert max(math.degrees(math.atan2(trunk.xy.length, trunk.z)) for trunk in trunks) < most

@@ -197,14 +197,20 @@ def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:
 
 
 def strongest(lamps: Sequence[Light], view: View) -> list[Light]:
-    """Return the lamps that matter to this camera: sun and face lamps, then the brightest near the picture's middle."""
-    always = [lamp for lamp in lamps if lamp.kind == "SUN" or lamp.for_asset is not None]
+    """Return the lamps that matter to this camera: sun, lamps of faces in or near it, the brightest near its middle."""
+    always = [lamp for lamp in lamps if lamp.kind == "SUN" or (lamp.for_asset is not None and _near(lamp, view))]
     middle = view.eye - view.axes[:, 2] * 4.0
     rest = sorted(
         (lamp for lamp in lamps if lamp.kind != "SUN" and lamp.for_asset is None),
         key=lambda lamp: (-_reach(lamp, middle), lamp.name),
     )
     return always + rest[:_MOST_LAMPS]
+
+
+def _near(lamp: Light, view: View) -> bool:
+    """Return whether the face that the lamp is for is in the picture, or at most half a picture beside it."""
+    column, row, depth = (float(value) for value in view.project(np.asarray(lamp.target)))
+    return depth > 0 and abs(column / view.width - 0.5) < 1 and abs(row / view.height - 0.5) < 1
 
 
 def _reach(lamp: Light, point: np.ndarray) -> float:

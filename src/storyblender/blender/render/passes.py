@@ -12,15 +12,18 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.session import RenderSession, changed
 from storyblender.look.gbuffer import FAR, GBuffer, View
-from storyblender.look.raster import Window
+from storyblender.look.raster import Image, Window
 from storyblender.look.surface import PERSON, Surface
 
 NORMAL_MATCAP = "check_normal+y.exr"
 _HAS_SKIN_COLORS = 16
 """Added to the class of objects whose albedo is in vertex colours."""
+_AS_NEAR = 1e-4
+"""Difference of depth, as a share of it, up to which two pictures show the same thing."""
 _BAND = 128
 """Rows decoded at a time; keeps the float32 temporaries small."""
 
@@ -96,32 +99,38 @@ def has_painted_skin(obj: bpy.types.Object) -> bool:
 
 
 def render_glow(
-    session: RenderSession, frames: Sequence[int], width: int, height: int, *, window: Window | None = None
-) -> list[NDArray[np.float32]]:
+    session: RenderSession, frames: Sequence[int], view: View, depths: Sequence[Image], window: Window | None = None
+) -> list[Image]:
     """Return the (h, w, 3) light that the things in the picture give off, frame by frame; no G-buffer needed.
+
+    Only what glows is drawn again, and seen where nothing stands before it.
 
     Args:
         session: The shot.
         frames: Timeline frames.
-        width: Pixels of the whole picture.
-        height: Pixels of the whole picture.
+        view: The camera; gives the size of the whole picture.
+        depths: Of each frame's picture, metres.
         window: The part to draw; None is all.
     """
     materials = list(bpy.data.materials)
     glow_color, glow_gain = _glow_of(materials)
-    used = {slot.material for obj in session.visible_objects() for slot in obj.material_slots}
-    shown = np.array([False, *(material in used for material in materials)])
-    if not (shown & (glow_color.any(axis=1) | (glow_gain > 0))).any():
-        return [np.zeros((*(window.shape if window else (height, width)), 3), np.float32) for _ in frames]
-    with flat_workbench(session.scene):
+    lit = {material for index, material in enumerate(materials, 1) if glow_color[index].any() or glow_gain[index] > 0}
+    dark = [obj for obj in session.visible_objects() if not any(slot.material in lit for slot in obj.material_slots)]
+    if len(dark) == len(session.visible_objects()):
+        return [np.zeros((*depth.shape, 3), np.float32) for depth in depths]
+    size = (view.width, view.height)
+    glows: list[Image] = []
+    with flat_workbench(session.scene), out_of_picture(dark):
         with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
-            indices = [
-                _index(channels, materials) for channels in session.exr_frames(frames, width, height, window=window)
-            ]
+            pictures = session.exr_frames(frames, *size, depth=True, window=window)
+        indices = [
+            np.where(channels["Depth.Z"] <= depth * np.float32(1 + _AS_NEAR), _index(channels, materials), 0)
+            for channels, depth in zip(pictures, depths, strict=True)
+        ]
         glows = [glow_color[index] for index in indices]
         if any(glow_gain[index].any() for index in indices):
             with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
-                pictures = session.exr_frames(frames, width, height, window=window)
+                pictures = session.exr_frames(frames, *size, window=window)
             for glow, index, channels in zip(glows, indices, pictures, strict=True):
                 glow += color(channels) * glow_gain[index][..., None]
     return glows

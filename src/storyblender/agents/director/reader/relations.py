@@ -22,7 +22,9 @@ _Stated = tuple[str, RelationKind, str]
 _STATIVE = lexicon.words("stative")
 _AT_REST = lexicon.words("at_rest")
 """Verbs that tell where a thing is, not what somebody does."""
-_ARRIVING = frozenset({"drop", "emerge", "step", "watch", "follow", "appear", "stop", "pause"})
+_TURNING = frozenset({"turn", "hesitate"})
+"""``turns at the door``."""
+_ARRIVING = frozenset({"drop", "emerge", "step", "watch", "follow", "appear", "stop", "pause"}) | _TURNING
 """Verbs that place only relative to people: behind, before, beside."""
 _STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide", "crouch"})
 _PLACING = lexicon.words("placing")
@@ -31,10 +33,19 @@ _THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
 _ATTACHING, _SURFACES, _GAZE = lexicon.words("attaching"), lexicon.words("surfaces"), lexicon.words("gaze")
 _BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
 """Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
-_COMING_TO_REST, _WHERE = lexicon.words("coming_to_rest"), ("on", "in", "into", "onto", "under", "behind", "beneath")
+_COMING_TO_REST, _WHERE = (
+    lexicon.words("coming_to_rest"),
+    ("on", "to", "in", "into", "onto", "under", "behind", "beneath"),
+)
 _AT_WORK = frozenset({"cook", "eat", "drink", "read", "write", "type", "work", "cut", "clean", "pour", "play_music"})
 _CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
 """``eats a sandwich on a ladder``: it is the eater who is on it."""
+_BOXES = frozenset({"crate", "box", "trunk", "barrel", "chest", "basket", "suitcase", "bucket"})
+"""Somebody sits on them, but things are put in them."""
+_BACKING = frozenset(
+    {"back", "press", "flatten", "shrink", "retreat", "stagger", "crash", "slam", "lean", "prop", "brace"}
+)
+"""``backs against the wall``."""
 _HOLDING = frozenset({"hold", "raise", "lift", "wave", "swing"})
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _OPENINGS = frozenset({"door", "window", "gate"})
@@ -68,7 +79,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     found: list[_Stated] = []
     if located:
         for place in _telling_places(stage, clause, roles, motion):
-            found += _placed(stage, clause, place, located)
+            found += _placed(stage, clause, place, located, motion)
         if _is_still(clause, roles, motion):
             _between(stage, roles, located)
         elif motion in ("climb", "jump") and not clause.opening:
@@ -97,7 +108,7 @@ def _has_furniture(stage: Stage, place: Place) -> bool:
 def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
     """The places of a clause that tell where its subject is once it is over."""
     if _is_still(clause, roles, motion):
-        return roles.places
+        return [place for at, place in enumerate(roles.places) if not (at and _goes_with(roles.places[at - 1], place))]
     if clause.opening:
         return roles.places[-clause.opening :]
     if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
@@ -109,8 +120,16 @@ def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | No
         for place in roles.places
         if (place.preposition == "at" and motion in _AT_WORK and _has_furniture(stage, place))
         or (place.preposition in ("on", "in") and motion in _CONSUMING and not place.people)
-        or (place.preposition in _BESIDE and (place.people or not roles.things))
+        or (place.preposition == "against" and clause.verb in _BACKING and not roles.things and bool(place.things))
+        or (place.preposition in _BESIDE and (place.people or not roles.things + roles.people))
     ]
+
+
+def _goes_with(before: Place, place: Place) -> bool:
+    """``sits with her feet on the desk``: the feet are on it."""
+    return (
+        before.preposition == "with" and bool(before.things) and place.preposition in ("on", "over", "under", "across")
+    )
 
 
 def _puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
@@ -126,9 +145,10 @@ def _onto(roles: Roles, located: list[str]) -> list[_Stated]:
     return [(subject, "on", chair) for chair in chairs for subject in located]
 
 
-def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> list[_Stated]:
+def _placed(stage: Stage, clause: Clause, place: Place, located: list[str], motion: str | None) -> list[_Stated]:
     kind = lexicon.relation_of(place.preposition)
-    kind = "on" if place.preposition == "to" and clause.verb in _ATTACHING else kind
+    grounded = not stage.person(located[0]) and any(stage.inventory.head(thing) in _FLOOR for thing in place.things)
+    kind = "on" if place.preposition == "to" and (clause.verb in _ATTACHING or grounded) else kind
     if kind is None or kind == "between" or place.preposition == "down":
         return []
     past_it = place.preposition == "across" and clause.verb == "be" and stage.person(located[0]) is not None
@@ -137,7 +157,17 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str]) -> l
     if kind == "on" and any(stage.inventory.head(thing) in _OPENINGS for thing in place.things):
         return []  # with his hand upon the gate
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
-    if clause.verb in _ARRIVING and kind not in ("behind", "in_front_of", "next_to") and not doorway:
+    doorway |= (
+        kind == "at"
+        and clause.verb in _TURNING
+        and any(stage.inventory.head(thing) in _OPENINGS for thing in place.things)
+    )
+    if (
+        clause.verb in _ARRIVING
+        and motion != "sit"
+        and kind not in ("behind", "in_front_of", "next_to")
+        and not doorway
+    ):
         return []
     anchors = [person.id for person in place.people]
     anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]
@@ -169,7 +199,7 @@ def _exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> Rel
     head = stage.inventory.head(anchor)
     if kind == "on" and verb in ("lean", "slouch"):
         return "against"
-    if kind == "in" and head in lexicon.SEATS:
+    if kind == "in" and head in lexicon.SEATS and not (verb == "put" and head in _BOXES):
         return "on"
     return "next_to" if kind == "at" and head in _OPENINGS else kind
 
@@ -220,7 +250,7 @@ def _put(stage: Stage, roles: Roles) -> list[_Stated]:
         kind = "on" if place.preposition == "to" and stage.sentence.verb in _ATTACHING else kind
         if kind not in ("on", "in", "under", "next_to", "behind", "against", "in_front_of"):
             continue
-        beside = kind == "in_front_of" or (roles.people and kind in ("behind", "next_to"))
+        beside = kind in ("in_front_of", "next_to") or (roles.people and kind == "behind")
         anchors = [person.id for person in place.people if beside]
         anchors += [
             thing

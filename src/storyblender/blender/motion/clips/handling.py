@@ -21,6 +21,8 @@ from storyblender.geometry.paths import clearance
 
 ARM_AND_LEAN = 1.45
 """Arm lengths on the floor that a standing person can reach, leaning."""
+REACH_OF_HAND = 0.7
+"""Share of the hand that lengthens an arm: the palm is at the place, not the wrist."""
 KNEE = 0.35
 """Metres; what lies lower is squatted to deeply."""
 TURN_IN_HAND = 0.6
@@ -88,7 +90,7 @@ def reach_down(who: Performer, t: float, duration: float, place: Vector) -> floa
 
     def falls_short(depth: float) -> bool:
         ahead, height = _shoulders(who, sink, bend * depth)
-        return math.hypot(away - 0.10 * k * (1 - depth) - ahead, place.z - height) > m.arm
+        return math.hypot(away - 0.10 * k * (1 - depth) - ahead, place.z - height) > m.arm + REACH_OF_HAND * m.hand
 
     depth = low
     while depth < 1 and falls_short(depth):
