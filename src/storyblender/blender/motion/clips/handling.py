@@ -21,8 +21,8 @@ from storyblender.geometry.paths import clearance
 
 ARM_AND_LEAN = 1.45
 """Arm lengths on the floor that a standing person can reach, leaning."""
-REACH_OF_HAND = 0.7
-"""Share of the hand that lengthens an arm: the palm is at the place, not the wrist."""
+REACH_OF_HAND = 0.4
+"""Share of the hand that lengthens an arm, also where it lies across: the palm is at the place, not the wrist."""
 KNEE = 0.35
 """Metres; what lies lower is squatted to deeply."""
 TURN_IN_HAND = 0.6
