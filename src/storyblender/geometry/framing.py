@@ -85,7 +85,7 @@ _HATS = 0.12
 """Highest that the crowns of a group go: some of them wear hats."""
 _LOWER = 0.1
 """Most that a whole body lower than a standing one goes down in the picture."""
-_BODIES = 0.85
+_BODIES = 0.83
 """Most of the picture's height that whole bodies take in a group."""
 _LOW_WHOLE = 0.5
 """What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
