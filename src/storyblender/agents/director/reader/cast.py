@@ -101,8 +101,17 @@ def find_cast(script: Manuscript) -> Roster:
             _named_later(roster, paragraph.raw)
     _add_animals(roster, script)
     call_by_nouns(roster, script.text)
+    if not roster.people:
+        _add_unnamed(roster, script)
     roster.link_variants()
     return roster
+
+
+def _add_unnamed(roster: Roster, script: Manuscript) -> None:
+    """``She leaves. He stays.`` and nobody has a name: a woman and a man."""
+    for paragraph in script.paragraphs:
+        for word in re.finditer(r"\b(?:he|she)\b", paragraph.raw, re.IGNORECASE) if paragraph.kind == "action" else ():
+            roster.add("Woman" if word.group().lower() == "she" else "Man", paragraph.start + word.start())
 
 
 def _in_action(script: Manuscript, text: str, start: int, cues: set[str]) -> list[_Sighting]:

@@ -69,6 +69,9 @@ def resolve_pronoun(
     if role in ("object", "other"):
         pool = [person for person in pool if person not in subjects] or pool
     pool = [person for person in pool if person not in excluded]
+    if not pool and role == "subject":
+        pool = [person for person in stage.roster.people if person.gender == gender and person.kind == "human"]
+        pool = pool if len(pool) == 1 else []
     if not pool:
         return []
 

@@ -38,6 +38,8 @@ _NO_QUALITY = frozenset({"set_piece", "prop", "scenery", "body", "abstract"})
 _COPULAS = lexicon.words("copulas")
 _PARTS = lexicon.words("parts")
 """``the handle of the mop`` is the mop."""
+_VEHICLE_PARTS = lexicon.words("vehicle_parts")
+"""``on the hood of a car`` is on the car, ``the roof of the house`` is a roof."""
 _SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
 _SOME_OF = frozenset({"one", "some", "both", "each", "all", "none", "most", "another", "two", "half"})
 _NOBODY = frozenset({"we", "i", "you"})
@@ -214,8 +216,8 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     noun = singular(words[head].low)
     if end == first + 1 and not determiner and possessor is None and noun in _BARE and not _predicated(words, at):
         return None
-    whole = _whole(words, end) if noun in lexicon.MEASURES | _PARTS else None
-    if whole:
+    whole = _whole(words, end) if noun in lexicon.MEASURES | _PARTS | _VEHICLE_PARTS else None
+    if whole and whole.noun and (noun not in _VEHICLE_PARTS or whole.noun.head in lexicon.VEHICLES):
         return replace(whole, first=at)
     key = _compound(words, first, head, noun)
     thing = NounPhrase(

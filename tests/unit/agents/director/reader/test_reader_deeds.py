@@ -147,3 +147,17 @@ def test_who_works_at_a_knot_is_nowhere(read_scene: Read) -> None:
 
 def test_a_hot_dog_is_food(read_scene: Read) -> None:
     assert ("bob", "eat") in {deed[:2] for deed in told(read_scene, "Bob bites into a hot dog. The hot dog is cold.")}
+
+
+def test_common_turns_of_phrase(read_scene: Read) -> None:
+    people = "JOE (40, a man) sits on a chair. KATE (35, a woman) stands.\n\n"
+    for action, motion in (
+        ("Joe hauls himself out of the chair.", "stand_up"),
+        ("Kate comes around the table.", "walk"),
+        ("Kate starts towards the kitchen.", "walk"),
+        ("Kate looks at the letter for a long time.", "look"),
+        ("Kate pages through the book.", "read"),
+        ("Kate retakes her seat.", "sit"),
+        ("Kate reaches for the next book.", "take"),
+    ):
+        assert [deed.motion for deed in read_scene(people + action).units[-1].deeds] == [motion], action

@@ -121,3 +121,9 @@ def test_a_calling_no_list_knows_is_met_without_capitals(read_scene: Read) -> No
     reading = read_scene("A MOVER (30s) backs in. Then the mover sits.")
     assert [deed.motion for deed in reading.units[-1].deeds] == ["sit"]
     assert [thing.id for thing in reading.things] == []
+
+
+def test_who_has_no_name_is_a_woman_and_a_man(read_scene: Read) -> None:
+    reading = read_scene("She leaves. He stays.")
+    assert [person.id for person in reading.people] == ["woman", "man"]
+    assert reading.units[-1].on_stage == ["man"]

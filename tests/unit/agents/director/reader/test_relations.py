@@ -19,6 +19,7 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("A newspaper slides to the floor.", ("newspaper", "on", "floor")),
         ("Joe carries a chair in and sets it down next to Kate.", ("chair", "next_to", "kate")),
         ("Joe stacks records in a crate.", ("record", "in", "crate")),
+        ("Joe sits on the hood of a car.", ("joe", "on", "car")),
         ("Joe motions Kate behind the curtain.", ("kate", "behind", "curtain")),
     ],
 )
