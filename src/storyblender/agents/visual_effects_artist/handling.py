@@ -21,7 +21,7 @@ BOX = 0.18
 """Metres of the second largest extent."""
 SEATED_REACH = 0.45
 """Metres from a seat's edge to what its sitter can take."""
-BEFORE, TO_THE_SIDE, AT_TABLE = 0.34, 0.15, 1.3
+BEFORE, TO_THE_SIDE, AT_TABLE = 0.27, 0.18, 1.3
 """Metres: how far before the edge of a sitter's seat, and at most how far aside, a thing is put down for them, by who
 comes that near."""
 ASIDE = math.radians(60)
