@@ -14,7 +14,7 @@ from storyblender.memory.jobs import PackRef
 from storyblender.ports import Embedder
 from storyblender.project import Project
 from storyblender.reflection import Critic, Outcome, Policy, reflect
-from storyblender.settings import Settings
+from storyblender.settings import Role, Settings
 from storyblender.trace import Event, Listener
 
 View = TypeVar("View")
@@ -72,7 +72,7 @@ class Run:
 
     def reflect(
         self,
-        role: str,
+        role: Role,
         subject: str,
         view: View,
         policy: Policy[View, Draft],
