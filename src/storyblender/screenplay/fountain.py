@@ -187,6 +187,8 @@ class _Reader:
     def _kind(self, index: int) -> ElementKind:
         """Classify the line at ``index`` by its forcing mark, or by its form and its neighbours."""
         words = self.lines[index].words
+        if not words:  # a boneyard and nothing beside it
+            return "action"
         before = index == 0 or not self.lines[index - 1].words
         after = index + 1 == len(self.lines) or self.lines[index + 1].blank
         forced = self._forced(words)

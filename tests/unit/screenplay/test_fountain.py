@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from storyblender.errors import InputError
@@ -201,6 +201,7 @@ _PIECES = st.sampled_from(
 )  # fmt: skip
 
 
+@example("@/*\r  \rINT.*/", None)
 @given(st.one_of(st.text(), st.lists(_PIECES).map("".join)), st.sampled_from([None, "fountain", "prose"]))
 def test_any_text_is_read_or_refused_and_spans_are_verbatim(text: str, form: str | None) -> None:
     try:
