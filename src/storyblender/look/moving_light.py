@@ -106,7 +106,8 @@ class MovingLight:
         step = 2 if frame.view.width % 2 == 0 and frame.view.height % 2 == 0 else 1
         view, chosen = frame.view.reduced(step), tuple(strongest(lamps, frame.view))
         held, touched = self._held, any_of(frame.changed, step)
-        if held is None or not same_view(held.view, view) or _moved(held.lamps, chosen):
+        begins = held is None or not same_view(held.view, view) or _moved(held.lamps, chosen)
+        if held is None or begins:
             held, touched = _Held(view, chosen), np.ones((view.height, view.width), bool)
         held.depth = every(frame.depth, step)
         open_sky = np.float32(1) - every(frame.coverage, step)
@@ -117,7 +118,7 @@ class MovingLight:
         for window in around:
             touched |= _shaped(held, window, fresh)
         self._work_out(held, fresh, open_sky[fresh])
-        if touched.all():
+        if begins:
             self._bounce(held, every(frame.albedo, step), open_sky)
         self._held = held
         return [

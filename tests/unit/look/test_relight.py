@@ -107,3 +107,15 @@ def test_a_lamp_that_moves_lights_the_whole_picture_anew():
     assert mover.light(frame, [lamp]) == []
     ((window, _),) = mover.light(frame, [lamp.model_copy(update={"location": (2, 1, 2.5)})])
     assert window == FRAME.view.whole
+
+
+def test_a_picture_drawn_whole_again_keeps_its_light():
+    plan = Lighting(sky=DARK, ambient=(0.1, 0.1, 0.1))
+    lamp = Light(name="lamp", kind="POINT", location=(1, 1, 2.5), power=80)
+    albedo, glow = FRAME.albedo.astype(np.float32), np.zeros((108, 192, 3), np.float32)
+    everywhere = np.ones_like(FRAME.sky)
+    coverage = (~FRAME.sky).astype(np.float32)
+    frame = FlatFrame(albedo, coverage, FRAME.depth, glow, everywhere, everywhere, FRAME.view)
+    mover = MovingLight(plan, 1.0)
+    pictures = [mover.light(frame, [lamp])[0][1] for _ in range(3)]
+    assert np.abs(pictures[1] - pictures[0]).max() < 1e-5 and np.abs(pictures[2] - pictures[0]).max() < 1e-5

@@ -70,7 +70,7 @@ def _whole(
     width, height = views[0].width, views[0].height
     with out_of_picture(movement.unseen):
         pictures = session.exr_frames(frames, width, height, depth=True)
-        glows = render_glow(session, frames, views[0], [channels["Depth.Z"] for channels in pictures])
+        glows = render_glow(session, frames, (width, height), [channels["Depth.Z"] for channels in pictures])
     for channels, view, glow in zip(pictures, views, glows, strict=True):
         yield _flat(channels, view, glow)
 
@@ -80,7 +80,7 @@ def _plate(session: RenderSession, frame: Sequence[int], movement: Movement) -> 
     view = movement.views[0]
     with out_of_picture((*movement.unseen, *movement.movers)):
         (channels,) = session.exr_frames(frame, view.width, view.height, depth=True)
-        (glow,) = render_glow(session, frame, view, [channels["Depth.Z"]])
+        (glow,) = render_glow(session, frame, (view.width, view.height), [channels["Depth.Z"]])
     return _flat(channels, view, glow)
 
 
@@ -89,7 +89,8 @@ def _parts(view: View, session: RenderSession, frames: Sequence[int], movement: 
     window, movers = movement.window, set(movement.movers)
     with out_of_picture(obj for obj in session.scene.objects if obj.type in DRAWN and obj not in movers):
         pictures = session.exr_frames(frames, view.width, view.height, depth=True, window=window)
-        glows = render_glow(session, frames, view, [channels["Depth.Z"] for channels in pictures], window)
+        depths = [channels["Depth.Z"] for channels in pictures]
+        glows = render_glow(session, frames, (view.width, view.height), depths, window)
     for channels, glow in zip(pictures, glows, strict=True):
         yield _flat(channels, view.cropped(window), glow)
 

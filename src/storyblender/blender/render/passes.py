@@ -99,7 +99,11 @@ def has_painted_skin(obj: bpy.types.Object) -> bool:
 
 
 def render_glow(
-    session: RenderSession, frames: Sequence[int], view: View, depths: Sequence[Image], window: Window | None = None
+    session: RenderSession,
+    frames: Sequence[int],
+    size: tuple[int, int],
+    depths: Sequence[Image],
+    window: Window | None = None,
 ) -> list[Image]:
     """Return the (h, w, 3) light that the things in the picture give off, frame by frame; no G-buffer needed.
 
@@ -108,7 +112,7 @@ def render_glow(
     Args:
         session: The shot.
         frames: Timeline frames.
-        view: The camera; gives the size of the whole picture.
+        size: Width and height of the whole picture, pixels.
         depths: Of each frame's picture, metres.
         window: The part to draw; None is all.
     """
@@ -118,7 +122,6 @@ def render_glow(
     dark = [obj for obj in session.visible_objects() if not any(slot.material in lit for slot in obj.material_slots)]
     if len(dark) == len(session.visible_objects()):
         return [np.zeros((*depth.shape, 3), np.float32) for depth in depths]
-    size = (view.width, view.height)
     glows: list[Image] = []
     with flat_workbench(session.scene), out_of_picture(dark):
         with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
