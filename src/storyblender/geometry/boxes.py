@@ -86,6 +86,11 @@ def wrapped(angle: float) -> float:
     return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
+def turn_between(a: float, b: float) -> float:
+    """Return the shortest turn from angle ``a`` to ``b``, radians."""
+    return wrapped(b - a)
+
+
 def facing(dx: float, dy: float) -> float:
     """Return the yaw in radians that looks along (dx, dy)."""
     return math.atan2(dx, -dy)

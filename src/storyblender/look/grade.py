@@ -13,7 +13,6 @@ from storyblender.look.raster import Image
 
 AGX_CONTRAST = "AgX - High Contrast"
 """Keeps faces, deepens the room and gives a sunny street its sparkle (chosen by eye among the five)."""
-AGX_SOFT = "AgX - Base Contrast"
 
 
 def to_display(image: Image, contrast: str = AGX_CONTRAST) -> Image:

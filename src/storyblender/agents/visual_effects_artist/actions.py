@@ -11,8 +11,9 @@ from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, Cu
 from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
 from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.meetings import Meetings
-from storyblender.agents.visual_effects_artist.person import SEATED, Person, turn_between
+from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.geometry.boxes import turn_between
 from storyblender.memory.shot_context import CharacterAction
 from storyblender.memory.vocabulary import Posture
 

@@ -9,8 +9,9 @@ from collections.abc import Sequence
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import Crossing, aboard, vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, facing
-from storyblender.agents.visual_effects_artist.person import Person, turn_between
+from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.motions import MOTIONS, natural_seconds, turning_seconds
+from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2, path_length
 from storyblender.memory.shot_context import CharacterAction, Cue, Mark, PropState
 

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
 from storyblender.agents.visual_effects_artist.floor import Thing, facing
-from storyblender.agents.visual_effects_artist.person import Person, turn_between
+from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.geometry.boxes import turn_between
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CharacterAction, Mark
 

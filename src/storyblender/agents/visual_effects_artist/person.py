@@ -62,8 +62,3 @@ class Person:
     def free_hand(self) -> Hand | None:
         """Return an empty hand, the right one first."""
         return "R" if "R" not in self.held else "L" if "L" not in self.held else None
-
-
-def turn_between(a: float, b: float) -> float:
-    """Return the shortest turn from yaw ``a`` to ``b``, radians."""
-    return (b - a + math.pi) % (2 * math.pi) - math.pi

@@ -44,11 +44,6 @@ def clamp(x: float, low: float = 0.0, high: float = 1.0) -> float:
     return low if x < low else high if x > high else x
 
 
-def turn_between(a: float, b: float) -> float:
-    """Return the shortest turn from angle ``a`` to ``b``, radians."""
-    return (b - a + math.pi) % (2 * math.pi) - math.pi
-
-
 @dataclass(frozen=True)
 class Key:
     """Blend to ``target`` from ``start`` on, in ``duration`` seconds.

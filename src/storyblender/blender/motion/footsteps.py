@@ -9,11 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 from mathutils import Vector
 
-from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep, turn_between
+from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep
 from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, other
 from storyblender.catalog.motions import TURN_IN_STRIDE
+from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2
 
 TURN_FIRST = math.radians(TURN_IN_STRIDE)

@@ -20,7 +20,6 @@ Triple = tuple[float, float, float]
 RELAXED: Triple = (16, 22, 0)
 FLAT: Triple = (6, 8, 0)
 FIST: Triple = (75, 85, 30)
-POINTING: Triple = (2, 80, 25)
 ELBOW: Triple = (0.5, -0.5, -0.85)
 """Default elbow direction: outwards, forwards, up."""
 

@@ -85,10 +85,6 @@ class Inventory:
         """The ids of all nouns so far."""
         return list(self._by_id)
 
-    def is_thing(self, id: str) -> bool:
-        """Whether an id was given to a thing, not to a person."""
-        return id in self._by_id
-
     def story_things(self) -> list[tuple[Thing, bool]]:
         """Everything for the asset sheet in order of appearance, and whether its noun is unknown."""
         things: list[tuple[Thing, bool]] = []

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from mathutils import Vector
 
-from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep, turn_between
+from storyblender.blender.motion.channel import Floats, clamp, smooth, smoothstep
 from storyblender.blender.motion.clips.locomotion import NEAR, face, goal_of, step_to
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import refill_hands
@@ -18,6 +18,7 @@ from storyblender.blender.motion.hands import hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.geometry.boxes import turn_between
 
 SPEED = 0.55
 """Metres per second at k = 1."""

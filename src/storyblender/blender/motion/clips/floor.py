@@ -7,7 +7,7 @@ import math
 import numpy as np
 from mathutils import Matrix, Vector
 
-from storyblender.blender.motion.channel import Floats, TargetOf, turn_between
+from storyblender.blender.motion.channel import Floats, TargetOf
 from storyblender.blender.motion.clips.gaze import look_at, mood
 from storyblender.blender.motion.clips.locomotion import step_to, travel
 from storyblender.blender.motion.clips.registry import clip
@@ -17,6 +17,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import standing
 from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.geometry.boxes import turn_between
 
 
 def to_mark(stage: Stage, who: Performer, beat: Beat) -> float:

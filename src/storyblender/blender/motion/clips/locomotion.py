@@ -7,13 +7,14 @@ import math
 import numpy as np
 from mathutils import Vector
 
-from storyblender.blender.motion.channel import Floats, clamp, smooth, turn_between
+from storyblender.blender.motion.channel import Floats, clamp, smooth
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.footsteps import RUN, SNEAK, STAGGER, TURN_FIRST, WALK, Footsteps, Style, Way
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import other
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.motions import TURN_STEP, TURN_STEP_SECONDS
+from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2, waiting_time
 
 NEAR = 0.06

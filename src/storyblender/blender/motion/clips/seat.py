@@ -7,7 +7,7 @@ import math
 import numpy as np
 from mathutils import Vector
 
-from storyblender.blender.motion.channel import smoothstep, turn_between
+from storyblender.blender.motion.channel import smoothstep
 from storyblender.blender.motion.clips.locomotion import face, step_to, travel
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.tabletop import bend_to, places_on, resting_place, table_before
@@ -17,6 +17,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import carried
 from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Seat, Stage
+from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import BEFORE_SEAT
 from storyblender.memory.shot_context import Mark
 
