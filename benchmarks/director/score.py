@@ -10,7 +10,8 @@ A ``.gold`` file is a script with lines of answers after the paragraph they are 
     | rel: folder on table                      relations stated
     | pro: it=folder; They=nora+ben             what pronouns mean, in order
 
-Run ``python benchmarks/director/score.py [-v] FILES``; ``-v`` lists what was missed and what was too much.
+The rules of annotation are in ``ANNOTATING.md``. Run ``python benchmarks/director/score.py [-v] FILES``; ``-v`` lists
+what was missed and what was too much.
 """
 
 from __future__ import annotations
