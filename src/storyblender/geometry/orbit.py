@@ -129,11 +129,6 @@ def between(position: ArrayLike, target: ArrayLike, lens: float, *, roll: float 
     return stand(target, azimuth, elevation, distance, lens, roll=roll, **film)
 
 
-def safe_distance(radius: float, fov: float, margin: float = 1.15) -> float:
-    """Return d(0) = r lambda / sin(alpha / 2), at which a bounding sphere is in the picture."""
-    return radius * margin / math.sin(fov / 2)
-
-
 def pan(camera: Orbit, dx: float, dy: float) -> Orbit:
     """Move the camera and its pivot across the picture: by shares of its height, right and up; 1:1 at the pivot."""
     axes, eta = camera.axes, camera.frame_height

@@ -1,4 +1,3 @@
-import math
 from dataclasses import replace
 
 import numpy as np
@@ -6,7 +5,7 @@ import pytest
 
 from storyblender.geometry.framing import project
 from storyblender.geometry.moves import eased, followed, in_between, moved
-from storyblender.geometry.orbit import between, dolly, orbit, pan, roll, safe_distance, stand, swivel
+from storyblender.geometry.orbit import between, dolly, orbit, pan, roll, stand, swivel
 
 CAMERA = stand((0.3, 1.0, 1.5), 30, 10, 4, 50)
 
@@ -57,11 +56,6 @@ def test_swivel_keeps_the_position() -> None:
     assert turned.position == pytest.approx(CAMERA.position)
     screen, _ = project(turned, CAMERA.pivot)
     assert screen[0, 0] > 0.5 and screen[0, 1] < 0.5
-
-
-def test_safe_distance_holds_the_sphere() -> None:
-    distance = safe_distance(1.0, CAMERA.fov)
-    assert math.asin(1 / distance) < CAMERA.fov / 2
 
 
 def test_between_looks_from_a_place_to_a_target() -> None:

@@ -19,10 +19,9 @@ from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import lane, way
 from storyblender.geometry.relations import Room, Thing, rides
 from storyblender.geometry.solver import solve
-from storyblender.memory.base import Vec2, content_hash, scene_name
+from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Layout
-from storyblender.reflection import Critique, Fault, Outcome, Policy, reflect
-from storyblender.trace import Listener, silent
+from storyblender.reflection import Critique, Fault
 
 _REACH = 0.55
 """Metres before a target where somebody must be able to stand."""
@@ -159,27 +158,3 @@ def _missing(draft: Layout, view: LayoutBrief) -> list[Fault]:
         for asset_id in wanted
         if asset_id not in present
     ]
-
-
-def plan_layout(
-    brief: LayoutBrief, *, policy: Policy[LayoutBrief, Layout] | None = None, listener: Listener = silent
-) -> Outcome[Layout]:
-    """Return the scene's layout with its critique: no faults, or those that are left.
-
-    Args:
-        brief: The scene.
-        policy: Another policy than the rules; the rules take over where it does not converge.
-        listener: Receives the trace.
-    """
-    rules = SpatialRules()
-    return reflect(
-        "spatial_planner",
-        scene_name(brief.scene_id),
-        brief,
-        policy or rules,
-        LayoutCritic(),
-        threshold=9.9,
-        horizon=3,
-        fallback=rules if policy is not None else None,
-        listener=listener,
-    )

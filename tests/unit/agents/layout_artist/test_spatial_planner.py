@@ -5,7 +5,7 @@ import pytest
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
 from storyblender.agents.layout_artist.layout_things import layout_violations
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules, plan_layout
+from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.asset_sheet import Anchor, Asset
@@ -13,6 +13,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, Layout, LayoutObject, Relation, SceneContext, SceneSetup
 from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, ShotContext
+from storyblender.reflection import Outcome, reflect
 
 SEAT = Anchor(kind="seat", location=(0, -0.24, 0.46), size=(0.46, 0.45))
 DESK = Anchor(kind="top", location=(0, -0.05, 0.76), size=(1.2, 0.4))
@@ -68,6 +69,10 @@ def brief(pending=(), relations=(), people=(), **more) -> LayoutBrief:
     return LayoutBrief(
         1, SceneSetup(asset_ids=ids, relations=related), MEASURES, plan(), pending=tuple(pending), states=states, **more
     )
+
+
+def plan_layout(view: LayoutBrief) -> Outcome[Layout]:
+    return reflect("spatial_planner", "SC010", view, SpatialRules(), LayoutCritic(), threshold=9.9, horizon=3)
 
 
 def solved(view: LayoutBrief) -> dict[str, LayoutObject]:
