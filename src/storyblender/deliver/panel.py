@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -13,6 +14,8 @@ from storyblender.memory.shot_context import ShotContext
 
 Way = Literal["left", "right", "up", "down", "in", "out"]
 """Where a camera goes or turns, as its picture shows it."""
+STOPS = (".", "!", "?", "…", ":", "。", "！", "？")
+"""What ends a sentence."""
 STILL = 0.02
 """Metres moved, or radians turned, below which a camera stands still."""
 KIND_LABEL = {
@@ -37,6 +40,7 @@ class Panel:
         shot: Its context.
         start: First frame on the story's timeline.
         fps: Frames a second.
+        action: The script's action lines in its own words, as they read without what stands before and after.
     """
 
     name: str
@@ -45,6 +49,7 @@ class Panel:
     shot: ShotContext
     start: int
     fps: int
+    action: str
 
     @property
     def lens(self) -> float:
@@ -96,11 +101,6 @@ class Panel:
         return self.shot.duration / self.fps
 
     @property
-    def action(self) -> str:
-        """The script's action lines, verbatim."""
-        return " ".join(line.text.strip() for line in self.outline.lines if line.kind == "action")
-
-    @property
     def dialogue(self) -> tuple[ScriptLine, ...]:
         """The speeches, verbatim."""
         return tuple(line for line in self.outline.lines if line.kind == "dialogue")
@@ -112,12 +112,43 @@ def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
     result: list[Panel] = []
     start = 0
     for scene in graph.outline:
+        lines = [line for outline in scene.shots for line in outline.lines]
+        told = 0
         for outline in scene.shots:
             shot = contexts[scene.scene_id, outline.shot_id]
             name = shot_name(scene.scene_id, outline.shot_id)
-            result.append(Panel(name, scene, outline, shot, start, graph.format.fps))
-            start += shot.duration
+            action = _action(lines, told, told + len(outline.lines))
+            result.append(Panel(name, scene, outline, shot, start, graph.format.fps, action))
+            start, told = start + shot.duration, told + len(outline.lines)
     return result
+
+
+def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
+    """Return the action lines of a shot: a capital where only a direction is left out, an ellipsis within a sentence.
+
+    Args:
+        lines: All lines of the scene.
+        first: Index of the shot's first line.
+        end: The index after its last.
+    """
+    texts: list[str] = []
+    for index in range(first, end):
+        text = lines[index].text.strip()
+        if lines[index].kind != "action" or not text:
+            continue
+        if text[0].islower() and not (index and _goes_on(lines[index - 1])):
+            text = text[0].upper() + text[1:]
+        elif text[0].islower() and index == first:
+            text = f"… {text}"
+        if index == end - 1 and end < len(lines) and _goes_on(lines[index]) and lines[end].text.strip()[:1].islower():
+            text += " …"
+        texts.append(text)
+    return " ".join(texts)
+
+
+def _goes_on(line: ScriptLine) -> bool:
+    """Whether a line of action stops before its sentence does."""
+    return line.kind == "action" and not line.text.rstrip(" \n\"'”’)]").endswith(STOPS)
 
 
 def timecode(frame: int, fps: int) -> str:

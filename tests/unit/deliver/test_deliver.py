@@ -67,6 +67,34 @@ def test_panels_are_laid_end_to_end(graph: ContinuityMemoryGraph) -> None:
     assert timecode(25, 12) == "00:00:02:01"
 
 
+@pytest.mark.parametrize(
+    ("texts", "read"),
+    [
+        (("He waits.", "he sings louder than all."), ("He waits.", "He sings louder than all.")),
+        (("He walks to her", "until he sees the gun."), ("He walks to her …", "… until he sees the gun.")),
+        (("A sign reads OPEN", "Ilsa waits."), ("A sign reads OPEN", "Ilsa waits.")),
+        (("“Go!”", "éric goes."), ("“Go!”", "Éric goes.")),
+    ],
+)
+def test_words_under_a_picture_read_alone(
+    graph: ContinuityMemoryGraph, texts: tuple[str, str], read: tuple[str, str]
+) -> None:
+    scene = graph.outline[0]
+    lines = [ScriptLine(kind="action", text=text, span=SourceSpan(start=0, end=9)) for text in texts]
+    shots = [shot.model_copy(update={"lines": (line,)}) for shot, line in zip(scene.shots, lines, strict=True)]
+    apart = graph.model_copy(update={"outline": (scene.model_copy(update={"shots": tuple(shots)}),)})
+    assert tuple(panel.action for panel in panels(apart)) == read
+
+
+def test_clauses_in_one_picture_are_one_sentence(graph: ContinuityMemoryGraph) -> None:
+    scene = graph.outline[0]
+    texts = ("She turns,", "and goes.")
+    lines = tuple(ScriptLine(kind="action", text=text, span=SourceSpan(start=0, end=9)) for text in texts)
+    shots = (scene.shots[0].model_copy(update={"lines": lines}), scene.shots[1])
+    joined = graph.model_copy(update={"outline": (scene.model_copy(update={"shots": shots}),)})
+    assert panels(joined)[0].action == "She turns, and goes."
+
+
 @pytest.mark.parametrize("layout", ["grid", "single"])
 def test_board_is_a_pdf_with_every_panel_and_is_reproducible(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path, layout: str
