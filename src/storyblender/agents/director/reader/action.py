@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader import changes, deeds, distances, entrances, relations, states
+from storyblender.agents.director.reader import changes, deeds, distances, entrances, exits, relations, states
 from storyblender.agents.director.reader.body_parts import motion_of_part
 from storyblender.agents.director.reader.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.coreference import Referents, remember, resolve_owner, resolve_pronoun
@@ -134,7 +134,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     seen = entrances.subjects_enter(stage, clause, roles.subjects)
     if roles.subjects and (clause.main or not stage.sentence.subjects):
         stage.sentence.subjects = roles.subjects
-    entrances.left_alone(stage, clause, roles.subjects)
+    exits.left_alone(stage, clause, roles.subjects)
+    exits.found_gone(stage, clause, roles.subjects)
     if not roles.subjects and not stage.sentence.subjects:
         _owner_is_subject(stage, clause)
     resolve_objects(stage, clause, roles, previous)
@@ -148,7 +149,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         resolve_owner(stage, noun, "possessor", roles.subjects, previous)
         stage.discourse.last_thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
     _dress(stage, roles)
-    entrances.seen_off(stage, clause, roles)
+    exits.seen_off(stage, clause, roles)
+    exits.taken_away(stage, clause, roles)
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return
@@ -160,7 +162,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     motion = motion or _pose(stage, clause, roles)
     if roles.subjects and motion:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
-        entrances.leave(stage, clause, roles, motion)
+        exits.leave(stage, clause, roles, motion)
 
 
 def _agents(clause: Clause, roles: Roles) -> list[Person]:

@@ -1,14 +1,13 @@
-"""Who is on stage: entrances, exits, and mentions that are neither (notes of the director, 1e)."""
+"""Who comes on stage, and mentions of people who do not (notes of the director, 1e)."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
 
-from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
 from storyblender.agents.director.reader.people_meant import resolve_mention
-from storyblender.agents.director.reader.roles import Place, Roles
+from storyblender.agents.director.reader.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reader.words import Word
 from storyblender.agents.director.reading import Person
@@ -19,15 +18,6 @@ _NEAR = (
     "to", "at", "behind", "beside", "with", "by", "toward", "towards", "near", "against", "between", "in front of",
     "next to", "from", "around", "past", "over", "under",
 )  # fmt: skip
-_LEAVING = re.compile(
-    r"(exit|leave|depart|withdraw|retire|vanish|disappear|flee|escape"
-    r"|(drive|slip|steal|ride|run|walk|hurry) (away|off))$"
-)
-_TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "ride", "drive"})
-_OTHER = frozenset({"another", "next", "other", "adjoining"})
-_WEATHER = lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
-_STAYING = frozenset({"stand", "be", "remain", "stay"})
-_COMING_OUT = frozenset({"back", "crawl", "pull", "step", "burst", "come", "get", "look", "emerge", "climb", "lean"})
 _PICTURE_OF = re.compile(
     r"\b(photo|photograph|picture|portrait|painting|statue|name|letter|news|memory|voice|dream) (of|from)\b"
     r"|\b(about|without|like|unlike|named|called|calls|misses|remembers|expects|awaits)"
@@ -79,16 +69,6 @@ def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> 
     return seen
 
 
-def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
-    """``Rick stands alone in the fog.``: all others have gone. ``alone at a table`` says nothing about them."""
-    alone = any(word.low == "alone" and word.verb is None for word in stage.sentence.words)
-    spot = any(phrase.head not in _WEATHER for _, phrases in clause.places for phrase in phrases)
-    if alone and subjects and clause.verb in _STAYING and not spot and not (clause.negated or clause.unreal):
-        here = {person.id for person in subjects}
-        stage.scene.leaving += [p for p in stage.scene.on if p not in here and p not in stage.scene.leaving]
-        clear_exits(stage)
-
-
 def objects_enter(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
     """People who are touched, spoken to or stood beside are on stage too."""
     physical = bool(roles.subjects) and not stage.sentence.pictured
@@ -128,53 +108,3 @@ def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
             if not elsewhere and person.id not in stage.scene.off_screen:
                 stage.enter(person)
                 stage.involve(person)
-
-
-def seen_off(stage: Stage, clause: Clause, roles: Roles) -> None:
-    """``The door closed behind their guest``, ``watched him down the road``: he is gone."""
-    doors = [thing for thing in roles.subject_things if stage.inventory.head(thing) == "door"]
-    shut = clause.verb in ("close", "shut", "slam") and doors and not roles.subjects
-    gone = roles.people_after("behind") if shut else []
-    if clause.verb in ("watch", "see") and roles.prepositions & {"down", "out of", "along"}:
-        gone = roles.people
-    stage.scene.leaving += [p.id for p in gone if p not in roles.subjects and p.id not in stage.scene.leaving]
-
-
-def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
-    """Note exits; they take effect after the sentence."""
-    phrase = f"{clause.verb} {clause.particle}".strip()
-    indoors = stage.place.scene_type == "indoor"
-    goes = _LEAVING.match(phrase) or _LEAVING.match(clause.verb)
-    goes_out = (
-        motion in _TRAVEL and clause.particle in ("out", "off", "away", "outside") and clause.verb not in _COMING_OUT
-    ) or (motion in _TRAVEL and indoors and "out of" in roles.prepositions and clause.verb not in _COMING_OUT)
-    goes_out |= motion in _TRAVEL and indoors and any(_is_another_room(stage, place) for place in roles.places)
-    if not (goes or goes_out) or clause.verb == "slip":
-        return
-    left_behind = clause.verb == "leave" and any(
-        stage.inventory.class_of(thing) in ("prop", "body", "worn") for thing in roles.things
-    )
-    if left_behind or (not indoors and "into" in roles.prepositions):
-        return
-    stage.scene.leaving += [person.id for person in roles.subjects if person.id not in stage.scene.leaving]
-
-
-def _is_another_room(stage: Stage, place: Place) -> bool:
-    """``runs for his room``, ``goes into Ana's bedroom``, ``rushes into another room``: none of this scene."""
-    words = stage.sentence.words
-    return place.preposition in ("into", "to", "for") and any(
-        noun.kind == "thing"
-        and noun.head in lexicon.INDOOR
-        and (noun.head == "room" or noun.head not in stage.place.place.lower().split())
-        and (noun.possessor is not None or {w.low for w in words[max(0, noun.index - 2) : noun.index]} & _OTHER)
-        for noun in place.nouns
-    )
-
-
-def clear_exits(stage: Stage) -> None:
-    """Take those who left off the stage, before the next unit."""
-    for person in stage.scene.leaving:
-        if person in stage.scene.on:
-            stage.scene.on.remove(person)
-        stage.scene.held.pop(person, None)
-    stage.scene.leaving = []

@@ -8,7 +8,7 @@ from collections import Counter
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
 from storyblender.agents.director.reader.cast import find_cast
-from storyblender.agents.director.reader.entrances import clear_exits
+from storyblender.agents.director.reader.exits import clear_exits
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, open_manuscript
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.prose_cast import find_prose_cast

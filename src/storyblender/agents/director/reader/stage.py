@@ -78,6 +78,8 @@ class SceneState:
     named: set[str] = field(default_factory=set)
     leaving: list[str] = field(default_factory=list)
     """They go when the sentence is over."""
+    gone: list[str] = field(default_factory=list)
+    """They went with the last sentence."""
     off_screen: set[str] = field(default_factory=set)
     """Heard but not seen yet."""
     posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
