@@ -116,6 +116,9 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         elif phrase.text == "who":
             nouns = [p.noun for p in builder.phrases[max(0, index - _NEAR) : index] if p.noun]
             builder.relative = [noun for noun in nouns if noun.kind == "person"][-1:]
+        elif phrase.text in ("that", "which") and _verb_touches(builder, index):
+            nouns = [p.noun for p in builder.phrases[max(0, index - 2) : index] if p.noun]
+            builder.relative = nouns[-1:]
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
     if builder.clauses:
@@ -131,14 +134,21 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     return builder.clauses
 
 
+def _verb_touches(builder: _Builder, index: int) -> bool:
+    """``the letter that lies there``, but not ``that man``, ``that she lies``."""
+    following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
+    return following is not None and following.kind == "verb"
+
+
 def _give_to_inverted(clauses: list[Clause]) -> None:
-    """``Under the stairs, sitting on a suitcase, is DOLORES``: it is Dolores who sits."""
+    """``Under the stairs, sitting on a suitcase, is DOLORES``: it is Dolores who sits; ``Propped up is a broom``."""
     if not clauses:
         return
     *before, last = clauses
     if last.subject or not last.object or last.verb not in lexicon.INVERTING | {"be"}:
         return
-    if last.object[0].kind == "person" and all(clause.participle and clause.elided for clause in before):
+    somebody = last.object[0].kind == "person"
+    if all((clause.passive or (clause.participle and somebody)) and clause.elided for clause in before):
         for clause in before:
             clause.subject, clause.elided = last.object, False
 
@@ -215,7 +225,15 @@ def _subject(builder: _Builder, index: int, verb: VerbForm) -> list[NounPhrase]:
     touches = left is not None and left.kind == "noun" and left.noun is not None
     if before and verb.kind == "ing" and touches and before.verb in PERCEIVING and before.object and not before.places:
         return list(before.object)
+    if before and left and left.noun and not builder.pending and _describes(left.noun, verb):
+        return [left.noun]
     return list(builder.pending or builder.subject)
+
+
+def _describes(noun: NounPhrase, verb: VerbForm) -> bool:
+    """``grabs the gun lying there``, ``reads a note pinned to the door``: it is the gun that lies."""
+    resting = verb.kind == "ing" and verb.lemma in _RESTING
+    return noun.kind != "pronoun" and (resting or (verb.kind == "pp" and noun.kind == "thing"))
 
 
 def _is_unreal(builder: _Builder, index: int) -> bool:
@@ -291,14 +309,16 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         return
     if clause is None:
         return
-    builder.aside = noun.kind == "thing" and left is not None and left.text == ","
+    goes_on = listed and bool(clause.object) and not clause.places and _list_ends(builder.phrases, index)
+    apart = (left is not None and left.text == ",") or bool(listed and clause.object and clause.places)
+    builder.aside = noun.kind == "thing" and apart and not goes_on
     if builder.aside and not clause.object:
         clause.asides.append(noun)
         return
     of_both = bool(clause.places) and clause.places[-1][0] == "of" and clause.places[-1][1][-1].kind == noun.kind
     if left and left.kind == "link" and left.text == "and" and clause.places and (of_both or not clause.object):
         clause.places[-1][1].append(noun)
-    elif linked and clause.object and noun.kind == "person":
+    elif linked and clause.object and (noun.kind == "person" or (goes_on and clause.object[0].kind == "thing")):
         clause.object.append(noun)
     elif clause.object and left and left.kind == "noun" and _receives(clause.object[0]) and noun.kind == "thing":
         clause.recipient, clause.object = clause.object, [noun]
@@ -311,6 +331,18 @@ def _is_absolute(phrases: list[Phrase], index: int) -> bool:
     left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
     participle = following is not None and following.verb is not None and following.verb.kind in ("ing", "pp")
     return left.text in (",", "while", "with", "as") and participle
+
+
+def _list_ends(phrases: list[Phrase], index: int) -> bool:
+    """``a pistol, a map and a key``: whether the noun here is one of a list that an ``and`` closes."""
+    while index > 0 and index < len(phrases) and phrases[index].kind == "noun":
+        if phrases[index - 1].text == "and":
+            return True
+        after = [phrase.text for phrase in phrases[index + 1 : index + 3]]
+        if not after or after[0] not in (",", "and"):
+            return False
+        index += 3 if after == [",", "and"] else 2
+    return False
 
 
 def _receives(noun: NounPhrase) -> bool:

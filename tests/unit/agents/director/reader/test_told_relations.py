@@ -21,6 +21,10 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Joe stacks records in a crate.", ("record", "in", "crate")),
         ("Joe sits on the hood of a car.", ("joe", "on", "car")),
         ("Joe motions Kate behind the curtain.", ("kate", "behind", "curtain")),
+        ("Joe grabs the gun lying on the table.", ("gun", "on", "table")),
+        ("Propped against the fridge is a broom.", ("broom", "against", "fridge")),
+        ("On the desk sit a typewriter and a telephone.", ("telephone", "on", "desk")),
+        ("Joe puts a cup, a spoon and a plate on the table.", ("plate", "on", "table")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
