@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import bpy
@@ -60,31 +61,26 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     objects = session.visible_objects()
     materials = list(bpy.data.materials)
     with (
-        ThreadPoolExecutor(1) as aside,  # reads the normals while Blender draws what follows
+        ThreadPoolExecutor(1) as aside,  # reads each picture while Blender draws the next
         flat_workbench(session.scene),
         _identity_colors(objects) as nodes,
     ):
         with _shading(session.scene, light="FLAT", color_type="OBJECT"):
-            channels = session.exr(width, height, depth=True)
-        red, green, blue = (_levels(channels[f"Combined.{name}"]) for name in "RGB")
-        ids = _number(red, green)
-        surface = np.where(ids > 0, blue % _HAS_SKIN_COLORS, 0).astype(np.uint8)
-        skin_colored = (blue >= _HAS_SKIN_COLORS) & (ids > 0)
-        depth = np.where(ids > 0, channels["Depth.Z"], FAR).astype(np.float32)
-        del channels, red, green, blue
+            identified = session.exr_read_aside(aside, _identified, width, height, depth=True)
         with _shading(session.scene, light="MATCAP", studio_light=NORMAL_MATCAP, color_type="SINGLE"):
-            decoded = aside.submit(_decode_normals, session.exr(width, height), view)
+            turned = session.exr_read_aside(aside, partial(_decode_normals, view=view), width, height)
         with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
-            albedo = color(session.exr(width, height)).astype(np.float16)
-        if skin_colored.any():
-            window = _around(skin_colored)
-            frame = session.scene.frame_current
+            colored = session.exr_read_aside(aside, _half_color, width, height)
+        with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
+            told = session.exr_read_aside(aside, partial(_index, materials=materials), width, height)
+        ids, surface, depth, skin_colored = identified.result()
+        window = _around(skin_colored) if skin_colored.any() else None
+        if window is not None:
             with _shading(session.scene, light="FLAT", color_type="VERTEX"):
-                (skin,) = session.exr_frames([frame], width, height, window=window)
+                (skin,) = session.exr_frames([session.scene.frame_current], width, height, window=window)
             painted = skin_colored[window.cut]
-            albedo[window.cut][painted] = color(skin)[painted]
-        material = _material_pass(session, materials, width, height)
-        normal = decoded.result()
+            colored.result()[window.cut][painted] = color(skin)[painted]
+        normal, albedo, material = turned.result(), colored.result(), told.result()
     material[ids == 0] = 0
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
@@ -186,11 +182,20 @@ def _identity_colors(objects: Sequence[bpy.types.Object]) -> Iterator[tuple[Node
         yield tuple(nodes)
 
 
-def _material_pass(
-    session: RenderSession, materials: Sequence[bpy.types.Material], width: int, height: int
-) -> NDArray[np.uint16]:
-    with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
-        return _index(session.exr(width, height), materials)
+def _identified(
+    channels: Channels,
+) -> tuple[NDArray[np.uint16], NDArray[np.uint8], NDArray[np.float32], NDArray[np.bool_]]:
+    """Return ids, classes and depth, and which pixels have their albedo in vertex colours."""
+    red, green, blue = (_levels(channels[f"Combined.{name}"]) for name in "RGB")
+    ids = _number(red, green)
+    solid = ids > 0
+    surface = np.where(solid, blue % _HAS_SKIN_COLORS, 0).astype(np.uint8)
+    depth = np.where(solid, channels["Depth.Z"], np.float32(FAR))
+    return ids, surface, depth, (blue >= _HAS_SKIN_COLORS) & solid
+
+
+def _half_color(channels: Channels) -> NDArray[np.float16]:
+    return color(channels).astype(np.float16)
 
 
 def _index(channels: Channels, materials: Sequence[bpy.types.Material]) -> NDArray[np.uint16]:
@@ -227,28 +232,41 @@ def _decode_normals(channels: Channels, view: View) -> NDArray[np.float16]:
     """Turn the matcap picture into world normals.
 
     The matcap stores sRGB-encoded x and y of the normal in a basis that turns with the view ray: z towards the eye,
-    x horizontal (measured in notes: sets and light, "traps met").
+    x horizontal (measured in notes: sets and light, "traps met"). Numpy works on planes five times as fast as on pixels
+    of three values, so the basis is written out.
     """
-    rays = view.camera_rays()
+    slope, climb = view.slopes()
+    side_x = 1 / np.sqrt(1 + slope * slope)
+    side_z = slope * side_x
     axes = view.axes.T.astype(np.float32)
-    normal = np.empty(rays.shape, np.float16)
+    normal = np.empty((view.height, view.width, 3), np.float16)
     for top in range(0, view.height, _BAND):
         rows = slice(top, top + _BAND)
-        toward = -rays[rows]
-        toward /= np.linalg.norm(toward, axis=2, keepdims=True)
-        side = np.stack([toward[..., 2], np.zeros_like(toward[..., 0]), -toward[..., 0]], axis=2)
-        side /= np.linalg.norm(side, axis=2, keepdims=True)
-        x, y = (_encode_srgb(channels[f"Combined.{name}"][rows]) * 2 - 1 for name in "RG")
-        z = np.sqrt(np.clip(1 - x * x - y * y, 0, 1))
-        local = x[..., None] * side + y[..., None] * np.cross(toward, side) + z[..., None] * toward
-        local /= np.maximum(np.linalg.norm(local, axis=2, keepdims=True), 1e-4)
-        normal[rows] = local @ axes
+        x, y = (_NORMAL_OF[channels[f"Combined.{name}"][rows].astype(np.float16).view(np.uint16)] for name in "RG")
+        flat = x * x + y * y
+        z = np.sqrt(np.maximum(1 - flat, 0))
+        length = np.sqrt(np.maximum(flat, 1))
+        toward_z = 1 / np.sqrt(1 + slope * slope + climb[rows, None] ** 2)
+        toward_x, toward_y = -slope * toward_z, -climb[rows, None] * toward_z
+        local = (
+            x * side_x + y * (toward_y * side_z) + z * toward_x,
+            y * (toward_z * side_x - toward_x * side_z) + z * toward_y,
+            x * side_z - y * (toward_y * side_x) + z * toward_z,
+        )
+        for axis in range(3):
+            normal[rows, :, axis] = sum(part * axes[index, axis] for index, part in enumerate(local)) / length
     return normal
 
 
 def _encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.float32]:
     value = np.clip(linear, 0, 1)
     return np.where(value <= 0.0031308, value * 12.92, 1.055 * value ** (1 / 2.4) - 0.055)
+
+
+_NORMAL_OF = (
+    _encode_srgb(np.nan_to_num(np.arange(1 << 16, dtype=np.uint16).view(np.float16).astype(np.float32))) * 2 - 1
+)
+"""The part of a normal that each half float of the matcap picture stands for, by its bits."""
 
 
 def _glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor, Future
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, TypeVar
 
 import bpy
 import numpy as np
@@ -18,6 +19,7 @@ from storyblender.blender.render.exr import Channels, read_channels
 from storyblender.look.gbuffer import View
 from storyblender.look.raster import Window
 
+Result = TypeVar("Result")
 _STILL = {
     "pixel_aspect_x": 1.0,
     "pixel_aspect_y": 1.0,
@@ -81,6 +83,7 @@ class RenderSession:
         self._frame = frame
         self._hidden = frozenset(hidden_node_ids)
         self.hidden_objects: list[bpy.types.Object] = []
+        self._pictures = 0
         self._stack = ExitStack()
 
     def __enter__(self) -> RenderSession:
@@ -139,8 +142,28 @@ class RenderSession:
             height: Pixels.
             depth: Also write the depth pass.
         """
+        return _read_once(self._rendered(width, height, depth))
+
+    def exr_read_aside(
+        self, aside: Executor, read: Callable[[Channels], Result], width: int, height: int, *, depth: bool = False
+    ) -> Future[Result]:
+        """Render as ``exr`` does and let another thread read the picture, so that Blender can go on to the next.
+
+        Args:
+            aside: The other thread.
+            read: What it makes of the channels; no Blender in there.
+            width: Pixels.
+            height: Pixels.
+            depth: Also write the depth pass.
+        """
+        path = self._rendered(width, height, depth)
+        return aside.submit(lambda: read(_read_once(path)))
+
+    def _rendered(self, width: int, height: int, depth: bool) -> Path:
+        """Render to a file of its own."""
         render = self.scene.render
-        path = self._folder / "pass.exr"
+        self._pictures += 1
+        path = self._folder / f"picture{self._pictures}.exr"
         size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
         with (
             changed(render, size | _STILL),
@@ -148,7 +171,7 @@ class RenderSession:
             changed(self.scene.view_layers[0], {"use_pass_z": depth}),
         ):
             bpy.ops.render.render(write_still=True)
-        return read_channels(path)
+        return path
 
     def exr_frames(
         self, frames: Sequence[int], width: int, height: int, *, depth: bool = False, window: Window | None = None
@@ -175,10 +198,7 @@ class RenderSession:
                 self.scene.frame_start, self.scene.frame_end, self.scene.frame_step = run[0], run[-1], run.step
                 bpy.ops.render.render(animation=True)
         paths = [self._folder / f"{number:05d}.exr" for number in frames]
-        pictures = [read_channels(path) for path in paths]
-        for path in paths:
-            path.unlink()
-        return pictures
+        return [_read_once(path) for path in paths]
 
     def png(self, width: int, height: int, path: Path) -> None:
         """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run."""
@@ -187,6 +207,12 @@ class RenderSession:
         image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
         with changed(render, size | _STILL), changed(render.image_settings, image):
             bpy.ops.render.render(write_still=True)
+
+
+def _read_once(path: Path) -> Channels:
+    channels = read_channels(path)
+    path.unlink()
+    return channels
 
 
 def evenly(numbers: Sequence[int]) -> list[range]:
