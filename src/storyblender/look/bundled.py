@@ -1,4 +1,4 @@
-"""Finds the libraries that ship inside Blender's wheel (OpenColorIO, OpenImageIO) without importing Blender."""
+"""Finds the libraries that ship inside Blender's wheel (OpenColorIO) without importing Blender."""
 
 from __future__ import annotations
 
