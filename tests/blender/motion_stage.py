@@ -62,12 +62,15 @@ def perform(
     ends: tuple[Mark, ...] = (),
     furniture: dict[str, StageFurniture] | None = None,
     props: dict[str, StageProp] | None = None,
+    jackets: bool = False,
 ) -> Performance:
     """A solved shot on this stage."""
     last = {mark.asset_id: mark for mark in (*marks, *ends)}
     furniture = furniture or {}
     plan = StagePlan(
-        people={m.asset_id: StagePerson(bodies[m.asset_id], Blocking(start=m, end=last[m.asset_id])) for m in marks},
+        people={
+            m.asset_id: StagePerson(bodies[m.asset_id], Blocking(start=m, end=last[m.asset_id]), jackets) for m in marks
+        },
         frames=round(seconds * FPS),
         cues=cues,
         props=props or {},

@@ -12,6 +12,7 @@ from tests.blender.motion_stage import Playback, build_bodies, chair_at, cue_of,
 from storyblender.blender.motion.plan import StageFurniture, StageProp
 from storyblender.blender.people.body import Body
 from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.shot_context import PropState
 
 pytestmark = pytest.mark.blender
 SEATED = mark_at("man", 0, 0.24, 0, "sit", support_id="chair")
@@ -82,3 +83,41 @@ def test_who_stands_at_a_table_bows_no_deeper_than_the_hand_needs(
     play = Playback(bodies["man"], shot, "man")
     trunks = [play.joint("neck", frame) - play.joint("hips", frame) for frame in range(10, 60, 4)]
     assert max(math.degrees(math.atan2(trunk.xy.length, trunk.z)) for trunk in trunks) < most
+
+
+LETTER = {"letter": StageProp(world_at(0.05, -0.45, 0.75), (0.22, 0.11, 0.006), node_id="letter")}
+
+
+def _palm(play: Playback, frame: int) -> Vector:
+    """Where the right palm looks."""
+    along = play.joint("fingers1.R", frame) - play.joint("hand.R", frame)
+    return along.cross(play.joint("fingers1.R", frame) - play.joint("index1.R", frame)).normalized()
+
+
+@pytest.mark.parametrize("clip", ["pick_up", "put_down"])
+def test_a_letter_is_taken_and_laid_down_from_above(bodies: dict[str, Body], clip: str) -> None:
+    held = (("R", "letter"),) if clip == "put_down" else ()
+    spot = mark_at("letter", 0.05, -0.45).model_copy(update={"location": (0.05, -0.45, 0.75)})
+    cue = cue_of("man", clip, 4, prop_id="letter", hand="R", mark=spot if clip == "put_down" else None)
+    shot = perform(bodies, (mark_at("man", 0, 0, held=held),), (cue,), 4, props=LETTER)
+    assert shot.problems == ()
+    play = Playback(bodies["man"], shot, "man")
+    low = min(range(len(shot.frames)), key=lambda frame: play.joint("hand.R", frame).z)
+    assert _palm(play, low).z < -0.6, "the palm looks down"
+    letter = shot.props["letter"][:, 2, 3]
+    assert letter.min() > 0.73, "never in the table"
+
+
+@pytest.mark.parametrize("jacket", [True, False])
+def test_what_is_in_ones_clothes_comes_out_by_hand(bodies: dict[str, Body], jacket: bool) -> None:
+    pistol = StageProp(world_at(3, 3), (0.03, 0.2, 0.14), state=PropState(asset_id="pistol", held_by="man"))
+    cue = cue_of("man", "take", 4, target_id="man", prop_id="pistol", hand="R")
+    shot = perform(bodies, (mark_at("man", 0, 0),), (cue,), 3, props={"pistol": pistol}, jackets=jacket)
+    assert shot.problems == ()
+    play = Playback(bodies["man"], shot, "man")
+    place, bone = shot.props["pistol"][:, :3, 3], "upper_chest" if jacket else "hips"
+    assert all((Vector(place[frame].tolist()) - play.joint(bone, frame)).length < 0.12 for frame in (0, 20))
+    reached = (play.joint("hand.R", 26) - play.joint(bone, 26)).length
+    assert reached < 0.36, "the hand goes where it is"
+    assert (play.joint("hand.R", 26).y < play.joint(bone, 26).y) == jacket, "in front at the breast, behind at the hip"
+    assert (Vector(place[-1].tolist()) - play.joint("hand.R", len(place) - 1)).length < 0.2

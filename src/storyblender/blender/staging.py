@@ -9,6 +9,7 @@ import numpy as np
 from storyblender.blender.motion.plan import Obstacle, StageFurniture, StagePerson, StagePlan, StageProp, box_of
 from storyblender.blender.people.body import Body
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
+from storyblender.catalog.garments import worn_open
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.solids import transform
@@ -54,7 +55,9 @@ class Stage:
     def plan(self, shot: ShotContext) -> StagePlan:
         """Return one shot's stage."""
         people = {
-            blocking.start.asset_id: StagePerson(self._bodies[blocking.start.asset_id], blocking)
+            blocking.start.asset_id: StagePerson(
+                self._bodies[blocking.start.asset_id], blocking, self._wears_jacket(blocking.start.asset_id)
+            )
             for blocking in shot.blocking
             if blocking.start.asset_id in self._bodies
         }
@@ -68,6 +71,10 @@ class Stage:
             bounds=self._bounds,
             seed=int(content_hash(shot.scene_id, shot.shot_id)[:8], 16),
         )
+
+    def _wears_jacket(self, asset_id: str) -> bool:
+        look = self._assets[asset_id].look
+        return look is not None and any(worn_open(garment.key) for garment in look.garments)
 
     def _props(self, shot: ShotContext) -> dict[str, StageProp]:
         states = {state.asset_id: state for state in shot.prop_states}

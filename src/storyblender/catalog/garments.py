@@ -192,9 +192,14 @@ def default_outfit(gender: str, age: float, seed: int) -> tuple[Garment, ...]:
     return tuple(Garment(key=key) for key in choices[int(rng.integers(len(choices)))].split())
 
 
-def _worn_open(spec: GarmentSpec) -> bool:
-    """Return whether something must be worn under a garment: a jacket, not a buttoned tunic."""
-    return spec.layer >= OUTER_LAYER and any(isinstance(piece, Top) and piece.opening for piece in spec.pieces)
+def worn_open(key: str) -> bool:
+    """Return whether something must be worn under a garment: a jacket, not a buttoned tunic; False if unknown."""
+    spec = GARMENTS.get(key)
+    return (
+        spec is not None
+        and spec.layer >= OUTER_LAYER
+        and any(isinstance(piece, Top) and piece.opening for piece in spec.pieces)
+    )
 
 
 def dressed(look: CharacterLook, gender: str, seed: int) -> tuple[Garment, ...]:
@@ -215,7 +220,7 @@ def dressed(look: CharacterLook, gender: str, seed: int) -> tuple[Garment, ...]:
             if "feet" not in GARMENTS[garment.key].covers or "feet" not in covered:
                 chosen.append(garment)
     else:
-        inner = any("upper" in spec.covers and not _worn_open(spec) for spec in specs)
+        inner = any("upper" in spec.covers and not worn_open(spec.key) for spec in specs)
         young = look.age < 13
         basics = {
             "upper": "" if inner else "blouse" if gender == "female" and not young else "shirt",

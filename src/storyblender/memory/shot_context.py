@@ -146,6 +146,7 @@ class PropState(Frozen):
     rotation: Vec3 = (0.0, 0.0, 0.0)
     held_by: Identifier | None = None
     hand: Hand | None = None
+    """None where it is held in no hand: it is in their clothes."""
 
 
 class CameraPose(Frozen):

@@ -224,6 +224,11 @@ class CueSheet:
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id, hand=hand))
 
+    def found_in_clothes(self, person: Person, prop: str) -> None:
+        """Let a person have a prop on them, in no hand, from the shot's first frame on."""
+        kept = [state for state in self.start_props if state.asset_id != prop]
+        self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id))
+
     def beside(self, person: Person, partner: Person, distance: float) -> tuple[Vec2, float]:
         """Return the free spot at a distance from somebody that reads best: to their side as the audience sees it."""
         others = [spot for spot in self.company.others(person) if spot != partner.place]

@@ -20,6 +20,8 @@ FETCH, AT_HAND = 5.0, 3.0
 """Metres one goes to get a thing, and to use one; what is used and lies farther off is in hand from the start."""
 BOX = 0.18
 """Metres of the second largest extent."""
+POCKET = (0.1, 0.22, 0.36)
+"""Metres: what is smaller, the smallest extent first, is carried in one's clothes and not seen there."""
 SEATED_REACH = 0.45
 """Metres from a seat's edge to what its sitter can take."""
 BEFORE, TO_THE_SIDE, AT_TABLE = 0.27, 0.18, 1.3
@@ -57,6 +59,9 @@ class Handling:
             t = self._taken(person, MOTIONS["pick_up"], prop, self.turn_to(person, lies, t))
         elif bag is not None:
             t = self._taken(person, MOTIONS["take"], prop, t, bag)
+        elif getting and self._in_clothes(person, prop):
+            self.sheet.found_in_clothes(person, prop)
+            t = self._taken(person, MOTIONS["take"], prop, t, person.asset_id)
         elif not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
             if getting:
@@ -84,10 +89,16 @@ class Handling:
         reach = REACH + 0.25 if person.upright else SEATED_REACH
         return lies if lies is not None and math.dist(lies[:2], person.place) <= reach else None
 
-    def _taken(self, person: Person, motion: Motion, prop: str, t: float, bag: str | None = None) -> float:
-        """Take a prop, out of a bag if one is named; return the end."""
+    def _in_clothes(self, person: Person, prop: str) -> bool:
+        """Tell whether a thing is small enough to come out of somebody's clothes, by a free hand."""
+        size = self.company.size_of(prop)
+        fits = size is not None and all(side < room for side, room in zip(size, POCKET, strict=True))
+        return fits and self.company.holder(prop) is None and person.free_hand() is not None
+
+    def _taken(self, person: Person, motion: Motion, prop: str, t: float, source: str | None = None) -> float:
+        """Take a prop, out of a bag or out of clothes if they are named; return the end."""
         hand = person.free_hand()
-        t = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=bag, prop_id=prop, hand=hand)
+        t = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=source, prop_id=prop, hand=hand)
         self.company.hand_over(person, prop)
         return t
 

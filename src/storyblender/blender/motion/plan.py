@@ -22,10 +22,12 @@ class StagePerson:
     Attributes:
         body: Skeleton and skin.
         blocking: Marks at the start and the end of the shot.
+        jacket: Whether they wear something with pockets at the breast.
     """
 
     body: Body
     blocking: Blocking
+    jacket: bool = False
 
 
 @dataclass(frozen=True)

@@ -64,8 +64,8 @@ def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
     beat = Beat(LONG_BEFORE, mark=mark)
     held = {prop: side for side, prop in mark.held}
     for name, prop in stage.plan.props.items():
-        if prop.state is not None and prop.state.held_by == who.asset_id:
-            held.setdefault(name, prop.state.hand or "R")
+        if prop.state is not None and prop.state.held_by == who.asset_id and prop.state.hand is not None:
+            held.setdefault(name, prop.state.hand)
     for name, side in held.items():
         if name in stage.props:
             take_in_hand(stage, who, side, stage.props[name], LONG_BEFORE - 1, 0.0)

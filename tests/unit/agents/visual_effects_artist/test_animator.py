@@ -309,6 +309,17 @@ def test_what_comes_out_of_a_pocket_is_not_seen_lying_about_before() -> None:
     assert [state.visible for state in before.prop_states] == [False]
     assert _end(after, "rick").held == (("R", "cup"),)
     assert "pick_up" not in _cues(after, "rick"), "not from the table"
+    (state,) = after.prop_states
+    assert state.visible and state.held_by == "rick" and state.hand is None, "on him, in no hand"
+    assert [cue.target_id for cue in after.cues if cue.clip == "take"] == ["rick"], "his hand goes for it"
+
+
+def test_what_no_pocket_holds_is_in_hand_when_it_is_brought_out() -> None:
+    brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
+    view = _view(_shot(1, _do("rick", "take", prop_id="cup"), asset_modifications=(brought,), seconds=5))
+    assets = (*(asset for asset in ASSETS if asset.asset_id != "cup"), _thing("cup", (0.2, 0.4, 0.5)))
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": assets})).shots
+    assert shot.prop_states[0].hand == "R" and _cues(shot, "rick") == []
 
 
 def test_drinking_walks_to_the_cup_and_picks_it_up() -> None:

@@ -1,18 +1,32 @@
-"""Bags and boxes in one's hands: opening them, and taking things out."""
+"""Taking things out: of bags and boxes in one's hands, which are opened, and of one's clothes."""
 
 from __future__ import annotations
 
+import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import LONG_AGO, Floats, TargetOf
 from storyblender.blender.motion.clips.gaze import look_at
 from storyblender.blender.motion.clips.handling import come_up, reach_down, take_in_hand
-from storyblender.blender.motion.hands import chest_yaw, hand
+from storyblender.blender.motion.hands import Triple, by_chest, chest_yaw, hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import PropPuppet, carried
 from storyblender.blender.motion.skeleton import UP, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
+Way = tuple[Triple, Triple, Triple]
+"""Palm from the shoulder in arm lengths, fingers, palm's normal: outwards, forwards, up."""
+_BREAST: tuple[Way, Way, Way] = (
+    ((-0.22, 0.36, -0.30), (-0.9, 0.2, 0.1), (-0.2, -1, 0)),
+    ((-0.42, 0.23, -0.28), (-0.95, -0.15, -0.1), (-0.1, -1, 0)),
+    ((-0.05, 0.50, -0.32), (-0.7, 0.7, 0.1), (-0.7, -0.7, 0)),
+)
+_HIP: tuple[Way, Way, Way] = (
+    ((0.20, -0.10, -0.80), (-0.2, -0.3, -0.9), (-1, 0.1, 0)),
+    ((0.06, -0.24, -0.86), (-0.5, -0.3, -0.8), (-0.7, 0.7, 0)),
+    ((0.24, 0.12, -0.72), (0, 0.4, -0.9), (-1, 0, 0)),
+)
+"""Where the hand goes: before the place, into it, out of it."""
 RAISED = 0.26
 """Metres, times k, of a bag's opening below the breast."""
 
@@ -50,6 +64,37 @@ def take_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet, bag: Pr
     if bent:
         come_up(who, t + 1.3, 0.7)
     return _lower(who, side, bag, t + 1.7) if held else t + 2.2
+
+
+def draw_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet) -> float:
+    """Take a thing out of the clothes it has been in: at the breast of a jacket, else behind the hip."""
+    t, side = beat.start, beat.side
+    breast = stage.plan.people[who.asset_id].jacket
+    bone, ways = ("upper_chest", _BREAST) if breast else ("hips", _HIP)
+
+    def hidden(now: float) -> Matrix:
+        matrix = who.facing.to_4x4() @ _on_edge(prop)
+        matrix.translation = who.point(bone) - matrix.to_3x3() @ Vector((0, 0, 0.5 * prop.size.z))
+        return matrix
+
+    prop.follow(0.1 * LONG_AGO, hidden, 0.0)
+    before, inside, out = (by_chest(who, side, *way, curl=(30, 34, 12)) for way in ways)
+    who.hands[side].set(t, 0.5, before)
+    who.hands[side].set(t + 0.5, 0.3, inside)
+    if breast:
+        look_at(who, t + 0.3, lambda now: tuple(who.point("upper_chest", (0, -0.3, 0))))
+    take_in_hand(stage, who, side, prop, t + 1.0, 0.15)
+    who.hands[side].set(t + 1.0, 0.45, out)
+    who.hands[side].set(t + 1.45, 0.6, carried(who, side, prop))
+    look_at(who, t + 1.3, who.ahead)
+    return t + 2.1
+
+
+def _on_edge(prop: PropPuppet) -> Matrix:
+    """Return the turn that puts the longest side of a thing upright and the shortest to the front."""
+    thin, _, long = sorted(range(3), key=lambda axis: prop.size[axis])
+    up, ahead = Vector(np.eye(3)[long]), Vector(np.eye(3)[thin])
+    return Matrix((up.cross(ahead), ahead, up)).to_4x4()
 
 
 def _holding(who: Performer, bag: PropPuppet) -> str:

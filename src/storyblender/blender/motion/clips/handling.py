@@ -23,6 +23,8 @@ ARM_AND_LEAN = 1.45
 """Arm lengths on the floor that a standing person can reach, leaning."""
 REACH_OF_HAND = 0.4
 """Share of the hand that lengthens an arm, also where it lies across: the palm is at the place, not the wrist."""
+LEAF, PALM = 0.03, 0.018
+"""Metres: papers and booklets are thinner than the one; from the middle of a palm to what lies in it."""
 KNEE = 0.35
 """Metres; what lies lower is squatted to deeply."""
 TURN_IN_HAND = 0.6
@@ -120,12 +122,21 @@ def _shoulders(who: Performer, sink: float, bend: float) -> tuple[float, float]:
 
 def near_grip(who: Performer, prop: PropPuppet, side: str) -> Grip:
     """Return the grip by which a hand takes a thing that lies there: from the person's side, not from behind it."""
-    grip = prop.grip(side)
+    grip = from_above(prop, prop.grip(side))
     ahead = Vector((*(prop.matrix.translation.xy - who.position), 0.0))
     turned = prop.matrix.to_3x3() @ grip.fingers
     if turned.dot(ahead) >= 0:
         return grip
     return prop.grip(other(side)).opposite() if prop.two_handed else grip.opposite()
+
+
+def from_above(prop: PropPuppet, grip: Grip) -> Grip:
+    """Return the grip on a thing that lies: no hand comes between a paper that is carried on the palm and the table."""
+    if prop.size.z > LEAF or grip.normal.z < 0.7:
+        return grip
+    x, y, _ = grip.palm
+    palm = Vector((0.4 * x, y, prop.size.z + PALM))
+    return Grip(palm, Vector((grip.fingers.x, grip.fingers.y, -0.15)), Vector((0, 0, -1)), (22, 28, 14))
 
 
 def come_up(who: Performer, t: float, duration: float) -> None:
@@ -193,13 +204,16 @@ def put_down(stage: Stage, who: Performer, beat: Beat) -> float:
     look_at(who, t, tuple(matrix.translation))
     sides = SIDES if prop.two_handed else (side,)
     whole = 0.8
-    bent = reach_down(who, t, whole, matrix @ prop.grip(side).palm)
+    grips = {hand: from_above(prop, prop.grip(hand)) for hand in sides}
+    bent = reach_down(who, t, whole, matrix @ grips[side].palm)
     down = t + whole + 0.3 * bent
     let_go(stage, prop)
-    for hand in sides:
-        put = _placing(who, hand, prop, matrix)
+    if grips[side] != prop.grip(side):
+        prop.hold(t, who, side, grips[side], 0.7 * (down - t))
+    for hand, grip in grips.items():
+        put = _placing(who, grip, hand, matrix)
         who.hands[hand].set(t, down - t, put, bump=(0, 0, 0.05 * who.m.k))
-        who.hands[hand].set(down + 0.05, 0.2, _placing(who, hand, prop, matrix, opening=0.3, lift=0.03 * who.m.k))
+        who.hands[hand].set(down + 0.05, 0.2, _placing(who, grip, hand, matrix, opening=0.3, lift=0.03 * who.m.k))
         who.hands[hand].set(down + 0.2, 0.7, who.home[hand])
         stage.expect(who, hand, down, beat)
     prop.stand(down + 0.04, matrix)
@@ -210,10 +224,8 @@ def put_down(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 def _placing(
-    who: Performer, side: str, prop: PropPuppet, matrix: Matrix, opening: float = 1.0, lift: float = 0.0
+    who: Performer, grip: Grip, side: str, matrix: Matrix, opening: float = 1.0, lift: float = 0.0
 ) -> TargetOf:
-    grip = prop.grip(side)
-
     def target(t: float) -> Floats:
         values = grip.hand(matrix, who.facing @ Vector((sign(side) * 0.5, 0.4, -0.85)))
         values[2] += lift

@@ -8,7 +8,7 @@ from dataclasses import replace
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp, ease_out
-from storyblender.blender.motion.clips.containers import take_out
+from storyblender.blender.motion.clips.containers import draw_out, take_out
 from storyblender.blender.motion.clips.gaze import look_at, mood
 from storyblender.blender.motion.clips.handling import let_go, pick_up, prop_of, take_in_hand
 from storyblender.blender.motion.clips.locomotion import face, shuffle, step_to, travel
@@ -86,13 +86,15 @@ def give(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("take", "body", "hand", "head")
 def take(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Take a prop: out of the target's hand, out of the bag one holds, or from where it lies."""
+    """Take a prop: out of the target's hand or one's own clothes, out of the bag one holds, or from where it lies."""
     prop = prop_of(beat)
     partner = partner_of(beat) or (prop.holder if prop else None)
     if prop is None:
         return beat.start
     if prop.holder is who:
         return beat.start
+    if beat.target is who:
+        return draw_out(stage, who, beat, prop)
     if isinstance(beat.target, PropPuppet) and beat.target.holder in (who, None):
         return take_out(stage, who, beat, prop, beat.target)
     if partner is None or prop.holder is not partner:
