@@ -122,6 +122,8 @@ ABSTRACT, BODY = frozenset(_nouns["abstract"]) | (_wordnet["abstract"] - _SOLID)
 PROPS, WORN, SET_PIECES, SCENERY = (
     frozenset(_nouns[kind]) | _wordnet[kind] for kind in ("prop", "worn", "set_piece", "scenery")
 )
+COMPOUNDS = frozenset(noun for noun in PROPS | WORN | SET_PIECES if "-" in noun)
+"""Kinds of things that take two words: ``egg-cup``, ``fire-escape``."""
 SEATS, VEHICLES = frozenset(_nouns["seat"]), frozenset(_nouns["vehicle"])
 PORTABLE = frozenset(_nouns["portable"])
 """Nouns that are both set piece and prop, and rather a prop when they stand alone."""
@@ -218,8 +220,9 @@ def mood_of(text: str) -> Mood:
 
 
 def noun_class(key: str) -> NounClass:
-    """What kind of thing a noun names, from its head (the last word); the first list that knows it wins."""
-    head = key.rsplit(" ", 1)[-1]
+    """What kind of thing a noun names: as a compound, else from its head; the first list that knows it wins."""
+    compound = key.replace(" ", "-")
+    head = compound if compound in COMPOUNDS else key.rsplit(" ", 1)[-1]
     if head in ABSTRACT or head in PRONOUNS:
         return "abstract"
     if head in BODY:

@@ -282,6 +282,7 @@ def _compound(words: list[Word], first: int, head: int, noun: str) -> str:
     left = words[head - 1].low
     if (
         left in lexicon.CARRIERS
+        or f"{left}-{noun}" in lexicon.COMPOUNDS
         or left.endswith("ing")
         or (left in _THING_NOUNS | lexicon.SCENERY and noun in _THING_NOUNS)
     ):
