@@ -106,7 +106,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("cry", "cry", ("weep",), 3.0, ("cry",), stretches=True, hands=2),
         # signs
         Motion("point", "point", ("indicate",), 2.0, ("point",), stretches=True, before=AWAKE, hands=1),
-        Motion("wave", "wave", ("greet",), 2.25, ("wave",), before=AWAKE, hands=1),
+        Motion("wave", "wave", ("greet",), 2.25, ("wave", "shake"), before=AWAKE, hands=1),
         Motion("shrug", "shrug", ("who knows",), 1.55, ("shrug",), hands=2),
         Motion("salute", "salute", (), 1.9, ("salute",), stretches=True, before=AWAKE, hands=1),
         Motion("clap", "clap", ("applaud",), 2.5, ("clap",), stretches=True, before=AWAKE, hands=2),
@@ -149,7 +149,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2),
         Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2),
         Motion(
-            "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean", "cook"), stretches=True, reach="thing",
+            "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean", "cook", "stir"), stretches=True, reach="thing",
             distance=0.5, hands=1,
         ),
         Motion(
@@ -157,7 +157,7 @@ MOTIONS: Catalog[Motion] = Catalog(
             hands=2,
         ),
         Motion(
-            "search", "search", ("rummage",), 3.2, ("search",), stretches=True, reach="thing", distance=0.5, hands=2
+            "search", "search", ("rummage",), 3.2, ("search", "fold"), stretches=True, reach="thing", distance=0.5, hands=2
         ),
         Motion("dress", "put on or take off clothes", ("wear", "undress"), 2.4, ("wear", "take_off"), hands=2),
     ),

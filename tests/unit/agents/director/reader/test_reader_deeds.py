@@ -1,5 +1,7 @@
 """Deeds told in the manners of screenplays: parts of bodies, agents, late names, groups, things worn and made."""
 
+import pytest
+
 from conftest import Read
 from storyblender.agents.director.reader import read_script
 from storyblender.screenplay.source import read
@@ -161,3 +163,24 @@ def test_common_turns_of_phrase(read_scene: Read) -> None:
         ("Kate reaches for the next book.", "take"),
     ):
         assert [deed.motion for deed in read_scene(people + action).units[-1].deeds] == [motion], action
+
+
+SAYINGS = [
+    ("Anna pulls out a tray.", "take"),
+    ("Anna pulls out a chair.", "pull"),
+    ("Anna thrusts the box at Bob.", "give"),
+    ("Anna hammers away at a typewriter.", "type"),
+    ("Anna makes for the stairs.", "walk"),
+    ("Anna breaks into a run.", "run"),
+    ("Anna shakes the box.", "shake"),
+    ("Anna shakes her head.", "shake_head"),
+    ("Anna folds the map.", "fold"),
+    ("Anna heaves the sack onto the table.", "put_down"),
+    ("Anna raises the ledger above her head.", "hold"),
+    ("Anna plants a kiss on his cheek.", "kiss"),
+]
+
+
+@pytest.mark.parametrize(("action", "motion"), SAYINGS)
+def test_a_verb_means_what_its_object_and_preposition_make_of_it(read_scene: Read, action: str, motion: str) -> None:
+    assert {(actor, found) for actor, found, _ in told(read_scene, action)} == {("anna", motion)}
