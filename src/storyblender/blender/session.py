@@ -6,6 +6,7 @@ What builds is imported by the tools that build: a worker that only draws is up 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +17,7 @@ from storyblender.blender.cameras import make_camera
 from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
-from storyblender.blender.measure.view import WIDTH, Sighting, look
+from storyblender.blender.measure.view import WIDTH, Sighting, viewfinder
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
@@ -54,6 +55,9 @@ class Session:
         self._root = root.resolve()
         self._models = models
         self._open = ""
+        self._held = ExitStack()
+        self._see: tuple[tuple[str, int, int], Callable[[Sighting], CameraView]] | None = None
+        """The viewfinder that is held: pack, frame and height, and what looks there."""
 
     @cached_property
     def _store(self) -> AssetStore:
@@ -80,14 +84,14 @@ class Session:
 
     def build_asset(self, job: AssetJob) -> AssetMeasure:
         """Build and measure one asset."""
-        self._open = ""
+        self._put_away()
         return self._store.measure(job)
 
     def pack_scene(self, job: SceneJob) -> PackRef:
         """Build one scene; its record comes last, so a pack with a record is whole."""
         from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
 
-        self._open = ""
+        self._put_away()
         problems = ScenePacker(job, self._store).build()
         save_pack(self._path(job.out))
         starts = tuple(shot_starts(job.shots).items())
@@ -124,18 +128,13 @@ class Session:
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
         """Look through the viewfinder."""
-        scene = self._open_pack(pack)
-        sightings = [
-            Sighting(
-                request.pose,
-                pack.start_of(request.shot_id) + request.frame,
-                request.sensor_width,
-                request.focus_ids,
-                request.hidden_node_ids,
-            )
-            for request in requests
-        ]
-        return look(scene, sightings, WIDTH, max(2, round(WIDTH / aspect)))
+        height = max(2, round(WIDTH / aspect))
+        views: list[CameraView] = []
+        for request in requests:
+            frame = pack.start_of(request.shot_id) + request.frame
+            sighting = Sighting(request.pose, frame, request.sensor_width, request.focus_ids, request.hidden_node_ids)
+            views.append(self._finder(pack, frame, height)(sighting))
+        return views
 
     def render_frame(self, job: FrameJob) -> FrameReport:
         """Render the board frame of one shot."""
@@ -196,7 +195,7 @@ class Session:
         """Compile the story's .blend."""
         from storyblender.blender.story import compile_story
 
-        self._open = ""
+        self._put_away()
         compile_story(job, self._root, self._path(job.out))
         return job.out
 
@@ -204,7 +203,7 @@ class Session:
         """Write one scene as glTF or USD."""
         from storyblender.blender.export import export_scene
 
-        self._open = ""
+        self._put_away()
         export_scene(self._path(job.story), scene_name(job.scene_id), job.format, self._path(job.out))
         return job.out
 
@@ -212,7 +211,7 @@ class Session:
         """Render a small picture of one asset."""
         from storyblender.blender.props.portrait import render_portrait
 
-        self._open = ""
+        self._put_away()
         measure = self._store.measure(job)
         bpy.ops.wm.read_factory_settings(use_empty=True)
         canonical = job.asset.canonical
@@ -225,7 +224,26 @@ class Session:
         render_portrait(parts, self._path(out), head=canonical.key in HAIRSTYLES)
         return out
 
+    def _finder(self, pack: PackRef, frame: int, height: int) -> Callable[[Sighting], CameraView]:
+        """Return what looks at a frame; it is kept, because the Camera Operator comes back to it many times."""
+        key = (pack.path, frame, height)
+        if self._see is None or self._see[0] != key:
+            scene = self._open_pack(pack)
+            self._see = key, self._held.enter_context(viewfinder(scene, frame, WIDTH, height))
+        return self._see[1]
+
+    def _let_go(self) -> None:
+        """End what is held for the viewfinder: the file is as it was."""
+        self._see = None
+        self._held.close()
+
+    def _put_away(self) -> None:
+        """Make room for a job that opens files of its own."""
+        self._let_go()
+        self._open = ""
+
     def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
+        self._let_go()
         if self._open != pack.path:
             bpy.ops.wm.open_mainfile(filepath=str(self._path(pack.path)), load_ui=False, use_scripts=False)
             self._open = pack.path

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 import numpy as np
@@ -86,19 +87,35 @@ def look(
     results: list[CameraView] = []
     before = scene.frame_current
     for frame, batch in itertools.groupby(sightings, key=lambda sighting: sighting.frame):
-        with (
-            held_still(scene, frame) as still,
-            temporary_camera(still, np.eye(4), sensor_fit="HORIZONTAL", clip_start=0.02, clip_end=2000.0) as camera,
-            flat_workbench(still),
-            changed(still.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
-        ):
-            people = figures(scene)
-            with RenderSession(still, camera) as session:
-                stage = _Stage(session, people)
-                with _numbered(stage.objects, stage.numbers):
-                    results += [stage.see(sighting, width, height) for sighting in batch]
+        with viewfinder(scene, frame, width, height) as see:
+            results += [see(sighting) for sighting in batch]
     scene.frame_set(before)
     return results
+
+
+@contextmanager
+def viewfinder(
+    scene: bpy.types.Scene, frame: int | None = None, width: int = WIDTH, height: int = WIDTH * 9 // 16
+) -> Iterator[Callable[[Sighting], CameraView]]:
+    """Give what looks at one frame; holding the scene for it costs more than two looks.
+
+    Args:
+        scene: It stays at the frame.
+        frame: Timeline frame; None stays where the scene is. Sightings are taken there, whatever frame they name.
+        width: Pixels.
+        height: Pixels.
+    """
+    with (
+        held_still(scene, frame) as still,
+        temporary_camera(still, np.eye(4), sensor_fit="HORIZONTAL", clip_start=0.02, clip_end=2000.0) as camera,
+        flat_workbench(still),
+        changed(still.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
+    ):
+        people = figures(scene)
+        with RenderSession(still, camera) as session:
+            stage = _Stage(session, people)
+            with _numbered(stage.objects, stage.numbers):
+                yield partial(stage.see, width=width, height=height)
 
 
 @contextmanager

@@ -37,6 +37,8 @@ _STILL = {
 }
 _EXR = {"file_format": "OPEN_EXR_MULTILAYER", "color_depth": "16", "exr_codec": "NONE"}
 """Colours as 16 bit floats; depth is always 32 bit."""
+_SCRATCH = "storyblender_"
+"""How the folders begin in which pictures lie until they are read."""
 
 
 @contextmanager
@@ -62,7 +64,7 @@ def _copied(value: Any) -> Any:
 
 
 class RenderSession:
-    """One scene made the context's scene, at one frame, with scratch space for its renders. A context manager.
+    """One scene made the context's scene, at one frame, for its renders. A context manager.
 
     Args:
         scene: What to render.
@@ -83,7 +85,6 @@ class RenderSession:
         self._frame = frame
         self._hidden = frozenset(hidden_node_ids)
         self.hidden_objects: list[bpy.types.Object] = []
-        self._pictures = 0
         self._stack = ExitStack()
 
     def __enter__(self) -> RenderSession:
@@ -91,7 +92,6 @@ class RenderSession:
         try:
             stack.enter_context(changed(bpy.context.window, {"scene": self.scene}))
             stack.enter_context(changed(self.scene, {"camera": self.camera}))
-            self._folder = Path(stack.enter_context(TemporaryDirectory(prefix="storyblender_")))
             start = self.scene.frame_current
             stack.callback(lambda: self.go_to(start))
             if self._frame is not None:
@@ -142,7 +142,8 @@ class RenderSession:
             height: Pixels.
             depth: Also write the depth pass.
         """
-        return _read_once(self._rendered(width, height, depth))
+        with TemporaryDirectory(prefix=_SCRATCH) as folder:
+            return read_channels(self._rendered(folder, width, height, depth))
 
     def exr_read_aside(
         self, aside: Executor, read: Callable[[Channels], Result], width: int, height: int, *, depth: bool = False
@@ -156,14 +157,18 @@ class RenderSession:
             height: Pixels.
             depth: Also write the depth pass.
         """
-        path = self._rendered(width, height, depth)
-        return aside.submit(lambda: read(_read_once(path)))
+        folder = TemporaryDirectory(prefix=_SCRATCH)
+        path = self._rendered(folder.name, width, height, depth)
 
-    def _rendered(self, width: int, height: int, depth: bool) -> Path:
-        """Render to a file of its own."""
+        def read_it() -> Result:
+            with folder:
+                return read(read_channels(path))
+
+        return aside.submit(read_it)
+
+    def _rendered(self, folder: str, width: int, height: int, depth: bool) -> Path:
         render = self.scene.render
-        self._pictures += 1
-        path = self._folder / f"picture{self._pictures}.exr"
+        path = Path(folder) / "picture.exr"
         size = {"resolution_x": width, "resolution_y": height, "filepath": str(path)}
         with (
             changed(render, size | _STILL),
@@ -186,10 +191,11 @@ class RenderSession:
             window: The part to render and return; None is all.
         """
         render = self.scene.render
-        size = {"resolution_x": width, "resolution_y": height, "filepath": str(self._folder / "#####.exr")}
         border = _border(window, width, height) if window else {}
         with (
-            changed(render, size | _STILL | border),
+            TemporaryDirectory(prefix=_SCRATCH) as folder,
+            changed(render, {"resolution_x": width, "resolution_y": height, "filepath": f"{folder}/#####.exr"}),
+            changed(render, _STILL | border),
             changed(render.image_settings, _EXR),
             changed(self.scene.view_layers[0], {"use_pass_z": depth}),
             changed(self.scene, {"frame_start": 0, "frame_end": 0, "frame_step": 1}),
@@ -197,8 +203,7 @@ class RenderSession:
             for run in evenly(frames):
                 self.scene.frame_start, self.scene.frame_end, self.scene.frame_step = run[0], run[-1], run.step
                 bpy.ops.render.render(animation=True)
-        paths = [self._folder / f"{number:05d}.exr" for number in frames]
-        return [_read_once(path) for path in paths]
+            return [read_channels(Path(folder) / f"{number:05d}.exr") for number in frames]
 
     def png(self, width: int, height: int, path: Path) -> None:
         """Render with the engine that is set to an 8 bit PNG without metadata that differs from run to run."""
@@ -207,12 +212,6 @@ class RenderSession:
         image = {"file_format": "PNG", "color_mode": "RGB", "color_depth": "8", "compression": 15}
         with changed(render, size | _STILL), changed(render.image_settings, image):
             bpy.ops.render.render(write_still=True)
-
-
-def _read_once(path: Path) -> Channels:
-    channels = read_channels(path)
-    path.unlink()
-    return channels
 
 
 def evenly(numbers: Sequence[int]) -> list[range]:

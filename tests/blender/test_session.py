@@ -1,0 +1,56 @@
+import sys
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.blender
+bpy = pytest.importorskip("bpy")
+sys.path.insert(0, str(Path(__file__).parent))
+
+import camera_stage  # noqa: E402
+
+from storyblender.blender.session import Session  # noqa: E402
+from storyblender.geometry.orbit import between  # noqa: E402
+from storyblender.memory.jobs import PackRef  # noqa: E402
+from storyblender.memory.measure import ViewRequest  # noqa: E402
+from storyblender.memory.shot_context import CameraPose  # noqa: E402
+
+PACK = PackRef(scene_id=1, path="pack.blend", starts=((1, 1), (2, 11)))
+
+
+@pytest.fixture
+def session(tmp_path):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = camera_stage.build({"anna": (0, 0, 0)})
+    scene.name = "SC010"
+    wall = scene.objects["wall_back"]
+    for frame, hidden in ((1, False), (10, True)):
+        wall.hide_render = hidden
+        wall.keyframe_insert("hide_render", frame=frame)
+    bpy.context.window.scene = scene
+    scene.frame_set(1)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / PACK.path))
+    return Session(tmp_path)
+
+
+def request(shot_id: int, x: float = 0.0) -> ViewRequest:
+    camera = between((x, -2.5, 1.5), (0, 0, 1.5), 35)
+    pose = CameraPose(pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=35)
+    return ViewRequest(scene_id=1, shot_id=shot_id, frame=0, pose=pose, focus_ids=("anna",))
+
+
+def test_looks_one_by_one_see_what_looks_together_see(session, tmp_path):
+    wanted = [request(1), request(1, 0.5), request(2)]
+    together = session.look(PACK, wanted, 16 / 9)
+    assert together[2].void > together[0].void, "the wall is gone in the second shot"
+    assert [session.look(PACK, [each], 16 / 9)[0] for each in wanted] == together
+    assert [view.subjects for view in Session(tmp_path).look(PACK, wanted[1:2], 16 / 9)] == [together[1].subjects]
+
+
+def test_the_viewfinder_is_put_away_for_other_jobs(session):
+    session.look(PACK, [request(1)], 16 / 9)
+    scene = bpy.data.scenes["SC010"]
+    assert bpy.context.window.scene.name == "still", "it is held for the next look"
+    assert len(session.read_figures(PACK, [1])[0]) == 1
+    assert "still" not in bpy.data.scenes and bpy.context.window.scene == scene
+    assert not bpy.data.cameras
