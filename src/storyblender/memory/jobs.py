@@ -19,6 +19,8 @@ Look = Literal["board", "fast", "pencil", "render"]
 
 GEOMETRY_VERSION = 1
 """Raised when builders change shape: old caches are then built anew."""
+DRAWING_VERSION = 1
+"""Raised when the same request is drawn otherwise, as when the golden pictures change: old projects draw anew."""
 
 
 class AssetJob(Frozen):
@@ -107,9 +109,8 @@ class FrameJob(Frozen):
         """Equal digests, equal pixels."""
         shot = self.shot.model_dump(mode="json", include={"camera", "in_frame"})
         lighting = self.lighting.model_dump(mode="json")
-        return content_hash(
-            self.pack.path, self.pack.start_of(self.shot.shot_id), shot, lighting, self.format, self.look, self.frame
-        )
+        start = self.pack.start_of(self.shot.shot_id)
+        return content_hash(DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.look, self.frame)
 
 
 class FrameReport(Frozen):
@@ -140,9 +141,8 @@ class MotionJob(Frozen):
         """Equal digests, equal frames."""
         shot = self.shot.model_dump(mode="json", include={"camera", "lights", "duration"})
         lighting = self.lighting.model_dump(mode="json")
-        return content_hash(
-            self.pack.path, self.pack.start_of(self.shot.shot_id), shot, lighting, self.format, self.width, self.step
-        )
+        start = self.pack.start_of(self.shot.shot_id)
+        return content_hash(DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.width, self.step)
 
 
 class StoryJob(Frozen):
