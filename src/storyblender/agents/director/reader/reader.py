@@ -7,6 +7,7 @@ from collections import Counter
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
+from storyblender.agents.director.reader.carried import bring_along
 from storyblender.agents.director.reader.cast import find_cast
 from storyblender.agents.director.reader.exits import clear_exits
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, open_manuscript
@@ -134,6 +135,8 @@ def _read(stage: Stage, sentence: Sentence) -> None:
     units.append(unit)
     if sentence.camera:
         _look_at(stage, sentence.camera)
+    if sentence.words and stage.reading.screenplay.format != "prose":
+        bring_along(stage, sentence)
     if sentence.words:
         read_action(stage, sentence)
     if sentence.speech:
@@ -166,7 +169,7 @@ def _look_at(stage: Stage, camera: CameraNote) -> None:
 def _open_scene(stage: Stage, sentence: Sentence) -> None:
     prose = stage.reading.screenplay.format == "prose"
     before = stage.scene
-    stage.scene = SceneState()
+    stage.scene = SceneState(before=_on_their_feet(before))
     first = [word.low for word in sentence.words[:_CARRIED]]
     if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
         stage.scene.on = [person for person in before.on if person not in before.leaving]
@@ -174,6 +177,12 @@ def _open_scene(stage: Stage, sentence: Sentence) -> None:
         if single in ("male", "female"):
             stage.scene.on = _of_whom_it_is_told(stage, stage.scene.on, single)
     stage.discourse.next_scene(keep_groups=prose)
+
+
+def _on_their_feet(scene: SceneState) -> list[str]:
+    """Who is there when a scene ends and can go on: not who left, nor who lies on the floor."""
+    down = {person for person, (posture, on) in scene.posture.items() if posture in ("lie", "asleep") and on is None}
+    return [person for person in scene.on if person not in down | {*scene.leaving}]
 
 
 def _of_whom_it_is_told(stage: Stage, people: list[str], gender: str) -> list[str]:

@@ -75,6 +75,8 @@ class SceneState:
 
     on: list[str] = field(default_factory=list)
     """People on stage, in order of entrance."""
+    before: list[str] = field(default_factory=list)
+    """Who was there at the end of the scene before and may come along."""
     named: set[str] = field(default_factory=set)
     leaving: list[str] = field(default_factory=list)
     """They go when the sentence is over."""
