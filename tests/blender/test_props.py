@@ -7,6 +7,7 @@ bpy = pytest.importorskip("bpy")
 from storyblender.blender.materials import material  # noqa: E402
 from storyblender.blender.measure.hashing import geometry_hash  # noqa: E402
 from storyblender.blender.measure.surfaces import find_tops  # noqa: E402
+from storyblender.blender.mesh_builder import MeshBuilder  # noqa: E402
 from storyblender.blender.props.build import build_prop  # noqa: E402
 from storyblender.blender.props.imported import build_from_file  # noqa: E402
 from storyblender.blender.props.parts import bent  # noqa: E402
@@ -97,6 +98,17 @@ def test_shelves_are_tops_with_little_room():
     inner = [top for top in find_tops(shelf) if top.clearance is not None]
     assert len({round(top.location[2], 1) for top in inner}) >= 4
     assert all(0.1 < top.clearance < 0.5 for top in inner)
+
+
+def test_planks_are_one_top_and_boards_that_stand_between_part_it():
+    (top,) = find_tops(build_prop("bench").mesh)
+    assert min(top.size) > 0.37
+    b = MeshBuilder("boxes")
+    for x in (-0.21, 0.21):
+        b.box("wood", (x, 0, 0.2), (0.4, 0.4, 0.4))
+    b.box("wood", (0, 0, 0.4), (0.018, 0.4, 0.8))
+    sizes = [top.size[0] for top in find_tops(b.mesh()) if top.location[2] < 0.5]
+    assert sizes == pytest.approx([0.4, 0.4], abs=0.03)
 
 
 def test_a_bed_is_lain_on_under_its_headboard():

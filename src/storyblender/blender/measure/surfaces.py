@@ -6,6 +6,7 @@ its desk, not the upper edge of its mirror.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import bmesh
@@ -30,16 +31,30 @@ SPREAD = 0.035
 LEAST_AREA = 0.006
 """Square metres of the smallest top."""
 MOST_TOPS = 16
+SEAM = 0.025
+"""Metres between the boards of one top: a bench of two planks is not two narrow tops."""
 
 
 @dataclass(frozen=True)
 class _Hits:
-    """Level, uncovered points: grid cell, height, free height above (inf if open)."""
+    """Level, uncovered points: grid cell, height, free height above (inf if open); and what is solid anywhere.
+
+    ``solid`` has a row for each piece of matter that a ray goes through: grid row and column, upper and lower end.
+    """
 
     row: NDArray[np.int64]
     column: NDArray[np.int64]
     z: Floats
     room: Floats
+    solid: Floats
+
+    def is_blocked(self, shape: tuple[int, int], z: float) -> NDArray[np.bool_]:
+        """Return the cells in which something stands on a level."""
+        _, _, upper, lower = self.solid.T
+        rows, columns, *_ = self.solid[(upper > z + SPREAD) & (lower < z + ROOM)].T.astype(int)
+        blocked = np.zeros(shape, bool)
+        blocked[rows, columns] = True
+        return blocked
 
 
 def find_tops(mesh: bpy.types.Mesh) -> tuple[Anchor, ...]:
@@ -89,10 +104,11 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
     solid.free()
     start = max(vertex.co.z for vertex in mesh.vertices) + 1.0
     found: list[tuple[int, int, float, float]] = []
+    matter: list[tuple[int, int, float, float]] = []
     for row in range(shape[0]):
         for column in range(shape[1]):
             x, y = origin[0] + (column + 0.5) * cell, origin[1] + (row + 0.5) * cell
-            z, ceiling, inside = start, np.inf, 0
+            z, ceiling, inside, upper = start, np.inf, 0, start
             for _ in range(LAYERS):
                 point, normal, _, _ = tree.ray_cast((x, y, z), (0, 0, -1))
                 if point is None:
@@ -101,12 +117,16 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
                     room = ceiling - point.z
                     if inside == 0 and normal.z > LEVEL and room > ROOM:
                         found.append((row, column, point.z, room))
+                    upper = point.z if inside == 0 else upper
                     inside += 1
                 else:
                     inside = max(0, inside - 1)
+                    if inside == 0:
+                        matter.append((row, column, upper, point.z))
                 ceiling, z = point.z, point.z - 1e-4
     table = np.array(found).reshape(-1, 4)
-    return _Hits(table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
+    solids = np.array(matter).reshape(-1, 4)
+    return _Hits(table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3], solids)
 
 
 def _levels(heights: Floats) -> list[NDArray[np.int64]]:
@@ -130,6 +150,7 @@ def _rectangles(
     height[hits.row[level], hits.column[level]] = hits.z[level]
     room[hits.row[level], hits.column[level]] = hits.room[level]
     free = ~np.isnan(height)
+    free |= _without_seams(free, cell) & ~hits.is_blocked(shape, float(np.median(hits.z[level])))
     found = []
     while free.sum() * cell * cell >= LEAST_AREA:
         row, column, rows, columns = _largest_rectangle(free)
@@ -137,9 +158,21 @@ def _rectangles(
         if area < LEAST_AREA or min(rows, columns) * cell < 0.06:
             return found
         part = np.s_[row : row + rows, column : column + columns]
-        found.append((area, (float(np.median(height[part])), row, column, rows, columns, float(room[part].min()))))
+        found.append((area, (float(np.nanmedian(height[part])), row, column, rows, columns, float(room[part].min()))))
         free[part] = False
     return found
+
+
+def _without_seams(free: NDArray[np.bool_], cell: float) -> NDArray[np.bool_]:
+    """Return the free cells and those of the seams between them."""
+    closed = free.copy()
+    for axis in (0, 1):
+        there, out = np.moveaxis(free, axis, 0), np.moveaxis(closed, axis, 0)
+        for gap in range(2, math.ceil(SEAM / cell) + 2):
+            both = there[:-gap] & there[gap:]
+            for inner in range(1, gap):
+                out[inner : inner + len(both)] |= both
+    return closed
 
 
 def _largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int]:
