@@ -113,12 +113,8 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
             builder.preposition, builder.aside = "", False
             builder.closed = builder.closed or phrase.text == ","
-        elif phrase.text == "who":
-            nouns = [p.noun for p in builder.phrases[max(0, index - _NEAR) : index] if p.noun]
-            builder.relative = [noun for noun in nouns if noun.kind == "person"][-1:]
-        elif phrase.text in ("that", "which") and _verb_touches(builder, index):
-            nouns = [p.noun for p in builder.phrases[max(0, index - 2) : index] if p.noun]
-            builder.relative = nouns[-1:]
+        elif phrase.text in ("who", "that", "which"):
+            _take_relative(builder, index, phrase.text)
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
     if builder.clauses:
@@ -134,6 +130,23 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     return builder.clauses
 
 
+def _take_relative(builder: _Builder, index: int, pronoun: str) -> None:
+    """Whose verbs come next: ``a man, who``, ``the letter that lies there``."""
+    if pronoun == "who":
+        nouns = [p.noun for p in builder.phrases[max(0, index - _NEAR) : index] if p.noun]
+        builder.relative = [noun for noun in nouns if noun.kind == "person"][-1:]
+        if builder.current and _is_object(builder.current, builder.relative):
+            builder.subject = builder.relative
+    elif _verb_touches(builder, index):
+        builder.relative = [p.noun for p in builder.phrases[max(0, index - 2) : index] if p.noun][-1:]
+
+
+def _is_object(clause: Clause, nouns: list[NounPhrase]) -> bool:
+    """``thrusts it at Percy, who sits up, opens it and reads``: all that Percy does."""
+    after = [*clause.object, *clause.recipient, *(noun for _, place in clause.places for noun in place)]
+    return bool(nouns) and all(any(noun is other for other in after) for noun in nouns)
+
+
 def _verb_touches(builder: _Builder, index: int) -> bool:
     """``the letter that lies there``, but not ``that man``, ``that she lies``."""
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
@@ -145,9 +158,11 @@ def _give_to_inverted(clauses: list[Clause]) -> None:
     if not clauses:
         return
     *before, last = clauses
+    somebody = bool(last.object) and last.object[0].kind == "person"
+    if last.opening and somebody and last.verb in lexicon.INVERTING and all(n.kind == "thing" for n in last.subject):
+        last.subject, last.object = last.object, []  # In the booth, hats low, sit two THUGS
     if last.subject or not last.object or last.verb not in lexicon.INVERTING | {"be"}:
         return
-    somebody = last.object[0].kind == "person"
     if all((clause.passive or (clause.participle and somebody)) and clause.elided for clause in before):
         for clause in before:
             clause.subject, clause.elided = last.object, False
@@ -156,9 +171,9 @@ def _give_to_inverted(clauses: list[Clause]) -> None:
 def _give_to_following(clauses: list[Clause], words: list[Word]) -> None:
     """``Sitting on the bench, Bob waves``: it is Bob who sits."""
     for number, clause in enumerate(clauses):
-        if not number and not (clause.participle and clause.subject and clause.subject[0].head == ""):
+        if not number and not (clause.participle and (not clause.subject or clause.subject[0].head == "")):
             return
-        if number and not clause.elided and not clause.participle and clause.subject[0].head:
+        if number and not clause.elided and not clause.participle and clause.subject and clause.subject[0].head:
             first = clause.subject[0].index
             comma = max((index for index in range(first) if words[index].text == ","), default=first)
             between = {word.low for word in words[comma:first]}
@@ -248,9 +263,16 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
         return True
     if left.kind != "preposition":
         return False
-    if left.text == "without" or (left.text == "to" and before and before.verb in _WISHES):
+    if left.text == "without" or (left.text == "to" and before and _is_wished(before)):
+        return True
+    if left.text == "to" and index > 1 and builder.phrases[index - 2].text == "about":
         return True
     return left.text == "to" and builder.words[builder.phrases[index].first].low in _PURPOSES
+
+
+def _is_wished(before: Clause) -> bool:
+    """``wants to leave``, ``tells Ben to sit``, ``would like to dance``, ``does not stop to look``."""
+    return before.verb in _WISHES or before.verb in _ORDERS or before.negated or before.unreal
 
 
 _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
@@ -263,8 +285,12 @@ _ARRIVED = frozenset(
 _WONDERING = frozenset({"how", "why", "whether"})
 _INSERTING = frozenset({"where", "when", "until", "because", "since"})
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
-_PURPOSES = frozenset({"see", "look", "find", "get", "hear"})
-_WISHES = frozenset({"want", "need", "refuse", "hope", "decide", "have", "try", "wait", "hesitate", "fail"})
+_PURPOSES = frozenset({"see", "find", "get", "hear"})
+_WISHES = frozenset(
+    {"want", "need", "refuse", "hope", "decide", "wait", "hesitate", "fail", "intend", "plan", "long", "threaten"}
+    | {"promise", "offer", "agree", "expect", "mean", "forget", "prepare", "wish", "dare", "choose"}
+)
+_ORDERS = lexicon.words("ordering")
 
 
 def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:

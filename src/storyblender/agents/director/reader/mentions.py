@@ -6,7 +6,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.look import years
 from storyblender.agents.director.reader.morphology import FORMS, form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.roster import Roster
-from storyblender.agents.director.reader.words import Mention, Word
+from storyblender.agents.director.reader.words import EVERYBODY, Mention, Word
 from storyblender.agents.director.reading import Person
 
 _OLD = 50
@@ -58,10 +58,11 @@ def _so_many_of_them(words: list[Word], at: int) -> Word | None:
     """``the two of them``, ``all three of them``: a group."""
     run = words[at : at + _OF_THEM]
     low = [word.low for word in run]
-    whole = at > 0 and words[at - 1].low in ("the", "all")
-    if not whole or low[1:] != ["of", "them"] or low[0] not in _COUNTS:
+    whole = low[:1] in (["all"], ["both"]) or (at > 0 and words[at - 1].low in ("the", "all"))
+    if not whole or low[1:] != ["of", "them"] or low[0] not in _COUNTS | {"all"}:
         return None
-    mention = Mention("group", [], "them", "the", number=lexicon.NUMBERS[low[0]], start=words[at - 1].start)
+    start = words[at - 1].start if low[0] not in ("all", "both") else run[0].start
+    mention = Mention("group", [], "them", "the", number=lexicon.NUMBERS.get(low[0], EVERYBODY), start=start)
     return Word("them", run[0].start, run[-1].end, mention)
 
 

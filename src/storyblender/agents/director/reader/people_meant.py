@@ -9,7 +9,7 @@ from storyblender.agents.director.reader.epithets import is_epithet, listeners, 
 from storyblender.agents.director.reader.look import years
 from storyblender.agents.director.reader.narrator import TOGETHER, own_people
 from storyblender.agents.director.reader.stage import Stage
-from storyblender.agents.director.reader.words import Mention
+from storyblender.agents.director.reader.words import EVERYBODY, Mention
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
@@ -200,6 +200,7 @@ def _pair(stage: Stage, mention: Mention, gender: Gender) -> list[Person]:
 def _latest(stage: Stage, number: int) -> list[Person]:
     """So many people on stage, those spoken of last."""
     here = [person for person in stage.spoken_of() if person.kind == "human" and person.count == 1]
+    number = len(here) if number == EVERYBODY else number
     here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
     return here[:number] if len(here) >= number else []
 

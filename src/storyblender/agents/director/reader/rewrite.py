@@ -17,7 +17,7 @@ from storyblender.agents.director.reader.tagging import (
     was,
 )
 from storyblender.agents.director.reader.words import Word
-from storyblender.agents.director.reader.written_verbs import written_verb
+from storyblender.agents.director.reader.written_verbs import is_outcome, written_verb
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
 _NO_FRAGMENT = frozenset({"of", "with", "to", "as"})
@@ -35,6 +35,8 @@ _TO_AND_FRO = frozenset(
 _RELATED = lexicon.KIN | lexicon.COMPANY
 _BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
 """``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
+_OUTCOMES = {"shut": "shut", "closed": "shut", "open": "open"}
+"""What a door is after it was kicked or pulled."""
 _LOOK_AHEAD = 16
 """Words an apposition may take."""
 
@@ -48,7 +50,7 @@ def regularise(words: list[Word]) -> list[Word]:
     Returns:
         The words in the order they are to be read; only inserted words are new.
     """
-    words = _named_kin(_without_pairs(words))
+    words = _named_kin(_without_all(_without_pairs(words)))
     row = Row()
     at = 0
     while at < len(words):
@@ -72,7 +74,9 @@ def regularise(words: list[Word]) -> list[Word]:
         stop = 1 if regular[-1].text in ".!?" else 0
         regular = [*regular[: len(regular) - stop], *row.tail, *regular[len(regular) - stop :]]
     for index, word in enumerate(regular):
-        if word.verb is None and word.mention is None and not word.inserted:
+        if word.low in _OUTCOMES and is_outcome(regular, index):
+            word.low, word.verb = _OUTCOMES[word.low], None
+        elif word.verb is None and word.mention is None and not word.inserted:
             word.verb = written_verb(regular, index)
     if row.last_kind == "3sg":
         as_participles(regular)
@@ -84,6 +88,20 @@ def _without_pairs(words: list[Word]) -> list[Word]:
     low = [word.low for word in words]
     pairs = [i for i in range(len(low) - 2) if low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO]
     return [word for i, word in enumerate(words) if not any(0 <= i - at < 3 for at in pairs)]
+
+
+def _without_all(words: list[Word]) -> list[Word]:
+    """``They all leave``, ``the men both nod``: the word changes nothing."""
+    return [
+        word
+        for index, word in enumerate(words)
+        if not (word.low in ("all", "both", "each") and index and _is_several(words[index - 1]))
+        or [following.low for following in words[index + 1 : index + 2]] == ["of"]
+    ]
+
+
+def _is_several(word: Word) -> bool:
+    return word.low in ("they", "we") or (word.mention is not None and word.mention.kind == "group")
 
 
 def _renames(before: list[Word], words: list[Word], at: int) -> bool:

@@ -40,6 +40,7 @@ PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "a
 _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then"})
 _LIMBS = frozenset({"hands", "arms", "fingers", "thumbs", "eyes", "knees", "elbows"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
+_HANDING = frozenset({"over", "out", "back", "round"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = _THINGS | lexicon.WORN
 _ANY_NOUNS = _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
@@ -95,19 +96,20 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     if form is None or names_a_kind(word, following):
         return
     left = row.neighbour()
+    following = _object_handed(words, at) or following
     if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
         return
     if form.kind == "base" and word.low in lexicon.PARTICLES:
         return
     if form.kind == "past" and left is None and following and following.low in lexicon.PREPOSITIONS:
         word.verb = VerbForm(form.lemma, "pp")
+    elif form.kind in ("base", "past") and word.low == form.lemma and _is_bare_infinitive(word, following, row):
+        word.verb, row.last_kind = VerbForm(form.lemma, "inf"), "inf"
     elif form.kind in ("past", "aux", "pp"):
         if left is None or left.low not in OPENERS:
             row.verb_seen = True
             if word.low not in FORMS:
                 word.verb = form
-    elif form.kind == "base" and _is_bare_infinitive(word, following, row):
-        word.verb, row.last_kind = VerbForm(form.lemma, "inf"), "inf"
     elif form.kind in ("3sg", "base"):
         opens = left is None or not any(w.solid for w in row.words)
         if _opens_sentence(form, word, following) if opens else _is_finite(form, word, following, left, row):
@@ -117,6 +119,12 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
             row.verb_seen, row.last_kind = True, form.kind
     elif form.kind == "ing" and not row.verb_seen:
         _tag_participle(words, at, row)
+
+
+def _object_handed(words: list[Word], at: int) -> Word | None:
+    """``hands over the keys``: what follows the particle."""
+    handing = words[at].low == "hands" and at + 2 < len(words) and words[at + 1].low in _HANDING
+    return words[at + 2] if handing else None
 
 
 def is_contracted(words: list[Word], at: int) -> bool:
@@ -320,7 +328,8 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
     if form.kind == "3sg" and form.lemma in ("lie", "stand", "sit", "hang") and form_kind(right) in ("past", "pp"):
         return True
     if form.kind == "3sg":
-        return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly"))
+        going = form.lemma in ("go", "come") and form_kind(right) == "ing"
+        return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly") or going)
     plural = singular(left.low) != left.low or left.low.endswith("s")
     return plural and right in _AFTER_VERB - {",", "slowly"}
 

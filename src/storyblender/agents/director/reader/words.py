@@ -12,6 +12,10 @@ from storyblender.agents.director.reading import Person
 MentionKind = Literal["name", "role", "generic", "group"]
 
 
+EVERYBODY = 99
+"""Number of ``everyone``, ``all of them``: whoever is there."""
+
+
 @dataclass
 class Mention:
     """A noun phrase that means somebody.

@@ -23,6 +23,7 @@ _RANKING = frozenset(
 _BEFORE_INFINITIVE = frozenset(
     {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "cannot", "let"}
 )
+_FORCING = lexicon.words("forcing")
 _SOLID = lexicon.SET_PIECES | lexicon.PROPS
 _THINGS = _SOLID | lexicon.BODY
 
@@ -48,6 +49,16 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
         return None
     modifies = form.kind in ("ing", "pp") and after_word in _SOLID and at > 0
     return None if modifies and before in lexicon.PREPOSITIONS else form
+
+
+def is_outcome(words: list[Word], at: int) -> bool:
+    """``kicks the door shut``, ``pulls the curtains closed``: how it ends, no verb of its own."""
+    for word in reversed(words[max(0, at - 6) : at]):
+        if word.verb is not None:
+            return word.verb.lemma in _FORCING and word is not words[at - 1]
+        if not (word.mention or word.text.isalpha() or word.text.startswith("'")) or word.low in lexicon.CONJUNCTIONS:
+            return False
+    return False
 
 
 def _rare_participle(words: list[Word], at: int) -> VerbForm | None:

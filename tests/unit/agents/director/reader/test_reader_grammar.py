@@ -1,0 +1,26 @@
+"""Who does what in sentences of many shapes: relative clauses, orders, wishes, outcomes, delayed subjects."""
+
+import pytest
+
+from conftest import Read
+
+TOLD = [
+    ("Anna hands the box to Bob, who opens it and reads.", {("anna", "give"), ("bob", "open"), ("bob", "read")}),
+    ("Anna tells Bob to sit.", {("anna", "talk")}),
+    ("Bob is about to speak.", set()),
+    ("Bob would like to dance.", set()),
+    ("Bob tries to lift the crate.", {("bob", "pick_up")}),
+    ("Anna kicks the door shut.", {("anna", "close")}),
+    ("Anna pulls the curtains closed.", {("anna", "close")}),
+    ("Bob stops, gasping, and hands over the keys.", {("bob", "stand"), ("bob", "give")}),
+    ("After washing the cup, Anna sits.", {("anna", "clean"), ("anna", "sit")}),
+    ("They all leave.", {("anna", "walk"), ("bob", "walk")}),
+    ("Both of them nod.", {("anna", "nod"), ("bob", "nod")}),
+    ("Anna helps Bob put on his coat.", {("bob", "wear")}),
+]
+
+
+@pytest.mark.parametrize(("action", "deeds"), TOLD)
+def test_who_does_what(read_scene: Read, action: str, deeds: set[tuple[str, str]]) -> None:
+    reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
+    assert {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds} == deeds
