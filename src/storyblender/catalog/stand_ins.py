@@ -42,7 +42,12 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "box",
             (0.12, 0.08, 0.08),
             "plastic",
-            "thing, object, item, gadget, trinket, souvenir, token, artifact, relic, charm, gem, stone, chip",
+            "thing, object, item, gadget, trinket, souvenir, token, artifact, relic, charm, gem, stone, chip, "
+            "pill, tablet of medicine, button, badge, pin, whistle, coin purse, eraser, sponge, soap, chalk, "
+            "stapler, tape, lipstick, compact, dice, die, domino, marble, seed, pebble, shell, nugget, fuse, "
+            "plug, magnet, timer, calculator, blotter, harmonica, bandage, petal, confetti, spur, horseshoe, "
+            "nail, screw, bulb, wig, bell pull, crumb, donut, doughnut, biscuit, cookie, candy, sweet, "
+            "chocolate, nest, mouthguard",
             True,
         ),
         _class(
@@ -50,7 +55,11 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "box",
             (0.2, 0.14, 0.12),
             "steel",
-            "device, machine part, instrument, apparatus, detector, recorder, transmitter, controller, drone, toy",
+            "device, machine part, instrument, apparatus, detector, recorder, transmitter, controller, drone, "
+            "toy, projector, mixer, blender, toaster, coffee machine, router, keyboard, modem, centrifuge, "
+            "hearing aid, headset, headphones, megaphone, periscope, compass, calculator, meter, gauge, "
+            "hologram, tape recorder, accordion, typewriter ribbon, tape dispenser, shredder, battery, iron, "
+            "drill",
             True,
         ),
         _class(
@@ -58,7 +67,11 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "rod",
             (0.05, 0.05, 0.45),
             "iron",
-            "tool, wrench, saw, drill, wand, rod, club, bat, racket, paddle, oar, ladle, brush, crowbar",
+            "tool, wrench, saw, drill, wand, rod, club, bat, racket, paddle, oar, ladle, brush, crowbar, whisk, "
+            "cleaver, rolling pin, spatula, tongs, chisel, pliers, screwdriver, bayonet, sickle, scythe, poker, "
+            "cue, golf club, hockey stick, fishing rod, pole, plank, branch, baton, arrow, crop, whip, "
+            "toothbrush, paint brush, paintbrush, pointer, ruler, flute, recorder, clarinet, oboe, pump, lever, "
+            "boathook",
             True,
         ),
         _class(
@@ -66,7 +79,10 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "drum",
             (0.12, 0.12, 0.18),
             "porcelain",
-            "vessel, jar, can, tin, container, urn, canister, thermos, flask, potion, pot",
+            "vessel, jar, can, tin, container, urn, canister, thermos, flask, potion, pot, beaker, carafe, jug, "
+            "pitcher, canteen, tankard, mixing bowl, salt shaker, pepper mill, inkwell, inkhorn, cauldron, "
+            "stockpot, saucepan, colander, spittoon, crucible, test tube, petri dish, ice bucket, candle jar, "
+            "tea caddy, shaker",
             True,
         ),
         _class(
@@ -74,7 +90,9 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "slab",
             (0.21, 0.3, 0.01),
             "paper",
-            "sheet, certificate, poster, leaflet, blueprint, plan, chart, flag, banner, cloth",
+            "sheet, certificate, poster, leaflet, blueprint, plan, chart, flag, banner, cloth, napkin, "
+            "handkerchief, rag, tissue, menu, bill, check, receipt, x-ray, photostat, sticker, quilt, sail, "
+            "canvas, palette, cutting board, tape, towel rail, placard, plank of wood, pillowcase, curtain",
             True,
         ),
         _class(
@@ -82,7 +100,9 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "ball",
             (0.25, 0.25, 0.25),
             "leather",
-            "sphere, orb, globe, egg, balloon, melon, pumpkin, snowball, planet, moon, bubble, nut",
+            "sphere, orb, globe, egg, balloon, melon, pumpkin, snowball, planet, moon, bubble, nut, onion, "
+            "potato, lemon, orange, tomato, cabbage, turnip, tangerine, coconut, watermelon, beach ball, drum, "
+            "tambourine, gong, wheel, tyre, hoop, wreath, garland, cushion",
             True,
         ),
         _class(
@@ -90,7 +110,9 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "drum",
             (0.24, 0.24, 0.09),
             "cardboard",
-            "food, pizza, sandwich, burger, cheese, ham, turkey, chicken, fish, salad, dessert, sushi, pudding",
+            "food, pizza, sandwich, burger, cheese, ham, turkey, chicken, fish, salad, dessert, sushi, pudding, "
+            "pasta, rice, sauce, meat, roast, steak, stew, porridge, toast, dough, bun, roll, broth, noodles, "
+            "bacon, sausage, lobster, cabbage, lettuce, leek, candyfloss, ice cream, popcorn, crust",
             True,
         ),
         _class(
@@ -98,7 +120,10 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "box",
             (0.4, 0.25, 0.12),
             "fabric",
-            "garment, coat, jacket, dress, shirt, shoes, boots, gloves, scarf, uniform, cloak, costume, laundry",
+            "garment, coat, jacket, dress, shirt, shoes, boots, gloves, scarf, uniform, cloak, costume, laundry, "
+            "overcoat, raincoat, cardigan, robe, apron, cape, hood, sweater, vest, trousers, skirt, belt, tie, "
+            "shawl, veil, hat box, saddle, saddlebag, holster, glove, boot, shoe, parka, parcel, bundle, "
+            "bandage roll",
             True,
         ),
         _class(
@@ -106,14 +131,19 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "box",
             (1.0, 0.55, 0.9),
             "wood",
-            "furniture, unit, console, altar, pedestal, kiosk, cage, crib, hutch, manger, ottoman, futon",
+            "furniture, unit, console, altar, pedestal, kiosk, cage, crib, hutch, manger, ottoman, futon, stand, "
+            "rack, ironing board, treadmill, barbell, trough, water trough, trestle, podium, box, locker, "
+            "playpen, platform bed, mattress, hammock, spinning wheel, loom, anvil, grindstone, bench press, "
+            "hitching post, workstation, bathtub, barrel organ, pushcart, jury box, dollhouse",
         ),
         _class(
             "appliance",
             "box",
             (0.6, 0.6, 0.9),
             "enamel",
-            "appliance, washing machine, dryer, dishwasher, heater, generator, printer, copier, robot, engine",
+            "appliance, washing machine, dryer, dishwasher, heater, generator, printer, copier, robot, engine, "
+            "water cooler, oven, freezer, jukebox, photocopier, vending machine, stove, mainframe, fish tank, "
+            "aquarium, incubator",
         ),
         _class(
             "machine",
@@ -127,7 +157,8 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "drum",
             (0.6, 0.6, 2.6),
             "concrete",
-            "pillar, column, post, totem, obelisk, chimney, pipe, tank, silo, boiler, fountain, well",
+            "pillar, column, post, totem, obelisk, chimney, pipe, tank, silo, boiler, fountain, well, "
+            "hitching post, flagpole, mast, pole, lamp post, streetlight, periscope mast",
         ),
         _class(
             "monument",

@@ -12,12 +12,14 @@ from functools import cached_property
 import numpy as np
 
 from storyblender.agents.concept_artist.recipe import AssetRequest, Recipe
-from storyblender.catalog.stand_ins import DEFAULT, STAND_INS, guess_class
+from storyblender.catalog.stand_ins import DEFAULT, STAND_INS, StandIn, guess_class
 from storyblender.ports import Embedder
 from storyblender.reflection import Critique
 
 SURE = 0.5
 """Least cosine for a class to be taken by likeness of meaning."""
+_OF_KIND: dict[str, str] = {"set_piece": "furnishing", "vehicle": "vehicle", "animal": "creature"}
+"""Kind of thing -> its class where nothing else is known; everything else is a small thing."""
 HONEST = 3.0
 """Match score of every stand-in: it is labelled, and it is not the thing."""
 
@@ -39,9 +41,11 @@ class Generator:
             return Recipe(source="stand_in", key=known.key, score=HONEST, reason=f"a kind of {known.name}")
         query = self._model.embed([view.phrase])[0]
         words, vectors = self._words
-        best = int(np.argmax(vectors @ query))
-        cosine = float(vectors[best] @ query)
-        key = words[best][0] if cosine >= SURE else DEFAULT
+        kind = next(iter(view.asset.tags), "")
+        likeness = vectors @ query - [not _suits(STAND_INS[key], kind) for key, _ in words]
+        best = int(np.argmax(likeness))
+        cosine = float(likeness[best])
+        key = words[best][0] if cosine >= SURE else _OF_KIND.get(kind, DEFAULT)
         reason = f"like {words[best][1]!r} ({cosine:.2f})" if cosine >= SURE else "nothing is known about it"
         return Recipe(source="stand_in", key=key, score=HONEST, reason=reason)
 
@@ -57,3 +61,17 @@ class Generator:
     def _words(self) -> tuple[list[tuple[str, str]], np.ndarray]:
         words = [(entry.key, tag) for entry in STAND_INS.values() for tag in entry.tags]
         return words, self._model.embed([tag for _, tag in words])
+
+
+def _suits(entry: StandIn, kind: str) -> bool:
+    """Tell whether a class is one of the script's kinds of things: a banana is like a monkey, but it is no animal."""
+    match kind:
+        case "prop":
+            return entry.holdable
+        case "set_piece":
+            return entry.key in ("furnishing", "appliance", "machine", "pillar", "monument", "building", "barrier")
+        case "vehicle":
+            return entry.key in ("vehicle", "large_vehicle", "craft")
+        case "animal":
+            return entry.key in ("creature", "small_creature")
+    return True

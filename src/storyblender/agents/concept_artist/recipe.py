@@ -15,6 +15,10 @@ RETRIEVAL_THRESHOLD = 7.0
 """tau of the Retriever: under it the Generator takes over (paper, section 3.3)."""
 
 
+_PHRASE = 7
+"""Words: a longer description is a sentence, not a phrase that names."""
+
+
 class ModelFile(Frozen):
     """A model in the user's own folder."""
 
@@ -31,11 +35,16 @@ class AssetRequest(Frozen):
     models: tuple[ModelFile, ...] = ()
     means: dict[str, str] = {}
     """What plain words mean in the place it is first seen in, prop for prop."""
+    weather: str = ""
+    """In the place it is first seen in, where that is outdoors: umbrellas are up in the rain."""
 
     @property
     def phrase(self) -> str:
-        """How the script calls it."""
-        return self.asset.name or self.asset.asset_id.replace("_", " ")
+        """How the script calls it, with its modifiers where they are known: ``small round table``."""
+        name = self.asset.name or self.asset.asset_id.replace("_", " ")
+        described = self.asset.description.split()
+        whole = len(described) <= _PHRASE and self.asset.description.lower().endswith(f" {name.lower()}")
+        return self.asset.description if whole else name
 
 
 class Recipe(Frozen):

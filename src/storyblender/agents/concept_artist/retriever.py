@@ -14,7 +14,7 @@ import numpy as np
 
 from storyblender.agents.concept_artist.recipe import AssetRequest, ModelFile, Recipe
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, read_variant, words_of
+from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS, read_variant, words_of
 from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.ports import Embedder
 from storyblender.reflection import Critique
@@ -29,23 +29,10 @@ _RESHAPING: frozenset[str] = frozenset(
     word for key in ("creature", "small_creature", "appliance", "craft") for word in STAND_INS[key].tags
 ) | frozenset(entry.name for entry in PROPS.values() if entry.category in ("animal", "vehicle"))
 """Words before a head that make another thing of it: a dragon statue, a robot dog, a toy car."""
-_RESHAPED_BY_TOY = frozenset(
-    (
-        "toy",
-        "model",
-        "rubber",
-        "plush",
-        "inflatable",
-        "chocolate",
-        "ice",
-        "paper",
-        "miniature",
-        "rocking",
-        "surveillance",
-    )
-)
-
-
+_OTHERWISE_SHAPED = frozenset(("rocking", "surveillance", "snow", "sand"))
+"""Words before a head of which nobody built the likeness."""
+_UNEXPLAINED = 0.1
+"""Points lost for each word of a phrase that a term leaves open: a round table is no long one."""
 _HEAPS: frozenset[str] = frozenset(
     ("pile", "heap", "stack", "bunch", "pair", "piece", "set", "row", "bundle", "handful", "wad", "sheaf")
 )
@@ -102,7 +89,7 @@ class Retriever:
             Recipe(
                 source="catalog",
                 key=(key := view.means.get(match.key, match.key) if match.score >= HEAD else match.key),
-                params=read_variant(PROPS[key], f"{phrase} {view.asset.description}"),
+                params=read_variant(PROPS[key], f"{phrase} {view.asset.description} {view.weather}"),
                 score=match.score,
                 reason=match.reason,
             )
@@ -126,7 +113,7 @@ class Retriever:
         best: dict[str, _Match] = {}
         for index in np.argsort(-likeness, kind="stable")[:40]:
             term = CATALOG_TERMS[int(index)]
-            if set(term.words) <= set(words[:-1]) or words[-1] in term.words[:-1]:
+            if set(term.words) <= set(words[:-1]) or words[-1] in term.words or _lookalike(words[-1], term.words[-1]):
                 continue
             cosine = float(likeness[index])
             score = max(LEAST, min(EXACT, 10.0 - PER_LIKENESS * (1.0 - cosine)))
@@ -188,15 +175,23 @@ def _fit(name: tuple[str, ...], full: list[str], bare: list[str], is_name: bool)
     if not name:
         return 0.0, 0
     exact = EXACT if is_name else TAG
-    if name in (tuple(full), tuple(bare)):
+    if name == tuple(full):
         return exact, 9
+    if name == tuple(bare):
+        return exact - _UNEXPLAINED * (len(full) - len(name)), 9
     for words in (_thing(full), _thing(bare)):
         if len(words) >= len(name) and tuple(words[-len(name) :]) == name:
-            rest = [word for word in words[: -len(name)] if word not in _MODIFIERS]
-            odd = any(word in _RESHAPING or word in _RESHAPED_BY_TOY for word in rest)
+            rest = [word for word in words[: -len(name)] if word not in _MODIFIERS | TOY_WORDS]
+            odd = any(word in _RESHAPING or word in _OTHERWISE_SHAPED for word in rest)
             plain = exact - 0.7 * (len(words) < len(full)) if not rest else HEAD + (0.3 if is_name else 0.0)
-            return (ODD_HEAD if odd else plain), len(name)
+            return (ODD_HEAD if odd else plain - _UNEXPLAINED * (len(words) - len(name))), len(name)
     return 0.0, 0
+
+
+def _lookalike(word: str, other: str) -> bool:
+    """Tell whether one word only begins like another, which the model takes for likeness: hatch and hatchet."""
+    short, long = sorted((_singular(word), _singular(other)), key=len)
+    return short != long and long.startswith(short)
 
 
 def _thing(words: list[str]) -> list[str]:

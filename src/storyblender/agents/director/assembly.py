@@ -11,7 +11,7 @@ from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.place_words import ground, lighting, walls
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.staging import Staging
-from storyblender.agents.director.wording import one_line, shot_sentence
+from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.catalog.costumes import Age, age_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -61,7 +61,7 @@ class Assembly:
         return Asset(
             asset_id=thing.id,
             asset_type="object",
-            description=thing.description or thing.name,
+            description=thing.description or f"{modifiers_of(thing, self.text)} {thing.name}".strip(),
             name=self.company.names[thing.id],
             tags=(thing.kind, *(("handled",) if thing.handled else ())),
         )

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
-from storyblender.agents.director.reading import Deed, Unit
+from storyblender.agents.director.lexicon import ADJECTIVES, DETERMINERS, POSSESSIVES, PREPOSITIONS
+from storyblender.agents.director.reading import Deed, Thing, Unit
+from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS
 from storyblender.memory.vocabulary import Mood, Movement, ShotSize
 
 _SIZES: Final[dict[ShotSize, str]] = {
@@ -33,6 +35,8 @@ _LOOSE_END: Final = re.compile(
     re.IGNORECASE,
 )
 """What hangs over from the next clause."""
+_DETERMINERS: Final = DETERMINERS | POSSESSIVES
+_DESCRIBING: Final = COLORS.keys() | MATERIALS.keys() | PLAIN | TOY_WORDS
 _MOTION_WORDS: Final = {"idle": "is there", "talk": "speaks", "whisper": "whispers", "shout": "shouts", "sing": "sings"}
 
 
@@ -52,6 +56,24 @@ def one_line(text: str) -> str:
 def listed(names: list[str]) -> str:
     """Return names as a phrase: ``Rick, Ilsa and Sam``."""
     return names[0] if len(names) == 1 else " and ".join([", ".join(names[:-1]), names[-1]]) if names else ""
+
+
+def modifiers_of(thing: Thing, text: str) -> str:
+    """Return what a thing is called besides its name where it is first named: ``small round`` of a table.
+
+    A single word after an article belongs to the noun whatever it is; of more words only those that describe.
+    """
+    phrase = re.split(r"[.;:!?()\n]", text[max(0, thing.first - 60) : thing.first])[-1]
+    words = re.findall(r"[\w'-]+", phrase.lower())
+    known = thing.name.lower().split()
+    while words and words[-1] in known:
+        words.pop()
+    found: list[str] = []
+    while words and words[-1] in _DESCRIBING | ADJECTIVES and words[-1] not in _DETERMINERS:
+        found.insert(0, words.pop())
+    if not found and len(words) > 1 and words[-2] in _DETERMINERS and words[-1] not in _DETERMINERS | PREPOSITIONS:
+        found = [words[-1]]
+    return " ".join(found)
 
 
 def camera_sentence(draft: ShotDraft, names: Mapping[str, str], place: str) -> str:

@@ -1,7 +1,7 @@
 """The Dimension Estimator: for every asset the one dimension that is surest, in metres (paper, appendix).
 
-People are as tall as their age and gender; things are as large as the catalog's, or as their noun says; words of size
-in the description scale both.
+People are as tall as their age and gender; things are as large as the catalog's, a stand-in as its noun or its class
+says; words of size in the description scale both. What people sit on and work at keeps to their size.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Literal
 
 from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.variants import TOY_WORDS
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
 from storyblender.reflection import Critique, Fault
 
@@ -62,6 +63,10 @@ NOUNS: dict[str, tuple[Side, float]] = {
 }  # fmt: skip
 """Head noun -> its surest side and metres, for what the catalog does not have."""
 _USUAL: tuple[Side, float] = ("height", 0.4)
+_FURNITURE = 0.4
+"""How much of a word of size furniture takes: its heights are people's."""
+_TOY = 0.3
+"""Metres: the longest side of a toy car, a plush bear, a model ship."""
 _PLAUSIBLE = (0.003, 60.0)
 
 
@@ -115,12 +120,24 @@ def estimate(asset: Asset) -> AssetDimension:
         return measured
     if asset.asset_type == "character" and asset.look is not None:
         return AssetDimension(height=round(min(max(_stature(asset.look, text), 0.4), 2.4), 2))
+    scale = next((factor for word, factor in _SCALES.items() if _says(word, text)), 1.0)
     if asset.canonical is not None and asset.canonical.source == "catalog":
         side, value = _largest(asset.canonical.dimensions)
+        entry = PROPS[asset.canonical.key]
+        if entry.life_size and any(_says(word, text) for word in TOY_WORDS):
+            value = _TOY
+        elif entry.category == "furniture":
+            scale **= _FURNITURE
+    elif asset.canonical is not None and asset.canonical.source == "stand_in":
+        side, value = NOUNS.get(_head(asset), _largest(asset.canonical.dimensions))
     else:
         side, value = _usual(asset, text)
-    scale = next((factor for word, factor in _SCALES.items() if _says(word, text)), 1.0)
     return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})
+
+
+def _head(asset: Asset) -> str:
+    """Return the last word of a thing's name, in the singular."""
+    return (asset.name or asset.asset_id.replace("_", " ")).lower().split(" ")[-1].removesuffix("s")
 
 
 def _stature(look: CharacterLook, text: str) -> float:

@@ -196,7 +196,7 @@ def umbrella(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(metal, (0, 0, 0.08), (0, 0, h), 0.007, segments=10)
     crook = [(0, 0, 0.16), (0, 0, 0.05), (0, -0.02, 0.012), (0, -0.06, 0.01), (0, -0.08, 0.05)]
     b.tube(spec.material("handle"), crook, 0.011)
-    if spec.flag("open"):
+    if spec.flag("up"):
         angle = np.linspace(0, math.tau, 48, endpoint=False)
         scallop = 0.04 * (1 - np.abs(np.cos(4 * angle)))
         for inside in (0.0, 0.006):

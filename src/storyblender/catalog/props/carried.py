@@ -67,8 +67,8 @@ CARRIED: tuple[PropEntry, ...] = (
         "parasol, brolly",
         (1.0, 1.0, 0.95),
         {"cloth": "plastic_black", "handle": "wood", "metal": "steel"},
-        "An umbrella; open or furled.",
-        {"open": True},
+        "An umbrella, furled; ``up`` opens it.",
+        {"up": False},
     ),
     held(
         "cane", "walking stick, crutch, stick, wand, baton", (0.1, 0.03, 0.9), {"body": "wood_dark"}, "A walking stick."

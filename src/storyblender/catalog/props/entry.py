@@ -38,6 +38,11 @@ class PropEntry(Frozen):
     surface: Surface = Surface.PROP
     """How ink and light treat it."""
 
+    @property
+    def life_size(self) -> bool:
+        """Whether it is a creature or a vehicle, of which there are toys."""
+        return self.category in ("animal", "vehicle")
+
 
 def entry(
     category: Category,

@@ -223,6 +223,11 @@ PLAIN: frozenset[str] = frozenset(
 )
 """Words that change nothing about what a thing is."""
 
+TOY_WORDS: frozenset[str] = frozenset(
+    ["toy", "model", "rubber", "plush", "stuffed", "inflatable", "chocolate", "miniature", "clockwork", "tin", "paper"]
+)
+"""Words before a creature or a vehicle that make a small likeness of it."""
+
 _PERIODS = {
     "1920s": "1940s",
     "1930s": "1940s",
@@ -235,7 +240,8 @@ _PERIODS = {
     "modern": "modern",
 }
 _YES: dict[str, tuple[str, ...]] = {
-    "open": ("open", "opened", "unfurled"),
+    "open": ("open", "opened"),
+    "up": ("open", "opened", "unfurled", "rain", "storm", "snow"),
     "lit": ("lit", "burning", "blazing"),
     "on": ("flickering", "blaring"),
     "flat": ("flat", "flatscreen", "modern"),
@@ -244,7 +250,8 @@ _YES: dict[str, tuple[str, ...]] = {
     "revolver": ("revolver", "colt", "magnum"),
 }
 _NO: dict[str, tuple[str, ...]] = {
-    "open": ("closed", "shut", "furled", "folded"),
+    "open": ("closed", "shut", "folded"),
+    "up": ("closed", "furled", "folded", "rolled"),
     "lit": ("unlit", "dead", "cold"),
     "food": ("empty",),
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import re
 from itertools import pairwise
 from pathlib import Path
@@ -123,6 +125,15 @@ def test_states_are_carried_and_start_as_the_scene_finds_them() -> None:
     assert board.shot_details[0].character_actions[0].motion == "idle"
     assert bodies[0]["bob"].held == ("key",) and bodies[-1]["bob"].held == ()
     assert (bodies[-1]["ann"].posture, bodies[-1]["ann"].held) == ("stand", ("key",))
+
+
+def test_who_is_found_in_a_car_sits_and_who_comes_in_does_not_yet() -> None:
+    script = Script("Ann", "Bob").action("Ann looks at the road.", ("ann", "look"))
+    script.action("Bob jumps in.", ("bob", "walk"), entering=["bob"])
+    script.reading.scenes[0] = replace(script.reading.scenes[0], place="car", place_kind="car")
+    script.reading.units[0].on_stage = ["ann"]
+    postures = {state.asset_id: state.posture for shot in board_of(script).shot_details for state in shot.states}
+    assert postures == {"ann": "sit", "bob": "stand"}
 
 
 def test_sitting_down_later_is_an_action() -> None:
@@ -279,3 +290,18 @@ def test_an_insert_of_what_somebody_holds_shows_the_holder() -> None:
     script.action("CLOSE ON the key.", camera=CameraNote("CLOSE ON", size="CU", subject="key"), **held)
     last = board_of(script).shot_details[-1]
     assert (last.camera_instruction.kind, last.in_frame) == ("insert", ("ann",))
+
+
+def test_things_keep_their_modifiers_and_parts_of_buildings_are_nobody_s_props(tmp_path):
+    script = tmp_path / "tango.fountain"
+    script.write_text(
+        "INT. BAR - NIGHT\n\nPaper lanterns hang from the beams. ANNA (28) sits at a small round table. She takes a red"
+        " book and lowers the shutters. A goat chews hay. She drops it in the tip jar.\n"
+    )
+    sheet = {asset.asset_id: asset for asset in storyboard(read_script(load(script))).asset_sheet}
+    assert not {"beam", "shutter", "shutters"} & set(sheet)
+    assert sheet["table"].description == "small round table"
+    assert sheet["book"].description == "red book"
+    assert sheet["jar"].description == "tip jar"
+    assert sheet["paper_lantern"].description == "paper lantern"
+    assert sheet["hay"].description == "hay"

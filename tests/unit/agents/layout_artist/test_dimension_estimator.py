@@ -1,7 +1,11 @@
+from typing import Literal
+
 import pytest
 
+from storyblender.agents.concept_artist.recipe import Recipe
 from storyblender.agents.layout_artist.dimension_estimator import NOUNS, DimensionCritic, DimensionRules, estimate
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
 
 
@@ -49,6 +53,24 @@ def test_the_head_noun_counts() -> None:
     noun = next(noun for noun in NOUNS if noun not in told)
     assert only(estimate(thing(f"worn {noun}"))) == NOUNS[noun]
     assert 3.5 < only(estimate(thing("red sports car")))[1] < 5.5
+
+
+def built(name: str, source: Literal["catalog", "stand_in"], key: str, description: str = "") -> Asset:
+    recipe = Recipe(source=source, key=key, score=8.0)
+    return thing(name, description).model_copy(update={"canonical": recipe.canonical()})
+
+
+def test_a_stand_in_is_as_large_as_its_noun_or_its_class() -> None:
+    assert only(estimate(built("jug", "stand_in", "vessel")))[1] == max(STAND_INS["vessel"].size)
+    assert only(estimate(built("frobnicator", "stand_in", "small_thing")))[1] < 0.2
+    assert only(estimate(built("iron gates", "stand_in", "building"))) == NOUNS["gate"]
+
+
+def test_toys_are_small_and_furniture_keeps_to_people() -> None:
+    assert only(estimate(built("car", "catalog", "car", "a red toy car")))[1] == pytest.approx(0.3)
+    assert only(estimate(built("gun", "catalog", "gun", "a toy gun")))[1] == pytest.approx(0.19)
+    plain, small = (only(estimate(built("chair", "catalog", "chair", words)))[1] for words in ("", "a tiny chair"))
+    assert 0.7 * plain < small < plain
 
 
 def test_every_draft_of_the_rules_passes_the_critic() -> None:
