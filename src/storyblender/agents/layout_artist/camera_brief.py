@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -20,6 +21,8 @@ TIGHT = ("MCU", "CU", "ECU")
 CROWDED = ("WS", "EWS", "FS")
 """Sizes that show a place: people who happen to be there may be seen."""
 _ONE_PERSON = ("single", "reaction", "ots")
+_HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 3.0}
+"""Metres from the first of a group to who is still held in the picture: who is farther makes all of them tiny."""
 _NEARBY = 1.3
 """Metres from somebody within which a thing belongs to them: their table, their chair."""
 _BENT = 0.3
@@ -70,6 +73,7 @@ class CameraBrief:
         nodes: node_id by asset_id, where they differ.
         carried: node_ids of the things in somebody's hands, by whose hands they are.
         detail: Where the part of somebody is that an insert shows; None where the shot is about all of them.
+        used: node_ids of the things that people do something with: no picture of it does without them.
     """
 
     scene_id: int
@@ -88,6 +92,7 @@ class CameraBrief:
     nodes: Mapping[str, str] = field(default_factory=dict)
     carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     detail: Box | None = None
+    used: tuple[str, ...] = ()
 
     def node(self, asset_id: str) -> str:
         """Return the node that shows an asset."""
@@ -101,7 +106,8 @@ class CameraBrief:
         """
         if self.detail is not None:
             return ()
-        nodes = self.named
+        away = far_off(self.instruction, self.drawn, self.named)
+        nodes = tuple(node for node in self.named if node not in away)
         if self.instruction.size not in TIGHT and self.instruction.kind not in _ONE_PERSON:
             return nodes
         faces = {figure.node_id for moment in self.moments for figure in moment.figures}
@@ -216,6 +222,21 @@ class CameraBrief:
     def size_steps(self, other: ShotSize) -> int:
         """Return how many sizes lie between this shot and another."""
         return abs(SHOT_SIZES.index(self.instruction.size) - SHOT_SIZES.index(other))
+
+
+def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str]) -> set[str]:
+    """Return which of a group's people are too far from its first to be held in a picture of its size.
+
+    Args:
+        instruction: What the Director wants.
+        drawn: Where everybody is.
+        nodes: node_ids of the people, the first first.
+    """
+    people = [figure for node in nodes if (figure := drawn.figure(node)) is not None]
+    if instruction.kind != "group" or instruction.explicit or instruction.size not in _HELD:
+        return set()
+    reach = _HELD[instruction.size]
+    return {each.node_id for each in people if math.dist(each.base[:2], people[0].base[:2]) > reach}
 
 
 def share_of(brief: CameraBrief, frame: int) -> float:

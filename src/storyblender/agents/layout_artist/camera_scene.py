@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment, far_off
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
 from storyblender.agents.layout_artist.camera_operator import operate, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
@@ -62,7 +62,8 @@ def _strength(cue: Cue, shot: ShotContext) -> int:
     goes_on = motion.stretches and not motion.before
     if motion.reach == "self" and motion.after is None and (goes_on or not motion.hands):
         return 1
-    return 3 if cue.target_id in shot.on_stage and motion.reach != "self" else 2
+    to_somebody = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
+    return 3 if to_somebody and motion.reach != "self" else 2
 
 
 def telling_frames(shot: ShotContext) -> tuple[int, ...]:
@@ -142,6 +143,8 @@ def camera_brief(
     props: dict[str, Box] = {}
     nodes: dict[str, str] = {}
     carried: dict[str, tuple[str, ...]] = {}
+    used: list[str] = []
+    handled = {name for deed in shot.character_actions for name in (deed.target_id, deed.prop_id) if name is not None}
     away = {state.asset_id: state for state in shot.prop_states}
     for item in layout.objects if layout is not None else ():
         measure, state = measures.get(item.asset_id), away.get(item.asset_id)
@@ -153,6 +156,8 @@ def camera_brief(
         if state is None or state.held_by is None:
             props[item.node_id] = Box(*location, *size_of(measure), math.radians(yaw))
         nodes.setdefault(item.asset_id, item.node_id)
+        if item.asset_id in handled or item.node_id in handled:
+            used.append(item.node_id)
     for state in shot.prop_states:
         holder = middle_of(moments).figure(state.held_by) if moments and state.visible else None
         measure = measures.get(state.asset_id)
@@ -160,17 +165,23 @@ def camera_brief(
             node = nodes.get(state.asset_id, state.asset_id)
             props[node] = held_at(holder, state.hand, size_of(measure))
             carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
+    instruction, in_frame = shot.camera_instruction, shot.in_frame
+    if moments:
+        together = (*(nodes.get(name, name) for name in instruction.focus_on_ids[:1]), *in_frame)
+        distant = far_off(instruction, middle_of(moments), together)
+        in_frame = tuple(node for node in in_frame if node not in distant)
     return CameraBrief(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,
-        instruction=shot.camera_instruction,
+        instruction=instruction,
         duration=shot.duration,
         moments=tuple(moments),
         plan=plan,
         props=props,
-        in_frame=shot.in_frame,
+        in_frame=in_frame,
         film=Film(graph.format.sensor_width, graph.format.aspect),
         nodes=nodes,
         carried=carried,
         detail=detail_of(shot, moments),
+        used=tuple(used),
     )

@@ -80,7 +80,9 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
     hidden: list[str] = []
     if brief.plan is not None:
         loose = {
-            node: box for node, box in brief.props.items() if node not in brief.focus and not _bears(box, brief.moments)
+            node: box
+            for node, box in brief.props.items()
+            if node not in (*brief.focus, *brief.used) and not _bears(box, brief.moments)
         }
         hidden = taken_away(brief.plan, loose, dict.fromkeys((first, camera, last)), _targets(brief))
     if instruction.kind == "pov" and instruction.pov_id is not None:

@@ -247,6 +247,9 @@ def test_walls_in_the_way_are_taken_away_and_only_those() -> None:
     plan = SetPlan(kit="room", indoor=True, size=SceneSize(x=2, x_negative=-2, y=2, y_negative=-2), walls=walls)
     view = brief(kind="two_shot", size="FS", focus_on_ids=("anna", "tom"), plan=plan, **TALK)
     assert start(view).hidden == ("wall_front",)
+    shelf = {"shelf_1": Box(0, -1.8, 0, 1.6, 0.3, 2.0)}
+    assert start(replace(view, props=shelf)).hidden == ("wall_front", "shelf_1")
+    assert start(replace(view, props=shelf, used=("shelf_1",))).hidden == ("wall_front",), "somebody works at it"
     tight = brief([figure("anna", 0, 1, 0)], kind="single", size="CU", focus_on_ids=("anna",), lens=50.0, plan=plan)
     assert start(tight).hidden == ()
 

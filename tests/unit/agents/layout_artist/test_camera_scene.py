@@ -11,7 +11,15 @@ from storyblender.geometry.continuity import side_of_line
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, Layout, LayoutObject, SceneContext, SceneSetup
-from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue, PropState, ShotContext
+from storyblender.memory.shot_context import (
+    CameraInstruction,
+    CameraPose,
+    CameraState,
+    CharacterAction,
+    Cue,
+    PropState,
+    ShotContext,
+)
 
 PLAN = plan_of(Environment(kit="street"))
 AXIS = ("anna", "tom")
@@ -87,6 +95,31 @@ def test_props_are_where_the_shot_has_them() -> None:
     assert camera_brief(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
 
 
+def test_what_somebody_uses_never_goes_with_a_wall() -> None:
+    uses = CharacterAction(asset_id="anna", action_description="closes it", motion="close", target_id="cup")
+    for actions, used in (((), ()), ((uses,), ("cup_1",))):
+        story = graph({"kind": "single", "size": "MS", "focus_on_ids": ("anna",)}, character_actions=actions)
+        brief = camera_brief(story, story.shots[0], PLAN, {"cup": CUP}, moments(story.shots[0]))
+        assert brief.used == used
+
+
+@pytest.mark.parametrize(
+    ("kind", "size", "x", "held"),
+    [
+        ("group", "MWS", 2.0, True),
+        ("group", "MWS", 5.0, False),
+        ("group", "WS", 5.0, True),
+        ("action", "MWS", 5.0, True),
+    ],
+)
+def test_a_group_of_medium_size_holds_only_who_is_near(kind: str, size: str, x: float, held: bool) -> None:
+    far = replace(TOM, face=(ANNA.face[0] + x, *TOM.face[1:]), base=(ANNA.base[0] + x, *ANNA.base[1:]))
+    story = graph({"kind": kind, "size": size, "focus_on_ids": AXIS}, in_frame=("tom",))
+    brief = camera_brief(story, story.shots[0], PLAN, {}, [Moment(0, (ANNA, far))])
+    assert (brief.focus == AXIS) == held
+    assert (brief.in_frame == ("tom",)) == held
+
+
 def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(monkeypatch) -> None:
     story = graph(*DIALOGUE[3:])
     behind = replace(TOM, face=(-0.6, 1.2, TOM.face[2]), base=(-0.6, 1.2, 0.0))
@@ -121,6 +154,7 @@ HUG = {"clip": "hug", "start": 120, "target_id": "tom"}
         ([{"clip": "rise", "start": 5}, {"clip": "point", "start": 90, "duration": 60}], 90, 150),
         ([TAKE, {**HUG, "start": 210}], 80, 199),
         ([{"clip": "turn", "start": 5}], 100, 120),
+        ([{"clip": "take", "start": 5, "target_id": "anna"}, {"clip": "put_down", "start": 100}], 100, 199),
         ([{"clip": "wave", "start": 5, "target_id": "tom"}, {"clip": "fall", "start": 120}], 120, 180),
     ],
     ids=[
@@ -133,6 +167,7 @@ HUG = {"clip": "hug", "start": 120, "target_id": "tom"}
         "rise, point",
         "after the end",
         "turn",
+        "out of a pocket, down",
         "wave, fall",
     ],
 )
