@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.look.raster import LUMA, Image, blur, luminance
+from storyblender.look.raster import LUMA, Image, blur, dot, luminance, stacked
 from storyblender.memory.scene_context import Fog, Light
 
 _REACH = 400.0
@@ -18,6 +18,7 @@ _HALO_LIMIT = 0.35
 """A halo adds at most this much luminance: more turned frames into soup (notes 1.8)."""
 _HALO_WIDTH = 1.6
 """Metres beyond which a halo fades faster than physics has it: the far tails of many lamps only add up to haze."""
+_QUARTER = np.float32(math.pi / 2)
 _RAIN_LAYERS = ((2.5, 40, 120, 0.5), (6.0, 160, 60, 0.4), (14.0, 420, 28, 0.3))
 """Distance in metres, streaks, length in pixels at 540 rows, strength."""
 _RAIN_SLANT = 0.1
@@ -34,7 +35,7 @@ def transmittance(fog: Fog | None, depth: Image, rays: Image, eye: NDArray[np.fl
     """
     if fog is None:
         return np.ones(depth.shape, np.float32)
-    length = np.linalg.norm(rays, axis=2)
+    length = np.sqrt(dot(rays, rays))
     distance = np.minimum(depth * length, _REACH)
     climb = rays[..., 2] / length * distance / fog.height
     flat = np.abs(climb) < 1e-3
@@ -48,12 +49,13 @@ def veil(fog: Fog | None, rays: Image) -> Image:
     """Return the colour of endless fog along the rays; towards the sun it is brighter (cosine to the sixth)."""
     if fog is None:
         return np.zeros(rays.shape, np.float32)
-    color = np.broadcast_to(np.asarray(fog.color, np.float32), rays.shape)
+    color = np.asarray(fog.color, np.float32)
     if fog.sun_direction is None:
-        return color
+        return np.broadcast_to(color, rays.shape)
     toward = np.asarray(fog.sun_direction, np.float32)
-    cosine = rays @ (toward / np.linalg.norm(toward)) / np.linalg.norm(rays, axis=2)
-    return color + (np.clip(cosine, 0, 1) ** 6)[..., None] * np.asarray(fog.sun_color, np.float32)
+    cosine = dot(rays, toward / np.linalg.norm(toward)) / np.sqrt(dot(rays, rays))
+    lobe = np.clip(cosine, 0, 1) ** 6
+    return stacked([level + lobe * np.float32(sun) for level, sun in zip(color, fog.sun_color, strict=True)])
 
 
 def add_fog(picture: Image, fog: Fog | None, through: Image, rays: Image) -> Image:
@@ -68,21 +70,23 @@ def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image
     glowing = [light for light in lights if light.glow > 0 and light.kind != "SUN"]
     if not glowing:
         return picture
-    length = np.linalg.norm(rays, axis=2)
-    along_ray = rays / length[..., None]
+    length = np.sqrt(dot(rays, rays))
     distance = np.minimum(depth * length, _REACH)
-    result = picture.copy()
+    result = np.copy(picture, order="K")
     for light in glowing:
         from_light = (eye - np.asarray(light.location)).astype(np.float32)
-        along = along_ray @ from_light
+        along = dot(rays, from_light) / length
         aside = np.sqrt(np.maximum(float(from_light @ from_light) - along * along, 0.0036) + 0.05)
-        scatter = (np.arctan((distance + along) / aside) - np.arctan(along / aside)) / aside
+        # The angle under which the ray is seen from the lamp: the difference of two arcs in one, of 0 to 180 degrees.
+        angle = _QUARTER - np.arctan((aside * aside + (distance + along) * along) / (distance * aside))
+        scatter = angle / aside
         scatter /= 1 + (aside / _HALO_WIDTH) ** 2
         share = 0.6 if light.kind == "SPOT" else 1.0
         color = np.asarray(light.color, np.float32)
         amount = _HALO * share * light.glow * light.power / (16 * math.pi**2) * scatter
         amount = np.minimum(amount, _HALO_LIMIT / max(float(LUMA @ color), 1e-3))
-        result += amount[..., None] * color
+        for band in range(3):
+            result[..., band] += amount * color[band]
     return result
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.look.raster import Image, Mask, Window, every, shrink
+from storyblender.look.raster import Image, Mask, Window, every, shrink, stacked
 from storyblender.look.surface import SKY
 
 FAR = 1e4
@@ -89,7 +89,9 @@ class View:
 
     def rays(self) -> Image:
         """Return the rays in world space; position = eye + ray * depth."""
-        return self.camera_rays() @ self.axes.T.astype(np.float32)
+        x, y = self.slopes()
+        axes = self.axes.astype(np.float32)
+        return stacked([right * x[None, :] + (up * y - back)[:, None] for right, up, back in axes])
 
     def project(self, points: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """Return column, row (pixels, float) and depth (metres, positive in front) of (..., 3) world points."""

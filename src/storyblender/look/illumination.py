@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.look.gbuffer import GBuffer
-from storyblender.look.raster import LUMA, Image, luminance
+from storyblender.look.raster import LUMA, Image, dot, luminance, stacked
 from storyblender.look.surface import Surface
 from storyblender.memory.scene_context import Light, Lighting, Sky
 
@@ -55,17 +55,17 @@ def light_field(light: Light, positions: Image, normal: Image) -> LightField:
     """Return what the lamp gives to (h, w, 3) world positions with these normals, nothing in between."""
     aim = direction_of(light).astype(np.float32)
     if light.kind == "SUN":
-        return LightField(light, np.clip(-(normal @ aim), 0, 1) * np.float32(light.power / math.pi))
+        return LightField(light, np.clip(-dot(normal, aim), 0, 1) * np.float32(light.power / math.pi))
     toward = np.asarray(light.location, np.float32) - positions
-    squared = np.einsum("hwc,hwc->hw", toward, toward)
-    toward /= np.sqrt(squared)[..., None]
-    facing = np.clip(np.einsum("hwc,hwc->hw", normal, toward), 0, 1)
-    amount = facing * np.float32(light.power / (4 * math.pi**2)) / (squared + (light.size / 2) ** 2)
+    squared = dot(toward, toward)
+    nearness = 1 / np.sqrt(squared)
+    facing = np.maximum(dot(normal, toward), 0) * nearness
+    amount = facing * np.float32(light.power / (4 * math.pi**2)) / (squared + np.float32((light.size / 2) ** 2))
     if light.kind == "AREA":
-        amount *= 4 * np.clip(-(toward @ aim), 0, 1)
+        amount *= np.maximum(-4 * dot(toward, aim), 0) * nearness
     elif light.kind == "SPOT":
         edge = math.cos(math.radians(light.cone / 2))
-        amount *= np.clip((-(toward @ aim) - edge) / max(1e-3, (1 - edge) * light.blend), 0, 1)
+        amount *= np.clip((-dot(toward, aim) * nearness - edge) / max(1e-3, (1 - edge) * light.blend), 0, 1)
     return LightField(light, amount)
 
 
@@ -82,14 +82,16 @@ def ambient_light(plan: Lighting, roofed: float, normal: Image, openness: Image)
         openness: (h, w) ambient occlusion.
     """
     ambient, ground = np.asarray(plan.ambient, np.float32), np.asarray(plan.sky.ground, np.float32)
-    up = normal[..., 2:]
-    outdoors = ground + (ambient - ground) * (1 + up) / 2
-    return openness[..., None] * (outdoors * np.float32(1 - roofed) + roof_light(plan, roofed, normal))
+    up, open_share = (1 + normal[..., 2]) / 2, np.float32(1 - roofed)
+    outdoors = ((low + (high - low) * up) * open_share for low, high in zip(ground, ambient, strict=True))
+    roof = roof_light(plan, roofed, normal)
+    return stacked([openness * (light + roof[..., band]) for band, light in enumerate(outdoors)])
 
 
 def roof_light(plan: Lighting, roofed: float, normal: Image) -> Image:
     """Return the part of the ambient light that no sky gives; a path tracer is given it, as nothing else would."""
-    return (0.75 + 0.25 * normal[..., 2:]) * (np.asarray(plan.ambient, np.float32) * np.float32(roofed))
+    level = 0.75 + 0.25 * normal[..., 2]
+    return stacked([level * (np.float32(band) * np.float32(roofed)) for band in plan.ambient])
 
 
 def bounce_light(albedo: Image, direct: Image, solid: NDArray[np.bool_], openness: Image) -> Image:
@@ -113,9 +115,10 @@ def soft_foliage(normal: Image, gbuffer: GBuffer) -> Image:
 
 def total(fields: Sequence[LightField], ambient: Image) -> Image:
     """Sum lamps and ambient light to (h, w, 3) illumination."""
-    result = ambient.copy()
+    result = np.copy(ambient, order="K")
     for field in fields:
-        result += field.amount[..., None] * np.asarray(field.light.color, np.float32)
+        for band, part in enumerate(field.light.color):
+            result[..., band] += field.amount * np.float32(part)
     return result
 
 
@@ -133,9 +136,9 @@ def sky_colors(sky: Sky) -> NDArray[np.float32]:
 
 def sky_light(sky: Sky, rays: Image) -> Image:
     """Return the sky seen along (h, w, 3) rays."""
-    height = rays[..., 2] / np.linalg.norm(rays, axis=2)
+    height = rays[..., 2] / np.sqrt(dot(rays, rays))
     colors = sky_colors(sky)
-    return np.stack([np.interp(height, SKY_STOPS, colors[:, band]) for band in range(3)], axis=2).astype(np.float32)
+    return stacked([np.interp(height, SKY_STOPS, colors[:, band]).astype(np.float32) for band in range(3)])
 
 
 def strength(field: LightField, albedo: Image) -> float:

@@ -132,35 +132,43 @@ def add_lines(picture: Image, depth: Image, view: View) -> Image:
         depth: (h, w) metres.
         view: The camera, at this size.
     """
-    line = np.zeros(depth.shape, np.float32)
-    per_metre = view.pixels_per_metre * _ROWS / view.height / np.minimum(depth, 1e3)
+    at = np.zeros(depth.shape, bool)
+    at.flat[np.concatenate([_outlined(depth, axis) for axis in (0, 1)])] = True
+    lines, near_lines = np.flatnonzero(at), np.flatnonzero(spread(at))
+    per_metre = view.pixels_per_metre * _ROWS / view.height / np.minimum(depth.take(lines), 1e3)
     strength = np.clip(per_metre / 110, 0, 0.85).astype(np.float32)
-    for axis in (0, 1):
-        here, there = _neighbours(axis)
-        near = np.minimum(depth[here], depth[there])
-        jump = np.abs(depth[here] - depth[there]) / near > _OUTLINE_JUMP * 1.6
-        jump &= _bend(depth, axis) > _OUTLINE_JUMP
-        near_here = depth[here] <= depth[there]
-        line[here] = np.maximum(line[here], strength[here] * (jump & near_here))
-        line[there] = np.maximum(line[there], strength[there] * (jump & ~near_here))
-    drawn, at = picture.copy(), line > 0
-    drawn[at] += (_DARK_INK * 0.3 - drawn[at]) * line[at][:, None]
-    # The frame comes without antialiasing: soften it along its lines.
-    soft = np.nonzero(spread(at))
-    drawn[soft] = (drawn[soft] + _mean_around(drawn, *soft)) / 2
-    return drawn
+    drawn = np.moveaxis(picture, 2, 0).copy()
+    for plane, ink in zip(drawn.reshape(3, -1), _DARK_INK * np.float32(0.3), strict=True):
+        ground = plane.take(lines)
+        plane[lines] = ground + (ink - ground) * strength
+        # The frame comes without antialiasing: soften it along its lines.
+        plane[near_lines] = (
+            plane.take(near_lines) + _mean_around(plane, near_lines, depth.shape[0], depth.shape[1])
+        ) / 2
+    return np.moveaxis(drawn, 0, 2)
 
 
-def _mean_around(picture: Image, rows: NDArray[np.intp], columns: NDArray[np.intp]) -> Image:
-    """Return the (n, 3) mean of the nine pixels round each place; edges repeat."""
-    height, width = picture.shape[:2]
-    flat = picture.reshape(-1, 3)
-    above, below = np.maximum(rows - 1, 0) * width, np.minimum(rows + 1, height - 1) * width
-    left, right = np.maximum(columns - 1, 0), np.minimum(columns + 1, width - 1)
-    total = np.zeros((len(rows), 3), np.float32)
-    for row in (above, rows * width, below):
-        for column in (left, columns, right):
-            total += flat[row + column]
+def _outlined(depth: Image, axis: int) -> NDArray[np.intp]:
+    """Return the nearer pixels, numbered row by row, of those between which an outline runs along ``axis``."""
+    here, there = _neighbours(axis)
+    jump = np.abs(depth[here] - depth[there]) > _OUTLINE_JUMP * 1.6 * np.minimum(depth[here], depth[there])
+    jump[: 1 if axis == 0 else None, : 1 if axis == 1 else None] = False  # no pixel before it tells how the depth bends
+    rows, columns = np.nonzero(jump)
+    step = depth.shape[1] if axis == 0 else 1
+    places = rows * depth.shape[1] + columns
+    before, own, after = (depth.take(places + shift) for shift in (-step, 0, step))
+    bend = np.abs(1 / before - 2 / own + 1 / after) * np.minimum(own, after)
+    return np.where(own <= after, places, places + step)[bend > _OUTLINE_JUMP]
+
+
+def _mean_around(plane: Image, places: NDArray[np.intp], height: int, width: int) -> Image:
+    """Return the mean of the nine pixels round each place, all numbered row by row; edges repeat."""
+    rows, columns = np.divmod(places, width)
+    above, below = places - width * (rows > 0), places + width * (rows < height - 1)
+    left, right = -(columns > 0).astype(np.intp), (columns < width - 1).astype(np.intp)
+    total = np.zeros(len(places), np.float32)
+    for row in (above, places, below):
+        total += plane.take(row + left) + plane.take(row) + plane.take(row + right)
     return total / np.float32(9)
 
 

@@ -15,7 +15,7 @@ from storyblender.look.atmosphere import add_halos, transmittance, veil
 from storyblender.look.gbuffer import View, same_view
 from storyblender.look.illumination import ambient_light, light_field, sky_light, total
 from storyblender.look.occlusion import ambient_occlusion
-from storyblender.look.raster import LUMA, Image, Mask, Window, any_of, blur, every, spread, windows_round
+from storyblender.look.raster import LUMA, Image, Mask, Window, any_of, blur, dot, every, spread, stacked, windows_round
 from storyblender.look.relight import upsample_by_depth
 from storyblender.memory.scene_context import Light, Lighting
 
@@ -85,7 +85,7 @@ class _Held:
         size = (view.height, view.width)
         self.depth, self.contact = np.zeros(size, np.float32), np.zeros(size, np.float32)
         self.bounce = np.zeros(3, np.float32)
-        self.positions, self.normal = np.zeros((*size, 3), np.float32), np.zeros((*size, 3), np.float32)
+        self.positions, self.normal = np.zeros_like(self.rays), np.zeros_like(self.rays)
         self.layers = np.zeros((7, *size), np.float32)
 
 
@@ -113,11 +113,12 @@ class MovingLight:
         open_sky = np.float32(1) - every(frame.coverage, step)
         around = windows_round(touched, _REACH)
         for window in around:
-            held.positions[window.cut] = held.rays[window.cut] * held.depth[window.cut][..., None] + view.eye
+            here, eye = window.cut, view.eye.astype(np.float32)
+            held.positions[here] = held.rays[here] * held.depth[here][..., None] + eye
         fresh = spread(touched)
         for window in around:
             touched |= _shaped(held, window, fresh)
-        self._work_out(held, fresh, open_sky[fresh])
+        self._work_out(held, fresh, open_sky)
         if begins:
             self._bounce(held, every(frame.albedo, step), open_sky)
         self._held = held
@@ -131,15 +132,17 @@ class MovingLight:
         Args:
             held: With normals.
             fresh: (h, w).
-            open_sky: (n,) share of each fresh pixel that shows the sky.
+            open_sky: (h, w) share of each pixel that shows the sky.
         """
-        places, rays, normal, depth = (
-            part[fresh][:, None] for part in (held.positions, held.rays, held.normal, held.depth)
-        )
-        fields = [light_field(lamp, places, normal) for lamp in held.lamps]
-        light = total(fields, ambient_light(self._plan, self._roofed, normal, np.ones(depth.shape, np.float32)))
-        through, added = self._air(open_sky[:, None, None], held.view.eye, held.lamps, rays, depth)
-        held.layers[:, fresh] = np.concatenate([light + held.bounce, through, added], axis=2)[:, 0].T
+        here = np.flatnonzero(fresh)
+        positions, rays, normal = (_at(here, part) for part in (held.positions, held.rays, held.normal))
+        depth = held.depth.take(here)[:, None]
+        fields = [light_field(lamp, positions, normal) for lamp in held.lamps]
+        light = total(fields, ambient_light(self._plan, self._roofed, normal, np.ones_like(depth)))
+        through, added = self._air(open_sky.take(here)[:, None], held.view.eye, held.lamps, rays, depth)
+        layers = held.layers.reshape(len(held.layers), -1)
+        layers[:3, here] = light[:, 0].T + held.bounce[:, None]
+        layers[3, here], layers[4:, here] = through[:, 0], added[:, 0].T
 
     def _bounce(self, held: _Held, albedo: Image, open_sky: Image) -> None:
         """Add the first bounce, the same everywhere: the mean light that leaves the surfaces of the picture."""
@@ -153,8 +156,10 @@ class MovingLight:
         self, open_sky: Image, eye: NDArray[np.float64], lamps: Sequence[Light], rays: Image, depth: Image
     ) -> tuple[Image, Image]:
         plan = self._plan
-        through = transmittance(plan.fog, depth, rays, eye)[..., None]
-        added = sky_light(plan.sky, rays) * open_sky * through + veil(plan.fog, rays) * (1 - through)
+        through = transmittance(plan.fog, depth, rays, eye)
+        added = veil(plan.fog, rays) * (1 - through)[..., None]
+        seen = np.flatnonzero(open_sky)
+        added[seen] += sky_light(plan.sky, rays[seen]) * (open_sky * through)[seen][..., None]
         return through, add_halos(added, lamps, depth, rays, eye)
 
 
@@ -186,6 +191,12 @@ def _lit(frame: FlatFrame, held: _Held, window: Window, step: int) -> Image:
     layers = np.moveaxis(layers, 0, 2)
     picture = frame.albedo[here] * layers[..., :3] + frame.glow[here]
     return picture if layers.shape[2] == 3 else picture * layers[..., 3:4] + layers[..., 4:]
+
+
+def _at(pixels: NDArray[np.intp], picture: Image) -> Image:
+    """Return some pixels of a planar picture, numbered row by row, as a picture one pixel wide."""
+    planes = np.moveaxis(picture, 2, 0).reshape(3, -1)
+    return np.moveaxis(planes.take(pixels, axis=1), 0, 1)[:, None]
 
 
 def _moved(before: Sequence[Light], now: Sequence[Light]) -> bool:
@@ -221,27 +232,25 @@ def _reach(lamp: Light, point: np.ndarray) -> float:
 
 def normals_of(positions: Image, depth: Image, rays: Image) -> Image:
     """Return unit normals from positions, each difference taken on the side where the depth jumps less."""
-    across, down = _gradient(positions, depth, 1), _gradient(positions, depth, 0)
-    normal = np.cross(down, across)
-    normal /= np.maximum(np.linalg.norm(normal, axis=2, keepdims=True), 1e-9)
-    away = np.einsum("hwc,hwc->hw", normal, rays) > 0
-    normal[away] *= -1
-    return normal
+    (ax, ay, az), (dx, dy, dz) = _gradient(positions, depth, 1), _gradient(positions, depth, 0)
+    normal = stacked([dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax])
+    length = np.maximum(np.sqrt(dot(normal, normal)), 1e-9)
+    return normal / np.where(dot(normal, rays) > 0, -length, length)[..., None]
 
 
 def _smooth(normal: Image, depth: Image) -> Image:
     """Round the facets off: mean normal over three pixels, but not across edges of depth."""
     far, near = spread(spread(depth)), -spread(spread(-depth))
     whole = (far - near < _ROUND * near)[..., None]
-    soft = blur(normal, 1)
-    soft /= np.maximum(np.linalg.norm(soft, axis=2, keepdims=True), 1e-6)
+    soft = stacked([blur(normal[..., axis], 1) for axis in range(3)])
+    soft /= np.maximum(np.sqrt(dot(soft, soft)), 1e-6)[..., None]
     return np.where(whole, soft, normal)
 
 
-def _gradient(positions: Image, depth: Image, axis: int) -> Image:
-    before, after = _steps(positions, axis)
+def _gradient(positions: Image, depth: Image, axis: int) -> list[Image]:
     jump_before, jump_after = _steps(depth, axis)
-    return np.where((np.abs(jump_before) < np.abs(jump_after))[..., None], before, after)
+    earlier = np.abs(jump_before) < np.abs(jump_after)
+    return [np.where(earlier, *_steps(positions[..., plane], axis)) for plane in range(3)]
 
 
 def _steps(values: Image, axis: int) -> tuple[Image, Image]:

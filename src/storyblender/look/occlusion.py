@@ -33,7 +33,8 @@ def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image,
     here = [plane[window.cut] for plane in planes]
     facing = [np.ascontiguousarray(normal[..., axis]) for axis in range(3)]
     reach = np.clip(_RADIUS * view.pixels_per_metre / np.maximum(depth[window.cut], 0.1), 2, width * 0.06)
-    rows, columns = np.mgrid[window.cut].astype(np.float32)
+    rows = np.arange(window.top, window.bottom, dtype=np.float32)[:, None]
+    columns = np.arange(window.left, window.right, dtype=np.float32)
     cosines, sines = _turns(height, width)
     across, down = cosines[window.cut] * reach, sines[window.cut] * reach
     shade = np.zeros(window.shape, np.float32)
@@ -42,7 +43,7 @@ def ambient_occlusion(depth: Image, view: View, positions: Image, normal: Image,
         cosine, sine = distance * math.cos(tap * _GOLDEN), distance * math.sin(tap * _GOLDEN)
         x = np.clip(columns + (across * cosine - down * sine), 0, width - 1).astype(np.int32)
         y = np.clip(rows + (down * cosine + across * sine), 0, height - 1).astype(np.int32)
-        place = y * width + x
+        place = (y * width + x).astype(np.intp)
         toward = [plane.take(place) - start for plane, start in zip(planes, here, strict=True)]
         length = np.sqrt(sum(step * step for step in toward)) + 1e-4
         rise = sum(step * way for step, way in zip(toward, facing, strict=True)) / length

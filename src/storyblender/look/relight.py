@@ -111,14 +111,20 @@ def upsample_by_depth(low: Image, low_depth: Image, depth: Image) -> Image:
     for y, x in ((0, 0), (0, 1), (1, 0), (1, 1)):
         own = depth[y::2, x::2]
         tolerance = (_SAME_DEPTH * own) ** 2
-        mixed, weights = np.zeros_like(low), np.zeros((height, width), np.float32)
+        parts, shares = [], []
         for row, down in ((1, 0.75), (2 * y, 0.25)):
             for column, across in ((1, 0.75), (2 * x, 0.25)):
-                part = (..., slice(row, row + height), slice(column, column + width))
-                weight = down * across * (tolerance / (tolerance + (levels[part] - own) ** 2)) ** 2 + np.float32(1e-6)
-                mixed += padded[part] * weight
-                weights += weight
-        result[:, y::2, x::2] = mixed / weights
+                part = (slice(row, row + height), slice(column, column + width))
+                parts.append(part)
+                likeness = tolerance / (tolerance + (levels[part] - own) ** 2)
+                shares.append(down * across * (likeness * likeness) + np.float32(1e-6))
+        whole = 1 / (shares[0] + shares[1] + shares[2] + shares[3])
+        for plane in range(planes):  # one plane at a time stays in the processor's cache
+            light = padded[plane]
+            mixed = light[parts[0]] * shares[0]
+            for part, share in zip(parts[1:], shares[1:], strict=True):
+                mixed += light[part] * share
+            np.multiply(mixed, whole, out=result[plane, y::2, x::2])
     return result
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from traced_frame import FLOOR, PERSON, WALL, gbuffer
 
-from storyblender.look.ink import apply_ink, draw_ink, people_nearby
+from storyblender.look.ink import add_lines, apply_ink, draw_ink, people_nearby
 from storyblender.look.surface import Surface
 
 FRAME = gbuffer(480, 270)
@@ -69,3 +69,14 @@ def test_lines_of_people_turn_light_on_dark_ground():
     assert 0.04 < drawn[line].mean() < 0.12  # seen, not chalk
     bright = apply_ink(dark + 0.6, ink(), people, 0.88)
     assert bright[line].mean() < 0.45
+
+
+def test_lines_of_a_moving_frame_stand_on_the_nearer_side_of_a_jump_and_not_on_a_receding_floor():
+    view = gbuffer(32, 18).view
+    depth = 1 / np.repeat(np.linspace(1 / 6, 1 / 2, 18, dtype=np.float32)[:, None], 32, axis=1)
+    white = np.ones((18, 32, 3), np.float32)
+    assert (add_lines(white, depth, view) == 1).all()
+    depth[4:12, 10:20] = 1.0
+    drawn = add_lines(white, depth, view)[..., 0]
+    assert drawn[6:10, 10].max() < 0.6 and drawn[6:10, 19].max() < 0.6
+    assert drawn[6:10, 9].min() > drawn[6:10, 10].max() and (drawn[:, 25:] == 1).all() and (white == 1).all()

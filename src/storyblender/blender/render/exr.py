@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.errors import EngineError
+from storyblender.look.raster import stacked
 
 Channels = Mapping[str, NDArray[np.float32]]
 """(h, w) float32 by name without the view layer, e.g. ``Combined.R``, ``Depth.Z``; row 0 at the top."""
@@ -89,4 +90,4 @@ def _text(data: bytes, start: int) -> tuple[str, int]:
 
 def color(channels: Channels) -> NDArray[np.float32]:
     """Return the combined colour, (h, w, 3)."""
-    return np.stack([channels[f"Combined.{name}"] for name in "RGB"], axis=2)
+    return stacked([channels[f"Combined.{name}"] for name in "RGB"])
