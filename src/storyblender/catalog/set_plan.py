@@ -25,7 +25,7 @@ class Opening(Frozen):
     width: float
     height: float
     style: str = ""
-    """door: panel, glass, double, cell; window: sash, grid, shop, blinds, curtains."""
+    """door: panel, glass, double, cell; window: sash, grid, shop, blinds, curtains, open."""
     state: Literal["open", "closed"] = "closed"
 
 

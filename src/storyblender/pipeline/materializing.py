@@ -10,7 +10,7 @@ from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, Asset
 from storyblender.agents.concept_artist.retriever import Retriever
 from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import find_kit
+from storyblender.catalog.sets.places import kit_of
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.jobs import AssetJob
@@ -91,7 +91,7 @@ class ConceptArtist:
         recipe = reflect(
             "asset_retriever",
             asset.asset_id,
-            AssetRequest(asset=asset, models=self._models, means=self._means(asset)),
+            self._request(asset),
             self._retriever,
             MatchCritic(),
             threshold=self._run.settings.thresholds.get("asset_retriever", RETRIEVAL_THRESHOLD),
@@ -101,13 +101,15 @@ class ConceptArtist:
         ).draft
         return asset.model_copy(update={"canonical": recipe.canonical()})
 
-    def _means(self, asset: Asset) -> dict[str, str]:
-        """Return what plain words mean in the first place where an asset is."""
+    def _request(self, asset: Asset) -> AssetRequest:
+        """Return an asset with what the first place where it is says about it."""
         scenes = self._run.graph.scenes
         setup = next((scene.setup for scene in scenes if asset.asset_id in scene.setup.asset_ids), None)
         if setup is None:
-            return {}
-        return dict(SETS[find_kit(setup.place_kind, setup.place, setup.scene_type)].means)
+            return AssetRequest(asset=asset, models=self._models)
+        weather = setup.weather if setup.scene_type == "outdoor" else ""
+        means = dict(SETS[kit_of(setup)].means)
+        return AssetRequest(asset=asset, models=self._models, means=means, weather=weather)
 
 
 def model_files(folder: Path | None) -> tuple[ModelFile, ...]:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from storyblender.agents.director import lexicon
 from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import find_kit
+from storyblender.catalog.sets.evidence import told_by_things
+from storyblender.catalog.sets.places import find_kit, kit_of
+from storyblender.memory.scene_context import SceneSetup
 
 
 @pytest.mark.parametrize(
@@ -46,6 +49,10 @@ from storyblender.catalog.sets.places import find_kit
         ("SUPERMARKET", "indoor", "supermarket"),
         ("BOOKSHOP", "indoor", "library"),
         ("SCHOOL GYM", "indoor", "gym"),
+        ("TAXI - MOVING", "indoor", "car"),
+        ("TOM'S CAR - PARKING LOT", "indoor", "car"),
+        ("TRAIN CAR", "indoor", "carriage"),
+        ("COURTROOM", "indoor", "courtroom"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:
@@ -74,3 +81,46 @@ def test_the_directors_key_counts_more_than_other_words() -> None:
 def test_no_word_means_two_kits_alike() -> None:
     words = [tag for kit in SETS.values() for tag in kit.tags]
     assert sorted({word for word in words if words.count(word) > 1}) == []
+
+
+@pytest.mark.parametrize(
+    ("things", "kit"),
+    [
+        (("nuno", "glasses", "counter", "piano", "table"), "bar"),
+        (("bed", "letter", "wardrobe"), "bedroom"),
+        (("ana", "pews", "candle"), "church"),
+        (("judge_okoro", "gavel"), "courtroom"),
+        (("letter", "table"), "room"),
+    ],
+)
+def test_where_no_word_is_known_the_things_tell_the_place(things: tuple[str, ...], kit: str) -> None:
+    assert kit_of(SceneSetup(place='zorgblat "la esquina"', scene_type="indoor", asset_ids=things)) == kit
+
+
+def test_a_known_heading_counts_more_than_things() -> None:
+    assert kit_of(SceneSetup(place="kitchen", scene_type="indoor", asset_ids=("bed", "pillow"))) == "kitchen"
+
+
+def test_things_tell_only_kits_that_may_be_chosen() -> None:
+    assert told_by_things(("bed", "pillow"), ("bar", "church")) is None
+
+
+@pytest.mark.parametrize(
+    ("place", "where", "kit"),
+    [
+        ('milonga "la esquina"', "indoor", "bar"),
+        ("cucina", "indoor", "kitchen"),
+        ("küche", "indoor", "kitchen"),
+        ("kuche", "indoor", "kitchen"),
+        ("chambre", "indoor", "bedroom"),
+        ("iglesia", "indoor", "church"),
+        ("calle", "outdoor", "street"),
+        ("rue de rivoli", "outdoor", "street"),
+        ("wald", "outdoor", "forest"),
+        ("praia", "outdoor", "beach"),
+        ("voiture", "indoor", "car"),
+        ("estación", "indoor", "lobby"),
+    ],
+)
+def test_places_of_other_languages_are_known(place: str, where: str, kit: str) -> None:
+    assert find_kit(lexicon.place_kind(place), place, where) == kit  # type: ignore[arg-type]

@@ -13,6 +13,8 @@ from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, Reading, SceneReading, Unit
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import camera_sentence, deed_words, mood_of
+from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.places import find_kit
 from storyblender.memory.shot_context import (
     AssetModification,
     CameraInstruction,
@@ -49,7 +51,8 @@ class ShotDetails:
         self.text = reading.screenplay.text
         start, end = min((unit.start for unit in units), default=0), max((unit.end for unit in units), default=0)
         self.flags = [flag for flag in reading.flags if start <= flag.start <= end]
-        self.staging = Staging(units, company.assets)
+        kit = find_kit(scene.place_kind, scene.place, scene.scene_type)
+        self.staging = Staging(units, company.assets, seated=SETS[kit].seated)
         self.told: set[int] = set()
         """Starts of the units that a shot has played."""
         self.seen: set[str] = set()

@@ -30,10 +30,12 @@ class Staging:
     Args:
         units: The scene's units.
         assets: Ids on the asset sheet; nothing else can support, be held or be looked at.
+        seated: The place is one where everybody sits unless they come in: a car.
     """
 
-    def __init__(self, units: Sequence[Unit], assets: Collection[str]) -> None:
+    def __init__(self, units: Sequence[Unit], assets: Collection[str], *, seated: bool = False) -> None:
         self.assets = assets
+        self.seated = seated
         self.bodies: dict[str, _Body] = {}
         self.first: dict[str, Unit] = {}
         for unit in units:
@@ -76,15 +78,16 @@ class Staging:
     def _found(self, person: str) -> _Body:
         """How a person is seen for the first time in the scene."""
         unit = self.first.get(person)
+        usual: Posture = "sit" if self.seated and person in self.opening else "stand"
         if unit is None:
             return _Body()
         mine = [deed for deed in unit.deeds if deed.actor == person]
         taken = {deed.prop for deed in mine if deed.motion in GETTING}
         given = {deed.prop for deed in unit.deeds if deed.motion == "give" and deed.target == person}
         held = [thing for thing in unit.held.get(person, []) if thing not in taken | given]
-        body = _Body(held=held)
+        body = _Body(posture=usual, held=held)
         if any(self.already(deed, unit) for deed in mine) or (not mine and person in unit.posture):
-            body.posture, body.support = unit.posture.get(person, ("stand", None))
+            body.posture, body.support = unit.posture.get(person, (usual, None))
         instrument = _keyboard(mine)
         if instrument is not None and body.posture in ("stand", "sit"):
             body.posture, body.support = "sit", instrument

@@ -9,6 +9,7 @@ import numpy as np
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import PERSON, anchors_of, seat_box
 from storyblender.agents.layout_artist.object_places import angles_of
+from storyblender.catalog.set_plan import PlanMark
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing
 from storyblender.memory.asset_sheet import Anchor
@@ -46,6 +47,8 @@ def place_people(stage: Stage) -> None:
         anchor = anchor or (stage.find(relation.anchor_asset_id) if relation is not None else None)
         if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
             _stand_at(stage, state.asset_id, anchor, relation)
+        elif state.asset_id not in stage.things:
+            _stand_at_work(stage, state.asset_id, relation)
     company = {**stage.brief.company, **{each: relation.anchor_asset_id for each, relation in relations.items()}}
     for member in (each for each in states if each not in stage.things):
         other = stage.things.get(company.get(member, ""))
@@ -84,7 +87,9 @@ def _sit(stage: Stage, state: BodyState, relation: Relation | None) -> None:
     asked = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
     found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
     if not found:
-        near = (support.box.x, support.box.y) if support is not None else (0.0, 0.0)
+        own = _mark_of(stage, state.asset_id, state.support_id)
+        near = own.location[:2] if own is not None else (0.0, 0.0)
+        near = (support.box.x, support.box.y) if support is not None else near
         other = stage.things.get(relation.anchor_asset_id) if relation is not None else None
         if other is not None and relation is not None and relation.kind in _OPPOSITE:
             near = other.box.to_world(0.0, -_ACROSS)
@@ -154,6 +159,24 @@ def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | N
         box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
     looks = "facing" if kind in ("at", "facing", "in_front_of", "behind") else None
     stage.add(Thing(asset_id, box, anchor=anchor.name, relationship=side, direction=looks, walks=True), asset_id)
+
+
+def _mark_of(stage: Stage, person: str, place: str | None) -> PlanMark | None:
+    """Return the set's mark for what somebody is in or at, else for their trade: the dock, the driver's seat."""
+    wanted = [{place, place.rsplit("_", 1)[-1]}] if place else []
+    marks = stage.brief.plan.marks
+    return next((mark for words in (*wanted, set(person.split("_"))) for mark in marks if words & set(mark.tags)), None)
+
+
+def _stand_at_work(stage: Stage, asset_id: str, relation: Relation | None) -> None:
+    """Stand at one's mark, if the set has it and there is room."""
+    mark = _mark_of(stage, asset_id, relation.anchor_asset_id if relation is not None else None)
+    if mark is None:
+        return
+    x, y, _ = mark.location
+    if float(stage.clearance(np.array([(x, y)]))[0]) > 0.1:
+        box = stage.box(asset_id, x, y, 0.0, math.radians(mark.yaw))
+        stage.add(Thing(asset_id, box, walks=True), asset_id)
 
 
 def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:

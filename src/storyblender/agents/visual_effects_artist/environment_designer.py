@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.sets import SETS, SetKit, plan_of
 from storyblender.catalog.sets.drawing import Period
-from storyblender.catalog.sets.places import FALLBACK, find_kit
+from storyblender.catalog.sets.places import kit_of
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.reflection import Critique, Fault
@@ -46,17 +46,14 @@ class EnvironmentView:
 
 
 class RulesEnvironmentDesigner:
-    """Chooses by the words of the heading, then by those of the description; sizes by what must fit."""
+    """Chooses by the words of the heading, then by who and what is there; sizes by what must fit."""
 
     def propose(self, view: EnvironmentView) -> Environment:
         """Return the environment; the same place again gets the same one."""
         if view.reference is not None:
             return view.reference
         setup = view.setup
-        key = find_kit(setup.place_kind, setup.place, setup.scene_type)
-        if key == FALLBACK[setup.scene_type]:
-            words = f"{setup.layout_description} {setup.ground_description}"
-            key = find_kit(setup.place_kind, f"{words} {setup.place}", setup.scene_type)
+        key = kit_of(setup)
         kit = SETS[key]
         params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
         seen = " ".join(setup.asset_ids).replace("_", " ")  # a sheriff or a laptop tells the time
@@ -153,6 +150,7 @@ _OPTION_WORDS = {
     "space": r"\bspace|star ?ship|\bstars\b|orbit|shuttle|galax|planet",
     "railway": r"station|rail|\btrains?\b|ticket|depot",
     "train": r"\btrain (stands|waits|stops|is standing|has stopped|at the platform)",
+    "taxi": r"\btaxi|\bcab\b|cabbie",
     "snow": r"snow|ice|glacier|arctic|blizzard",
 }
 
@@ -160,9 +158,6 @@ _OPTION_WORDS = {
 def _options(kit: SetKit, words: str, snow: bool) -> dict[str, ParamValue]:
     options: dict[str, ParamValue] = {}
     for name in kit.options:
-        if name == "seat":
-            if re.search(r"court ?room|judge|trial", words):
-                options[name] = "lectern"
-        elif re.search(_OPTION_WORDS[name], words) or (name == "snow" and snow):
+        if re.search(_OPTION_WORDS[name], words) or (name == "snow" and snow):
             options[name] = True
     return options

@@ -185,14 +185,16 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
 
 
 def _is_the_place(asset: Asset, view: DressingView) -> bool:
-    """Return whether a thing nobody can build as a prop is the set itself, or stands in it as a part of the set.
+    """Return whether a thing is a part of the kit, or nobody can build it as a prop and the set is or shows it.
 
     A pier in a harbour and a lighthouse above a beach are there already; a box with their name on it is not wanted.
     """
-    if prop_of(asset) is not None:
-        return False
     name = asset.name.lower()
     kit = SETS[view.plan.kit]
+    if any(name == word or name.endswith(f" {word}") for word in kit.has):
+        return True
+    if prop_of(asset) is not None:
+        return False
     parts = {piece.part.replace("_", " ") for piece in view.plan.pieces}
     return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}
 

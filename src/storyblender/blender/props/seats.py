@@ -304,6 +304,24 @@ def carriage_seat(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return seats_in_row(spec.entry.seats, w - 0.1, -d / 2, sit, d - 0.2)
 
 
+@prop("car_seat")
+def car_seat(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build the front seat of a car."""
+    (w, d, h), cover, iron = spec.size, spec.material("cover"), spec.material("frame")
+    sit, neck = 0.44, h - 0.24
+    b.box(iron, (0, 0.0, 0.14), (w * 0.8, d * 0.7, 0.28), bevel=0.02)
+    b.cushion(cover, (0, -0.04, sit - 0.08), (w, d - 0.08, 0.18), softness=0.25)
+    for x in (-1, 1):
+        b.cushion(cover, (x * w * 0.4, -0.04, sit - 0.03), (w * 0.2, d - 0.12, 0.14), softness=0.4)
+    b.cushion(
+        cover, (0, d / 2 - 0.1, (sit + neck) / 2), (w, 0.16, neck - sit + 0.12), softness=0.25, rotation=(-8, 0, 0)
+    )
+    for x in (-0.07, 0.07):
+        b.cylinder(iron, (x, d / 2 - 0.05, neck - 0.04), (x, d / 2 - 0.03, h - 0.1), 0.01, segments=8)
+    b.cushion(cover, (0, d / 2 - 0.05, h - 0.1), (w * 0.5, 0.1, 0.2), softness=0.35)
+    return (seat((0, -d / 2 + 0.1, sit), (w * 0.8, d * 0.7)),)
+
+
 @prop("throne")
 def throne(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a state chair with a crested back."""

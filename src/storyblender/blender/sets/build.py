@@ -56,6 +56,8 @@ def _object(mesh: bpy.types.Mesh, node_id: str, surface: Surface, name: str = ""
 
 
 def _wall(wall: Wall, *, indoor: bool) -> list[bpy.types.Object]:
+    if any(opening.style == "open" for opening in wall.openings):
+        return []  # the set ends here, and nobody is to see where
     angle = math.atan2(wall.end[1] - wall.start[1], wall.end[0] - wall.start[0])
     body = _object(wall_mesh(wall, indoor=indoor), wall.node_id, Surface.SET)
     body.location, body.rotation_euler = (*wall.start, wall.base), (0, 0, angle)

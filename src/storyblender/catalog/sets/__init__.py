@@ -19,6 +19,7 @@ from storyblender.catalog.sets import (
     bedroom,
     bridge,
     cafe,
+    car,
     carriage,
     cell,
     church,
@@ -26,6 +27,7 @@ from storyblender.catalog.sets import (
     control_room,
     corridor,
     cottage,
+    courtroom,
     desert,
     dock,
     forest,
@@ -68,10 +70,10 @@ SETS: Catalog[SetKit] = Catalog(
         module.KIT
         for module in (
             plain_room, living_room, bedroom, kitchen, bathroom, cafe, bar, office, corridor, hospital_ward, classroom,
-            library, cell, interrogation, shop, supermarket, basement, lobby, waiting_room, theatre, church, great_hall,
-            cottage, lighthouse,
-            warehouse, gym, control_room, subway, carriage, open_ground, street, alley, square, park, forest, beach,
-            dock, airfield, rooftop, bridge, platform, desert, mountain, ship_deck,
+            library, cell, interrogation, shop, supermarket, basement, lobby, waiting_room, theatre, church,
+            great_hall, courtroom, cottage, lighthouse, warehouse, gym, control_room, subway, carriage, car,
+            open_ground, street, alley, square, park, forest, beach, dock, airfield, rooftop, bridge, platform,
+            desert, mountain, ship_deck,
         )
     ),
 )  # fmt: skip

@@ -30,7 +30,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for at in (-2.3, -1.45, -0.6, 0.6, 1.45, 2.3):
         stool, height = ("stool", 0.72) if past else ("bar_stool", 0.76)
         room.against("back", stool, at, 2.15, required=abs(at) < 2, height=height)
-    room.mark("behind_bar", 0.4, y - 0.85, 0, "bar", "staff")
+    room.mark("behind_bar", 0.4, y - 0.85, 0, "bar", "staff", "bartender", "barman", "barmaid", "barkeep", "innkeeper")
     room.mark("bar", 0.0, y - 2.25, 180, "bar")
     for at in (-y * 0.45, 0.3):
         room.against("left", "round_table", at, 1.0)

@@ -34,7 +34,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 
     room.against("left", "bar_counter", -0.2, 1.5)
     room.against("left", "back_bar", -0.2, 0.3)
-    room.mark("behind_bar", -x + 0.85, -0.2, 90, "bar", "staff")
+    room.mark("behind_bar", -x + 0.85, -0.2, 90, "bar", "staff", "barista", "bartender", "barman", "cashier")
     room.mark("bar", -x + 2.45, 0.45, 270, "bar")
     for at in (-1.2, -0.45, 0.7):
         room.against("left", "bar_stool", at, 2.1, required=False)

@@ -35,7 +35,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.furnish("altar", 0, y - 1.2, 0.06)
     for px in (-0.7, 0.7):
         room.furnish("candle_holder", px, y - 1.2, 0.06 + 1.02, required=False)
-    room.mark("altar", 0, y - 2.2, 0, "altar", "bar")
+    room.mark("altar", 0, y - 2.2, 0, "altar", "bar", "priest", "reverend", "vicar", "pastor", "bishop")
     rows = max(1, int((2 * y - 5.2) // 1.15))
     for row in range(rows):
         py = -y + 0.9 + 1.15 * row

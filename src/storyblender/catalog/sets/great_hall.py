@@ -28,8 +28,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             "block", rectangle(-reach, y - depth, reach, y - 0.02), "stone_light", z=0.03 * (step + 1),
             thickness=0.03,
         )  # fmt: skip
-    throne = str(params.option("seat"))
-    room.furnish(throne, 0, y - 0.95, 0.09)
+    room.furnish("throne", 0, y - 0.95, 0.09)
     room.mark("throne", 0, y - 3.1, 180, "throne", "audience")
     room.slab("patch", rectangle(-0.85, -y + 0.4, 0.85, y - 2.5), "cloth_red", z=0.012)
     for side in (-1, 1):
@@ -43,7 +42,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.piece(
             "banner", side * (x - 0.06), -y * 0.35, h - 0.6, -90.0 * side, width=0.9, length=2.2, color="#23385c"
         )
-    if x > 5.9 and throne == "throne":
+    if x > 5.9:
         _long_tables(room)
     room.furnish("chest", -x + 0.6, y - 0.6, required=False)
     room.furnish("bench", x - 0.5, y * 0.15, yaw=-90, required=False)
@@ -69,7 +68,7 @@ KIT = SetKit(
     key="great_hall",
     name="Great hall",
     tags=("throne room", "great hall", "castle", "palace", "ballroom", "tower", "fortress", "temple", "royal court",
-          "council chamber", "courtroom", "court", "museum", "state room", "banquet hall", "crypt",
+          "council chamber", "museum", "state room", "banquet hall", "crypt",
           "castle hall", "palace hall", "hall of the castle", "knights' hall", "feast hall"),
     indoor=True,
     draw=draw,
@@ -77,5 +76,4 @@ KIT = SetKit(
     depth=Span(11.0, 13.0, 20.0),
     height=Span(4.8, 5.8, 7.5),
     period="past",
-    options={"seat": "throne"},
 )  # fmt: skip

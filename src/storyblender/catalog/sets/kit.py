@@ -41,6 +41,8 @@ class SetKit:
         period: When the place is usually set.
         options: The kit's own parameters and their defaults.
         means: What plain words mean here, prop for prop: a bed in a ward is a hospital bed.
+        has: Words for what its pieces are already, such as the mirror of a car: nothing else is put there for them.
+        seated: Everybody who is found here sits unless the script says otherwise.
     """
 
     key: str
@@ -54,3 +56,5 @@ class SetKit:
     period: Period = "classic"
     options: Mapping[str, ParamValue] = field(default_factory=dict)
     means: Mapping[str, str] = field(default_factory=dict)
+    has: tuple[str, ...] = ()
+    seated: bool = False

@@ -25,7 +25,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.window("right", -y * 0.4, width=1.8, height=2.2, sill=0.7, style="shop")
     for at in (-x * 0.55, -x * 0.55 + 1.82, -x * 0.55 + 3.64):
         room.against("back", "counter", at, 1.7)
-    room.mark("behind_desk", -x * 0.55 + 1.82, y - 0.95, 0, "bar", "staff")
+    room.mark("behind_desk", -x * 0.55 + 1.82, y - 0.95, 0, "bar", "staff", "receptionist", "clerk", "concierge")
     room.mark("desk", -x * 0.55 + 1.82, y - 2.55, 180, "bar", "desk")
     room.against("back", "cabinet", -x * 0.55 + 1.82, 0.3, required=False)
     room.on_wall("back", "wall_clock", -x * 0.55 + 1.82, 2.3)

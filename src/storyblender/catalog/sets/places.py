@@ -1,10 +1,12 @@
-"""Which kit a place of the script gets: by the words of its heading alone, with a plausible set for any place."""
+"""Which kit a place of the script gets: by its heading, else by what is there, with a plausible set for any place."""
 
 from __future__ import annotations
 
 import re
 
 from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.evidence import told_by_things
+from storyblender.memory.scene_context import SceneSetup
 from storyblender.memory.vocabulary import SceneType
 
 FALLBACK: dict[SceneType, str] = {"indoor": "room", "outdoor": "open_ground"}
@@ -35,7 +37,6 @@ _VAGUE = frozenset(
         "yard",
         "ship",
         "boat",
-        "car",
         "plane",
         "estate",
         "farm",
@@ -86,6 +87,25 @@ _INSIDE_OF = {
 """INT. of an outdoor place: the room such a place has."""
 
 
+_SURE, _SUITS = 10.0, 30.0
+"""Points of a particular word, and for suiting INT or EXT: that beats any phrase that does not. INT. CAR - PARKING LOT
+is in the car."""
+
+
+def kit_of(setup: SceneSetup) -> str:
+    """Return the key of a scene's kit: by its heading, else by who and what is there, else by its description."""
+    key = find_kit(setup.place_kind, setup.place, setup.scene_type)
+    if key != FALLBACK[setup.scene_type]:
+        return key
+    indoor = setup.scene_type == "indoor"
+    kits = (kit.key for kit in SETS.values() if kit.indoor == indoor)
+    told = told_by_things((*setup.asset_ids, setup.layout_description), kits)
+    if told is not None:
+        return told
+    words = f"{setup.layout_description} {setup.ground_description} {setup.place}"
+    return find_kit(setup.place_kind, words, setup.scene_type)
+
+
 def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
     """Return the key of the kit that fits a place best.
 
@@ -102,7 +122,12 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
     if not scores:
         return FALLBACK[scene_type]
     indoor = scene_type == "indoor"
-    best = max(scores, key=lambda key: scores[key] + (4.0 if SETS[key].indoor == indoor else 0.0))
+
+    def suits(key: str) -> float:
+        score = scores[key]
+        return score if SETS[key].indoor != indoor else score + (_SUITS if score >= _SURE else 4.0)
+
+    best = max(scores, key=suits)
     if SETS[best].indoor == indoor:
         return best
     return _INSIDE_OF.get(best, "room") if indoor else _OUTSIDE_OF.get(best, "street")

@@ -93,6 +93,15 @@ def test_every_set_takes_people_and_things_without_a_fault(kit: str) -> None:
     assert plan_layout(view).critique.faults == ()
 
 
+def test_who_bears_the_name_of_a_trade_begins_at_its_mark() -> None:
+    measures = MEASURES | {"judge_okoro": measure("judge_okoro", 1.1, 0.35, 1.75, person=True)}
+    view = brief(people=["judge_okoro", "ana"])
+    at = solved(LayoutBrief(**{**view.__dict__, "plan": plan("courtroom"), "measures": measures}))
+    bench = next(mark for mark in plan("courtroom").marks if "judge" in mark.tags)
+    assert math.dist(at["judge_okoro"].location, bench.location) < 0.3
+    assert math.dist(at["ana"].location, bench.location) > 0.5
+
+
 def test_two_who_talk_face_each_other_at_talking_distance_open_to_the_audience() -> None:
     at = solved(brief(people=["ana", "ben"]))
     ana, ben = at["ana"], at["ben"]
