@@ -16,7 +16,8 @@ from storyblender.blender.render.meter import balanced, scaled  # noqa: E402
 from storyblender.blender.render.passes import render_passes  # noqa: E402
 from storyblender.blender.render.session import RenderSession  # noqa: E402
 from storyblender.blender.render.shadow_maps import render_shadow_map  # noqa: E402
-from storyblender.look.gbuffer import FAR  # noqa: E402
+from storyblender.blender.render.turning import turned_and_made  # noqa: E402
+from storyblender.look.gbuffer import FAR, View  # noqa: E402
 from storyblender.look.surface import Surface  # noqa: E402
 from storyblender.memory.scene_context import Light  # noqa: E402
 
@@ -71,6 +72,17 @@ def test_the_lamp_glows(passes):
     glow = passes.gbuffer.emission()
     assert glow[pixels(passes, "lamp")].mean(axis=0) == pytest.approx([4.0, 3.2, 2.0], rel=0.02)
     assert glow[pixels(passes, "wall_back")].max() == 0
+
+
+def test_the_number_of_a_material_survives_the_filter_of_the_matcap(scene):
+    view = View(np.zeros(3), np.eye(3), 64, 100, 1.0, 1.0)
+    numbers = np.arange(6400, dtype=np.uint16).reshape(100, 64)
+    for shift in (-1, 0, 1):
+        blue = (numbers * 4 + 1024 + shift).astype(np.uint16).view(np.float16).astype(np.float32)
+        channels = {"Combined.R": np.full_like(blue, 0.2), "Combined.G": np.full_like(blue, 0.2), "Combined.B": blue}
+        assert (turned_and_made(channels, view)[1] == numbers).all()
+    empty = {f"Combined.{name}": np.zeros((100, 64), np.float32) for name in "RGB"}
+    assert not turned_and_made(empty, view)[1].any()
 
 
 def test_passes_leave_no_trace(scene):

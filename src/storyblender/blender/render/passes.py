@@ -16,17 +16,15 @@ from numpy.typing import NDArray
 from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.session import RenderSession, changed
-from storyblender.look.gbuffer import FAR, GBuffer, View
+from storyblender.blender.render.turning import told_in_blue, turned_and_made, turning_matcap
+from storyblender.look.gbuffer import FAR, GBuffer
 from storyblender.look.raster import Image, Window
 from storyblender.look.surface import PERSON, Surface
 
-NORMAL_MATCAP = "check_normal+y.exr"
 _HAS_SKIN_COLORS = 16
 """Added to the class of objects whose albedo is in vertex colours."""
 _AS_NEAR = 1e-4
 """Difference of depth, as a share of it, up to which two pictures show the same thing."""
-_BAND = 128
-"""Rows decoded at a time; keeps the float32 temporaries small."""
 
 
 @dataclass(frozen=True)
@@ -67,12 +65,13 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     ):
         with _shading(session.scene, light="FLAT", color_type="OBJECT"):
             identified = session.exr_read_aside(aside, _identified, width, height, depth=True)
-        with _shading(session.scene, light="MATCAP", studio_light=NORMAL_MATCAP, color_type="SINGLE"):
-            turned = session.exr_read_aside(aside, partial(_decode_normals, view=view), width, height)
+        with (
+            _shading(session.scene, light="MATCAP", studio_light=turning_matcap(), color_type="MATERIAL"),
+            told_in_blue(materials),
+        ):
+            turned = session.exr_read_aside(aside, partial(turned_and_made, view=view), width, height)
         with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
             colored = session.exr_read_aside(aside, _half_color, width, height)
-        with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
-            told = session.exr_read_aside(aside, partial(_index, materials=materials), width, height)
         ids, surface, depth, skin_colored = identified.result()
         window = _around(skin_colored) if skin_colored.any() else None
         if window is not None:
@@ -80,7 +79,8 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
                 (skin,) = session.exr_frames([session.scene.frame_current], width, height, window=window)
             painted = skin_colored[window.cut]
             colored.result()[window.cut][painted] = color(skin)[painted]
-        normal, albedo, material = turned.result(), colored.result(), told.result()
+        (normal, material), albedo = turned.result(), colored.result()
+    material[material > len(materials)] = 0
     material[ids == 0] = 0
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
@@ -226,47 +226,6 @@ def _levels(channel: NDArray[np.float32]) -> NDArray[np.uint8]:
 
 def _number(low: NDArray[np.uint8], high: NDArray[np.uint8]) -> NDArray[np.uint16]:
     return low.astype(np.uint16) | (high.astype(np.uint16) << np.uint16(8))
-
-
-def _decode_normals(channels: Channels, view: View) -> NDArray[np.float16]:
-    """Turn the matcap picture into world normals.
-
-    The matcap stores sRGB-encoded x and y of the normal in a basis that turns with the view ray: z towards the eye,
-    x horizontal (measured in notes: sets and light, "traps met"). Numpy works on planes five times as fast as on pixels
-    of three values, so the basis is written out.
-    """
-    slope, climb = view.slopes()
-    side_x = 1 / np.sqrt(1 + slope * slope)
-    side_z = slope * side_x
-    axes = view.axes.T.astype(np.float32)
-    normal = np.empty((view.height, view.width, 3), np.float16)
-    for top in range(0, view.height, _BAND):
-        rows = slice(top, top + _BAND)
-        x, y = (_NORMAL_OF[channels[f"Combined.{name}"][rows].astype(np.float16).view(np.uint16)] for name in "RG")
-        flat = x * x + y * y
-        z = np.sqrt(np.maximum(1 - flat, 0))
-        length = np.sqrt(np.maximum(flat, 1))
-        toward_z = 1 / np.sqrt(1 + slope * slope + climb[rows, None] ** 2)
-        toward_x, toward_y = -slope * toward_z, -climb[rows, None] * toward_z
-        local = (
-            x * side_x + y * (toward_y * side_z) + z * toward_x,
-            y * (toward_z * side_x - toward_x * side_z) + z * toward_y,
-            x * side_z - y * (toward_y * side_x) + z * toward_z,
-        )
-        for axis in range(3):
-            normal[rows, :, axis] = sum(part * axes[index, axis] for index, part in enumerate(local)) / length
-    return normal
-
-
-def _encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.float32]:
-    value = np.clip(linear, 0, 1)
-    return np.where(value <= 0.0031308, value * 12.92, 1.055 * value ** (1 / 2.4) - 0.055)
-
-
-_NORMAL_OF = (
-    _encode_srgb(np.nan_to_num(np.arange(1 << 16, dtype=np.uint16).view(np.float16).astype(np.float32))) * 2 - 1
-)
-"""The part of a normal that each half float of the matcap picture stands for, by its bits."""
 
 
 def _glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
