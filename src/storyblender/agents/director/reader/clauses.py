@@ -8,6 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.clause import Clause
+from storyblender.agents.director.reader.clause_repairs import repair
 from storyblender.agents.director.reader.morphology import VerbForm
 from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
 from storyblender.agents.director.reader.tagging import PERCEIVING
@@ -18,43 +20,6 @@ _SUBJECT_ONLY = frozenset({"he", "she", "they", "i", "we"})
 _NEAR = 4
 """Phrases back to whom ``who`` means."""
 _HYPOTHETICAL = frozenset({"if", "unless"})
-
-
-@dataclass
-class Clause:
-    """A verb with everything that belongs to it."""
-
-    index: int
-    """Position of the verb among the words."""
-    at: int
-    """Offset of the verb in the script."""
-    verb: str
-    particle: str = ""
-    subject: list[NounPhrase] = field(default_factory=list)
-    object: list[NounPhrase] = field(default_factory=list)
-    recipient: list[NounPhrase] = field(default_factory=list)
-    complement: list[NounPhrase] = field(default_factory=list)
-    """What somebody or something is said to be: ``The shop is a ruin``, ``Hale is asleep``."""
-    places: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
-    """Prepositions with their nouns."""
-    asides: list[NounPhrase] = field(default_factory=list)
-    """``stands there, a crate on his shoulder``."""
-    opening: int = 0
-    """How many of the last places open the sentence: ``Behind the curtain Lena tunes her violin``."""
-    participle: bool = False
-    """An -ing form, or a bare infinitive."""
-    infinitive: bool = False
-    """``watches her go``."""
-    absolute: bool = False
-    """A participle with a subject of its own: ``engine running``."""
-    passive: bool = False
-    """A past participle: somebody else does it."""
-    negated: bool = False
-    unreal: bool = False
-    """It does not happen: would, if, without, wants to."""
-    elided: bool = False
-    """No subject is written."""
-    main: bool = True
 
 
 @dataclass
@@ -79,6 +44,8 @@ class _Builder:
     """Within ``, a book in her lap``: its places are the book's, not the clause's."""
     leading: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Places told before the first clause: ``On top of the stone sat a fox``."""
+    fronted: list[tuple[str, list[NounPhrase]]] | None = None
+    """Places told before a later clause: ``; behind him Silas pulled at the oars``."""
     closed: bool = False
     """A comma stands after the last verb: ``feet up`` is no ``slump up``."""
     negated: bool = False
@@ -101,6 +68,8 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     """
     builder = _Builder(phrases, words)
     for index, phrase in enumerate(phrases):
+        if phrase.text in (";", "and", ",") and builder.clauses and _is_fronted(phrases, index + 1):
+            builder.fronted = []
         if phrase.kind == "negation":
             builder.negated = builder.negated or phrase.text != "modal"
             builder.unreal = builder.unreal or phrase.text == "modal"
@@ -122,8 +91,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         builder.clauses[0].opening = len(builder.leading)
     if builder.clauses and words[0].low in _WONDERING:
         builder.clauses[0].unreal = True
-    _give_to_inverted(builder.clauses)
-    _give_to_following(builder.clauses, words)
+    repair(builder.clauses, words)
     for clause in builder.clauses:
         if clause.verb == "be":
             clause.complement, clause.object = clause.object, []
@@ -153,34 +121,21 @@ def _verb_touches(builder: _Builder, index: int) -> bool:
     return following is not None and following.kind == "verb"
 
 
-def _give_to_inverted(clauses: list[Clause]) -> None:
-    """``Under the stairs, sitting on a suitcase, is DOLORES``: it is Dolores who sits; ``Propped up is a broom``."""
-    if not clauses:
-        return
-    *before, last = clauses
-    somebody = bool(last.object) and last.object[0].kind == "person"
-    if last.opening and somebody and last.verb in lexicon.INVERTING and all(n.kind == "thing" for n in last.subject):
-        last.subject, last.object = last.object, []  # In the booth, hats low, sit two THUGS
-    if last.subject or not last.object or last.verb not in lexicon.INVERTING | {"be"}:
-        return
-    if all((clause.passive or (clause.participle and somebody)) and clause.elided for clause in before):
-        for clause in before:
-            clause.subject, clause.elided = last.object, False
-
-
-def _give_to_following(clauses: list[Clause], words: list[Word]) -> None:
-    """``Sitting on the bench, Bob waves``: it is Bob who sits."""
-    for number, clause in enumerate(clauses):
-        if not number and not (clause.participle and (not clause.subject or clause.subject[0].head == "")):
-            return
-        if number and not clause.elided and not clause.participle and clause.subject and clause.subject[0].head:
-            first = clause.subject[0].index
-            comma = max((index for index in range(first) if words[index].text == ","), default=first)
-            between = {word.low for word in words[comma:first]}
-            if clause.subject[0].kind != "thing" and first - comma <= _NEAR and not between & lexicon.CONJUNCTIONS:
-                for before in clauses[:number]:
-                    before.subject, before.elided = clause.subject, False
-            return
+def _is_fronted(phrases: list[Phrase], at: int) -> bool:
+    """``under the window was a wheel``, ``behind him Al sat``: whether places that start here lead a clause."""
+    start = at
+    while at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at + 1].kind == "noun":
+        if phrases[at].text not in lexicon.RELATION_OF_PREPOSITION:
+            return False
+        at += 2
+    if at == start or at >= len(phrases):
+        return False
+    at += phrases[at].text == "," and at + 1 < len(phrases)
+    inverted = phrases[at].kind == "verb"
+    verb = phrases[at if inverted or at + 1 == len(phrases) else at + 1].verb
+    if verb is None or verb.kind not in ("past", "aux", "3sg") or not (inverted or phrases[at].kind == "noun"):
+        return False
+    return not inverted or (verb.lemma in lexicon.INVERTING | {"be"} and phrases[start - 1].text != ",")
 
 
 def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
@@ -219,11 +174,14 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         builder.preposition, builder.aside, builder.closed = "", False, False
         builder.clauses.append(clause)
         return
+    if builder.fronted is not None:
+        clause.subject, clause.places = builder.pending, builder.fronted
+        clause.opening, builder.fronted = len(builder.fronted), None
     clause.elided = not clause.subject
     clause.absolute = bool(builder.pending) and (participle or verb.kind == "pp") and len(builder.clauses) > 0
     if builder.pending and verb.kind not in ("ing", "inf") and not clause.absolute:
         builder.subject = builder.pending
-    elif builder.current and not clause.subject and not builder.current.absolute:
+    elif builder.current and not clause.opening and not clause.subject and not builder.current.absolute:
         clause.subject = builder.current.subject
     builder.pending, builder.preposition, builder.aside, builder.closed = [], "", False, False
     builder.clauses.append(clause)
@@ -319,6 +277,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     starts_clause = not builder.preposition and (
         clause is None
         or noun.head in _SUBJECT_ONLY
+        or builder.fronted is not None
         or (linked and (_verb_follows(builder.phrases, index) or _is_absolute(builder.phrases, index)))
     )
     if starts_clause:
@@ -328,7 +287,9 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
         return
     if builder.preposition:
-        if not builder.aside:
+        if builder.fronted is not None:
+            builder.fronted.append((builder.preposition, [noun]))
+        elif not builder.aside:
             places = clause.places if clause else builder.leading
             places.append((builder.preposition, [noun]))
         builder.preposition = ""

@@ -24,3 +24,17 @@ TOLD = [
 def test_who_does_what(read_scene: Read, action: str, deeds: set[tuple[str, str]]) -> None:
     reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
     assert {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds} == deeds
+
+
+@pytest.mark.parametrize(
+    ("action", "deeds"),
+    [
+        ("Bob comes running.", {("bob", "run")}),
+        ("Bob stops writing.", set()),
+        ("Bob lets the crowbar fall.", {("bob", "drop")}),
+        ("Anna catches Bob staring at the clock.", {("bob", "look")}),
+    ],
+)
+def test_two_verbs_may_be_one_deed(read_scene: Read, action: str, deeds: set[tuple[str, str]]) -> None:
+    reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
+    assert {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds} == deeds
