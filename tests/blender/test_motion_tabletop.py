@@ -121,3 +121,15 @@ def test_what_is_in_ones_clothes_comes_out_by_hand(bodies: dict[str, Body], jack
     assert reached < 0.36, "the hand goes where it is"
     assert (play.joint("hand.R", 26).y < play.joint(bone, 26).y) == jacket, "in front at the breast, behind at the hip"
     assert (Vector(place[-1].tolist()) - play.joint("hand.R", len(place) - 1)).length < 0.2
+
+
+def test_a_ring_goes_on_a_finger_of_the_other_hand_and_stays_there(bodies: dict[str, Body]) -> None:
+    ring = {"ring": StageProp(world_at(3, 3), (0.02, 0.01, 0.03))}
+    mark = mark_at("man", 0, 0, held=(("L", "ring"),))
+    shot = perform(bodies, (mark,), (cue_of("man", "dress", 2, prop_id="ring", hand="L"),), 3, props=ring)
+    play, path = Playback(bodies["man"], shot, "man"), shot.props["ring"][:, :3, 3]
+    assert (Vector(path[0].tolist()) - play.joint("hand.L", 0)).length < 0.15
+    meeting = play.joint("hand.R", 36)
+    assert (meeting - play.joint("hand.L", 36)).length < 0.38 and meeting.z > 1.05, "before the chest"
+    last = len(path) - 1
+    assert (Vector(path[last].tolist()) - play.joint("hand.R", last)).length < 0.15

@@ -26,7 +26,9 @@ from storyblender.trace import Listener, silent
 _REST, _HEIGHT = 0.55, 0.5
 """Share of a shot in which nothing happens, and of what happens, at which it is drawn."""
 _ARRIVAL = 0.95
-"""Share of a way to somebody at which it is drawn: where it leads, with the face turned to them."""
+"""Share of a way to somebody, or of sitting down, at which it is drawn: where it leads, the face turned to them."""
+_SETTLED = ("sit", "lie")
+"""Postures in which who goes into them is drawn."""
 _AT_REST = ("idle", "look", "listen", "turn")
 """Clips that tell nothing by themselves."""
 _ANSWERS = ("single", "reaction", "ots")
@@ -47,8 +49,9 @@ def story_moment(shot: ShotContext) -> int:
     after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
     length = cue.duration if cue.duration is not None else min([*after, shot.duration]) - cue.start
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
-    meets = together and clip_of(cue.clip).speed is not None
-    return min(last, cue.start + round(length * (_ARRIVAL if meets else _HEIGHT)))
+    motion = clip_of(cue.clip)
+    arrives = (together and motion.speed is not None) or (motion.reach == "thing" and motion.after in _SETTLED)
+    return min(last, cue.start + round(length * (_ARRIVAL if arrives else _HEIGHT)))
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:

@@ -64,6 +64,8 @@ class Actions:
         elif motion.key in ("sit", "lie_down", "lean", "kneel", "crouch", "hide", "fall", "rise", "sleep"):
             self._pose(action, motion, person, partner)
         elif partner is not None and (motion.reach == "person" or motion.key in WITH_PARTNER):
+            if motion.key == "give" and prop is not None and not person.hand_of(prop):
+                self.hands.fetch(person, prop)
             self.meetings.meet(action, motion, person, partner, prop, later)
         elif prop is not None and motion.hands:
             self._use(action, motion, person, prop, later)

@@ -357,6 +357,12 @@ class Company:
         self.lying[prop] = place
         self.touched[prop] = None
 
+    def wear(self, person: Person, prop: str) -> None:
+        """Let a person have something on: it is in no hand any more, and too small to be seen."""
+        person.held = {hand: held for hand, held in person.held.items() if held != prop}
+        self.lying.pop(prop, None)
+        self.touched[prop] = None
+
     def keep(self, shot: ShotContext) -> None:
         """Take over the ends of a shot whose blocking the user has locked."""
         for blocking in shot.blocking:

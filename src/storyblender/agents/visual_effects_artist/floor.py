@@ -25,6 +25,8 @@ BODY = 0.24
 PADDING = 0.10
 TOPS, ROOMY = (0.32, 1.4), 0.25
 """Metres: heights of tops on which things are put down, and how far across such a top is at least."""
+BACK = 0.6
+"""Metres that somebody goes round a thing to work at it in profile."""
 PERSONAL = 0.55
 """Metres between two people who have nothing to do with each other."""
 
@@ -197,7 +199,7 @@ class Floor:
             for spot, free in zip(around, room, strict=True)
             if free > BODY * k + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
         ]
-        fitting.sort(key=lambda spot: math.dist(spot, start) + 2.0 * math.dist(spot, point))
+        fitting.sort(key=lambda s: math.dist(s, start) + 2.0 * math.dist(s, point) + BACK * _back_turned(s, point))
         return next((spot for spot in fitting[:8] if self.path(start, spot, k) is not None), None)
 
     def seats(self, name: str | None) -> list[SeatPlace]:
@@ -275,6 +277,11 @@ def _is_seat(thing: Thing) -> bool:
     """Tell whether the first of a thing's tops is what one sits or lies on."""
     top = thing.of_kind("top")[0].location[2]
     return any(seat.location[2] > top - UNDERFOOT for seat in thing.of_kind("seat", "bed"))
+
+
+def _back_turned(spot: Vec2, point: Vec2) -> float:
+    """Return 1 where who works at a point turns their back to the audience at -Y, 0 where they show a profile."""
+    return max(0.0, (point[1] - spot[1]) / max(math.dist(spot, point), 0.01))
 
 
 def facing(start: Vec2, goal: Vec2) -> float:

@@ -27,6 +27,12 @@ SEATED_REACH = 0.45
 BEFORE, TO_THE_SIDE, AT_TABLE = 0.27, 0.18, 1.3
 """Metres: how far before the edge of a sitter's seat, and at most how far aside, a thing is put down for them, by who
 comes that near."""
+INWARD, HIPS = 0.2, 0.18
+"""Metres: how far behind the edge of a seat a thing is put on it, and half of who sits there."""
+FROM_SEAT = 0.9
+"""Metres within which who sits puts something down."""
+BAG, RING, BESIDE_FOOT = 0.4, 0.06, 0.34
+"""Metres: a bag is longer, a ring smaller; how far beside one a bag is put down."""
 ASIDE = math.radians(60)
 """What is farther aside than this is turned to before it is handled."""
 
@@ -49,7 +55,8 @@ class Handling:
         start, getting = self.sheet.start_of(person), motion.key in GETTING
         if getting and person.hand_of(prop):
             return
-        t = self._gone_to(person, prop, FETCH if getting else AT_HAND, start)
+        t = self._hands_freed(person, prop, start) if motion.hands == 2 else start
+        t = self._gone_to(person, prop, FETCH if getting else AT_HAND, t)
         lies = self._within_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None
         if lies is not None and motion.key in ("open", "close") and self._stands(prop):
@@ -74,6 +81,30 @@ class Handling:
             self._pass(person, catcher, prop, t)
         else:
             self._use(action, motion, person, prop, start, t)
+
+    def fetch(self, person: Person, prop: str) -> None:
+        """Have a prop in hand that lies somewhere near."""
+        start = self.sheet.start_of(person)
+        t = self._gone_to(person, prop, FETCH, start)
+        lies = self._within_reach(person, prop)
+        if lies is not None and person.free_hand() is not None:
+            t = self._taken(person, MOTIONS["pick_up"], prop, self.turn_to(person, lies, t))
+            self.sheet.done(person, start, t, holds=True)
+
+    def _hands_freed(self, person: Person, prop: str, t: float) -> float:
+        """Put a bag on the floor beside one before both hands do something; return the end."""
+        for hand, held in list(person.held.items()):
+            size = self.company.size_of(held)
+            if held == prop or size is None or size[2] < BAG or not person.upright:
+                continue
+            side = BESIDE_FOOT * person.k * (1 if hand == "L" else -1)
+            x, y = person.place
+            spot = (x + side * math.cos(person.yaw), y + side * math.sin(person.yaw), 0.0)
+            length = natural_seconds(MOTIONS["put_down"])
+            mark = _mark_of(person, held, spot)
+            t = self.sheet.cue(person, "put_down", t, length, prop_id=held, hand=hand, mark=mark)
+            self.company.lay(person, held, spot)
+        return t
 
     def _gone_to(self, person: Person, prop: str, farthest: float, t: float) -> float:
         """Go to where a prop lies, if that is no farther; return the end."""
@@ -120,6 +151,9 @@ class Handling:
             person, motion.key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
         )
         self.sheet.done(person, start, end)
+        size = self.company.size_of(prop)
+        if motion.key == "dress" and size is not None and size[2] < RING:
+            self.company.wear(person, prop)
 
     def _stands(self, prop: str) -> bool:
         """Tell whether a thing is opened where it stands, not in the hand: a box, a case."""
@@ -168,35 +202,61 @@ class Handling:
             self.company.lay(person, prop, (*landing, 0.0))
             return t, None
         if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
-            thing = self.company.floor.nearest_top(person.place, 2.5)
+            thing = self.company.floor.nearest_top(person.place, 2.5 if person.upright else FROM_SEAT)
         if thing is None:
             x, y = person.place
             spot: Vec3 = (x + 0.42 * person.k * math.sin(person.yaw), y - 0.42 * person.k * math.cos(person.yaw), 0.0)
         else:
-            spot = self._spot_on(thing, person)
+            spot = self._spot_on(thing, person, prop)
             if person.upright and math.dist(spot[:2], person.place) > REACH:
                 stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
                 if stand is not None:
                     t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
-                    spot = self._spot_on(thing, person)
+                    spot = self._spot_on(thing, person, prop)
         t = self.turn_to(person, spot, t)
         self.company.lay(person, prop, spot)
-        rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
-        return t, Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))
+        return t, _mark_of(person, prop, spot)
 
-    def _spot_on(self, thing: Thing, person: Person) -> Vec3:
-        """Return where something is put on a top: before who sits at it, towards who puts it there; else nearest."""
+    def _spot_on(self, thing: Thing, person: Person, prop: str) -> Vec3:
+        """Return where something is put on a top: before who sits at it, towards who puts it there; else nearest.
+
+        Beside who sits on it; on the side of the hand that holds something there is no room.
+        """
         floor = self.company.floor
         sitters = [p for p in self.company.people.values() if p.present and p.posture == "sit"]
+        if (beside := self._beside_sitters(thing, person, prop, sitters)) is not None:
+            return beside
         for sitter in sorted(sitters, key=lambda each: math.dist(each.place, person.place)):
             (x, y), yaw = sitter.place, sitter.yaw
             away = (person.place[0] - x) * math.cos(yaw) + (person.place[1] - y) * math.sin(yaw)
-            aside = max(-TO_THE_SIDE, min(TO_THE_SIDE, away))
+            aside = 0.0 if ("L" if away > 0 else "R") in sitter.held else max(-TO_THE_SIDE, min(TO_THE_SIDE, away))
             ahead = (x + BEFORE * math.sin(yaw), y - BEFORE * math.cos(yaw))
             spot = floor.on_top(thing, (ahead[0] + aside * math.cos(yaw), ahead[1] + aside * math.sin(yaw)))
             if spot is not None and math.dist(spot[:2], person.place) < AT_TABLE:
                 return self.company.clear_of_props(spot)
         return self.company.clear_of_props(floor.top_of(thing, person.place))
+
+    def _beside_sitters(self, thing: Thing, person: Person, prop: str, sitters: Sequence[Person]) -> Vec3 | None:
+        """Return the free place on a seat: between two who sit there, else beside the one; None if nobody does."""
+        there = [each for each in sitters if each.support == thing.node_id]
+        if not there:
+            return None
+        there.sort(key=lambda each: math.dist(each.place, person.place))
+        (x, y), yaw = there[0].place, there[0].yaw
+        left = (math.cos(yaw), math.sin(yaw))
+        along = [(each.place[0] - x) * left[0] + (each.place[1] - y) * left[1] for each in there]
+        wish = sum(along[:2]) / len(along[:2])
+        half = (self.company.size_of(prop) or [0.2])[-1] / 2
+        free: list[tuple[float, Vec3]] = []
+        for step in range(-24, 25):
+            s = 0.05 * step
+            spot = self.company.floor.on_top(
+                thing, (x + s * left[0] - INWARD * math.sin(yaw), y + s * left[1] + INWARD * math.cos(yaw))
+            )
+            clear = all(abs(s - at) > HIPS * each.k + half for at, each in zip(along, there, strict=True))
+            if spot is not None and clear and self.company.clear_of_props(spot) == spot:
+                free.append((abs(s - wish), spot))
+        return min(free)[1] if free else None
 
     def turn_to(self, person: Person, spot: Vec3, t: float) -> float:
         """Face what the hands are about to work on; return the end."""
@@ -204,3 +264,8 @@ class Handling:
             return t
         yaw = facing(person.place, spot[:2])
         return self.sheet.face(person, yaw, t) if abs(turn_between(person.yaw, yaw)) > ASIDE else t
+
+
+def _mark_of(person: Person, prop: str, spot: Vec3) -> Mark:
+    rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
+    return Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))

@@ -290,6 +290,72 @@ def test_what_is_put_down_for_somebody_at_a_table_is_before_them_on_it_not_on_th
     assert _end(taken, "ilsa").held == (("R", "letter"),)
 
 
+BENCH = _thing(
+    "bench",
+    (1.8, 0.42, 0.46),
+    Anchor(kind="seat", name="seat", location=(0, -0.21, 0.46), size=(1.8, 0.42)),
+    Anchor(kind="top", location=(0, 0, 0.46), size=(1.8, 0.4)),
+)
+
+
+def _on_bench(*shots: ShotContext) -> tuple[ShotStaging, ...]:
+    layout = LAYOUT.model_copy(update={"objects": (_at("bench", 0, 3.0), *LAYOUT.objects)})
+    return (
+        AnimatorRules().propose(_view(*shots).model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    )
+
+
+@pytest.mark.parametrize("company", [True, False])
+def test_what_is_put_down_on_a_seat_is_beside_who_sits_there(company: bool) -> None:
+    both = {"posture": "sit", "support_id": "bench"}
+    states = (BodyState(asset_id="rick", held=("letter",), **both), BodyState(asset_id="ilsa", **both))
+    put, after = _on_bench(
+        _shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states[: 1 + company]),
+        _shot(2),
+    )
+    (spot,) = (state.location for state in after.prop_states)
+    assert spot is not None and spot[2] == pytest.approx(0.46), "on the bench"
+    sitters = [_end(put, "rick").location[0]] + [_end(put, "ilsa").location[0]] * company
+    assert all(abs(spot[0] - x) > 0.25 for x in sitters), "under nobody"
+    assert not company or min(sitters) < spot[0] < max(sitters), "between them"
+
+
+def test_a_bag_is_put_down_before_both_hands_are_wanted() -> None:
+    bag = _thing("bag", (0.6, 0.2, 0.45))
+    ring = _thing("ring", (0.02, 0.01, 0.03))
+    states = (BodyState(asset_id="rick", held=("bag", "ring")),)
+    view = _view(_shot(1, _do("rick", "wear", prop_id="ring"), states=states), _shot(2))
+    worn, after = AnimatorRules().propose(view.model_copy(update={"assets": (bag, ring, *ASSETS)})).shots
+    assert [clip for clip in _cues(worn, "rick") if clip != "look"] == ["put_down", "dress"]
+    assert _end(worn, "rick").held == ()
+    state = {each.asset_id: each for each in after.prop_states}
+    assert state["bag"].location is not None and state["bag"].location[2] == 0.0
+    assert not state["ring"].visible, "on the finger, too small to see"
+
+
+def test_what_is_given_is_fetched_first_and_things_are_worked_at_in_profile() -> None:
+    (shot,) = _stage(_shot(1, _do("rick", "give", target_id="ilsa", prop_id="cup"), seconds=8))
+    assert [clip for clip in _cues(shot, "rick") if clip in ("pick_up", "give")] == ["pick_up", "give"]
+    at_cup = next(cue.mark for cue in shot.cues if cue.asset_id == "rick" and cue.clip == "walk")
+    assert at_cup is not None and 60 < at_cup.yaw % 360 < 300 and _end(shot, "ilsa").held == (("R", "cup"),)
+
+
+def test_nothing_is_put_before_the_hand_that_holds_something() -> None:
+    states = (
+        BodyState(asset_id="rick", held=("letter",)),
+        BodyState(asset_id="ilsa", posture="sit", support_id="chair_l", held=("cup",)),
+    )
+    shot = _shot(1, _do("rick", "put_down", prop_id="letter", target_id="table"), states=states, seconds=6)
+    chairs = tuple(
+        each if each.node_id != "chair_l" else each.model_copy(update={"location": (-0.75, 1.0, 0.0)})
+        for each in LAYOUT.objects
+    )
+    view = _view(shot, _shot(2)).model_copy(update={"layout": LAYOUT.model_copy(update={"objects": chairs})})
+    put, after = AnimatorRules().propose(view).shots
+    spot = next(state.location for state in after.prop_states if state.asset_id == "letter")
+    assert spot is not None and spot[1] - _end(put, "ilsa").location[1] > -0.02, "not on her right, where the cup is"
+
+
 def test_nothing_is_put_down_in_a_flowerpot() -> None:
     pot = _thing("pot", (0.4, 0.4, 1.1), Anchor(kind="top", location=(0, 0, 0.6), size=(0.2, 0.2)))
     states = (BodyState(asset_id="rick", held=("letter",)),)

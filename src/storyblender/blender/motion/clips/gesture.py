@@ -5,12 +5,17 @@ from __future__ import annotations
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats
-from storyblender.blender.motion.clips.gaze import look_at_subject, mood
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, mood
+from storyblender.blender.motion.clips.handling import let_go, prop_of
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head, hand
 from storyblender.blender.motion.performer import Performer
-from storyblender.blender.motion.skeleton import SIDES, UP, sign
+from storyblender.blender.motion.puppets import PropPuppet
+from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
+
+RING = 0.06
+"""Metres: what is smaller is put on a finger."""
 
 
 @clip("point", "hand", "head")
@@ -158,8 +163,10 @@ def bow(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("dress", "hands")
 def dress(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Pull a garment up over the shoulders or off them, and smooth it down."""
-    t = beat.start
+    """Pull a garment up over the shoulders or off them, and smooth it down; put a ring on a finger."""
+    t, prop = beat.start, prop_of(beat)
+    if prop is not None and prop.holder is who and max(prop.size) < RING:
+        return _put_on_finger(stage, who, beat, prop)
     for side in SIDES:
         low = by_chest(who, side, (0.05, 0.28, -0.55), (-0.6, 0.6, 0.2), (-0.5, -1, 0), curl=(60, 66, 20))
         high = by_chest(who, side, (0.02, 0.22, 0.05), (-0.3, -0.2, 0.9), (-0.2, -1, -0.3), curl=(60, 66, 20))
@@ -169,6 +176,24 @@ def dress(stage: Stage, who: Performer, beat: Beat) -> float:
         who.hands[side].set(t + 1.8, 0.6, who.home[side])
     who.nod.set(t, 0.5, (14, 0, 0))
     who.nod.set(t + 1.6, 0.5, (0, 0, 0))
+    return t + 2.4
+
+
+def _put_on_finger(stage: Stage, who: Performer, beat: Beat, ring: PropPuppet) -> float:
+    """Push a ring on a finger of the hand that does not hold it, before the chest; it stays there."""
+    t, side = beat.start, next((s for s, held in who.held.items() if held == ring.asset_id), beat.side)
+    far = other(side)
+    offered = by_chest(who, far, (-0.16, 0.50, -0.40), (-0.9, 0.35, 0.15), (0, -0.5, -0.8), curl=(4, 8, 0))
+    who.hands[far].set(t, 0.6, offered)
+    for start, inward in ((0.1, -0.06), (0.8, -0.24)):
+        pushing = by_chest(who, side, (inward, 0.52, -0.40), (-0.95, 0.2, 0.05), (-0.1, -0.6, -0.8), curl=(48, 56, 24))
+        who.hands[side].set(t + start, 0.6, pushing)
+    ring.hold(t + 1.4, who, far, ring.grip(far), 0.2)
+    let_go(stage, ring)
+    look_at(who, t, stage.point_of(ring))
+    for each in SIDES:
+        who.hands[each].set(t + 1.8, 0.6, who.home[each])
+    look_at(who, t + 1.9, who.ahead)
     return t + 2.4
 
 
