@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from storyblender.agents.visual_effects_artist.belongings import brought_along
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
-from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.agents.visual_effects_artist.person import SEATED, Person, stature_of
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
@@ -48,7 +49,7 @@ class Company:
             item.asset_id: (item.location[:2], math.radians(item.rotation[2])) for item in reversed(objects)
         }
         self.people = {
-            asset.asset_id: Person(asset.asset_id, _stature(asset) / 1.7)
+            asset.asset_id: Person(asset.asset_id, stature_of(asset) / 1.7)
             for asset in assets
             if asset.asset_type == "character"
         }
@@ -69,10 +70,10 @@ class Company:
             handled |= {prop} if prop is not None else set()
 
     def put_away(self, shots: Sequence[ShotContext]) -> None:
-        """Take what somebody brings out of a pocket from where the layout laid it: nobody sees it before."""
-        for change in (each for shot in shots for each in shot.asset_modifications):
-            if change.modification_type == "add" and self.lying.pop(change.asset_id, None) is not None:
-                self.touched[change.asset_id] = None
+        """Take from where the layout laid it what nobody sees before somebody has it."""
+        for prop in brought_along(shots):
+            if self.lying.pop(prop, None) is not None:
+                self.touched[prop] = None
 
     def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
@@ -161,8 +162,13 @@ class Company:
                 if prop not in in_hand:
                     del person.held[hand]
             for prop in in_hand:
-                if prop in self.assets and (state.asset_id, prop) not in taken:
+                if self._carriable(prop) and (state.asset_id, prop) not in taken:
                     self.hand_over(person, prop)
+
+    def _carriable(self, prop: str) -> bool:
+        """Tell whether a thing of the sheet is not too large for one person."""
+        size = self.size_of(prop)
+        return prop in self.assets and (size is None or size[1] <= HAND_SIZE)
 
     def apply_posture(self, person: Person, state: BodyState) -> None:
         """Bring a person into a posture by a cut."""
@@ -388,9 +394,3 @@ class Company:
                 location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
                 states.append(PropState(asset_id=prop, visible=place is not None, location=location))
         return tuple(states)
-
-
-def _stature(asset: Asset) -> float:
-    if asset.canonical is not None:
-        return asset.canonical.dimensions[2]
-    return (asset.look.stature if asset.look else None) or 1.7

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, field
 
 from storyblender.geometry.paths import Vec2
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.shot_context import Mark
 from storyblender.memory.vocabulary import Hand, Posture
 
@@ -62,3 +63,10 @@ class Person:
     def free_hand(self) -> Hand | None:
         """Return an empty hand, the right one first."""
         return "R" if "R" not in self.held else "L" if "L" not in self.held else None
+
+
+def stature_of(asset: Asset) -> float:
+    """Return somebody's height in metres."""
+    if asset.canonical is not None:
+        return asset.canonical.dimensions[2]
+    return (asset.look.stature if asset.look else None) or 1.7

@@ -380,6 +380,26 @@ def test_what_comes_out_of_a_pocket_is_not_seen_lying_about_before() -> None:
     assert [cue.target_id for cue in after.cues if cue.clip == "take"] == ["rick"], "his hand goes for it"
 
 
+def test_what_somebody_enters_with_is_not_seen_lying_about_before() -> None:
+    holding = (BodyState(asset_id="rick", held=("cup",)),)
+    before, after = _stage(_shot(1), _shot(2, states=holding))
+    assert [state.visible for state in before.prop_states] == [False]
+    assert _end(after, "rick").held == (("R", "cup"),)
+
+
+def test_what_somebody_looked_at_before_it_is_in_a_hand_lies_there_until_then() -> None:
+    looks = CameraInstruction(description="cup", focus_on_ids=("cup",), kind="insert", size="CU")
+    before, _ = _stage(
+        _shot(1, camera_instruction=looks), _shot(2, states=(BodyState(asset_id="rick", held=("cup",)),))
+    )
+    assert before.prop_states == ()
+
+
+def test_nobody_holds_a_table() -> None:
+    (shot,) = _stage(_shot(1, states=(BodyState(asset_id="rick", held=("table",)),)))
+    assert _end(shot, "rick").held == ()
+
+
 def test_what_no_pocket_holds_is_in_hand_when_it_is_brought_out() -> None:
     brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
     view = _view(_shot(1, _do("rick", "take", prop_id="cup"), asset_modifications=(brought,), seconds=5))

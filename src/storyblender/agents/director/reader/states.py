@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import zip_longest
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clauses import Clause
@@ -24,7 +25,20 @@ _UPRIGHT = frozenset(
 _TAKING = frozenset({"pick_up", "take", "hold", "carry", "catch"})
 _LOSING = frozenset({"put_down", "drop", "throw"})
 _NOT_HELD = frozenset({"abstract", "body", "set_piece", "scenery"})
+_NEAR = frozenset({"beside", "by", "near", "next to", "before", "in front of", "behind"})
+"""``sits beside the bed``: not on it."""
 _SUPPORTED = frozenset({"sit", "lie_down", "sleep", "lean", "kneel"})
+_FILLED = frozenset({
+    "begin", "cover", "crowd", "deal", "decorate", "end", "fill", "fuss", "help", "lay", "line", "load", "pack", "play",
+    "set", "stack", "start", "struggle", "wrestle",
+})  # fmt: skip
+"""What these are done with is not in the doer's hand."""
+_NOT_WITH = frozenset({"look", "think", "read", "listen"})
+_WHERE = frozenset({"on", "over", "under", "around", "across", "before", "in front of", "at", "behind", "beside", "by"})
+"""``with a hat on her head``: where what comes with somebody is, if not in the hand."""
+_HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
+_LONG = frozenset({"ladder", "stretcher", "plank"})
+"""Furniture that people carry past."""
 _READY = re.compile(
     r"\b([a-z-]+) (drawn|raised|ready|at the ready"
     r"|in (?:(?:his|her|each|one|the other|both|either) )?hands?)(?! of)\b"
@@ -41,6 +55,22 @@ def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) ->
             stage.scene.posture[deed.actor] = ("stand", None)
         _board(stage, deed, clause, roles)
         _handle(stage, deed)
+    _bring(stage, deeds, clause, roles)
+
+
+def _bring(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
+    """``stands in the doorway with an umbrella``, ``hits him with the torch``: it is in the hand."""
+    told = {deed.motion for deed in deeds}
+    in_hand = any(stage.inventory.class_of(thing) == "prop" for thing in roles.things)
+    if clause.passive or clause.verb in _FILLED or told & _NOT_WITH or in_hand or not deeds:
+        return
+    for place, after in zip_longest(roles.places, roles.places[1:]):
+        heads = {noun.head for noun in after.nouns} if after else set[str]()
+        elsewhere = after is not None and after.preposition in _WHERE and not heads & _HANDS
+        if place.preposition == "with" and not place.people and not elsewhere:
+            for thing in place.things:
+                if stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in _LONG:
+                    hold(stage, deeds[0].actor, thing)
 
 
 def _support(stage: Stage, deed: Deed, roles: Roles) -> str | None:
@@ -52,8 +82,8 @@ def _support(stage: Stage, deed: Deed, roles: Roles) -> str | None:
         for thing in place.things:
             if kind in ("on", "in", "against") and stage.inventory.class_of(thing) in ("set_piece", "prop"):
                 return thing
-    seat = stage.inventory.head(deed.target) in lexicon.SEATS
-    if seat:
+    near = any(deed.target in place.things and place.preposition in _NEAR for place in roles.places)
+    if stage.inventory.head(deed.target) in lexicon.SEATS and not near:
         return deed.target
     known = stage.scene.posture.get(deed.actor)
     return known[1] if known and known[0] in ("sit", "lie", "asleep") and deed.motion in ("sit", "sleep") else None

@@ -303,11 +303,11 @@ def _opens_clause(row: Row) -> bool:
 
 
 def _is_plural(left: Word, row: Row) -> bool:
-    """Two guards / Kira and Tomas / the officers, before a base form."""
+    """Two guards / Kira and Tomas / the officers / the CHILDREN, before a base form."""
     if left.mention and left.mention.kind == "group":
         return True
     coordinated = any(w.low == "and" and i and row.words[i - 1].mention for i, w in enumerate(row.words))
-    return coordinated or left.low.endswith("s")
+    return coordinated or left.low.endswith("s") or singular(left.low) != left.low
 
 
 def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
