@@ -12,7 +12,7 @@ Station = tuple[float, float, float, float, float]
 """x, y, z of the middle, half width, half height of a section across the way it points."""
 
 
-def _limb(b: MeshBuilder, material: MaterialRef, stations: list[Station], segments: int = 14) -> None:
+def limb(b: MeshBuilder, material: MaterialRef, stations: list[Station], segments: int = 14) -> None:
     """Loft ellipses along a path in the YZ plane: bodies, necks, heads, legs, tails."""
     path = np.array([station[:3] for station in stations])
     along = np.gradient(path, axis=0)
@@ -28,7 +28,8 @@ def _limb(b: MeshBuilder, material: MaterialRef, stations: list[Station], segmen
     b.loft(material, rings)
 
 
-def _both(stations: list[Station]) -> list[list[Station]]:
+def both(stations: list[Station]) -> list[list[Station]]:
+    """Return a limb on the right and on the left."""
     return [[(side * x, y, z, w, t) for x, y, z, w, t in stations] for side in (-1, 1)]
 
 
@@ -38,7 +39,7 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, nose = spec.material("coat"), spec.material("nose")
     scale = np.array(spec.size) / (0.26, 0.95, 0.68)
     with b.at(scale=scale):
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -50,8 +51,8 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 (0, 0.3, 0.43, 0.04, 0.06),
             ],
         )
-        _limb(b, coat, [(0, -0.18, 0.44, 0.09, 0.11), (0, -0.26, 0.53, 0.07, 0.085), (0, -0.31, 0.6, 0.065, 0.075)])
-        _limb(
+        limb(b, coat, [(0, -0.18, 0.44, 0.09, 0.11), (0, -0.26, 0.53, 0.07, 0.085), (0, -0.31, 0.6, 0.065, 0.075)])
+        limb(
             b,
             coat,
             [
@@ -67,7 +68,7 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for x in (-1, 1):
             b.cushion(coat, (x * 0.045, -0.28, 0.68), (0.045, 0.025, 0.1), softness=0.9, rotation=(0, x * 10, 0))
             b.sphere(nose, (x * 0.04, -0.385, 0.607), 0.009, segments=8, rings=5)
-        for front in _both(
+        for front in both(
             [
                 (0.07, -0.2, 0.42, 0.045, 0.06),
                 (0.075, -0.19, 0.3, 0.034, 0.04),
@@ -76,8 +77,8 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 (0.075, -0.2, 0.03, 0.024, 0.024),
             ]
         ):
-            _limb(b, coat, front, 10)
-        for hind in _both(
+            limb(b, coat, front, 10)
+        for hind in both(
             [
                 (0.07, 0.22, 0.44, 0.055, 0.1),
                 (0.078, 0.2, 0.3, 0.045, 0.07),
@@ -86,11 +87,11 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 (0.078, 0.26, 0.03, 0.022, 0.022),
             ]
         ):
-            _limb(b, coat, hind, 10)
+            limb(b, coat, hind, 10)
         for x in (-1, 1):
             for y in (-0.215, 0.245):
                 b.cushion(coat, (x * 0.077, y, 0.02), (0.055, 0.09, 0.04), softness=0.8)
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -110,7 +111,7 @@ def cat(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, nose = spec.material("coat"), spec.material("nose")
     scale = np.array(spec.size) / (0.2, 0.5, 0.42)
     with b.at(scale=scale):
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -145,7 +146,7 @@ def cat(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.sphere(nose, (x * 0.026, -0.094, 0.352), 0.008, segments=8, rings=5)
             b.cushion(coat, (x * 0.075, 0.06, 0.07), (0.07, 0.16, 0.13), softness=0.9)
             b.cushion(coat, (x * 0.075, -0.03, 0.018), (0.045, 0.11, 0.036), softness=0.8)
-        for front in _both(
+        for front in both(
             [
                 (0.035, -0.02, 0.2, 0.028, 0.03),
                 (0.035, -0.05, 0.1, 0.02, 0.022),
@@ -153,8 +154,8 @@ def cat(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 (0.035, -0.056, 0.01, 0.02, 0.024),
             ]
         ):
-            _limb(b, coat, front, 10)
-        _limb(
+            limb(b, coat, front, 10)
+        limb(
             b,
             coat,
             [
@@ -174,7 +175,7 @@ def horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, mane, hoof = spec.material("coat"), spec.material("mane"), spec.material("hoof")
     scale = np.array(spec.size) / (0.6, 2.3, 2.15)
     with b.at(scale=scale):
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -188,7 +189,7 @@ def horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
             ],
             18,
         )
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -199,7 +200,7 @@ def horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
             ],
             16,
         )
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -235,11 +236,11 @@ def horse(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (0.17, 0.69, 0.14, 0.05, 0.055),
             (0.17, 0.67, 0.08, 0.052, 0.058),
         ]
-        for leg in (*_both(front), *_both(hind)):
-            _limb(b, coat, leg, 12)
+        for leg in (*both(front), *both(hind)):
+            limb(b, coat, leg, 12)
             x, y = leg[-1][0], leg[-1][1]
             b.lathe(hoof, [(0.075, 0), (0.055, 0.1)], origin=(x, y - 0.015, 0), segments=14)
-        _limb(
+        limb(
             b,
             mane,
             [
@@ -259,7 +260,7 @@ def cow(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, patch, horn = spec.material("coat"), spec.material("patch"), spec.material("horn")
     scale = np.array(spec.size) / (0.75, 2.3, 1.5)
     with b.at(scale=scale):
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -272,8 +273,8 @@ def cow(b: MeshBuilder, spec: PropSpec) -> Anchors:
             ],
             18,
         )
-        _limb(b, coat, [(0, -0.5, 1.06, 0.2, 0.28), (0, -0.75, 1.16, 0.15, 0.2), (0, -0.92, 1.24, 0.13, 0.16)], 16)
-        _limb(
+        limb(b, coat, [(0, -0.5, 1.06, 0.2, 0.28), (0, -0.75, 1.16, 0.15, 0.2), (0, -0.92, 1.24, 0.13, 0.16)], 16)
+        limb(
             b,
             coat,
             [
@@ -308,8 +309,8 @@ def cow(b: MeshBuilder, spec: PropSpec) -> Anchors:
             (0.2, 0.72, 0.4, 0.058, 0.065),
             (0.2, 0.68, 0.07, 0.06, 0.065),
         ]
-        for leg in (*_both(front), *_both(hind)):
-            _limb(b, coat, leg, 12)
+        for leg in (*both(front), *both(hind)):
+            limb(b, coat, leg, 12)
             b.lathe("iron", [(0.08, 0), (0.06, 0.08)], origin=(leg[-1][0], leg[-1][1] - 0.01, 0), segments=14)
         b.sphere(patch, (0, 0.5, 0.58), 0.16, segments=14, rings=9)
         b.tube(coat, [(0, 0.86, 1.16), (0, 0.97, 1.0), (0, 0.98, 0.6)], (0.03, 0.022, 0.018), segments=8)
@@ -323,7 +324,7 @@ def bird(b: MeshBuilder, spec: PropSpec) -> Anchors:
     coat, beak = spec.material("coat"), spec.material("beak")
     scale = np.array(spec.size) / (0.14, 0.34, 0.26)
     with b.at(scale=scale):
-        _limb(
+        limb(
             b,
             coat,
             [
@@ -360,7 +361,7 @@ def fish(b: MeshBuilder, spec: PropSpec) -> Anchors:
     skin, eye = spec.material("skin"), spec.material("eye")
     scale = np.array(spec.size) / (0.1, 0.5, 0.2)
     with b.at(scale=scale):
-        _limb(
+        limb(
             b,
             skin,
             [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from storyblender.catalog.props.beasts import BEASTS
 from storyblender.catalog.props.carried import CARRIED
 from storyblender.catalog.props.entry import PropEntry
 from storyblender.catalog.props.fittings import FITTINGS
@@ -19,6 +20,17 @@ __all__ = ["PROPS", "PropEntry"]
 
 PROPS: Catalog[PropEntry] = Catalog(
     "prop",
-    SEATS + FURNITURE + FITTINGS + MACHINES + TABLE_AND_DESK + CARRIED + VEHICLES + STREET + PLACES + NATURE + ANIMALS,
+    SEATS
+    + FURNITURE
+    + FITTINGS
+    + MACHINES
+    + TABLE_AND_DESK
+    + CARRIED
+    + VEHICLES
+    + STREET
+    + PLACES
+    + NATURE
+    + ANIMALS
+    + BEASTS,
 )
 """In the order they are listed to people."""

@@ -257,7 +257,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "teddy_bear",
-        "toy, doll, stuffed animal, plush, puppet",
+        "toy, doll, stuffed animal, stuffed rabbit, soft toy, plush, puppet",
         (0.28, 0.24, 0.36),
         {"body": "leather", "snout": "linen", "eye": "plastic_black"},
         "A sitting teddy bear.",

@@ -125,7 +125,7 @@ ANIMALS: tuple[PropEntry, ...] = (
     entry(
         "animal",
         "dog",
-        "puppy, hound, wolf, guard dog, german shepherd",
+        "puppy, hound, guard dog, german shepherd, lurcher, mongrel, terrier, spaniel, greyhound",
         (0.26, 0.95, 0.68),
         {"coat": "leather", "nose": "plastic_black"},
         "A standing dog.",
@@ -161,7 +161,7 @@ ANIMALS: tuple[PropEntry, ...] = (
     entry(
         "animal",
         "bird",
-        "pigeon, crow, raven, seagull, dove, parrot, chicken, owl",
+        "pigeon, crow, raven, seagull, dove, parrot, chicken, owl, hen, rooster, duck, goose, eagle, hawk, canary",
         (0.14, 0.34, 0.26),
         {"coat": "fabric", "beak": "brass"},
         "A standing bird.",

@@ -247,6 +247,8 @@ _YES: dict[str, tuple[str, ...]] = {
     "flat": ("flat", "flatscreen", "modern"),
     "wings": ("wing", "winged"),
     "cloth": ("tablecloth",),
+    "stripes": ("striped",),
+    "antlers": ("stag",),
     "revolver": ("revolver", "colt", "magnum"),
 }
 _NO: dict[str, tuple[str, ...]] = {
@@ -254,6 +256,8 @@ _NO: dict[str, tuple[str, ...]] = {
     "up": ("closed", "furled", "folded", "rolled"),
     "lit": ("unlit", "dead", "cold"),
     "food": ("empty",),
+    "stripes": ("leopard", "panther", "jaguar", "cheetah", "cougar", "lynx", "puma", "lioness"),
+    "antlers": ("doe", "fawn", "hind"),
 }
 
 

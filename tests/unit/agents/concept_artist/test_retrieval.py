@@ -20,10 +20,11 @@ KNOWN = {
     "desk lamp": "table_lamp", "pile of money": "money", "wicker basket": "basket", "hunting rifle": "rifle",
     "park bench": "park_bench", "street lamp": "lamppost", "boulder": "rock", "stray dog": "dog",
     "airplane": "airliner", "walking stick": "cane", "a bunch of roses": "flower", "suitcases": "suitcase",
-    "jet plane": "airliner",
+    "jet plane": "airliner", "white mouse": "mouse", "wolf": "wolf", "leopard": "tiger", "dragon": "dragon",
+    "stuffed rabbit": "teddy_bear", "hen": "bird", "stag": "deer",
 }  # fmt: skip
 UNKNOWN = ("spaceship", "dragon statue", "time machine", "robot dog", "unicorn", "stethoscope", "treaty",
-           "rubber duck", "surfboard", "guillotine")  # fmt: skip
+           "surfboard", "guillotine")  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,470 @@
+"""Beasts on four legs from one plan: trunk, neck, head, legs and tail by a few measures. They look to -Y."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.animals import Station, both, limb
+from storyblender.blender.props.parts import bent
+from storyblender.blender.props.registry import Anchors, PropSpec, prop
+
+DARK = "plastic_black"
+Path = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The measures of a beast, in metres.
+
+    Attributes:
+        trunk: Length from shoulder to rump.
+        chest: Half the height of the chest; the waist is ``waist`` of it.
+        leg: Height of the belly over the ground.
+        foot: Radius of a lower leg.
+        neck: How far the head is before the shoulder, and how far above the middle of the trunk.
+        head: Radius of the skull.
+        snout: Length of the snout, and its radius at the nose.
+        ear: Length of an ear, how wide it is, and how far it leans outwards in degrees.
+        tail: Points behind and above the rump, (y, z).
+        bushy: Radius of the tail in its middle.
+        hooves: Whether it walks on hooves.
+        broad: Width of the trunk for its height.
+        waist: Of the chest.
+    """
+
+    trunk: float
+    chest: float
+    leg: float
+    foot: float
+    neck: tuple[float, float]
+    head: float
+    snout: tuple[float, float]
+    ear: tuple[float, float, float]
+    tail: Path
+    bushy: float = 0.02
+    hooves: bool = False
+    broad: float = 0.8
+    waist: float = 0.85
+
+    @property
+    def middle(self) -> float:
+        """Height of the middle of the trunk."""
+        return self.leg + self.chest
+
+    @property
+    def skull(self) -> tuple[float, float]:
+        """Where the skull is, (y, z)."""
+        return (-self.trunk / 2 - self.neck[0], self.middle + self.neck[1])
+
+
+def beast(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
+    """Add a standing beast of one coat, with eyes and a nose."""
+    length, chest, z = plan.trunk, plan.chest, plan.middle
+    outline = (
+        (-0.6, 0.3),
+        (-0.54, 0.78),
+        (-0.4, 1.0),
+        (-0.1, 1.02),
+        (0.2, plan.waist),
+        (0.42, 0.9),
+        (0.54, 0.68),
+        (0.6, 0.25),
+    )
+    limb(b, coat, [(0, y * length, z, t * chest * plan.broad, t * chest) for y, t in outline], 18)
+    y, top = plan.skull
+    throat = max(chest * 0.62, plan.head * 0.8)
+    limb(
+        b,
+        coat,
+        [
+            (0, -length * 0.36, z + chest * 0.1, chest * plan.broad * 0.75, chest * 0.75),
+            (0, (-length * 0.4 + y) / 2, (z + chest * 0.3 + top) / 2, throat * 0.9, throat),
+            (0, y + plan.head * 0.5, top, plan.head * 0.75, plan.head * 0.8),
+        ],
+        16,
+    )
+    _head(b, coat, plan)
+    _legs(b, coat, plan)
+    rump = (length * 0.55, z + chest * 0.35)
+    if plan.tail:
+        points = np.array([(0, rump[0], rump[1]), *((0, rump[0] + dy, rump[1] + dz) for dy, dz in plan.tail)])
+        radii = np.interp(np.linspace(0, 1, len(points)), (0, 0.5, 0.85, 1), np.array((0.6, 1, 0.9, 0.25)) * plan.bushy)
+        b.tube(coat, bent(points), tuple(float(r) for r in bent(radii)), segments=10)
+
+
+def _head(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
+    (y, z), r, (long, nose) = plan.skull, plan.head, plan.snout
+    b.sphere(coat, (0, y, z), r, scale=(0.92, 1.05, 0.95), segments=18, rings=11)
+    tip = y - r * 0.7 - long
+    limb(
+        b,
+        coat,
+        [
+            (0, y - r * 0.3, z - r * 0.15, r * 0.72, r * 0.7),
+            (0, y - r * 0.8, z - r * 0.28, (r * 0.55 + nose) / 2, (r * 0.62 + nose) / 2),
+            (0, tip + nose * 0.4, z - r * 0.4, nose * 1.05, nose),
+            (0, tip, z - r * 0.42, nose * 0.6, nose * 0.6),
+        ],
+    )
+    b.sphere(
+        DARK,
+        (0, tip + nose * 0.05, z - r * 0.42 + nose * 0.5),
+        nose * 0.45,
+        scale=(1.2, 0.8, 0.8),
+        segments=10,
+        rings=6,
+    )
+    ear, wide, lean = plan.ear
+    for x in (-1, 1):
+        b.sphere(DARK, (x * r * 0.5, y - r * 0.82, z + r * 0.22), r * 0.14, segments=8, rings=5)
+        with b.at((x * r * 0.55, y + r * 0.1, z + r * 0.6), (0, x * lean, 0)):
+            b.cushion(coat, (0, 0, ear * 0.45), (wide, wide * 0.45, ear), softness=0.9)
+
+
+def _legs(b: MeshBuilder, coat: MaterialRef, plan: Plan) -> None:
+    foot, z, length, chest = plan.foot, plan.middle, plan.trunk, plan.chest
+    across, knee, floor = chest * plan.broad * 0.62, plan.leg * 0.55, 0.6 * foot
+    top = (across * 0.7, z + chest * 0.55, chest * 0.1, chest * 0.3)
+    front: list[Station] = [
+        (top[0], -length * 0.4, *top[1:]),
+        (across, -length * 0.4, z, chest * 0.36, chest * 0.6),
+        (across, -length * 0.4, plan.leg * 0.95, foot * 1.7, foot * 2.0),
+        (across, -length * 0.41, knee, foot * 1.1, foot * 1.2),
+        (across, -length * 0.41, floor * 2, foot, foot * 1.1),
+        (across, -length * 0.42, floor, foot, foot),
+    ]
+    hind: list[Station] = [
+        (top[0], length * 0.42, *top[1:]),
+        (across, length * 0.4, z, chest * 0.4, chest * 0.75),
+        (across, length * 0.38, plan.leg * 1.0, foot * 2.0, foot * 2.8),
+        (across, length * 0.47, knee, foot * 1.1, foot * 1.3),
+        (across, length * 0.45, floor * 2, foot, foot * 1.1),
+        (across, length * 0.44, floor, foot, foot),
+    ]
+    for leg in (*both(front), *both(hind)):
+        limb(b, coat, leg, 12)
+        x, y = leg[-1][0], leg[-1][1]
+        if plan.hooves:
+            b.lathe(DARK, [(foot * 1.35, 0), (foot * 1.1, foot * 1.6)], origin=(x, y, 0), segments=12)
+        else:
+            b.cushion(coat, (x, y - foot * 0.6, foot * 0.8), (foot * 2.7, foot * 3.6, foot * 1.6), softness=0.8)
+
+
+def scaled(spec: PropSpec) -> tuple[float, float, float]:
+    """Return the scale from the entry's own size to the wanted one."""
+    w, d, h = (want / usual for want, usual in zip(spec.size, spec.entry.size, strict=True))
+    return (w, d, h)
+
+
+WOLF = Plan(
+    0.8,
+    0.19,
+    0.42,
+    0.03,
+    (0.2, 0.2),
+    0.105,
+    (0.14, 0.036),
+    (0.13, 0.07, 14),
+    ((0.14, -0.1), (0.22, -0.3), (0.2, -0.46)),
+    0.062,
+)
+FOX = Plan(
+    0.44,
+    0.09,
+    0.22,
+    0.016,
+    (0.1, 0.11),
+    0.062,
+    (0.085, 0.016),
+    (0.1, 0.055, 16),
+    ((0.12, -0.02), (0.28, -0.06), (0.42, -0.1)),
+    0.06,
+)
+BEAR = Plan(
+    1.25,
+    0.42,
+    0.42,
+    0.085,
+    (0.3, 0.16),
+    0.2,
+    (0.16, 0.075),
+    (0.13, 0.14, 30),
+    ((0.06, -0.04),),
+    0.06,
+    broad=0.85,
+    waist=1.0,
+)
+LION = Plan(
+    1.2,
+    0.3,
+    0.5,
+    0.06,
+    (0.26, 0.24),
+    0.165,
+    (0.12, 0.085),
+    (0.1, 0.11, 35),
+    ((0.2, -0.2), (0.32, -0.5), (0.5, -0.6)),
+    0.028,
+)
+PIG = Plan(
+    0.85,
+    0.26,
+    0.2,
+    0.045,
+    (0.2, 0.02),
+    0.15,
+    (0.12, 0.07),
+    (0.15, 0.12, 40),
+    ((0.06, 0.04), (0.08, 0.1), (0.03, 0.08)),
+    0.016,
+    hooves=True,
+    broad=0.9,
+    waist=1.02,
+)
+GOAT = Plan(
+    0.68,
+    0.2,
+    0.36,
+    0.028,
+    (0.18, 0.28),
+    0.1,
+    (0.13, 0.045),
+    (0.13, 0.05, 75),
+    ((0.06, 0.06), (0.08, 0.13)),
+    0.022,
+    hooves=True,
+    waist=0.98,
+)
+SHEEP = Plan(
+    0.72,
+    0.2,
+    0.34,
+    0.028,
+    (0.17, 0.18),
+    0.1,
+    (0.12, 0.048),
+    (0.13, 0.06, 85),
+    ((0.05, -0.08), (0.05, -0.16)),
+    0.035,
+    hooves=True,
+)
+DEER = Plan(
+    0.95,
+    0.21,
+    0.66,
+    0.03,
+    (0.24, 0.5),
+    0.105,
+    (0.15, 0.042),
+    (0.18, 0.075, 50),
+    ((0.06, 0.0), (0.08, -0.1)),
+    0.03,
+    hooves=True,
+)
+MOUSE = Plan(
+    0.075,
+    0.02,
+    0.007,
+    0.0035,
+    (0.012, 0.0),
+    0.0155,
+    (0.014, 0.004),
+    (0.02, 0.02, 35),
+    ((0.03, -0.02), (0.08, -0.022), (0.13, -0.016)),
+    0.0022,
+    broad=1.0,
+    waist=1.1,
+)
+ELEPHANT = Plan(
+    2.4,
+    0.8,
+    1.05,
+    0.2,
+    (0.55, 0.35),
+    0.48,
+    (0.3, 0.2),
+    (0.3, 0.1, 60),
+    ((0.12, -0.3), (0.14, -0.9)),
+    0.05,
+    broad=0.8,
+    waist=1.02,
+)
+
+
+@prop("wolf")
+def wolf(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a standing wolf with a mane of longer hair about its neck."""
+    coat = spec.material("coat")
+    with b.at(scale=scaled(spec)):
+        beast(b, coat, WOLF)
+        y, z = WOLF.skull
+        for k, (dy, dz, r) in enumerate(((0.1, -0.1, 0.13), (0.16, -0.15, 0.15), (0.03, -0.04, 0.1))):
+            b.cushion(coat, (0, y + dy, z + dz), (r * 1.5, r, r * 2), softness=0.9, rotation=(35 + 3 * k, 0, 0))
+    return ()
+
+
+@prop("fox")
+def fox(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a standing fox: white chin and tip of the tail."""
+    with b.at(scale=scaled(spec)):
+        beast(b, spec.material("coat"), FOX)
+        y, z = FOX.skull
+        b.cushion("linen", (0, y - 0.05, z - 0.045), (0.06, 0.12, 0.04), softness=0.9, rotation=(-8, 0, 0))
+        rump, top = FOX.trunk * 0.55, FOX.middle + FOX.chest * 0.35
+        b.sphere("linen", (0, rump + 0.4, top - 0.095), 0.045, scale=(0.9, 1.5, 0.9), segments=12, rings=8)
+    return ()
+
+
+@prop("bear")
+def bear(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a bear on all fours, with its hump."""
+    coat = spec.material("coat")
+    with b.at(scale=scaled(spec)):
+        beast(b, coat, BEAR)
+        b.cushion(coat, (0, -0.36, BEAR.middle + 0.16), (0.62, 0.9, 0.64), softness=0.9)
+    return ()
+
+
+@prop("lion")
+def lion(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a lion with its mane."""
+    with b.at(scale=scaled(spec)):
+        beast(b, spec.material("coat"), LION)
+        y, z = LION.skull
+        mane = spec.material("mane")
+        for row, (dy, reach, count) in enumerate(((0.02, 0.19, 9), (0.14, 0.22, 9), (0.26, 0.2, 8))):
+            for k in range(count):
+                turn = 2 * np.pi * (k + 0.5 * row) / count
+                at = (reach * np.sin(turn), y + dy, z - 0.03 - 0.05 * row + reach * np.cos(turn))
+                b.cushion(mane, at, (0.17, 0.16, 0.2), softness=0.9)
+        rump, top = LION.trunk * 0.55, LION.middle + LION.chest * 0.35
+        b.sphere(mane, (0, rump + 0.5, top - 0.6), 0.055, scale=(0.9, 1.6, 0.9), segments=10, rings=7)
+    return ()
+
+
+@prop("tiger")
+def tiger(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a great cat; ``stripes`` are a tiger's."""
+    with b.at(scale=scaled(spec)):
+        beast(b, spec.material("coat"), LION)
+        if spec.flag("stripes"):
+            for k in range(9):
+                y, bend = -0.5 + 0.125 * k, 0.9 + 0.1 * np.cos(0.7 * k)
+                angle = np.linspace(-1.8, 1.8, 11) * bend
+                path = np.c_[
+                    0.262 * np.sin(angle), np.full(11, y) + 0.03 * np.abs(angle), LION.middle + 0.312 * np.cos(angle)
+                ]
+                b.tube(DARK, path, tuple(0.004 + 0.014 * np.cos(np.linspace(-1.4, 1.4, 11))), segments=6)
+    return ()
+
+
+@prop("pig")
+def pig(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a pig with its disc of a snout."""
+    coat = spec.material("coat")
+    with b.at(scale=scaled(spec)):
+        beast(b, coat, PIG)
+        (y, z), r, (long, nose) = PIG.skull, PIG.head, PIG.snout
+        tip = (0, y - r * 0.7 - long, z - r * 0.42)
+        b.lathe(
+            coat,
+            [(nose * 0.95, -0.03), (nose * 1.08, 0.0), (nose * 0.9, 0.014)],
+            origin=tip,
+            axis=(0, -1, 0.1),
+            segments=18,
+        )
+        for x in (-1, 1):
+            b.sphere(DARK, (x * nose * 0.4, tip[1] - 0.012, tip[2]), nose * 0.18, segments=8, rings=5)
+    return ()
+
+
+@prop("goat")
+def goat(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a goat with horns and a beard."""
+    coat, horn = spec.material("coat"), spec.material("horn")
+    with b.at(scale=scaled(spec)):
+        beast(b, coat, GOAT)
+        y, z = GOAT.skull
+        for x in (-1, 1):
+            path = [
+                (x * 0.04, y + 0.0, z + 0.07),
+                (x * 0.06, y + 0.03, z + 0.2),
+                (x * 0.1, y + 0.13, z + 0.26),
+                (x * 0.12, y + 0.2, z + 0.22),
+            ]
+            b.tube(horn, bent(path), tuple(bent((0.026, 0.022, 0.015, 0.005))), segments=8)
+        b.cushion(coat, (0, y - 0.13, z - 0.15), (0.045, 0.05, 0.15), softness=0.9, rotation=(-10, 0, 0))
+    return ()
+
+
+@prop("sheep")
+def sheep(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a sheep in its wool."""
+    wool, face = spec.material("wool"), spec.material("face")
+    with b.at(scale=scaled(spec)):
+        beast(b, face, SHEEP)
+        middle = SHEEP.middle + 0.03
+        b.cushion(wool, (0, 0.02, middle), (0.4, 0.9, 0.44), softness=0.8)
+        for k in range(110):
+            across, turn = np.sqrt(1 - (1 - 2 * (k + 0.5) / 110) ** 2), 2.39996 * k
+            along = 1 - 2 * (k + 0.5) / 110
+            at = (0.2 * across * np.cos(turn), 0.02 + 0.44 * along, middle + 0.22 * across * np.sin(turn))
+            b.sphere(wool, at, 0.072, segments=8, rings=5)
+        y, z = SHEEP.skull
+        b.cushion(wool, (0, y + 0.03, z + 0.09), (0.14, 0.14, 0.09), softness=0.9)
+        b.cushion(wool, (0, y + 0.14, z - 0.08), (0.27, 0.24, 0.34), softness=0.8, rotation=(40, 0, 0))
+    return ()
+
+
+@prop("deer")
+def deer(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a deer; ``antlers`` are a stag's."""
+    with b.at(scale=scaled(spec)):
+        beast(b, spec.material("coat"), DEER)
+        y, z = DEER.skull
+        for x in (-1, 1) if spec.flag("antlers") else ():
+            stem = bent(
+                [
+                    (x * 0.04, y + 0.02, z + 0.08),
+                    (x * 0.1, y + 0.1, z + 0.3),
+                    (x * 0.28, y + 0.12, z + 0.46),
+                    (x * 0.26, y + 0.02, z + 0.66),
+                ]
+            )
+            b.tube("wax", stem, tuple(np.linspace(0.02, 0.006, len(stem))), segments=7)
+            for at, way in ((4, (0.0, -0.14, 0.06)), (8, (0.06 * x, -0.06, 0.14)), (10, (0.1 * x, 0.04, 0.1))):
+                b.cylinder("wax", stem[at], stem[at] + way, 0.011, 0.003, segments=6)
+    return ()
+
+
+@prop("mouse")
+def mouse(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a mouse, or a rat at its size."""
+    with b.at(scale=scaled(spec)):
+        beast(b, spec.material("coat"), MOUSE)
+    return ()
+
+
+@prop("elephant")
+def elephant(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build an elephant."""
+    skin, tusk = spec.material("skin"), spec.material("tusk")
+    with b.at(scale=scaled(spec)):
+        beast(b, skin, ELEPHANT)
+        y, z = ELEPHANT.skull
+        trunk = [
+            (0, y - 0.45, z - 0.1),
+            (0, y - 0.72, z - 0.5),
+            (0, y - 0.74, z - 1.1),
+            (0, y - 0.78, z - 1.55),
+            (0, y - 0.98, z - 1.75),
+        ]
+        b.tube(skin, bent(trunk), tuple(bent((0.25, 0.19, 0.13, 0.09, 0.07))), segments=14)
+        for x in (-1, 1):
+            b.cushion(skin, (x * 0.66, y + 0.3, z - 0.1), (0.7, 0.1, 1.05), softness=0.9, rotation=(0, x * 12, x * -32))
+            horn = bent([(x * 0.24, y - 0.4, z - 0.4), (x * 0.32, y - 0.75, z - 0.75), (x * 0.3, y - 1.1, z - 0.7)])
+            b.tube(tusk, horn, tuple(np.linspace(0.07, 0.015, len(horn))), segments=10)
+    return ()
