@@ -43,7 +43,7 @@ _FOG_BLUE: Color = (0.72, 0.88, 1.0)
 
 
 def exterior(view: LightingView) -> Lighting:
-    """Return the light plan of a place under the sky."""
+    """Return the light plan of a place under the sky; no rain falls into one with a roof, such as a car."""
     hour, weather = HOURS[view.setup.time_of_day], view.setup.weather
     air, ground = WEATHERS[weather], _ground_color(view)
     sky = sky_of(hour, weather, ground)
@@ -75,7 +75,7 @@ def exterior(view: LightingView) -> Lighting:
         sky=sky,
         ambient=ambient,
         fog=fog,
-        rain=air.rain,
+        rain=0.0 if view.plan.indoor else air.rain,
         face_luminance=round(max(0.15, hour.face * (0.6 + 0.4 * air.level)), 4),
         set_luminance=round(level, 4),
         key_color=_outdoor_key(view, hour),

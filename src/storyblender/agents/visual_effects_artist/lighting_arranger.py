@@ -60,7 +60,7 @@ class RulesLightingArranger:
 
     def propose(self, view: LightingView) -> Lighting:
         """Return the light plan of a scene."""
-        lighting = interior(view) if view.plan.indoor else exterior(view)
+        lighting = exterior(view) if view.plan.under_the_sky else interior(view)
         return _described(lighting, view.setup.lighting_description)
 
     def refine(self, draft: Lighting, critique: Critique, view: LightingView) -> Lighting:

@@ -136,6 +136,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         stage.sentence.subjects = roles.subjects
     exits.left_alone(stage, clause, roles.subjects)
     exits.found_gone(stage, clause, roles.subjects)
+    exits.all_leave(stage, clause)
     if not roles.subjects and not stage.sentence.subjects:
         _owner_is_subject(stage, clause)
     resolve_objects(stage, clause, roles, previous)
@@ -215,6 +216,8 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         return None
     if any(noun.head == "asleep" for noun in clause.complement):
         return "sleep"
+    if exits.is_through_a_door(clause):
+        return "walk"
     solid = [p for p in roles.places if p.people or any(stage.inventory.class_of(t) in _SOMEWHERE for t in p.things)]
     kinds = {lexicon.relation_of(place.preposition) for place in solid}
     seated = any(

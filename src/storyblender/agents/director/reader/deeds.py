@@ -25,6 +25,11 @@ _PAIRING = frozenset({"walk", "hug", "kiss", "run", "touch", "shake_hands"})
 _QUALITIES = lexicon.ADJECTIVES | lexicon.words("manner")
 _EACH_OTHER = re.compile(r"each other|one another")
 _TRAVEL = frozenset({"walk", "run", "sneak", "crawl", "stagger", "climb"})
+_LEADING = frozenset({"lead", "usher", "escort", "show", "see", "march", "guide", "shepherd", "walk"})
+_CAUSING = frozenset({"let", "help", "sit", "seat"})
+"""``lets him in``, ``helps her up``, ``sits Mia on the stool``: who is helped does it."""
+_PORTIONS = frozenset({"bite", "sip", "swig", "gulp", "drag", "puff", "mouthful", "swallow", "stack", "go"})
+"""``takes a bite of it``, ``lets go of the rope``."""
 _SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
 _METRES = {
     "metre": 1.0, "meter": 1.0, "foot": 0.3048, "feet": 0.3048, "step": 0.75, "pace": 0.75, "yard": 0.9144,
@@ -50,9 +55,10 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
         return []
     target, prop = find_target(stage, clause, roles, motion)
     distance = _distance(stage) if motion in _TRAVEL else None
+    actors = roles.people if clause.verb in _CAUSING and roles.people else roles.subjects
     deeds = [
         Deed(person.id, motion, target if target != person.id else None, prop, clause.at, clause.verb, distance)
-        for person in roles.subjects
+        for person in actors
     ]
     deeds = _mutual(stage, roles, deeds, motion)
     mood = lexicon.mood_of(joined(stage.sentence.words))
@@ -66,8 +72,9 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
 
 def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
     """Who is led, and who goes along: ``ran down with her brother``."""
-    along = roles.people_after("with") if motion in _TRAVEL else []
-    along += roles.people if clause.verb == "lead" else []
+    along = roles.people_after("with") if motion in _TRAVEL and clause.verb != "leave" else []
+    along += roles.people if clause.verb in _LEADING and motion == "walk" else []
+    along += roles.people if clause.verb == "chase" and clause.places else []
     return [Deed(person.id, motion, at=clause.at, verb=clause.verb) for person in along if person not in roles.subjects]
 
 
@@ -98,6 +105,9 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
     prop = thing
     if motion in ("eat", "drink", "read") and not thing:
         prop = target = _in_hand(stage, roles.subjects[0])
+    whole = [part for place in roles.places if place.preposition == "of" for part in place.things]
+    if whole and (stage.inventory.head(thing) in _PORTIONS or (motion == "drop" and not thing)):
+        prop = target = whole[0]
     if stage.inventory.class_of(target) == "body" and not people:
         target = prop = None
     if not target or (motion in _GOING and not (people and motion in _FOLLOWING)):

@@ -46,6 +46,7 @@ _PASSAGES = frozenset(
 """Where somebody goes who leaves a room."""
 _WIDE = frozenset({"darkness", "dark", "fog", "mist", "crowd", "woods", "distance", "night", "house", "building"})
 """Where somebody is lost who is out of doors."""
+_ALL = frozenset({"everyone", "everybody", "rest", "others"})
 _STAYING = frozenset({"stand", "be", "remain", "stay", "sit"})
 _WEATHER = lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
 _FORSAKEN = re.compile(r"\b(?:left|leaving (?:her|him|them|it)|finally|alone) alone\b|\balone (?:again|now|at last)\b")
@@ -72,6 +73,14 @@ def taken_away(stage: Stage, clause: Clause, roles: Roles) -> None:
         _go(stage, roles.subjects)
 
 
+def is_through_a_door(clause: Clause) -> bool:
+    """``Eddie is already through the door``, ``She's out the window``: gone, told by where they are."""
+    return clause.verb == "be" and any(
+        preposition in ("through", "out", "out of") and any(noun.head in _OPENINGS for noun in nouns)
+        for preposition, nouns in clause.places
+    )
+
+
 def found_gone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
     """``Ben is gone``, ``But she has already vanished.``"""
     after = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 4]]
@@ -79,6 +88,15 @@ def found_gone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None
     if clause.verb in ("be", "have") and told and told[0] in _GONE and not clause.negated:
         _go(stage, subjects)
         clear_exits(stage)
+
+
+def all_leave(stage: Stage, clause: Clause) -> None:
+    """``Everybody leaves but Nora.``: those who are not named again."""
+    heads = {noun.head for noun in clause.subject}
+    goes = _LEAVING.match(clause.verb) or f"{clause.verb} {clause.particle}" in ("go out", "file out", "walk out")
+    if heads & _ALL and goes and not (clause.negated or clause.unreal):
+        kept = {person.id for word in stage.sentence.words if word.mention for person in word.mention.candidates}
+        _go(stage, [person for person in stage.on_stage() if person.id not in kept])
 
 
 def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
@@ -142,6 +160,8 @@ def _goes(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
     if not indoors and "into" in roles.prepositions and not _leads_out(stage, clause, roles):
         return False
     if _LEAVING.match(phrase) or _LEAVING.match(clause.verb):
+        return True
+    if is_through_a_door(clause):
         return True
     goes = motion in _GOING or clause.verb in _HAULING
     return goes and clause.verb not in _COMING_OUT and _leads_out(stage, clause, roles)

@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.morphology import is_person_noun, singu
 _DETERMINER = re.compile(
     r"\b(the|a|an|his|her|their|my|our|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE
 )
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY | lexicon.PLACES
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 
 
@@ -28,6 +29,12 @@ class PersonNoun(NamedTuple):
     plural: bool
 
 
+def _names_a_thing(noun: str, word: str, after: str) -> bool:
+    """``a camel coat``, ``the sheep track``: no animal is there."""
+    following = re.match(r" ([a-z]+)", after)
+    return noun in lexicon.ANIMALS and noun == word and following is not None and following.group(1) in _THINGS
+
+
 def find_person_nouns(text: str) -> Iterator[PersonNoun]:
     """Yield every noun for a person or animal with a determiner and at most three words between."""
     for match in _DETERMINER.finditer(text):
@@ -38,6 +45,8 @@ def find_person_nouns(text: str) -> Iterator[PersonNoun]:
             noun = singular(low)
             at = text.index(word, at) + len(word)
             if low in _SMALL:
+                break
+            if is_person_noun(noun) and _names_a_thing(noun, low, text[at:]):
                 break
             if is_person_noun(noun):
                 yield PersonNoun(match.start(), at, match.group(1).lower(), tuple(adjectives), noun, noun != low)

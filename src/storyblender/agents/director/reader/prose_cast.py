@@ -26,6 +26,10 @@ _APPOSED_AFTER_COMMA = re.compile(
 )
 """``his wife, Anna Petrovna,``; ``his companion, Dr. Fell,``."""
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
+_OPENING = re.compile(
+    r"(?:Without|After|Before|While|On|In|At|By|From|Through|Behind|With)\b[a-z ]*,|[A-Z][a-z]+(?:ly|ing)[a-z ]*,"
+)
+"""``Without knocking, a tiny woman came in``: nobody stands before her."""
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
 _LATER = frozenset(
     {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
@@ -158,7 +162,8 @@ def _is_apposed(role: _Role, text: str) -> bool:
     """``Prado came in, a fat man``, but not ``and next to him, wrapped in a blanket, a boy``."""
     sentence = re.split(r"[.!?]", text[max(0, role.at - 90) : role.at])[-1]
     beside = re.search(r"\band (?:next to|beside|behind|with|between|in front of|on)\b", sentence)
-    return text[max(0, role.at - 2) : role.at] == ", " and beside is None
+    alone = _OPENING.fullmatch(sentence.strip())
+    return text[max(0, role.at - 2) : role.at] == ", " and beside is None and alone is None
 
 
 def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:

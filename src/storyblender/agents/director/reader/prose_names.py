@@ -88,6 +88,12 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
         family: Whether several people may share a surname.
     """
     words = bare(name).split()
+    if len(words) == 1 and words[0] in lexicon.TITLES:
+        titled = [person for person in roster.people if bare(person.name).split()[0] == words[0]]
+        for person in titled:
+            roster.call(person, words[0])
+        if titled:
+            return
     if not family and words[0].strip(".") in lexicon.TITLES and len(words) == 2:
         gender = lexicon.TITLE_GENDER.get(words[0].strip("."), "unknown")
         for person in roster.find(words[1]):

@@ -142,7 +142,8 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
         if word.mention or words[at - 1].text != "," or not may_be_verb(word, following):
             continue
         inside = words[comma + 1 : at]
-        if form_kind(inside[0].low) == "ing":
+        first = next((w for w in inside if w.low not in lexicon.ADVERBS), inside[0])
+        if form_kind(first.low) == "ing":
             return None
         somebody = any(w.mention and w.text[0].isupper() for w in inside)
         verb = any(

@@ -38,3 +38,18 @@ def test_who_does_what(read_scene: Read, action: str, deeds: set[tuple[str, str]
 def test_two_verbs_may_be_one_deed(read_scene: Read, action: str, deeds: set[tuple[str, str]]) -> None:
     reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
     assert {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds} == deeds
+
+
+@pytest.mark.parametrize(
+    ("action", "deeds"),
+    [
+        ("Anna helps Bob up.", {("bob", "stand_up")}),
+        ("Anna helps Bob into his coat.", {("bob", "wear")}),
+        ("Anna ushers Bob out.", {("anna", "walk"), ("bob", "walk")}),
+        ("Anna, still laughing, pours the wine.", {("anna", "laugh"), ("anna", "pour")}),
+        ("Bob is already through the door.", {("bob", "walk")}),
+    ],
+)
+def test_who_is_made_to_do_it_does_it(read_scene: Read, action: str, deeds: set[tuple[str, str]]) -> None:
+    reading = read_scene(f"ANNA (30) and BOB (40) are here.\n\n{action}")
+    assert {(deed.actor, deed.motion) for unit in reading.units for deed in unit.deeds} == deeds

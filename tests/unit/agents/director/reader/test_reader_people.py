@@ -127,3 +127,14 @@ def test_who_has_no_name_is_a_woman_and_a_man(read_scene: Read) -> None:
     reading = read_scene("She leaves. He stays.")
     assert [person.id for person in reading.people] == ["woman", "man"]
     assert reading.units[-1].on_stage == ["man"]
+
+
+def test_a_captain_is_the_one_of_that_title_and_a_camel_coat_no_camel() -> None:
+    reading = read_script(
+        read(
+            "Hester sat by the fire. Captain Rudd came in. He wore a camel coat.\n\n"
+            'Hester looked at the Captain. "Heavy ones," said the Captain.\n\n'
+            "Without knocking, a tiny woman opened the door. She sat down.\n"
+        )
+    )
+    assert [person.id for person in reading.people] == ["hester", "captain_rudd", "woman"]
