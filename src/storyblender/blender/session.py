@@ -6,6 +6,7 @@ What builds is imported by the tools that build: a worker that only draws is up 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from functools import cached_property
 from pathlib import Path
@@ -25,6 +26,7 @@ from storyblender.blender.still import held_still
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.errors import InputError
 from storyblender.geometry.framing import Figure
+from storyblender.look.grade import AGX_CONTRAST, display_of
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
@@ -56,6 +58,7 @@ class Session:
         self._models = models
         self._open = ""
         self._held = ExitStack()
+        self._aside = ThreadPoolExecutor(1)
         self._see: tuple[tuple[str, int, int], Callable[[Sighting], CameraView]] | None = None
         """The viewfinder that is held: pack, frame and height, and what looks there."""
 
@@ -128,6 +131,7 @@ class Session:
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> list[CameraView]:
         """Look through the viewfinder."""
+        self._aside.submit(display_of, AGX_CONTRAST)  # what is framed is drawn next
         height = max(2, round(WIDTH / aspect))
         views: list[CameraView] = []
         for request in requests:
