@@ -3,7 +3,17 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader import changes, deeds, distances, entrances, exits, relations, states
+from storyblender.agents.director.reader import (
+    changes,
+    contents,
+    deeds,
+    distances,
+    entrances,
+    exits,
+    noun_places,
+    relations,
+    states,
+)
 from storyblender.agents.director.reader.body_parts import motion_of_part
 from storyblender.agents.director.reader.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.coreference import Referents, remember, resolve_owner, resolve_pronoun
@@ -58,7 +68,8 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     subjects = stage.sentence.subjects
     distances.relate_apart(stage, words, subjects, previous)
     _leftover_pronouns(stage, subjects, previous)
-    relations.relate_noun_phrases(stage, phrases, subjects, previous)
+    noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
+    contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)
     changes.note_sounds(stage, clauses)
     if subjects:

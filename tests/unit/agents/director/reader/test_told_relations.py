@@ -15,7 +15,7 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
     [
         ("Joe backs against the wall.", ("joe", "against", "wall")),
         ("Joe drops onto Kate's stool.", ("joe", "on", "stool")),
-        ("Joe turns at the door.", ("joe", "next_to", "door")),
+        ("Joe turns at the door.", ("joe", "at", "door")),
         ("A newspaper slides to the floor.", ("newspaper", "on", "floor")),
         ("Joe carries a chair in and sets it down next to Kate.", ("chair", "next_to", "kate")),
         ("Joe stacks records in a crate.", ("record", "in", "crate")),
