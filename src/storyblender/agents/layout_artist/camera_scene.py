@@ -29,6 +29,8 @@ _ARRIVAL = 0.95
 """Share of a way to somebody, or of sitting down, at which it is drawn: where it leads, the face turned to them."""
 _SETTLED = ("sit", "lie")
 """Postures in which who goes into them is drawn."""
+_LEAVES = ("put_down", "drop", "throw")
+"""Clips after which a thing is in nobody's hands."""
 _AT_REST = ("idle", "look", "listen", "turn")
 """Clips that tell nothing by themselves."""
 _ANSWERS = ("single", "reaction", "ots")
@@ -67,6 +69,19 @@ def _strength(cue: Cue, shot: ShotContext) -> int:
         return 1
     to_somebody = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
     return 3 if to_somebody and motion.reach != "self" else 2
+
+
+def put_away(shot: ShotContext, frame: int) -> set[str]:
+    """Return what somebody has put down and left before a frame: a picture of what they do next is not about it."""
+    if shot.camera_instruction.kind == "insert":
+        return set()
+    gone: set[str] = set()
+    for cue in sorted(shot.cues, key=lambda cue: cue.start):
+        if cue.prop_id is not None and cue.start <= frame:
+            gone = gone - {cue.prop_id} | ({cue.prop_id} if cue.clip in _LEAVES else set())
+    busy = [cue for cue in shot.cues if cue.start <= frame and cue.clip not in _AT_REST]
+    last = {cue.asset_id: cue for cue in sorted(busy, key=lambda cue: cue.start)}
+    return gone - {cue.prop_id for cue in last.values()}
 
 
 def telling_frames(shot: ShotContext) -> tuple[int, ...]:
@@ -170,6 +185,10 @@ def camera_brief(
             carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
     instruction, in_frame = shot.camera_instruction, shot.in_frame
     if moments:
+        over = put_away(shot, middle_of(moments).frame)
+        instruction = instruction.model_copy(
+            update={"focus_on_ids": tuple(name for name in instruction.focus_on_ids if name not in over)}
+        )
         together = (*(nodes.get(name, name) for name in instruction.focus_on_ids[:1]), *in_frame)
         distant = far_off(instruction, middle_of(moments), together)
         in_frame = tuple(node for node in in_frame if node not in distant)

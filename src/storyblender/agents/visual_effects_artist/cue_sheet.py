@@ -267,6 +267,8 @@ class CueSheet:
         leaves = person.asset_id in self.leaving and bool(self.company.exit_marks())
         thing = self.company.floor.thing(action.target_id)
         point = self.company.rail(person, thing) if thing is not None else person.place
+        if leaves and not self.company.floor.inside(point):  # to a plane on the field: out, on its side
+            return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, point)), None
         if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):
             spot = self.company.floor.spot_at(point, person.place, person.k, others, REACH)
             spot = spot or self.company.floor.free_near(point, person.k, others)

@@ -103,6 +103,14 @@ def test_what_somebody_uses_never_goes_with_a_wall() -> None:
         assert brief.used == used
 
 
+@pytest.mark.parametrize(("frame", "focus"), [(20, ("anna", "cup")), (60, ("anna",))])
+def test_what_was_put_down_before_is_not_what_a_picture_is_about(frame: int, focus: tuple[str, ...]) -> None:
+    puts = Cue(asset_id="anna", clip="put_down", start=5, prop_id="cup"), Cue(asset_id="anna", clip="wave", start=50)
+    story = graph({"kind": "action", "size": "MS", "focus_on_ids": ("anna", "cup")}, cues=puts)
+    brief = camera_brief(story, story.shots[0], PLAN, {}, [Moment(frame, (ANNA, TOM))])
+    assert brief.instruction.focus_on_ids == focus
+
+
 @pytest.mark.parametrize(
     ("kind", "size", "x", "held"),
     [

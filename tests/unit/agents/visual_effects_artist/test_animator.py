@@ -290,6 +290,16 @@ def test_what_is_put_down_for_somebody_at_a_table_is_before_them_on_it_not_on_th
     assert _end(taken, "ilsa").held == (("R", "letter"),)
 
 
+def test_who_leaves_for_what_is_beyond_the_set_goes_out_on_its_side() -> None:
+    plane = _thing("plane", (20.0, 15.0, 5.0))
+    layout = LAYOUT.model_copy(update={"objects": (_at("plane", 2, 24.0), *LAYOUT.objects)})
+    far = PlanMark(name="back", location=(3.4, 3.0, 0), yaw=0, tags=("exit",))
+    view = _view(_shot(1, _do("rick", "walk", target_id="plane"), seconds=6), _shot(2, on_stage=("ilsa",)))
+    plan = PLAN.model_copy(update={"marks": (DOOR, far)})
+    view = view.model_copy(update={"assets": (plane, *ASSETS), "layout": layout, "plan": plan})
+    assert _end(AnimatorRules().propose(view).shots[0], "rick").location[:2] == (3.4, 3.0)
+
+
 BENCH = _thing(
     "bench",
     (1.8, 0.42, 0.46),
