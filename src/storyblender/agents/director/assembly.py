@@ -8,6 +8,8 @@ from string import capwords
 from storyblender.agents.director.casting import cast, describe, introduction
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.left_behind import left_behind
+from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground, lighting, walls
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.staging import Staging
@@ -31,6 +33,7 @@ class Assembly:
         self.company = company
         self.text = reading.screenplay.text
         self.era: Age = age_of(self.text)
+        self.left_behind = left_behind(reading)
         self.relations: dict[int, list[Relation]] = {}
         for index, relation in reading.relations:
             self.relations.setdefault(reading.scenes[index].id, []).append(relation)
@@ -137,7 +140,9 @@ class Assembly:
     def _relations(self, scene: SceneReading, units: Sequence[Unit]) -> list[Relation]:
         """The relations that hold as the scene opens; what its people bring about later is left to them."""
         staging = Staging(units, self.company.assets)
-        placed = {deed.prop for unit in units for deed in unit.deeds if deed.motion in ("put_down", "throw", "drop")}
+        handling = [deed for unit in units for deed in unit.deeds if deed.prop and deed.motion in GETTING | PARTING]
+        first = {deed.prop: deed.motion for deed in reversed(handling)}
+        placed = {prop for prop, motion in first.items() if motion in ("put_down", "throw", "drop")}
         handled = {thing.id for thing in self.reading.things if thing.handled and thing.kind == "prop"}
         found: dict[str, Relation] = {}
         for relation in self.relations.get(scene.id, []):
@@ -149,6 +154,9 @@ class Assembly:
             else:
                 holds = relation.asset_id not in placed and relation.anchor_asset_id not in self.company.actors
             if holds:
+                found.setdefault(relation.asset_id, relation)
+        for relation in self.left_behind[scene.id]:
+            if {relation.asset_id, relation.anchor_asset_id} <= self.company.assets - self.company.actors:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())
 

@@ -68,7 +68,7 @@ class _Coverage:
         for index, unit in enumerate(self.units):
             note = self.notes.get(index)
             if note:
-                self._directed(unit, note)
+                self._directed(index, unit, note)
             elif unit.kind == "action":
                 self._action(index, unit)
             else:
@@ -98,13 +98,21 @@ class _Coverage:
             return None
         return self.axes.setdefault(frozenset((one, other)), (one, other))
 
-    def _directed(self, unit: Unit, note: CameraNote) -> None:
+    def _directed(self, index: int, unit: Unit, note: CameraNote) -> None:
         default = self._size_of({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
         draft = directed_shot(unit, note, self.names, default, self._last)
         if draft.kind in ("ots", "two_shot"):
             pair = [draft.over, *draft.focus] if draft.over else draft.focus
             draft.axis = self._axis(*pair[:2]) if len(pair) > 1 else None
+        alone = draft.kind == "insert" and not draft.detail and _acts_apart(unit, draft.focus)
+        if alone:
+            draft.before = unit
+            draft.beats, draft.on_stage = [], [person for person in unit.on_stage if person not in unit.entering]
         self.drafts.append(draft)
+        if alone:
+            self.establish = False
+            self._action(index, unit)
+            return
         self.establish = self.establish and step(draft.size, "FS") > 0 and draft.kind in ("insert", "pov")
         self.talk = max(self.talk, int(draft.kind in ("two_shot", "group")))
 
@@ -309,6 +317,11 @@ class _Coverage:
         draft.beats = [Beat(unit, unit.start, cut[0])]
         reaction = self._add("reaction", "MCU", [listener])
         reaction.beats, reaction.axis = [Beat(unit, cut[1], unit.end)], draft.axis
+
+
+def _acts_apart(unit: Unit, things: Sequence[str]) -> bool:
+    """Whether people do more in a unit than to handle the things of an insert."""
+    return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)
 
 
 def _middle(text: str, unit: Unit) -> tuple[int, int] | None:

@@ -50,6 +50,8 @@ class ShotDraft:
     note: CameraNote | None = None
     """The direction in the script that ordered it."""
     on_stage: list[str] = field(default_factory=list)
+    before: Unit | None = None
+    """The unit that begins when it ends, where it has no line of its own: a thing it shows is in that hand already."""
 
     @property
     def explicit(self) -> bool:

@@ -69,11 +69,20 @@ class Staging:
         for person in draft.on_stage:
             if person not in self.bodies:
                 self.bodies[person] = self._found(person)
+        if draft.before:
+            self._hold_what_is_shown(draft.before, draft.focus)
         start = draft.beats[0].unit.start if draft.beats else -1
         states = tuple(self._state(person, start) for person in draft.on_stage)
         for beat in draft.beats:
             self._play(beat.unit)
         return states
+
+    def _hold_what_is_shown(self, unit: Unit, shown: Sequence[str]) -> None:
+        """``CLOSE ON the coin in his palm``: it is there before the unit of these words begins."""
+        taken = {(deed.actor, deed.prop) for deed in unit.deeds if deed.motion in GETTING}
+        for person, things in unit.held.items():
+            body = self.bodies.setdefault(person, _Body())
+            body.held += [t for t in things if t in shown and t not in body.held and (person, t) not in taken]
 
     def _found(self, person: str) -> _Body:
         """How a person is seen for the first time in the scene."""

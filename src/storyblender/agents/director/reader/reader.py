@@ -18,6 +18,7 @@ from storyblender.agents.director.reader.prose_sentences import prose_sentences
 from storyblender.agents.director.reader.roster import Roster
 from storyblender.agents.director.reader.scenes import first_scene, read_heading
 from storyblender.agents.director.reader.sentences import Sentence, action_sentences, speech_sentences
+from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
@@ -133,12 +134,13 @@ def _read(stage: Stage, sentence: Sentence) -> None:
     unit = Unit("action", sentence.scene, sentence.paragraph.element, sentence.start, sentence.end,
                 stage.reading.screenplay.text[sentence.start : sentence.end])  # fmt: skip
     units.append(unit)
-    if sentence.camera:
-        _look_at(stage, sentence.camera)
+    shown = _look_at(stage, sentence.camera) if sentence.camera else None
     if sentence.words and stage.reading.screenplay.format != "prose":
         bring_along(stage, sentence)
     if sentence.words:
         read_action(stage, sentence)
+    if shown and not unit.deeds:
+        lies_there(stage, shown, sentence.words)
     if sentence.speech:
         speak(stage, sentence, sentence.speech)
     if (
@@ -153,9 +155,13 @@ def _read(stage: Stage, sentence: Sentence) -> None:
     unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}
 
 
-def _look_at(stage: Stage, camera: CameraNote) -> None:
-    """Note a camera direction: whom it shows or looks through is there; ``She`` after CLOSE ON KIRA is Kira."""
+def _look_at(stage: Stage, camera: CameraNote) -> str | None:
+    """Note a camera direction: whom it shows or looks through is there; ``She`` after CLOSE ON KIRA is Kira.
+
+    Returns the thing it shows, if it is one.
+    """
     stage.unit.camera = camera
+    person = None
     for name, shown in ((camera.who, False), (camera.subject, True)):
         person = stage.find(name) if name else None
         if person:
@@ -164,6 +170,7 @@ def _look_at(stage: Stage, camera: CameraNote) -> None:
             stage.mention(person, 1.0)
             if shown:
                 stage.discourse.subjects = [person]
+    return None if person else show_thing(stage, camera)
 
 
 def _open_scene(stage: Stage, sentence: Sentence) -> None:
