@@ -1,3 +1,4 @@
+import contextlib
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import render_stage  # noqa: E402
 
-from storyblender.blender.render import motion_frames  # noqa: E402
+from storyblender.blender.render import flat_frames, glow, motion_frames  # noqa: E402
 from storyblender.blender.render.complexion import told_in_shades  # noqa: E402
 from storyblender.blender.render.detail import in_detail_seen  # noqa: E402
 from storyblender.blender.render.flat_frames import animatic_workbench, draw_flat  # noqa: E402
@@ -39,8 +40,8 @@ def room():
 def drawn(scene, **changes):
     with RenderSession(scene, scene.camera, FRAMES[0]) as session:
         movement = replace(watch(session, FRAMES, *SIZE), **changes)
-        with animatic_workbench(session, movement):
-            return movement, list(draw_flat(session, FRAMES, movement))
+        with animatic_workbench(session, movement) as told:
+            return movement, list(draw_flat(session, FRAMES, movement, told))
 
 
 def test_what_moves_and_where_is_seen_before_it_is_drawn(room):
@@ -67,6 +68,16 @@ def test_only_what_moves_is_drawn_anew_and_the_pictures_are_the_same(room, monke
     elsewhere = np.ones((SIZE[1], SIZE[0]), bool)
     elsewhere[movement.window.cut] = False
     assert quick[1].changed.any() and not quick[1].changed[elsewhere].any() and slow[1].changed.all()
+
+
+def test_what_glows_evenly_is_told_by_the_picture_as_if_it_were_drawn_for_itself(room, monkeypatch):
+    _, told = drawn(room)
+    nothing = glow.Told((), np.zeros((0, 3), np.float32), np.zeros((0, 3), np.float32))
+    monkeypatch.setattr(flat_frames, "told_by_number", lambda: contextlib.nullcontext(nothing))
+    _, apart = drawn(room)
+    assert told[0].glow.max() > 2
+    for a, b in zip(told, apart, strict=True):
+        assert np.abs(a.glow - b.glow).max() < 1e-3 and np.abs(a.albedo - b.albedo).max() < 1e-2
 
 
 def test_a_camera_that_moves_draws_everything(room):

@@ -9,14 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from itertools import repeat
 
 import numpy as np
 
 from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.complexion import told_in_shades
 from storyblender.blender.render.exr import Channels, color
+from storyblender.blender.render.glow import Told, render_glow, told_by_number
 from storyblender.blender.render.movement import Movement
-from storyblender.blender.render.passes import flat_workbench, has_painted_skin, render_glow
+from storyblender.blender.render.passes import flat_workbench, has_painted_skin
 from storyblender.blender.render.session import DRAWN, RenderSession, changed
 from storyblender.look.gbuffer import FAR, View
 from storyblender.look.moving_light import FlatFrame
@@ -32,15 +34,16 @@ _TONE, _DARK = 0.03, 0.1
 """Change of colour, as a share of it and of a dark one, below which a pixel looks the same."""
 
 
-def draw_flat(session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
+def draw_flat(session: RenderSession, frames: Sequence[int], movement: Movement, told: Told) -> Iterator[FlatFrame]:
     """Give the flat frames of one shot, in order; a held one is the last one again. Use inside ``animatic_workbench``.
 
     Args:
         session: The shot.
         frames: Timeline frames.
         movement: Of these frames.
+        told: What ``animatic_workbench`` gave.
     """
-    drawings = _drawings(session, frames, movement)
+    drawings = _drawings(session, frames, movement, told)
     flat = next(drawings)
     yield flat
     for anew in movement.anew[1:]:
@@ -48,51 +51,54 @@ def draw_flat(session: RenderSession, frames: Sequence[int], movement: Movement)
         yield flat
 
 
-def _drawings(session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
+def _drawings(session: RenderSession, frames: Sequence[int], movement: Movement, told: Told) -> Iterator[FlatFrame]:
     """Draw what is not held."""
-    plate = _plate(session, frames[:1], movement) if movement.is_locked_off else None
+    plate = _plate(session, frames[:1], movement, told) if movement.is_locked_off else None
     wanted = [(number, view) for number, view, anew in zip(frames, movement.views, movement.anew, strict=True) if anew]
     last = plate
     for first in range(0, len(wanted), _AT_ONCE):
         batch, views = zip(*wanted[first : first + _AT_ONCE], strict=True)
         if plate is None or last is None:
-            yield from _whole(session, batch, movement, views)
+            yield from _whole(session, batch, movement, told, views)
             continue
-        for part in _parts(plate.view, session, batch, movement):
+        for part in _parts(session, batch, movement, told, plate.view):
             last = _laid_over(plate, part, movement.window, last)
             yield last
 
 
 def _whole(
-    session: RenderSession, frames: Sequence[int], movement: Movement, views: Sequence[View]
+    session: RenderSession, frames: Sequence[int], movement: Movement, told: Told, views: Sequence[View]
 ) -> Iterator[FlatFrame]:
     """Draw everything: the camera moves."""
     width, height = views[0].width, views[0].height
     with out_of_picture(movement.unseen):
         pictures = session.exr_frames(frames, width, height, depth=True)
-        glows = render_glow(session, frames, (width, height), [channels["Depth.Z"] for channels in pictures])
-    for channels, view, glow in zip(pictures, views, glows, strict=True):
-        yield _flat(channels, view, glow)
+        depths = [channels["Depth.Z"] for channels in pictures]
+        glows = render_glow(session, frames, (width, height), depths, told)
+    for channels, view, glow in zip(pictures, views, glows or repeat(None, len(pictures)), strict=True):
+        yield _flat(channels, view, told, glow)
 
 
-def _plate(session: RenderSession, frame: Sequence[int], movement: Movement) -> FlatFrame:
+def _plate(session: RenderSession, frame: Sequence[int], movement: Movement, told: Told) -> FlatFrame:
     """Draw what stands still."""
     view = movement.views[0]
     with out_of_picture((*movement.unseen, *movement.movers)):
         (channels,) = session.exr_frames(frame, view.width, view.height, depth=True)
-        (glow,) = render_glow(session, frame, (view.width, view.height), [channels["Depth.Z"]])
-    return _flat(channels, view, glow)
+        glows = render_glow(session, frame, (view.width, view.height), [channels["Depth.Z"]], told)
+    return _flat(channels, view, told, glows[0] if glows else None)
 
 
-def _parts(view: View, session: RenderSession, frames: Sequence[int], movement: Movement) -> Iterator[FlatFrame]:
+def _parts(
+    session: RenderSession, frames: Sequence[int], movement: Movement, told: Told, view: View
+) -> Iterator[FlatFrame]:
     """Draw what moves, in its window."""
     window, movers = movement.window, set(movement.movers)
     with out_of_picture(obj for obj in session.scene.objects if obj.type in DRAWN and obj not in movers):
         pictures = session.exr_frames(frames, view.width, view.height, depth=True, window=window)
         depths = [channels["Depth.Z"] for channels in pictures]
-        glows = render_glow(session, frames, (view.width, view.height), depths, window)
-    for channels, glow in zip(pictures, glows, strict=True):
-        yield _flat(channels, view.cropped(window), glow)
+        glows = render_glow(session, frames, (view.width, view.height), depths, told, window)
+    for channels, glow in zip(pictures, glows or repeat(None, len(pictures)), strict=True):
+        yield _flat(channels, view.cropped(window), told, glow)
 
 
 def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window, last: FlatFrame) -> FlatFrame:
@@ -107,7 +113,7 @@ def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window, last: FlatFram
     nearer = part.depth < plate.depth[window.cut]
     changed, moving = np.zeros(last.depth.shape, bool), np.zeros(last.depth.shape, bool)
     moving[window.cut] = nearer
-    layers = [layer.copy() for layer in (last.depth, last.albedo, last.coverage, last.glow)]
+    layers = [np.copy(layer, order="K") for layer in (last.depth, last.albedo, last.coverage, last.glow)]
     pieces = (part.depth, part.albedo, part.coverage, part.glow)
     behind = (plate.depth, plate.albedo, plate.coverage, plate.glow)
     for near in windows_round(nearer | last.moving[window.cut], 0, _BODY):
@@ -121,13 +127,20 @@ def _laid_over(plate: FlatFrame, part: FlatFrame, window: Window, last: FlatFram
             differs[piece.cut] |= body[piece.cut]
         changed[here] = differs
         for layer, value in zip(layers, now, strict=True):
-            layer[here][differs] = value[differs]
+            np.copyto(layer[here], value, where=_over(differs, value))
     depth, albedo, coverage, glow = layers
     return FlatFrame(albedo, coverage, depth, glow, changed, moving, plate.view)
 
 
 def _in_front(front: Mask, piece: Image, back: Image) -> Image:
-    return np.where(front if piece.ndim == 2 else front[..., None], piece, back)
+    result = np.copy(back, order="K")
+    np.copyto(result, piece, where=_over(front, piece))
+    return result
+
+
+def _over(mask: Mask, layer: Image) -> Mask:
+    """Return the mask for all that a pixel of the layer holds."""
+    return mask if layer.ndim == 2 else mask[..., None]
 
 
 def _differs(now: Sequence[Image], before: Sequence[Image]) -> Mask:
@@ -139,21 +152,26 @@ def _differs(now: Sequence[Image], before: Sequence[Image]) -> Mask:
     return differs
 
 
-def _flat(channels: Channels, view: View, glow: Image) -> FlatFrame:
+def _flat(channels: Channels, view: View, told: Told, glow: Image | None) -> FlatFrame:
+    """Return a picture as it was drawn, with what its colours tell of light; ``glow`` is what was drawn for itself."""
+    albedo, given = told.read(color(channels))
+    if glow is not None:
+        given += glow
     coverage = channels["Combined.A"]
     depth = np.where(coverage > 0.5, channels["Depth.Z"], np.float32(FAR))
     everywhere, nowhere = np.ones(depth.shape, bool), np.zeros(depth.shape, bool)
-    return FlatFrame(color(channels), coverage, depth, glow, everywhere, nowhere, view)
+    return FlatFrame(albedo, coverage, depth, given, everywhere, nowhere, view)
 
 
 @contextmanager
-def animatic_workbench(session: RenderSession, movement: Movement) -> Iterator[None]:
-    """Set Workbench up for flat frames of a shot."""
+def animatic_workbench(session: RenderSession, movement: Movement) -> Iterator[Told]:
+    """Set Workbench up for flat frames of a shot; give what their colours tell of light."""
     unseen = set(movement.unseen)
     with ExitStack() as stack:
+        told = stack.enter_context(told_by_number())
         stack.enter_context(flat_workbench(session.scene))
         stack.enter_context(changed(session.scene.display.shading, {"light": "FLAT", "color_type": "TEXTURE"}))
         for obj in session.scene.objects:
             if obj not in unseen and has_painted_skin(obj):
                 stack.enter_context(told_in_shades(obj))
-        yield
+        yield told

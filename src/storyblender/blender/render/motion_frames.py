@@ -77,8 +77,8 @@ def render_motion(
         light = MovingLight(plan, still.balance.roofed)
         movement = watch(session, frames, width, height)
         people = [_heads(faces, in_frame) for faces in movement.people]
-        stack.enter_context(animatic_workbench(session, movement))
-        film = zip(frames, people, movement.anew, draw_flat(session, frames, movement), strict=True)
+        told = stack.enter_context(animatic_workbench(session, movement))
+        film = zip(frames, people, movement.anew, draw_flat(session, frames, movement, told), strict=True)
         for number, heads, anew, flat in film:
             paths.append(out_dir / f"{number:05d}.jpg")
             if plan.rain > 0:

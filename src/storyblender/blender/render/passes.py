@@ -13,18 +13,15 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.session import RenderSession, changed
 from storyblender.blender.render.turning import told_in_blue, turned_and_made, turning_matcap
 from storyblender.look.gbuffer import FAR, GBuffer
-from storyblender.look.raster import Image, Window
+from storyblender.look.raster import Window
 from storyblender.look.surface import PERSON, Surface
 
 _HAS_SKIN_COLORS = 16
 """Added to the class of objects whose albedo is in vertex colours."""
-_AS_NEAR = 1e-4
-"""Difference of depth, as a share of it, up to which two pictures show the same thing."""
 
 
 @dataclass(frozen=True)
@@ -63,19 +60,19 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
         flat_workbench(session.scene),
         _identity_colors(objects) as nodes,
     ):
-        with _shading(session.scene, light="FLAT", color_type="OBJECT"):
+        with shading(session.scene, light="FLAT", color_type="OBJECT"):
             identified = session.exr_read_aside(aside, _identified, width, height, depth=True)
         with (
-            _shading(session.scene, light="MATCAP", studio_light=turning_matcap(), color_type="MATERIAL"),
+            shading(session.scene, light="MATCAP", studio_light=turning_matcap(), color_type="MATERIAL"),
             told_in_blue(materials),
         ):
             turned = session.exr_read_aside(aside, partial(turned_and_made, view=view), width, height)
-        with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
+        with shading(session.scene, light="FLAT", color_type="TEXTURE"):
             colored = session.exr_read_aside(aside, _half_color, width, height)
         ids, surface, depth, skin_colored = identified.result()
         window = _around(skin_colored) if skin_colored.any() else None
         if window is not None:
-            with _shading(session.scene, light="FLAT", color_type="VERTEX"):
+            with shading(session.scene, light="FLAT", color_type="VERTEX"):
                 (skin,) = session.exr_frames([session.scene.frame_current], width, height, window=window)
             painted = skin_colored[window.cut]
             colored.result()[window.cut][painted] = color(skin)[painted]
@@ -84,7 +81,7 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     material[ids == 0] = 0
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
-    glow_color, glow_gain = _glow_of(materials)
+    glow_color, glow_gain = glow_of(materials)
     roughness = np.array([1.0, *(m.roughness for m in materials)], np.float32)
     return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness), nodes)
 
@@ -92,47 +89,6 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
 def has_painted_skin(obj: bpy.types.Object) -> bool:
     """Return whether the object's colour is painted on its vertices: skin, with its brows and lips."""
     return obj.type == "MESH" and obj.get("surface") in PERSON and len(obj.data.color_attributes) > 0
-
-
-def render_glow(
-    session: RenderSession,
-    frames: Sequence[int],
-    size: tuple[int, int],
-    depths: Sequence[Image],
-    window: Window | None = None,
-) -> list[Image]:
-    """Return the (h, w, 3) light that the things in the picture give off, frame by frame; no G-buffer needed.
-
-    Only what glows is drawn again, and seen where nothing stands before it.
-
-    Args:
-        session: The shot.
-        frames: Timeline frames.
-        size: Width and height of the whole picture, pixels.
-        depths: Of each frame's picture, metres.
-        window: The part to draw; None is all.
-    """
-    materials = list(bpy.data.materials)
-    glow_color, glow_gain = _glow_of(materials)
-    lit = {material for index, material in enumerate(materials, 1) if glow_color[index].any() or glow_gain[index] > 0}
-    dark = [obj for obj in session.visible_objects() if not any(slot.material in lit for slot in obj.material_slots)]
-    if len(dark) == len(session.visible_objects()):
-        return [np.zeros((*depth.shape, 3), np.float32) for depth in depths]
-    glows: list[Image] = []
-    with flat_workbench(session.scene), out_of_picture(dark):
-        with _shading(session.scene, light="FLAT", color_type="MATERIAL"), _material_indices(materials):
-            pictures = session.exr_frames(frames, *size, depth=True, window=window)
-        indices = [
-            np.where(channels["Depth.Z"] <= depth * np.float32(1 + _AS_NEAR), _index(channels, materials), 0)
-            for channels, depth in zip(pictures, depths, strict=True)
-        ]
-        glows = [glow_color[index] for index in indices]
-        if any(glow_gain[index].any() for index in indices):
-            with _shading(session.scene, light="FLAT", color_type="TEXTURE"):
-                pictures = session.exr_frames(frames, *size, window=window)
-            for glow, index, channels in zip(glows, indices, pictures, strict=True):
-                glow += color(channels) * glow_gain[index][..., None]
-    return glows
 
 
 @contextmanager
@@ -158,7 +114,8 @@ def flat_workbench(scene: bpy.types.Scene) -> Iterator[None]:
 
 
 @contextmanager
-def _shading(scene: bpy.types.Scene, **values: Any) -> Iterator[None]:
+def shading(scene: bpy.types.Scene, **values: Any) -> Iterator[None]:
+    """Set how Workbench shades what it draws."""
     with changed(scene.display.shading, values):
         yield
 
@@ -198,14 +155,15 @@ def _half_color(channels: Channels) -> NDArray[np.float16]:
     return color(channels).astype(np.float16)
 
 
-def _index(channels: Channels, materials: Sequence[bpy.types.Material]) -> NDArray[np.uint16]:
+def material_index(channels: Channels, materials: Sequence[bpy.types.Material]) -> NDArray[np.uint16]:
+    """Return each pixel's material, from 1, of a picture drawn with ``material_indices``; 0 is none."""
     index = _number(_levels(channels["Combined.R"]), _levels(channels["Combined.G"]))
     index[index > len(materials)] = 0
     return index
 
 
 @contextmanager
-def _material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]:
+def material_indices(materials: Sequence[bpy.types.Material]) -> Iterator[None]:
     """Write every material's index (from 1) into its viewport colour."""
     with ExitStack() as stack:
         for index, material in enumerate(materials, 1):
@@ -228,7 +186,7 @@ def _number(low: NDArray[np.uint8], high: NDArray[np.uint8]) -> NDArray[np.uint1
     return low.astype(np.uint16) | (high.astype(np.uint16) << np.uint16(8))
 
 
-def _glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def glow_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return what each material gives off: a colour, or a multiple of its albedo where a texture glows."""
     glow_color = np.zeros((len(materials) + 1, 3), np.float32)
     glow_gain = np.zeros(len(materials) + 1, np.float32)
