@@ -25,7 +25,7 @@ class Opening(Frozen):
     width: float
     height: float
     style: str = ""
-    """door: panel, glass, double, cell; window: sash, grid, shop, blinds, curtains, open."""
+    """door: panel, glass, double, cell; window: sash, grid, shop, blinds, curtains, bars, mouth (a bare hole), open (no wall)."""
     state: Literal["open", "closed"] = "closed"
 
 
@@ -128,3 +128,8 @@ class SetPlan(Frozen):
     """The place's own lamps at their night strength; the Lighting Arranger switches and tints them."""
     marks: tuple[PlanMark, ...] = ()
     sky_color: Color | None = None
+
+    @property
+    def under_the_sky(self) -> bool:
+        """Whether the sky lights it: out of doors, and in a car on a street."""
+        return not self.indoor or any(hole.style == "open" for wall in self.walls for hole in wall.openings)

@@ -17,7 +17,7 @@ from storyblender.memory.scene_context import SceneSetup
         ("RICK'S CAFE AMERICAIN", "indoor", "cafe"),
         ("HOSPITAL CORRIDOR", "indoor", "corridor"),
         ("KITCHEN OF THE RESTAURANT", "indoor", "kitchen"),
-        ("RESTAURANT KITCHEN", "indoor", "kitchen"),
+        ("RESTAURANT KITCHEN", "indoor", "restaurant_kitchen"),
         ("CASTLE - THRONE ROOM", "indoor", "great_hall"),
         ("CASTLE HALL", "indoor", "great_hall"),
         ("SCHOOL HALL", "indoor", "corridor"),
@@ -53,6 +53,13 @@ from storyblender.memory.scene_context import SceneSetup
         ("TOM'S CAR - PARKING LOT", "indoor", "car"),
         ("TRAIN CAR", "indoor", "carriage"),
         ("COURTROOM", "indoor", "courtroom"),
+        ("ATTIC", "indoor", "attic"),
+        ("RESEARCH LAB", "indoor", "laboratory"),
+        ("STAIRWELL", "indoor", "stairwell"),
+        ("CAVE", "indoor", "cave"),
+        ("GENERAL'S TENT", "indoor", "tent"),
+        ("FRONT PORCH", "outdoor", "porch"),
+        ("SUBMARINE", "indoor", "control_room"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:
@@ -90,6 +97,7 @@ def test_no_word_means_two_kits_alike() -> None:
         (("bed", "letter", "wardrobe"), "bedroom"),
         (("ana", "pews", "candle"), "church"),
         (("judge_okoro", "gavel"), "courtroom"),
+        (("microscope", "flasks"), "laboratory"),
         (("letter", "table"), "room"),
     ],
 )

@@ -32,7 +32,8 @@ _GROUND: Final = {
     "bar": "dark boards", "office": "parquet", "ward": "pale linoleum", "warehouse": "stained concrete",
     "throne_room": "stone flags with a runner", "castle": "stone flags", "cottage": "rough boards", "house": "boards",
     "living_room": "boards with a rug", "bedroom": "boards with a rug", "dining_room": "parquet",
-    "lab": "grey linoleum",
+    "lab": "grey linoleum", "restaurant_kitchen": "terracotta tiles", "attic": "rough boards",
+    "tent": "trodden grass", "cave": "gravel and rock", "stairwell": "chequered tiles",
     "security_room": "grey carpet tiles", "control_room": "steel plates", "spaceship": "panelled deck",
     "corridor": "polished linoleum", "lobby": "marble", "museum": "marble", "theater": "stage boards",
     "library": "parquet", "shop": "worn boards", "bank": "marble", "market": "cobbles", "alley": "wet asphalt",
@@ -51,7 +52,8 @@ _WALLS: Final = {
     "theater": "dark drapes", "library": "shelves to the ceiling", "shop": "shelves and plaster", "lab": "white panels",
     "prison": "bare concrete", "church": "stone", "security_room": "grey panels", "control_room": "steel panels",
     "spaceship": "curved white panels", "classroom": "painted plaster with a board", "bank": "marble panels",
-    "train": "wood panels and windows",
+    "train": "wood panels and windows", "attic": "boards under sloping rafters", "tent": "canvas", "cave": "rough rock",
+    "restaurant_kitchen": "white tiles", "car": "doors and windows", "court": "panelled dado, plaster above",
 }  # fmt: skip
 
 

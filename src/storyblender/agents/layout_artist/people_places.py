@@ -88,7 +88,7 @@ def _sit(stage: Stage, state: BodyState, relation: Relation | None) -> None:
     found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
     if not found:
         own = _mark_of(stage, state.asset_id, state.support_id)
-        near = own.location[:2] if own is not None else (0.0, 0.0)
+        near = own.location[:2] if own is not None else stage.middle
         near = (support.box.x, support.box.y) if support is not None else near
         other = stage.things.get(relation.anchor_asset_id) if relation is not None else None
         if other is not None and relation is not None and relation.kind in _OPPOSITE:

@@ -322,6 +322,27 @@ def car_seat(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (seat((0, -d / 2 + 0.1, sit), (w * 0.8, d * 0.7)),)
 
 
+@prop("porch_swing")
+def porch_swing(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a slatted bench that hangs on four chains from a ceiling at its height."""
+    (w, d, h), wood = spec.size, spec.material("seat")
+    sit, top = 0.46, 1.0
+    for y in np.linspace(-d / 2 + 0.05, d / 2 - 0.16, 5):
+        b.box(wood, (0, float(y), sit - 0.02), (w - 0.08, 0.08, 0.03), bevel=0.006)
+    for z in np.linspace(sit + 0.12, top - 0.04, 4):
+        b.box(wood, (0, d / 2 - 0.1 + 0.12 * (float(z) - sit), float(z)), (w - 0.08, 0.025, 0.09), bevel=0.006)
+    for x in (-1, 1):
+        at = x * (w / 2 - 0.03)
+        b.box(wood, (at, -0.03, sit - 0.05), (0.06, d - 0.14, 0.06), bevel=0.008)
+        b.box(wood, (at, d / 2 - 0.07, (sit + top) / 2), (0.06, 0.06, top - sit), bevel=0.008, rotation=(-7, 0, 0))
+        b.box(wood, (at, -0.06, sit + 0.22), (0.08, d - 0.2, 0.035), bevel=0.01)
+        b.box(wood, (at, -d / 2 + 0.1, sit + 0.1), (0.05, 0.05, 0.24))
+        for y in (-d / 2 + 0.1, d / 2 - 0.08):
+            b.cylinder("iron", (at, y, sit + 0.2), (at, 0.0, h - 0.5), 0.012, segments=6)
+        b.cylinder("iron", (at, 0.0, h - 0.5), (at, 0.0, h), 0.012, segments=6)
+    return seats_in_row(spec.entry.seats, w - 0.12, -d / 2 + 0.06, sit, d * 0.75)
+
+
 @prop("throne")
 def throne(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a state chair with a crested back."""

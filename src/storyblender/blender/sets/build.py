@@ -39,14 +39,14 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
     objects += [_slab(slab, scene) for slab in plan.slabs]
     objects += _pieces(plan, scene)
     for card in plan.backdrops:
-        obj = _object(backdrop_mesh(card, scene, indoor=plan.indoor), card.node_id, Surface.CARD)
+        obj = _object(backdrop_mesh(card, scene, indoor=not plan.under_the_sky), card.node_id, Surface.CARD)
         obj.visible_shadow = False
         objects.append(obj)
     for obj in objects:
         obj.name = f"{scene.name}.{obj.name}"
         obj.display.show_shadows = False
         collection.objects.link(obj)
-    scene["open_sky"] = not plan.indoor
+    scene["open_sky"] = plan.under_the_sky
     return objects
 
 

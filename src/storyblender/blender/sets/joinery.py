@@ -38,7 +38,7 @@ def dress_opening(
     arched = kind == "arch" or style in ("arched", "stained")
     if arched:
         _spandrels(builder, wall, width, height, thickness)
-    if kind == "gap":
+    if kind == "gap" or style == "mouth":
         return
     if not arched and style != "bars":
         for x in (-CASING / 2, width + CASING / 2):

@@ -139,6 +139,15 @@ SEATS: tuple[PropEntry, ...] = (
     ),
     entry(
         "furniture",
+        "porch_swing",
+        "hanging bench, swing seat, garden swing, hammock seat",
+        (1.5, 0.66, 2.66),
+        _WOOD,
+        "A bench with a back that hangs on chains.",
+        seats=3,
+    ),
+    entry(
+        "furniture",
         "throne",
         "royal chair, king's chair, ceremonial seat",
         (0.96, 0.86, 1.9),

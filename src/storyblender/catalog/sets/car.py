@@ -27,6 +27,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.furnish("car_seat", x, -0.3, color=cloth)
         room.mark(name, x, -0.6, 0, name, *(("driver", "chauffeur", "cabbie", "cabby") if x > 0 else ()))
     room.furnish("carriage_seat", 0, 0.78, color=cloth, width=1.44, height=1.0)
+    room.mark("front", 0.3, -0.9, 0, "centre")
     room.mark("street_left", -room.half_x + 0.5, 0, 90, "enter", "exit", "left")
     room.mark("street_right", room.half_x - 0.5, 0, 270, "enter", "exit", "right")
     room.lamp("dials", (0.3, SCREEN[0] + 0.45, 0.95), 1.2, COOL if modern else WARM, target=(0.2, 0.3, 1.2), size=0.2)
@@ -51,7 +52,7 @@ KIT = SetKit(
     draw=draw,
     width=Span(4.0, 4.0, 4.0),
     depth=Span(6.0, 6.0, 6.0),
-    height=Span(1.7, 1.7, 1.7),
+    height=Span(1.6, 1.6, 1.6),
     options={"taxi": False},
     seated=True,
     has=("mirror", "rearview mirror", "wheel", "dashboard", "window", "windshield", "windscreen", "meter", "car",

@@ -57,7 +57,7 @@ KIT = SetKit(
     tags=("control room", "control centre", "control center", "command center", "command centre", "command post",
           "mission control", "operations room", "war room", "situation room", "security room", "server room",
           "spaceship bridge", "starship bridge", "starship", "spacecraft", "space station", "space shuttle",
-          "broadcast room", "flight deck"),
+          "broadcast room", "flight deck", "spaceship", "submarine", "cockpit", "airlock"),
     indoor=True,
     draw=draw,
     width=Span(7.6, 8.6, 12.0),

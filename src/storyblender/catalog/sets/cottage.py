@@ -57,8 +57,6 @@ KIT = SetKit(
         "farm house",
         "shack",
         "lodge",
-        "tent",
-        "yurt",
         "treehouse",
     ),
     indoor=True,

@@ -13,14 +13,15 @@ from storyblender.catalog.sets.room import Finishes, Room
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the court at the back, jury and dock at the sides, the well free, the public towards the audience."""
     modern = params.period == "modern"
-    look = Finishes("plaster_cream", "parquet", "ceiling_white", dado="dado_brown" if modern else "dado_dark",
-                    dado_height=2.0)  # fmt: skip
+    look = Finishes("plaster_cream", "parquet", "ceiling_white", dado="dado_brown", dado_height=1.45)
     room = Room("courtroom", params, rng, look, view="facades")
     x, y, h = room.half_x, room.half_y, params.height
     room.door("right", -y + 1.2, width=1.5, height=2.4, style="double")
     room.door("back", x - 1.0, height=2.2, name="chambers")
     for at in (-y * 0.45, y * 0.1, y * 0.65):
         room.window("left", at, width=1.2, height=2.0, sill=min(2.1, h - 2.2), style="grid", mark=at < 0)
+    for at in (-0.4, y * 0.55):
+        room.window("right", at, width=1.2, height=1.6, sill=min(2.3, h - 1.8), style="grid")
     _bench(room)
     _jury(room)
     room.piece("court_box", -x + 1.0, 0.4, yaw=90, width=1.7, depth=1.3, rail=True)
@@ -42,11 +43,11 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 def _bench(room: Room) -> None:
     """Set the judge's bench, flags, seal, the witness stand and the clerk's place."""
     y, h = room.half_y, room.height
-    room.piece("judges_bench", 0, y - 1.75, footprint=(3.3, 0.75), width=3.3)
-    room.furnish("armchair", 0, y - 0.72, color="#3a2018", required=False)
-    room.mark("bench", 0, y - 1.12, 0, "judge", "magistrate", "bench", "justice")
-    room.slab("patch", rectangle(-2.0, y - 2.3, 2.0, y - 0.05), "cloth_red", z=0.012)
-    room.piece("court_seal", 0, y, min(h - 0.75, 2.75))
+    room.piece("judges_bench", 0, y - 1.95, footprint=(3.3, 0.75), width=3.3)
+    room.furnish("armchair", 0, y - 0.55, color="#3a2018", required=False)
+    room.mark("bench", 0, y - 1.28, 0, "judge", "magistrate", "bench", "justice")
+    room.slab("patch", rectangle(-2.0, y - 2.5, 2.0, y - 0.05), "cloth_red", z=0.012)
+    room.piece("court_seal", 0, y, min(h - 0.75, 2.75), footprint=(1.1, 0.2), wild=True)
     for side in (-1, 1):
         room.furnish("flag", side * 1.75, y - 0.45, required=False, color="#23385c" if side < 0 else "#7a1d20")
     room.piece("court_box", 2.65, y - 1.65, yaw=-12, width=1.25, depth=1.2)

@@ -50,6 +50,7 @@ brick_pale         brick      #a9a196
 stone_dark         stone      #5c5953
 stone_light        stone      #b5ac99
 stone_sand         stone      #b79c70
+cave_rock          rock       #6f5f4f
 flagstones         paving     #7a746a
 concrete_dark      concrete   #5a5b5b
 concrete_light     concrete   #a8a7a1

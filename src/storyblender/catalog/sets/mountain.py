@@ -49,7 +49,6 @@ KIT = SetKit(
         "ledge",
         "peak",
         "summit",
-        "cave",
         "glacier",
         "snowfield",
         "volcano",

@@ -51,7 +51,7 @@ KIT = SetKit(
     key="office",
     name="Office",
     tags=("office", "study", "precinct", "police station", "detective agency", "newsroom", "headquarters", "bureau",
-          "lab", "laboratory", "conference room", "meeting room", "studio"),
+          "conference room", "meeting room", "studio"),
     indoor=True,
     draw=draw,
     width=Span(5.8, 6.4, 10.0),

@@ -54,8 +54,6 @@ KIT = SetKit(
         "playground",
         "campus",
         "orchard",
-        "porch",
-        "veranda",
         "patio",
         "driveway",
         "cemetery",

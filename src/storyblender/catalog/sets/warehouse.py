@@ -73,7 +73,7 @@ KIT = SetKit(
     means={"jewel_box": "cardboard_box"},
     name="Warehouse",
     tags=("warehouse", "factory", "garage", "barn", "hangar", "depot", "stable", "workshop", "storage", "storeroom",
-          "shed", "attic", "mill", "loft", "engine room", "construction site", "mine"),
+          "shed", "mill", "engine room", "construction site"),
     indoor=True,
     draw=draw,
     width=Span(9.0, 11.0, 18.0),

@@ -45,6 +45,16 @@ def _flight(builder: MeshBuilder, spec: PieceSpec) -> None:
             builder.box(rail, (x, 0, height - 0.05), (0.1, width + 0.26, 0.1))
 
 
+@piece("landing")
+def landing(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a landing about the origin on its wall below, open to -X. Parameters: width, depth, height, material."""
+    width, depth, height = spec.number("width", 1.2), spec.number("depth", 1.2), spec.number("height", 1.6)
+    tread = spec.finish("material", "boards_dark")
+    builder.box(tread, (0, 0, height - 0.06), (width, depth, 0.12))
+    builder.box(finish("plaster_grey"), (0, -depth / 2 + 0.05, height / 2), (width, 0.1, height))
+    builder.box(finish("plaster_grey"), (-width / 2 + 0.05, 0, height / 2), (0.1, depth, height - 0.2))
+
+
 @piece("viewscreen")
 def viewscreen(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build the frame of a great screen on a wall at y = 0, its lower edge at z = 0. Parameters: width, height."""
