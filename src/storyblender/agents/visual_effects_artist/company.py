@@ -331,12 +331,12 @@ class Company:
         asset = self.assets.get(prop)
         return sorted(asset.canonical.dimensions) if asset is not None and asset.canonical is not None else None
 
-    def hand_over(self, person: Person, prop: str) -> Hand | None:
-        """Let a person hold a prop; whoever held it does not any more."""
+    def hand_over(self, person: Person, prop: str, wish: Hand = "R") -> Hand | None:
+        """Let a person hold a prop, in the wished hand if it is free; whoever held it does not any more."""
         already = person.hand_of(prop)
         if already:
             return already
-        hand = person.free_hand()
+        hand = person.free_hand(wish)
         if hand is None:
             return None
         for other in self.people.values():

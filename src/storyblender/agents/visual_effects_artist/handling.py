@@ -13,6 +13,7 @@ from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_secon
 from storyblender.geometry.boxes import turn_between
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CharacterAction, Mark
+from storyblender.memory.vocabulary import Hand
 
 GETTING = frozenset({"pick_up", "take", "hold", "catch"})
 """Motions after which one has something in hand."""
@@ -20,7 +21,9 @@ FETCH, AT_HAND = 5.0, 3.0
 """Metres one goes to get a thing, and to use one; what is used and lies farther off is in hand from the start."""
 BOX = 0.18
 """Metres of the second largest extent."""
-POCKET = (0.1, 0.22, 0.36)
+LEFT = 0.2
+"""Metres to one's left from which the left hand takes a thing."""
+POCKET = (0.12, 0.22, 0.36)
 """Metres: what is smaller, the smallest extent first, is carried in one's clothes and not seen there."""
 SEATED_REACH = 0.45
 """Metres from a seat's edge to what its sitter can take."""
@@ -63,7 +66,7 @@ class Handling:
             self._open_where_it_stands(person, motion, prop, start, self.turn_to(person, lies, t))
             return
         if lies is not None:
-            t = self._taken(person, MOTIONS["pick_up"], prop, self.turn_to(person, lies, t))
+            t = self._picked_up(person, prop, lies, t)
         elif bag is not None:
             t = self._taken(person, MOTIONS["take"], prop, t, bag)
         elif getting and self._in_clothes(person, prop):
@@ -88,7 +91,7 @@ class Handling:
         t = self._gone_to(person, prop, FETCH, start)
         lies = self._within_reach(person, prop)
         if lies is not None and person.free_hand() is not None:
-            t = self._taken(person, MOTIONS["pick_up"], prop, self.turn_to(person, lies, t))
+            t = self._picked_up(person, prop, lies, t)
             self.sheet.done(person, start, t, holds=True)
 
     def _hands_freed(self, person: Person, prop: str, t: float) -> float:
@@ -126,11 +129,20 @@ class Handling:
         fits = size is not None and all(side < room for side, room in zip(size, POCKET, strict=True))
         return fits and self.company.holder(prop) is None and person.free_hand() is not None
 
-    def _taken(self, person: Person, motion: Motion, prop: str, t: float, source: str | None = None) -> float:
+    def _picked_up(self, person: Person, prop: str, lies: Vec3, t: float) -> float:
+        """Take a prop from where it lies, with the left hand what is on the left; return the end."""
+        t = self.turn_to(person, lies, t)
+        (x, y), yaw = person.place, person.yaw
+        leftwards = (lies[0] - x) * math.cos(yaw) + (lies[1] - y) * math.sin(yaw)
+        return self._taken(person, MOTIONS["pick_up"], prop, t, wish="L" if leftwards > LEFT else "R")
+
+    def _taken(
+        self, person: Person, motion: Motion, prop: str, t: float, source: str | None = None, wish: Hand = "R"
+    ) -> float:
         """Take a prop, out of a bag or out of clothes if they are named; return the end."""
-        hand = person.free_hand()
+        hand = person.free_hand(wish)
         t = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=source, prop_id=prop, hand=hand)
-        self.company.hand_over(person, prop)
+        self.company.hand_over(person, prop, wish)
         return t
 
     def _open_where_it_stands(self, person: Person, motion: Motion, prop: str, start: float, t: float) -> None:

@@ -26,6 +26,8 @@ IN_ARMS = 0.08
 """Metres more than an embrace's distance that are not walked."""
 BEFORE_SITTER = 0.68
 """Metres from a seat's edge to who bends to the one who sits there."""
+TOO_NEAR = 0.17
+"""Metres less than its distance from which one who meets somebody steps back."""
 PARTED = 0.72
 """Metres between two after an embrace: who came to the other steps back."""
 
@@ -93,7 +95,7 @@ class Meetings:
         near = IN_ARMS if motion.key in TOGETHER else 0.3
         low = person.posture in SEATED or (person.posture in LOW and gap < BY_KNEES)
         on_floor = partner.posture in ("lie", "asleep") and partner.support is None
-        if not low and (gap > distance + near or gap < distance - 0.3):
+        if not low and (gap > distance + near or gap < distance - TOO_NEAR):
             spot, _ = self.sheet.beside(person, partner, distance)
             toward = partner.place
             if motion.key in TOGETHER and partner.posture == "sit":

@@ -60,9 +60,10 @@ class Person:
         """Return the hand that holds a prop."""
         return next((hand for hand, held in self.held.items() if held == prop), None)
 
-    def free_hand(self) -> Hand | None:
-        """Return an empty hand, the right one first."""
-        return "R" if "R" not in self.held else "L" if "L" not in self.held else None
+    def free_hand(self, wish: Hand = "R") -> Hand | None:
+        """Return an empty hand, the wished one first."""
+        far: Hand = "L" if wish == "R" else "R"
+        return next((hand for hand in (wish, far) if hand not in self.held), None)
 
 
 def stature_of(asset: Asset) -> float:

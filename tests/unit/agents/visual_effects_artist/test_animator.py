@@ -330,6 +330,17 @@ def test_what_is_put_down_on_a_seat_is_beside_who_sits_there(company: bool) -> N
     assert not company or min(sitters) < spot[0] < max(sitters), "between them"
 
 
+@pytest.mark.parametrize(("x", "hand"), [(0.3, "L"), (-0.3, "R")])
+def test_what_lies_on_the_left_is_taken_with_the_left_hand(x: float, hand: str) -> None:
+    states = (BodyState(asset_id="rick", posture="sit", support_id="bench"),)
+    seat = _end(_on_bench(_shot(1, states=states))[0], "rick").location
+    objects = (_at("bench", 0, 3.0), _at("cup", seat[0] + x, seat[1] + 0.2, z=0.46), _at("rick", -1, -1))
+    view = _view(_shot(1, _do("rick", "pick_up", prop_id="cup"), states=states))
+    layout = LAYOUT.model_copy(update={"objects": objects})
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    assert _end(shot, "rick").location == seat and _end(shot, "rick").held == ((hand, "cup"),)
+
+
 def test_a_bag_is_put_down_before_both_hands_are_wanted() -> None:
     bag = _thing("bag", (0.6, 0.2, 0.45))
     ring = _thing("ring", (0.02, 0.01, 0.03))
