@@ -113,7 +113,7 @@ def _name_people(stage: Stage) -> None:
     named: list[Person] = []
     for index, word in enumerate(stage.sentence.words):
         definite = word.mention and word.mention.determiner not in ("", "a", "an") and index <= _OPENING
-        if word.mention and (word.named or definite):
+        if word.mention and (word.named or definite) and not entrances.is_elsewhere(stage, index):
             named += resolve_mention(stage, word.mention)
     for person in named:
         stage.mention(person, 0.6)

@@ -86,15 +86,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
             _take_relative(builder, index, phrase.text)
         elif phrase.text in _HYPOTHETICAL:
             builder.unreal = True
-    if builder.clauses:
-        builder.clauses[0].places += builder.leading
-        builder.clauses[0].opening = len(builder.leading)
-    if builder.clauses and words[0].low in _WONDERING:
-        builder.clauses[0].unreal = True
-    repair(builder.clauses, words)
-    for clause in builder.clauses:
-        if clause.verb == "be":
-            clause.complement, clause.object = clause.object, []
+    _finish(builder)
     return builder.clauses
 
 
@@ -107,6 +99,24 @@ def _take_relative(builder: _Builder, index: int, pronoun: str) -> None:
             builder.subject = builder.relative
     elif _verb_touches(builder, index):
         builder.relative = [p.noun for p in builder.phrases[max(0, index - 2) : index] if p.noun][-1:]
+
+
+def _finish(builder: _Builder) -> None:
+    """What is left over when the sentence is over: a last place, places before the first verb, delayed subjects."""
+    if builder.fronted and builder.pending:
+        at = builder.pending[0].index
+        clause = Clause(at, builder.words[at].start, "be", subject=builder.pending, places=builder.fronted)
+        clause.opening = len(builder.fronted)
+        builder.clauses.append(clause)
+    if builder.clauses:
+        builder.clauses[0].places += builder.leading
+        builder.clauses[0].opening = len(builder.leading)
+    if builder.clauses and builder.words[0].low in _WONDERING:
+        builder.clauses[0].unreal = True
+    repair(builder.clauses, builder.words)
+    for clause in builder.clauses:
+        if clause.verb == "be":
+            clause.complement, clause.object = clause.object, []
 
 
 def _is_object(clause: Clause, nouns: list[NounPhrase]) -> bool:
@@ -131,6 +141,9 @@ def _is_fronted(phrases: list[Phrase], at: int) -> bool:
     if at == start or at >= len(phrases):
         return False
     at += phrases[at].text == "," and at + 1 < len(phrases)
+    new = phrases[at].noun
+    if new and phrases[start - 1].text != "," and (new.kind == "person" or new.determiner in ("a", "an")):
+        return True  # a bed, and behind it a lamp
     inverted = phrases[at].kind == "verb"
     verb = phrases[at if inverted or at + 1 == len(phrases) else at + 1].verb
     if verb is None or verb.kind not in ("past", "aux", "3sg") or not (inverted or phrases[at].kind == "noun"):
@@ -147,8 +160,9 @@ def _take_verb(builder: _Builder, index: int, phrase: Phrase) -> None:
         builder.perfect = past is not None and verb.lemma == "have" and past.lemma in _ARRIVED
         return
     left = builder.phrases[index - 1] if index else None
-    if verb.kind == "pp" and left and left.kind == "verb" and builder.current and builder.current.verb in _RESTING:
-        return  # sits hunched, lies sprawled
+    rested = builder.current is not None and builder.current.verb in _RESTING
+    if rested and left and left.kind == "verb" and (verb.kind == "pp" or (verb.kind == "past" and not builder.pending)):
+        return  # sits hunched, sat propped against the wall
     if builder.outer and not builder.pending and left and left.text == ",":
         builder.subject, builder.outer = builder.outer, []
     if builder.pending and builder.clauses and builder.inserted:
@@ -225,7 +239,8 @@ def _is_unreal(builder: _Builder, index: int) -> bool:
         return True
     if left.text == "to" and index > 1 and builder.phrases[index - 2].text == "about":
         return True
-    return left.text == "to" and builder.words[builder.phrases[index].first].low in _PURPOSES
+    seeing = before is not None and before.verb in _DISCOVERING and bool(before.object or before.particle)
+    return left.text == "to" and not seeing and builder.words[builder.phrases[index].first].low in _PURPOSES
 
 
 def _is_wished(before: Clause) -> bool:
@@ -244,6 +259,8 @@ _WONDERING = frozenset({"how", "why", "whether"})
 _INSERTING = frozenset({"where", "when", "until", "because", "since"})
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
 _PURPOSES = frozenset({"see", "find", "get", "hear"})
+_DISCOVERING = frozenset({"open", "turn", "look", "wake", "return", "enter"})
+"""``opens the door to find Otto``: he is there."""
 _WISHES = frozenset(
     {"want", "need", "refuse", "hope", "decide", "wait", "hesitate", "fail", "intend", "plan", "long", "threaten"}
     | {"promise", "offer", "agree", "expect", "mean", "forget", "prepare", "wish", "dare", "choose"}
@@ -289,7 +306,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     if builder.preposition:
         if builder.fronted is not None:
             builder.fronted.append((builder.preposition, [noun]))
-        elif not builder.aside:
+        elif not builder.aside and not (clause and builder.pending):
             places = clause.places if clause else builder.leading
             places.append((builder.preposition, [noun]))
         builder.preposition = ""
@@ -309,7 +326,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.object.append(noun)
     elif clause.object and left and left.kind == "noun" and _receives(clause.object[0]) and noun.kind == "thing":
         clause.recipient, clause.object = clause.object, [noun]
-    elif not clause.object and not clause.places:
+    elif not clause.object and len(clause.places) == clause.opening:
         clause.object = [noun]
 
 

@@ -19,10 +19,11 @@ _NEAR = (
     "next to", "from", "around", "past", "over", "under",
 )  # fmt: skip
 _PICTURE_OF = re.compile(
-    r"\b(photo|photograph|picture|portrait|painting|statue|name|letter|news|memory|voice|dream) (of|from)\b"
+    r"\b(photo|photograph|picture|portrait|painting|statue|name|letter|note|call|news|memory|voice|dream|sign|trace"
+    r"|word|gift|present|shadow|thought)s? (of|from)\b|\bthink(s|ing)? of$|\bthought of$"
     r"|\b(about|without|like|unlike|named|called|calls|misses|remembers|expects|awaits)"
     r"( the| a| my| his| her| our| their)?$"
-    r"|\b(look|search|wait|ask|hop|long|hunt)(s|es|ed|ing|ed)? for( \w+)?( \w+)?$"
+    r"|\b(look|search|wait|ask|hop|long|hunt)(s|es|ed|ing|ed)?( around| everywhere| about| in vain)? for( \w+)?( \w+)?$"
 )
 _IMAGE = r"(?:picture|photo|photograph|snapshot|portrait|painting|drawing|sketch|poster|image)s?"
 _SHOWN = re.compile(
@@ -80,13 +81,20 @@ def objects_enter(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             stage.enter(person)
             stage.involve(person)
     for place in roles.places:
+        told = [is_elsewhere(stage, noun.index) for noun in place.nouns if noun.kind == "person"]
         for person in place.people:
             stage.mention(person, 0.5)
             stage.sentence.named.add(person.id)
             stage.discourse.last_sentence[person.id] = stage.discourse.sentence
-            if physical and place.preposition in _NEAR and clause.verb not in _MINDING:
+            if physical and place.preposition in _NEAR and clause.verb not in _MINDING and not all(told or [False]):
                 stage.enter(person)
                 stage.involve(person)
+
+
+def is_elsewhere(stage: Stage, index: int) -> bool:
+    """``a letter from Otto``, ``no sign of him``, ``thinks of Mia``: somebody named who is not there."""
+    before = " ".join(word.low for word in stage.sentence.words[max(0, index - 4) : index])
+    return _PICTURE_OF.search(before) is not None
 
 
 def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
@@ -97,9 +105,8 @@ def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
         fresh = not word.mention.people
         people = resolve_mention(stage, word.mention)
         clause = next((c for c in clauses if any(n.index == index for n in c.subject + c.object)), None)
-        before = " ".join(w.low for w in words[max(0, index - 4) : index])
         possessive = index + 1 < len(words) and words[index + 1].low == "'s"
-        elsewhere = possessive or stage.sentence.pictured or _PICTURE_OF.search(before) is not None
+        elsewhere = possessive or stage.sentence.pictured or is_elsewhere(stage, index)
         elsewhere = elsewhere or (clause is not None and (clause.unreal or clause.verb in _MINDING))
         for person in people:
             if fresh:

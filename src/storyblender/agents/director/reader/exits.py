@@ -105,7 +105,9 @@ def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None
     alone = any(word.low == "alone" and word.verb is None for word in words)
     spot = any(phrase.head not in _WEATHER for _, phrases in clause.places for phrase in phrases)
     told = alone and clause.verb in _STAYING and not spot and not _takes_an_object(words)
-    forsaken = _FORSAKEN.search(" ".join(word.low for word in words if not word.inserted)) and clause.verb != "leave"
+    forsaken = _FORSAKEN.search(" ".join(word.low for word in words if not word.inserted)) and (
+        clause.verb != "leave" or clause.passive
+    )
     if (told or forsaken) and subjects and not (clause.negated or clause.unreal):
         _go(stage, [person for person in stage.on_stage() if person not in subjects])
         clear_exits(stage)
@@ -148,7 +150,7 @@ def _goes(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
     phrase = f"{clause.verb} {clause.particle}".strip()
     alone = not (roles.places or roles.people or roles.things)
     bare = alone and not clause.particle
-    if clause.verb in _FOLLOWING and not roles.places and (bare or roles.people):
+    if clause.verb in _FOLLOWING and not roles.prepositions - {"by"} and (bare or roles.people):
         after = {person.id for person in roles.people} or set(stage.scene.gone + stage.scene.leaving)
         if after & {*stage.scene.gone, *stage.scene.leaving}:
             return True
@@ -161,7 +163,7 @@ def _goes(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
         return False
     if _LEAVING.match(phrase) or _LEAVING.match(clause.verb):
         return True
-    if is_through_a_door(clause):
+    if is_through_a_door(clause) or any(noun.head == "exit" for noun in clause.object):
         return True
     goes = motion in _GOING or clause.verb in _HAULING
     return goes and clause.verb not in _COMING_OUT and _leads_out(stage, clause, roles)
@@ -202,7 +204,11 @@ def _place_leads_out(stage: Stage, clause: Clause, place: Place, indoors: bool) 
 
 def _is_another_room(stage: Stage, place: Place, noun: NounPhrase, here: set[str]) -> bool:
     """``runs for his room``, ``goes into Ana's bedroom``, ``returns to the cellar``: none of this scene."""
-    if noun.kind != "thing" or noun.head not in lexicon.INDOOR or place.preposition not in ("into", "to", "for"):
+    if (
+        noun.kind != "thing"
+        or noun.head not in lexicon.INDOOR
+        or place.preposition not in ("into", "to", "for", "back to")
+    ):
         return False
     if noun.head != "room" and noun.head in here:
         return False

@@ -40,6 +40,8 @@ PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "a
 _ENTERING = frozenset({"in", "out", "up", "down", "there", "along", "off", "then"})
 _LIMBS = frozenset({"hands", "arms", "fingers", "thumbs", "eyes", "knees", "elbows"})
 _FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
+_STAGE_ORDERS = frozenset({"enter", "exit", "re-enter"})
+"""``Enter HAMLET.``"""
 _HANDING = frozenset({"over", "out", "back", "round"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = _THINGS | lexicon.WORN
@@ -113,7 +115,7 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     elif form.kind in ("3sg", "base"):
         opens = left is None or not any(w.solid for w in row.words)
         if _opens_sentence(form, word, following) if opens else _is_finite(form, word, following, left, row):
-            if opens:
+            if opens and form.kind == "3sg":
                 row.insert_subject(word.start)
             word.verb = VerbForm(form.lemma, "past")
             row.verb_seen, row.last_kind = True, form.kind
@@ -212,6 +214,8 @@ def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
 def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
     """``Grabs a shovel.`` is a verb, ``Hands up.`` and ``Sparks.`` are not."""
     right = following.low if following else "."
+    if word.low in _STAGE_ORDERS and following and following.mention:
+        return True
     if form.kind != "3sg" or (right == "." and form.lemma not in lexicon.MOTION_OF_VERB) or right == "of":
         return False
     return word.low not in _FRAGMENT_NOUNS or not (right in ("up", "raised", "drawn", ".", ",") or right in FORMS)
@@ -225,6 +229,8 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     brings = following is not None and (following.mention is not None or right in OPENERS)
     if left.low in _ENTERING and brings and _opens_clause(row) and (third or form.lemma in _INVERTING):
         return True
+    if left.low == "her" and brings and third and form.lemma in _INVERTING and row.words[-2:-1]:
+        return row.words[-2].low in lexicon.PREPOSITIONS  # behind her stands a waiter
     if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
         return False
     if _is_inverted(form, following, row):
@@ -273,6 +279,8 @@ def _new_clause(row: Row) -> bool:
     for index in range(len(row.words) - 2, max(len(row.words) - 5, -1), -1):
         if row.words[index].low in OPENERS:
             before = row.words[index - 1].low if index else ""
+            if index > 1 and before in lexicon.PRONOUNS and row.words[index - 2].low in lexicon.PREPOSITIONS:
+                return True  # and behind it a map hangs
             return before in _CLAUSE_LINKS or (before == "," and row.words[0].low in _SUBORDINATORS)
     return False
 

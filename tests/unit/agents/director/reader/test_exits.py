@@ -54,3 +54,18 @@ def test_who_follows_somebody_out_goes_too(read_scene: Read) -> None:
 
 def test_a_door_that_closes_behind_who_came_in_sends_nobody_off(read_scene: Read) -> None:
     assert "carl" in present(read_scene, "CARL (50) enters. The door closes behind him.")
+
+
+@pytest.mark.parametrize(
+    "action",
+    ["Anna thinks of CARL.", "No sign of CARL.", "Anna reads a letter from CARL.", "Anna looks around for CARL."],
+)
+def test_who_is_only_thought_of_is_not_there(read_scene: Read, action: str) -> None:
+    reading = read_scene(f"CARL (50) waits.\n\nINT. HALL - DAY\n\nANNA (30) and BOB (40) are here.\n\n{action}")
+    assert "carl" not in reading.units[-1].on_stage
+
+
+def test_who_enters_may_be_told_as_on_the_stage(read_scene: Read) -> None:
+    reading = read_scene("ANNA (30) sits. CARL (50) waits outside.\n\nEnter CARL.\n\nExit CARL.\n\nThe clock ticks.")
+    assert [(deed.actor, deed.motion) for deed in reading.units[-2].deeds] == [("carl", "walk")]
+    assert reading.units[-1].on_stage == ["anna"]

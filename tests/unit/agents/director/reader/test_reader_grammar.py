@@ -15,6 +15,8 @@ TOLD = [
     ("Bob stops, gasping, and hands over the keys.", {("bob", "stand"), ("bob", "give")}),
     ("After washing the cup, Anna sits.", {("anna", "clean"), ("anna", "sit")}),
     ("They all leave.", {("anna", "walk"), ("bob", "walk")}),
+    ("Anna sits, and behind her stands a WAITER.", {("anna", "sit"), ("waiter", "stand")}),
+    ("Bob dodges, swoons and grieves.", {("bob", "jump"), ("bob", "fall"), ("bob", "cry")}),
     ("Both of them nod.", {("anna", "nod"), ("bob", "nod")}),
     ("Anna helps Bob put on his coat.", {("bob", "wear")}),
 ]
