@@ -14,6 +14,9 @@ from storyblender.look.raster import Image
 AGX_CONTRAST = "AgX - High Contrast"
 """Keeps faces, deepens the room and gives a sunny street its sparkle (chosen by eye among the five)."""
 
+_TABLE, _STOPS = 49, (-12.0, 7.0)
+"""Steps of a film's table along each colour, and the stops of light round 1 that it spans."""
+
 
 def to_display(image: Image, contrast: str = AGX_CONTRAST) -> Image:
     """Return display-referred sRGB, 0 to 1.
@@ -23,6 +26,16 @@ def to_display(image: Image, contrast: str = AGX_CONTRAST) -> Image:
         contrast: Name of an AgX look of Blender's colour configuration.
     """
     processor = display_of(contrast)
+    if processor is None:
+        return _filmic(image)
+    display = np.array(image, np.float32, order="C", copy=True)
+    processor.applyRGB(display)
+    return np.clip(display, 0, 1, out=display)
+
+
+def to_film(image: Image) -> Image:
+    """Return what ``to_display`` does to within a shade or two of 255, in under half the time; for films."""
+    processor = _table_of(AGX_CONTRAST)
     if processor is None:
         return _filmic(image)
     display = np.array(image, np.float32, order="C", copy=True)
@@ -48,6 +61,28 @@ def display_of(contrast: str) -> Any:
     pipeline.setLooksOverrideEnabled(True)
     pipeline.setLooksOverride(contrast)
     return pipeline.getProcessor(config, config.getCurrentContext()).getDefaultCPUProcessor()
+
+
+@cache
+def _table_of(contrast: str) -> Any:
+    """Return the way from light to display as a table over the stops of light; None without OpenColorIO."""
+    exact, ocio = display_of(contrast), bundled_module("PyOpenColorIO")
+    if exact is None or ocio is None:
+        return None
+    darkest, brightest = _STOPS
+    levels = np.exp2(np.linspace(darkest, brightest, _TABLE, dtype=np.float32))
+    grid = np.stack(np.meshgrid(levels, levels, levels, indexing="ij"), axis=-1).reshape(1, -1, 3)
+    exact.applyRGB(grid)
+    table = ocio.Lut3DTransform(_TABLE)
+    table.setData(grid.ravel())
+    table.setInterpolation(ocio.INTERP_TETRAHEDRAL)
+    scale = 1 / (brightest - darkest)
+    matrix = np.diag([scale, scale, scale, 1.0]).ravel().tolist()
+    way = ocio.GroupTransform()
+    way.appendTransform(ocio.LogTransform(2.0))
+    way.appendTransform(ocio.MatrixTransform(matrix, [-darkest * scale] * 3 + [0.0]))
+    way.appendTransform(table)
+    return ocio.Config.CreateRaw().getProcessor(way).getDefaultCPUProcessor()
 
 
 def _filmic(image: Image) -> Image:

@@ -8,7 +8,7 @@ from storyblender.look import grade
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
 from storyblender.look.bundled import blender_folder, bundled_module
 from storyblender.look.face_light import face_lights
-from storyblender.look.grade import to_bytes, to_display
+from storyblender.look.grade import to_bytes, to_display, to_film
 from storyblender.look.looks import LOOKS
 from storyblender.look.pencil import draw_pencil
 from storyblender.look.surface import Surface
@@ -175,3 +175,11 @@ def test_reduced_views_see_the_same_frame():
     small = view().reduced(2)
     assert (small.width, small.height) == (48, 27)
     assert small.pixels_per_metre == pytest.approx(view().pixels_per_metre / 2)
+
+
+def test_a_film_is_graded_like_a_frame():
+    light = 2.0 ** np.random.default_rng(0).uniform(-9, 4, (60, 60, 3)).astype(np.float32)
+    light = (light + light.mean(axis=2, keepdims=True)) / 2  # no picture is all lasers
+    light[0, 0] = 0
+    away = np.abs(to_film(light) - to_display(light))
+    assert away.mean() < 0.5 / 255 and away.max() < 6 / 255 and (to_film(light)[0, 0] < 1e-3).all()

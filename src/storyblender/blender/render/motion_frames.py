@@ -22,7 +22,7 @@ from storyblender.blender.render.session import RenderSession
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure
 from storyblender.look.atmosphere import add_rain
-from storyblender.look.grade import to_bytes, to_display
+from storyblender.look.grade import to_bytes, to_film
 from storyblender.look.ink import add_lines
 from storyblender.look.moving_light import MovingLight
 from storyblender.look.raster import Image as Picture
@@ -116,7 +116,7 @@ def _paste(shown: NDArray[np.uint8], picture: Picture, window: Window) -> None:
     inner = window.inner(_RIM, height, width)
     top, left = inner.top - window.top, inner.left - window.left
     rows, columns = inner.shape
-    shown[inner.cut] = to_bytes(to_display(picture[top : top + rows, left : left + columns]))
+    shown[inner.cut] = to_bytes(to_film(picture[top : top + rows, left : left + columns]))
 
 
 def _heads(faces: Sequence[Figure], in_frame: Sequence[str] | None) -> tuple[PersonHead, ...]:
