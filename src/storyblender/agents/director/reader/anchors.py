@@ -16,6 +16,8 @@ SURFACES = lexicon.words("surfaces")
 FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
 OPENINGS = frozenset({"door", "window", "gate"})
 BODY_OR_DRESS = lexicon.BODY | lexicon.WORN
+CLOTHS = lexicon.words("cloths")
+"""What is spread over something lies on it."""
 CONTAINERS = lexicon.words("containers")
 _BOXES = frozenset({"crate", "box", "trunk", "barrel", "chest", "basket", "suitcase", "bucket"})
 """Somebody sits on them, but things are put in them."""

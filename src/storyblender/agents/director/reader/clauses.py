@@ -291,6 +291,8 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     linked = left is not None and left.kind in ("link", "mark")
     if noun.head in _SUBJECT_ONLY:
         builder.preposition = ""
+    if builder.preposition == "with" and clause is not None and _is_absolute(builder.phrases, index):
+        builder.preposition = ""
     starts_clause = not builder.preposition and (
         clause is None
         or noun.head in _SUBJECT_ONLY
@@ -324,7 +326,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.places[-1][1].append(noun)
     elif linked and clause.object and (noun.kind == "person" or (goes_on and clause.object[0].kind == "thing")):
         clause.object.append(noun)
-    elif clause.object and left and left.kind == "noun" and _receives(clause.object[0]) and noun.kind == "thing":
+    elif clause.object and left and left.kind == "noun" and noun.kind == "thing" and _gets_it(clause):
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and len(clause.places) == clause.opening:
         clause.object = [noun]
@@ -347,6 +349,11 @@ def _list_ends(phrases: list[Phrase], index: int) -> bool:
             return False
         index += 3 if after == [",", "and"] else 2
     return False
+
+
+def _gets_it(clause: Clause) -> bool:
+    """``hands Mia the key``, ``gives the box a shove``."""
+    return _receives(clause.object[0]) or (clause.verb == "give" and clause.object[0].determiner != "")
 
 
 def _receives(noun: NounPhrase) -> bool:

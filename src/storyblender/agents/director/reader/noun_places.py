@@ -6,6 +6,8 @@ from collections.abc import Iterable
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.anchors import (
+    BODY_OR_DRESS,
+    CLOTHS,
     OPENINGS,
     SURFACES,
     exact_kind,
@@ -65,24 +67,50 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
         previous: Of the sentence before.
     """
     for index, phrase in enumerate(phrases):
-        at = index + 1
-        if at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at].text in _OPEN:
-            at += phrases[at + 1].kind == "preposition"
-        if phrase.noun is None or at + 1 >= len(phrases) or phrases[at].kind != "preposition":
-            continue
-        kind = _kind(phrases[at].text)
-        anchors = listed(phrases, at + 1)[: 2 if kind == "between" else 1]
-        if not anchors or kind not in _OF_THE_NOUN:
-            continue
-        _settle_it(stage, phrases[:index], anchors[0])
-        left = phrases[index - 1] if index else None
-        if phrase.noun.mention:
-            if left and left.text == "with":
-                for person in resolve_mention(stage, phrase.noun.mention):
-                    for target in _anchors(stage, anchors[0], kind, subjects, previous):
-                        stage.relate(person.id, kind, target)
-        elif phrase.noun.kind == "thing" and _is_of_the_noun(phrases, index, phrases[at].text, kind):
-            _relate_thing(stage, phrase.noun, phrases[at].text, kind, anchors, subjects, previous)
+        at = _place_after(phrases, index)
+        while phrase.noun and at:
+            _relate(stage, phrases, index, at, subjects, previous)
+            onward = at + 2 if _stands_apart(phrases, index) else len(phrases)
+            at = onward if onward + 1 < len(phrases) and phrases[onward].kind == "preposition" else 0
+
+
+def _place_after(phrases: list[Phrase], index: int) -> int:
+    """Where the preposition after a noun is: ``a book open on her lap``; 0 where there is none."""
+    at = index + 1
+    if at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at].text in _OPEN:
+        at += phrases[at + 1].kind == "preposition"
+    return at if at + 1 < len(phrases) and phrases[at].kind == "preposition" else 0
+
+
+def _stands_apart(phrases: list[Phrase], index: int) -> bool:
+    """``, the helmet on the floor in front of her``: no part of a clause."""
+    return index > 0 and phrases[index - 1].text in (",", "with", ";")
+
+
+def _relate(
+    stage: Stage, phrases: list[Phrase], index: int, at: int, subjects: list[Person], previous: list[Person]
+) -> None:
+    noun, preposition = phrases[index].noun, phrases[at].text
+    kind, first = _kind(preposition), phrases[at + 1].noun
+    if noun is None or first is None:
+        return
+    if first.head in ("left", "right") and first.possessor is not None and preposition in ("to", "on", "at"):
+        kind = "left_of" if first.head == "left" else "right_of"
+    anchors = listed(phrases, at + 1)[: 2 if kind == "between" else 1]
+    at_side = first.head in lexicon.BODY and first.possessor is not None and preposition in ("at", "by")
+    if kind not in _OF_THE_NOUN and not at_side:
+        return
+    _settle_it(stage, phrases[:index], first)
+    left = phrases[index - 1] if index else None
+    if noun.mention:
+        on_body = first.head in lexicon.BODY and left is not None and (left.text == "," or left.kind == "verb")
+        if left and (left.text == "with" or on_body):
+            kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
+            for person in resolve_mention(stage, noun.mention) if kind else []:
+                for target in _anchors(stage, first, kind or "on", subjects, previous):
+                    stage.relate(person.id, kind or "on", target)
+    elif noun.kind == "thing" and _is_of_the_noun(phrases, index, preposition, kind):
+        _relate_thing(stage, noun, preposition, kind, anchors, subjects, previous)
 
 
 def _settle_it(stage: Stage, before: list[Phrase], anchor: NounPhrase) -> None:
@@ -101,7 +129,7 @@ def _kind(preposition: str) -> RelationKind | None:
     return "next_to" if preposition in ("around", "round", "about") else lexicon.relation_of(preposition)
 
 
-def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: RelationKind) -> bool:
+def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: RelationKind | None) -> bool:
     """Whether a place belongs to the noun before it and not to the verb: it follows nothing, or a way to it."""
     verb = next((p.verb.lemma for p in reversed(phrases[:index]) if p.verb), "")
     if preposition in ("across", "over", "around", "round", "against") and verb in _PASSING:
@@ -118,21 +146,22 @@ def _relate_thing(
     stage: Stage,
     noun: NounPhrase,
     preposition: str,
-    kind: RelationKind,
+    kind: RelationKind | None,
     anchors: list[NounPhrase],
     subjects: list[Person],
     previous: list[Person],
 ) -> None:
     anchor = anchors[0]
-    if lexicon.noun_class(noun.key) not in ("prop", "set_piece") or noun.head in lexicon.LIQUIDS:
+    kinds = ("prop", "set_piece") if anchor.head in BODY_OR_DRESS else ("prop", "set_piece", "worn")
+    if lexicon.noun_class(noun.key) not in kinds or noun.head in lexicon.LIQUIDS:
         return
     thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
     if anchor.head in _GRIPS and preposition in ("in", "under"):
-        for holder in _anchors(stage, anchor, kind, subjects, previous):
+        for holder in _anchors(stage, anchor, "in", subjects, previous):
             hold(stage, holder, thing)
             stage.inventory.seen(thing, "handled")
         return
-    if anchor.head in lexicon.BODY | lexicon.WORN and anchor.possessor is not None:
+    if anchor.head in BODY_OR_DRESS and anchor.possessor is not None:
         worn = preposition in ("around", "round")  # a whistle round her neck
         held_over = kind == "over" and stage.sentence.verb in _HOLDING
         told = None if worn else kind if held_over else kind_at_body(preposition, anchor.head, kind)
@@ -140,6 +169,9 @@ def _relate_thing(
             stage.inventory.seen(thing, "related")
             return
         kind = told
+    kind = "on" if kind == "over" and noun.head in CLOTHS else kind
+    if kind is None:
+        return
     if noun.head in OPENINGS and kind == "behind" and anchor.kind != "thing":
         return
     consumed = lexicon.MOTION_OF_VERB.get(stage.sentence.verb) in _CONSUMING
@@ -161,15 +193,15 @@ def _relate_thing(
 def _anchors(
     stage: Stage, anchor: NounPhrase, kind: RelationKind, subjects: list[Person], previous: list[Person]
 ) -> Iterable[str]:
-    if anchor.kind == "thing" and anchor.head in lexicon.BODY:
-        resolve_owner(stage, anchor, "possessor", subjects, previous)
-        return [anchor.owner] if anchor.owner else []
-    if anchor.kind == "thing" and anchor.head in lexicon.WORN and anchor.possessor is not None:
+    beside = anchor.head in ("left", "right") and anchor.possessor is not None
+    dress = anchor.head in lexicon.WORN and anchor.possessor is not None
+    if anchor.kind == "thing" and (anchor.head in lexicon.BODY or dress or beside):
         resolve_owner(stage, anchor, "possessor", subjects, previous)
         return [anchor.owner] if anchor.owner else []
     there = anchor.kind == "pronoun" and lexicon.PRONOUNS.get(anchor.head) == "thing"
     role = "possessor" if anchor.kind == "pronoun" and not there else "object"
-    found = resolve(stage, anchor, role, subjects, subjects or previous, place=there)
+    known = stage.sentence.pronouns.get(anchor.index) if there else None
+    found = Referents(*known) if known else resolve(stage, anchor, role, subjects, subjects or previous, place=there)
     if found.thing and (
         (
             stage.inventory.class_of(found.thing) not in ("prop", "set_piece")

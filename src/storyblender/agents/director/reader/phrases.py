@@ -186,6 +186,9 @@ def _genitive(words: list[Word], at: int) -> int | None:
 
 def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     """Determiner, adjectives and head; the last word is the head."""
+    if words[at].low in _SOME_OF and at + 2 < len(words) and words[at + 1].low == "of":
+        several = _noun_phrase(words, at + 2)
+        return replace(several, first=at) if several else None
     determiner, possessor, first = "", _genitive(words, at), at
     if words[at].low in lexicon.DETERMINERS:
         determiner, first = words[at].low, at + 1

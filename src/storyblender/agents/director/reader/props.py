@@ -10,8 +10,9 @@ from storyblender.agents.director.lexicon import LIQUIDS, VEHICLES, WORN, NounCl
 from storyblender.agents.director.naming import asset_id
 from storyblender.agents.director.reading import Thing
 
-Notice = Literal["seen", "with", "related", "shown", "handled", "held"]
-"""How a thing comes up: mentioned, ``with X``, part of a relation, in capitals, used, taken in the hand."""
+Notice = Literal["seen", "with", "related", "placed", "shown", "handled", "held"]
+"""How a thing comes up: mentioned, ``with X``, part of a relation, put somewhere, in capitals, used, taken in the
+hand."""
 
 _OFTEN = 4
 """A prop mentioned this often matters even if nobody touches it."""
@@ -106,7 +107,7 @@ def _matters(item: Item) -> bool:
     if item.noun_class == "unknown":
         return notices["held"] > 0 and item.determined
     if item.noun_class == "worn" or (item.noun_class == "prop" and head in WORN):
-        return used > 0
+        return used + notices["placed"] > 0
     if item.noun_class != "prop":
         return False
     if head in LIQUIDS:

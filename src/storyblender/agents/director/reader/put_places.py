@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.anchors import Stated, at_body, exact_kind, holds_things, kind_at_body
+from storyblender.agents.director.reader.anchors import (
+    CLOTHS,
+    FLOOR,
+    Stated,
+    at_body,
+    exact_kind,
+    holds_things,
+    kind_at_body,
+)
 from storyblender.agents.director.reader.clauses import Clause
 from storyblender.agents.director.reader.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
@@ -24,8 +32,6 @@ _TO_THERE = frozenset({"up to", "to", "over to"})
 _NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
 _BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
 """``sets the child on her lap``."""
-_DRESSES = lexicon.words("cloths")
-"""What is spread over something lies on it."""
 
 
 def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
@@ -100,10 +106,11 @@ def _kind(stage: Stage, place: Place, thing: str) -> RelationKind | None:
         seat = any(stage.inventory.head(anchor) in lexicon.SEATS for anchor in place.things)
         tethered = stage.person(thing) or stage.inventory.head(thing) in lexicon.VEHICLES
         return "next_to" if tethered and not seat else "on"
-    if place.preposition == "to" and verb in _RETURNING:
+    floor = any(stage.inventory.head(anchor) in FLOOR for anchor in place.things)
+    if place.preposition == "to" and (verb in _RETURNING or floor):
         return "on"
     if kind == "over":
-        return "on" if stage.inventory.head(thing) in _DRESSES else None if verb in _THROWING else kind
+        return "on" if stage.inventory.head(thing) in CLOTHS else None if verb in _THROWING else kind
     return kind if kind in _KINDS else None
 
 
@@ -112,7 +119,7 @@ def _anchors(stage: Stage, roles: Roles, place: Place, thing: str, kind: Relatio
     body = at_body(place)
     if body:
         return [] if _puts_on(stage, roles, thing, body[1]) else [body[1]]
-    spread = kind == "on" and stage.inventory.head(thing) in _DRESSES
+    spread = kind == "on" and stage.inventory.head(thing) in CLOTHS
     beside = kind in ("in_front_of", "next_to") or spread or (bool(roles.people) and kind == "behind")
     anchors = [person.id for person in place.people if beside]
     anchors += [anchor for anchor in place.things if holds_things(stage, anchor)]

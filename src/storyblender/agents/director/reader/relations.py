@@ -60,6 +60,8 @@ _HANGING = frozenset({"hang", "dangle", "swing", "droop", "suspend", "sway"})
 _BOARDING = frozenset(
     {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
 )
+_BENT = frozenset({"bend", "stoop", "hunch", "bow"})
+"""``is bent over the desk``, but who bends over it does not stay so."""
 _SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
 """``takes her place at the window``."""
 _IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "screen", "monitor", "reflection"})
@@ -84,6 +86,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         motion: The motion of its subject.
         first: Whether it is the first clause of its sentence.
     """
+    roles = _at_particle(clause, roles)
     roles = replace(roles, places=_across_from(roles.places))
     located = [person.id for person in roles.subjects] or [
         thing for thing in roles.subject_things if stage.inventory.class_of(thing) in THINGS
@@ -105,6 +108,17 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     relate_contents(stage, clause, roles)
 
 
+def _at_particle(clause: Clause, roles: Roles) -> Roles:
+    """``is bent over the desk``, ``squats on a basket``: the particle of the verb tells a place."""
+    bent = clause.verb in _BENT and clause.passive
+    resting = (clause.verb in _STATIVE or bent) and clause.particle in lexicon.RELATION_OF_PREPOSITION
+    leaning = clause.verb == "lean" and clause.particle == "over"
+    if not resting or leaning or not clause.object:
+        return roles
+    place = Place(clause.particle, roles.people, roles.things, clause.object)
+    return replace(roles, people=[], things=[], places=[place, *roles.places])
+
+
 def _across_from(places: list[Place]) -> list[Place]:
     """``across the desk from him`` is across from him."""
     joined_places: list[Place] = []
@@ -123,7 +137,12 @@ def _is_still(stage: Stage, clause: Clause, roles: Roles, motion: str | None) ->
         return True
     if clause.verb not in _ALWAYS and not clause.passive and _moves_something(stage, roles, motion):
         return False
-    still = clause.verb in _STATIVE or clause.verb in _ARRIVING or motion in _STILL
+    still = (
+        clause.verb in _STATIVE
+        or (clause.verb in _BENT and clause.passive)
+        or clause.verb in _ARRIVING
+        or motion in _STILL
+    )
     laid = clause.verb in _AT_REST and not roles.subjects
     put_there = clause.passive and (not roles.subjects or clause.verb in _PLACING | _AT_REST | _ATTACHING)
     return still or laid or put_there

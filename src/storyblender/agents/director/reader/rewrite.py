@@ -9,6 +9,7 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.morphology import VerbForm, form_kind, singular
 from storyblender.agents.director.reader.tagging import (
+    OPENERS,
     Row,
     as_participles,
     is_contracted,
@@ -32,11 +33,14 @@ _TO_AND_FRO = frozenset(
         ("on", "on"),
     }
 )
+_SIDE_BY_SIDE = ("shoulder", "side", "back", "elbow", "knee", "hip")
 _RELATED = lexicon.KIN | lexicon.COMPANY
 _BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
 """``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
 _OUTCOMES = {"shut": "shut", "closed": "shut", "open": "open"}
 """What a door is after it was kicked or pulled."""
+_BESIDE = frozenset({"at", "by", "beside", "behind", "near", "under", "beneath", "next", "opposite", "atop", "across"})
+"""``Magda, by the loft, lights a match``: where she is, not who."""
 _LOOK_AHEAD = 16
 """Words an apposition may take."""
 
@@ -59,6 +63,9 @@ def regularise(words: list[Word]) -> list[Word]:
             end = _apposition_end(words, at)
             if end:
                 row.tail += _with_something(words[at + 1 : end - 1])
+                if words[at + 1].low in _BESIDE:
+                    start = len(row.words) - (2 if len(row.words) > 1 and row.words[-2].low in OPENERS else 1)
+                    row.words[start:start] = words[at + 1 : end - 1]
                 at, word = end, words[end]
         if _renames(row.words, words, at):
             at += 1 if word.mention else 2
@@ -87,6 +94,7 @@ def _without_pairs(words: list[Word]) -> list[Word]:
     """``up and down``, ``back and forth`` are adverbs, no directions."""
     low = [word.low for word in words]
     pairs = [i for i in range(len(low) - 2) if low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO]
+    pairs += [i for i in range(len(low) - 2) if low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by")]
     return [word for i, word in enumerate(words) if not any(0 <= i - at < 3 for at in pairs)]
 
 

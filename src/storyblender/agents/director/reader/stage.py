@@ -182,6 +182,8 @@ class Stage:
             self.reading.relations.append(stated)
         for end in (subject, anchor):
             self.inventory.seen(end, "related")
+        if not self.person(anchor):
+            self.inventory.seen(subject, "placed")
 
     def record(self, at: int, word: str, who: Iterable[str]) -> None:
         """Keep what a pronoun means."""

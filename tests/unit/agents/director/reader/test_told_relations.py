@@ -25,11 +25,45 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Propped against the fridge is a broom.", ("broom", "against", "fridge")),
         ("On the desk sit a typewriter and a telephone.", ("telephone", "on", "desk")),
         ("Joe puts a cup, a spoon and a plate on the table.", ("plate", "on", "table")),
+        ("The shelf above the bed is crammed with trophies.", ("trophy", "on", "shelf")),
+        ("The drawer holds a pistol and a map.", ("map", "in", "drawer")),
+        ("Joe fills a jar with coins.", ("coin", "in", "jar")),
+        ("Jars line the shelf.", ("jar", "on", "shelf")),
+        ("A lantern swings from a hook.", ("lantern", "on", "hook")),
+        ("A radio plays on the windowsill.", ("radio", "on", "windowsill")),
+        ("Joe pulls a chair up to the table.", ("chair", "next_to", "table")),
+        ("Joe lowers a crate to the floor.", ("crate", "on", "floor")),
+        ("Joe drapes a towel over the chair.", ("towel", "on", "chair")),
+        ("Joe gets into the car.", ("joe", "in", "car")),
+        ("Joe lowers himself into the armchair.", ("joe", "on", "armchair")),
+        ("Joe, by the stove, strikes a match.", ("joe", "next_to", "stove")),
+        ("Joe squats on one of the baskets.", ("joe", "on", "basket")),
+        ("Across the table from Kate sits Joe.", ("joe", "in_front_of", "kate")),
+        ("Kate nods. There is a mug to her left, and behind her a radiator.", ("mug", "left_of", "kate")),
+        ("Kate nods. There is a mug to her left, and behind her a radiator.", ("radiator", "behind", "kate")),
+        ("A candle burns on the table, and behind it a map hangs on the wall.", ("map", "on", "wall")),
+        ("A caravan is parked against the fence, a trough in front of it.", ("trough", "in_front_of", "caravan")),
+        ("Joe sits, the hat on the floor in front of him.", ("hat", "in_front_of", "joe")),
+        ("Joe enters with Kate at his heels.", ("kate", "behind", "joe")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
     told = [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in read_scene(PEOPLE + action).relations]
     assert relation in told
+
+
+@pytest.mark.parametrize(
+    ("action", "thing"),
+    [
+        ("Joe slides the box across the table to Kate.", "box"),
+        ("Joe rests both hands on top of the book.", "joe"),
+        ("Joe lays Kate on the couch.", "joe"),
+        ("Joe leans on his cane.", "joe"),
+        ("Joe enters with a whistle round his neck.", "whistle"),
+    ],
+)
+def test_what_does_not_stay_there_has_no_place(read_scene: Read, action: str, thing: str) -> None:
+    assert thing not in [r.asset_id for _, r in read_scene(PEOPLE + action).relations]
 
 
 def test_what_somebody_has_with_them_has_a_place_of_its_own(read_scene: Read) -> None:
