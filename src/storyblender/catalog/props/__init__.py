@@ -7,13 +7,18 @@ from storyblender.catalog.props.carried import CARRIED
 from storyblender.catalog.props.entry import PropEntry
 from storyblender.catalog.props.fittings import FITTINGS
 from storyblender.catalog.props.furniture import FURNITURE
+from storyblender.catalog.props.household import HOUSEHOLD
+from storyblender.catalog.props.laboratory import LABORATORY
 from storyblender.catalog.props.machines import MACHINES
+from storyblender.catalog.props.music_and_sport import MUSIC_AND_SPORT
 from storyblender.catalog.props.nature import ANIMALS, NATURE
+from storyblender.catalog.props.pantry import PANTRY
 from storyblender.catalog.props.places import PLACES
 from storyblender.catalog.props.seats import SEATS
 from storyblender.catalog.props.street import STREET
 from storyblender.catalog.props.table_and_desk import TABLE_AND_DESK
 from storyblender.catalog.props.vehicles import VEHICLES
+from storyblender.catalog.props.yard import YARD
 from storyblender.catalog.registry import Catalog
 
 __all__ = ["PROPS", "PropEntry"]
@@ -31,6 +36,11 @@ PROPS: Catalog[PropEntry] = Catalog(
     + PLACES
     + NATURE
     + ANIMALS
-    + BEASTS,
+    + BEASTS
+    + PANTRY
+    + HOUSEHOLD
+    + LABORATORY
+    + MUSIC_AND_SPORT
+    + YARD,
 )
 """In the order they are listed to people."""

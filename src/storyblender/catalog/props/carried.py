@@ -169,7 +169,7 @@ CARRIED: tuple[PropEntry, ...] = (
     held("ashtray", "ash tray", (0.12, 0.12, 0.035), {"body": "glass", "ash": "fabric"}, "An ashtray with a butt."),
     held(
         "candle_holder",
-        "candle, chamberstick, candlestick",
+        "chamberstick, candle in a dish",
         (0.13, 0.11, 0.2),
         {"metal": "brass", "wax": "wax", "flame": "flame"},
         "A lit candle in a dish.",
@@ -214,7 +214,7 @@ CARRIED: tuple[PropEntry, ...] = (
     held("rope", "coil of rope, noose, lasso, cable, whip", (0.36, 0.36, 0.12), {"body": "thatch"}, "A coil of rope."),
     held(
         "syringe",
-        "needle, injection, thermometer, test tube",
+        "needle, injection, thermometer",
         (0.03, 0.15, 0.02),
         {"body": "glass", "metal": "steel"},
         "A syringe.",
@@ -262,7 +262,7 @@ CARRIED: tuple[PropEntry, ...] = (
         {"body": "leather", "snout": "linen", "eye": "plastic_black"},
         "A sitting teddy bear.",
     ),
-    held("skull", "human skull, bone", (0.15, 0.2, 0.2), {"body": "linen", "hole": "plastic_black"}, "A skull."),
+    held("skull", "human skull", (0.15, 0.2, 0.2), {"body": "linen", "hole": "plastic_black"}, "A skull."),
     held(
         "bell",
         "hand bell, school bell, dinner bell",

@@ -88,7 +88,7 @@ FITTINGS: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "candelabra",
-        "candlestick, candle holder, menorah, candles",
+        "candlestick, candle holder, menorah",
         (0.34, 0.14, 0.46),
         {"metal": "silver", "wax": "wax", "flame": "flame"},
         "Three candles on branches.",

@@ -83,7 +83,7 @@ FURNITURE: tuple[PropEntry, ...] = (
     entry(
         "furniture",
         "hospital_bed",
-        "sick bed, gurney, stretcher, cot, patient bed",
+        "sick bed, gurney, cot, patient bed",
         (0.95, 2.1, 1.0),
         {"metal": "enamel", "linen": "linen", "blanket": "linen"},
         "An iron bed on castors with rails.",

@@ -34,7 +34,7 @@ PLACES: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "towel",
-        "beach towel, bath towel, blanket, picnic blanket, picnic cloth",
+        "beach towel, bath towel, picnic blanket, picnic cloth",
         (0.9, 1.8, 0.014),
         {"cloth": "fabric_blue", "stripe": "linen"},
         "A striped towel spread on the ground.",

@@ -25,7 +25,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "wine_glass",
-        "goblet, champagne glass, cocktail glass, cocktail, martini, martini glass, chalice",
+        "champagne glass, cocktail glass, cocktail, martini, martini glass",
         (0.08, 0.08, 0.2),
         {"body": "glass", "drink": "fabric_red"},
         "A stemmed glass.",
@@ -63,7 +63,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         {"body": "porcelain", "food": "leather"},
         "A bowl of soup.",
     ),
-    held("teapot", "kettle, coffee pot, pitcher, jug", (0.27, 0.16, 0.19), {"body": "porcelain"}, "A teapot."),
+    held("teapot", "kettle, coffee pot", (0.27, 0.16, 0.19), {"body": "porcelain"}, "A teapot."),
     held("tray", "serving tray, platter", (0.44, 0.32, 0.04), {"body": "silver"}, "A tray with two handles."),
     held("bread", "loaf, baguette, loaf of bread, sandwich", (0.3, 0.13, 0.11), {"body": "cardboard"}, "A loaf."),
     held(
@@ -82,9 +82,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         "An apple.",
     ),
     held("fork", "spoon, cutlery, silverware", (0.025, 0.19, 0.012), {"body": "silver"}, "A fork."),
-    held(
-        "pan", "frying pan, skillet, saucepan, pot, cooking pot", (0.26, 0.46, 0.06), {"body": "iron"}, "A frying pan."
-    ),
+    held("pan", "frying pan, skillet", (0.26, 0.46, 0.06), {"body": "iron"}, "A frying pan."),
     held(
         "book",
         "novel, diary, notebook, journal, bible, ledger, album, dictionary",
@@ -183,7 +181,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         "A sword that points to -Y.",
     ),
     held("axe", "hatchet, battle axe, tomahawk", (0.04, 0.24, 0.8), {"handle": "wood", "head": "steel"}, "An axe."),
-    held("hammer", "mallet, gavel, tool", (0.04, 0.14, 0.32), {"handle": "wood", "head": "steel"}, "A hammer."),
+    held("hammer", "mallet, tool", (0.04, 0.14, 0.32), {"handle": "wood", "head": "steel"}, "A hammer."),
     held(
         "wrench",
         "spanner, monkey wrench, pliers, pincers",

@@ -249,6 +249,7 @@ _YES: dict[str, tuple[str, ...]] = {
     "cloth": ("tablecloth",),
     "stripes": ("striped",),
     "antlers": ("stag",),
+    "money": ("tip", "tips", "money", "coins", "savings", "swear", "donation"),
     "revolver": ("revolver", "colt", "magnum"),
 }
 _NO: dict[str, tuple[str, ...]] = {

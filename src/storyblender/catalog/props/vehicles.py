@@ -73,7 +73,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     entry(
         "vehicle",
         "cart",
-        "wagon, handcart, wheelbarrow, carriage, horse cart",
+        "wagon, handcart, carriage, horse cart",
         (1.5, 3.0, 1.45),
         {"body": "wood", "wheel": "wood_dark", "iron": "iron"},
         "A two-wheeled cart with shafts.",

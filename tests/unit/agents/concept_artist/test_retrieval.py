@@ -21,6 +21,9 @@ KNOWN = {
     "park bench": "park_bench", "street lamp": "lamppost", "boulder": "rock", "stray dog": "dog",
     "airplane": "airliner", "walking stick": "cane", "a bunch of roses": "flower", "suitcases": "suitcase",
     "jet plane": "airliner", "white mouse": "mouse", "wolf": "wolf", "leopard": "tiger", "dragon": "dragon",
+    "drum": "drum", "paper lantern": "paper_lantern", "wheelbarrow": "wheelbarrow", "baseball bat": "bat",
+    "tip jar": "jar", "candle": "candle", "handkerchief": "cloth", "winter coat": "folded_clothes", "gavel": "gavel",
+    "leather boots": "boots", "quilt": "blanket", "pizza": "pizza_box", "rusty tin": "tin_can", "android": "robot",
     "stuffed rabbit": "teddy_bear", "hen": "bird", "stag": "deer",
 }  # fmt: skip
 UNKNOWN = ("spaceship", "dragon statue", "time machine", "robot dog", "unicorn", "stethoscope", "treaty",

@@ -1,0 +1,145 @@
+"""Pig, goat, sheep and deer, of the common plan of beasts. They look to -Y."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.beasts import DARK, Plan, beast, scaled
+from storyblender.blender.props.parts import bent
+from storyblender.blender.props.registry import Anchors, PropSpec, prop
+
+PIG = Plan(
+    0.85,
+    0.26,
+    0.2,
+    0.045,
+    (0.2, 0.02),
+    0.15,
+    (0.12, 0.07),
+    (0.15, 0.12, 40),
+    ((0.06, 0.04), (0.08, 0.1), (0.03, 0.08)),
+    0.016,
+    hooves=True,
+    broad=0.9,
+    waist=1.02,
+)
+GOAT = Plan(
+    0.68,
+    0.2,
+    0.36,
+    0.028,
+    (0.18, 0.28),
+    0.1,
+    (0.13, 0.045),
+    (0.13, 0.05, 75),
+    ((0.06, 0.06), (0.08, 0.13)),
+    0.022,
+    hooves=True,
+    waist=0.98,
+)
+SHEEP = Plan(
+    0.72,
+    0.2,
+    0.34,
+    0.028,
+    (0.17, 0.18),
+    0.1,
+    (0.12, 0.048),
+    (0.13, 0.06, 85),
+    ((0.05, -0.08), (0.05, -0.16)),
+    0.035,
+    hooves=True,
+)
+DEER = Plan(
+    0.95,
+    0.21,
+    0.66,
+    0.03,
+    (0.24, 0.5),
+    0.105,
+    (0.15, 0.042),
+    (0.18, 0.075, 50),
+    ((0.06, 0.0), (0.08, -0.1)),
+    0.03,
+    hooves=True,
+)
+
+
+@prop("pig")
+def pig(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a pig with its disc of a snout."""
+    coat = spec.material("coat")
+    with b.at(scale=scaled(spec)):
+        beast(b, coat, PIG)
+        (y, z), r, (long, nose) = PIG.skull, PIG.head, PIG.snout
+        tip = (0, y - r * 0.7 - long, z - r * 0.42)
+        b.lathe(
+            coat,
+            [(nose * 0.95, -0.03), (nose * 1.08, 0.0), (nose * 0.9, 0.014)],
+            origin=tip,
+            axis=(0, -1, 0.1),
+            segments=18,
+        )
+        for x in (-1, 1):
+            b.sphere(DARK, (x * nose * 0.4, tip[1] - 0.012, tip[2]), nose * 0.18, segments=8, rings=5)
+    return ()
+
+
+@prop("goat")
+def goat(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a goat with horns and a beard."""
+    coat, horn = spec.material("coat"), spec.material("horn")
+    with b.at(scale=scaled(spec)):
+        beast(b, coat, GOAT)
+        y, z = GOAT.skull
+        for x in (-1, 1):
+            path = [
+                (x * 0.04, y + 0.0, z + 0.07),
+                (x * 0.06, y + 0.03, z + 0.2),
+                (x * 0.1, y + 0.13, z + 0.26),
+                (x * 0.12, y + 0.2, z + 0.22),
+            ]
+            b.tube(horn, bent(path), tuple(bent((0.026, 0.022, 0.015, 0.005))), segments=8)
+        b.cushion(coat, (0, y - 0.13, z - 0.15), (0.045, 0.05, 0.15), softness=0.9, rotation=(-10, 0, 0))
+    return ()
+
+
+@prop("sheep")
+def sheep(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a sheep in its wool."""
+    wool, face = spec.material("wool"), spec.material("face")
+    with b.at(scale=scaled(spec)):
+        beast(b, face, SHEEP)
+        middle = SHEEP.middle + 0.03
+        b.cushion(wool, (0, 0.02, middle), (0.4, 0.9, 0.44), softness=0.8)
+        for k in range(110):
+            across, turn = np.sqrt(1 - (1 - 2 * (k + 0.5) / 110) ** 2), 2.39996 * k
+            along = 1 - 2 * (k + 0.5) / 110
+            at = (0.2 * across * np.cos(turn), 0.02 + 0.44 * along, middle + 0.22 * across * np.sin(turn))
+            b.sphere(wool, at, 0.072, segments=8, rings=5)
+        y, z = SHEEP.skull
+        b.cushion(wool, (0, y + 0.03, z + 0.09), (0.14, 0.14, 0.09), softness=0.9)
+        b.cushion(wool, (0, y + 0.14, z - 0.08), (0.27, 0.24, 0.34), softness=0.8, rotation=(40, 0, 0))
+    return ()
+
+
+@prop("deer")
+def deer(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a deer; ``antlers`` are a stag's."""
+    with b.at(scale=scaled(spec)):
+        beast(b, spec.material("coat"), DEER)
+        y, z = DEER.skull
+        for x in (-1, 1) if spec.flag("antlers") else ():
+            stem = bent(
+                [
+                    (x * 0.04, y + 0.02, z + 0.08),
+                    (x * 0.1, y + 0.1, z + 0.3),
+                    (x * 0.28, y + 0.12, z + 0.46),
+                    (x * 0.26, y + 0.02, z + 0.66),
+                ]
+            )
+            b.tube("wax", stem, tuple(np.linspace(0.02, 0.006, len(stem))), segments=7)
+            for at, way in ((4, (0.0, -0.14, 0.06)), (8, (0.06 * x, -0.06, 0.14)), (10, (0.1 * x, 0.04, 0.1))):
+                b.cylinder("wax", stem[at], stem[at] + way, 0.011, 0.003, segments=6)
+    return ()
