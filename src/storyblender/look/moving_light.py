@@ -167,7 +167,7 @@ def _shaped(held: _Held, window: Window, fresh: Mask) -> Mask:
     """Find normals and corners in the window; return the (h, w) corners that are fresh or look different now."""
     depth, rays, positions = (part[window.cut] for part in (held.depth, held.rays, held.positions))
     normal = normals_of(positions, depth, rays)
-    openness = ambient_occlusion(held.depth, held.view, held.positions, normal, window)
+    openness = ambient_occlusion(held.depth, held.view, normal, window)
     whole = window.inner(_EDGE, held.view.height, held.view.width)
     inner = whole.within(window).cut
     held.normal[whole.cut] = _smooth(normal, depth)[inner]

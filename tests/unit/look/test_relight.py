@@ -49,7 +49,7 @@ def test_the_sky_stands_in_for_albedo():
 
 def test_corners_are_darker_than_open_floor():
     low = FRAME.reduced(1)
-    openness = ambient_occlusion(low.depth, low.view, low.positions(), low.normal.astype(np.float32))
+    openness = ambient_occlusion(low.depth, low.view, low.normal.astype(np.float32))
     rows = np.flatnonzero(low.ids[:, 5] == 1)
     assert openness[rows[0], 5:40].mean() < 0.9 * openness[rows[-3], 5:40].mean()
 

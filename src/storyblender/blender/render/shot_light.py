@@ -87,7 +87,7 @@ class ShotLight:
         self.albedo = mean_albedo(passes.gbuffer, step)
         self._positions = self.gbuffer.positions()
         self._normal = soft_foliage(self.gbuffer.normal.astype(np.float32), self.gbuffer)
-        self._openness = ambient_occlusion(self.gbuffer.depth, self.gbuffer.view, self._positions, self._normal)
+        self._openness = ambient_occlusion(self.gbuffer.depth, self.gbuffer.view, self._normal)
         ambient = ambient_light(self.plan, set_light.roofed, self._normal, self._openness)
         self.roof_light = roof_light(self.plan, set_light.roofed, self._normal) * self._openness[..., None]
         lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)
