@@ -19,6 +19,8 @@ _HEAD_RADIUS = 0.17
 _FEWEST_PIXELS = 12
 _KEY_GAIN = (0.35, 2.0)
 _FILL_GAIN = (0.2, 3.0)
+_SHADED = 0.45
+"""Share of the target that the shaded side of a face has, by its fill: in profile that side is what is seen."""
 _LIT_ENOUGH, _LEAST_KEY = 1.3, 0.08
 _SET_ON_FACES, _LEAST_SET_LAMP = 0.8, 0.3
 """Lamps of the set may bring a face to this share of its target, and are dimmed to no less than this otherwise."""
@@ -70,7 +72,7 @@ def bright_half(values: NDArray) -> float:
 def solve_faces(
     fields: Sequence[LightField], ambient: Image, albedo: Image, faces: Sequence[Face], target: float
 ) -> tuple[LightField, ...]:
-    """Scale each person's key, then fill, so that the lit side of the face has the target luminance.
+    """Scale each person's key, then fill, so that the lit side of the face has the target luminance, the other enough.
 
     The light is linear, so a face is set light + gain * its own key; a few sweeps settle the spill between people.
 
@@ -97,6 +99,8 @@ def solve_faces(
                 its = _luminance_at([solved[i] for i in start], None, shade, face.mask)
                 others = here - its
                 gain = _gain(others, its, target)
+                if role == "fill":
+                    gain = max(gain, _shade_gain(others, its, _SHADED * target))
                 if role == "key" and bright_half(others) > _LIT_ENOUGH * target:
                     least = _LEAST_KEY
                 for i in start:
@@ -152,6 +156,12 @@ def _gain(others: NDArray, own: NDArray, target: float) -> float:
         slope = max(bright_half(others + (gain + 0.1) * own) - level, 1e-6) / 0.1
         gain = max(gain + (target - level) / slope, 0.0)
     return gain
+
+
+def _shade_gain(others: NDArray, own: NDArray, least: float) -> float:
+    """Return g so that the darker half of a face has at least a luminance on average: its features are seen."""
+    dark = others <= np.median(others)
+    return (least - float(others[dark].mean())) / max(float(own[dark].mean()), 1e-6)
 
 
 def _luminance_at(fields: Sequence[LightField], ambient: Image | None, shade: Image, mask: Mask) -> NDArray:

@@ -45,6 +45,17 @@ def test_the_key_is_capped_and_the_fill_takes_the_rest():
     assert solved[1].light.power > 200
 
 
+def test_the_shaded_side_of_a_face_keeps_its_features():
+    key, fill = lamp("key", 0.6), lamp("fill", 0.12)
+    columns = np.flatnonzero(FACES[0].mask.any(0))
+    key.amount[:, (columns[0] + columns[-1]) // 2 :] = 0
+    light = sum(field.amount for field in solve_faces([key, fill], NONE, ALBEDO, FACES, 0.2))
+    shown = (light * luminance(ALBEDO))[FACES[0].mask]
+    dark = shown[shown <= np.median(shown)]
+    assert dark.mean() == pytest.approx(0.45 * 0.2, rel=0.1)
+    assert bright_half(shown) < 0.25
+
+
 def test_a_face_in_the_sun_needs_no_key():
     solved = solve_faces([lamp("sun", 2.0, kind="SUN"), lamp("key", 0.5)], NONE, ALBEDO, FACES, 0.2)
     assert solved[1].light.power < 10
