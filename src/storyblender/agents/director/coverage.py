@@ -201,6 +201,7 @@ class _Coverage:
             or last.explicit
             or not last.beats
             or last.kind not in ("establishing", "action", "reaction", "group")
+            or (last.strong and new.strong)
         ):
             return False
         unit, before = new.beats[0].unit, last.beats[-1].unit
@@ -211,7 +212,7 @@ class _Coverage:
         if before.element != unit.element or before.kind != "action":
             return False
         if last.kind == "establishing":
-            return seconds <= _ESTABLISHED and not new.whole_body and new.kind != "insert"
+            return seconds <= _ESTABLISHED and not new.whole_body and not new.strong and new.kind != "insert"
         nested = set(new.focus) <= set(last.focus) or set(last.focus) <= set(new.focus)
         return nested and seconds <= _JOINED and abs(step(new.size, last.size)) <= 2
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from storyblender.agents.director.motion_families import STRONG
 from storyblender.agents.director.reading import CameraNote, Unit
 from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind, ShotSize
 
@@ -67,6 +68,11 @@ class ShotDraft:
     def motions(self) -> set[str]:
         """Everything that is done in it."""
         return {deed.motion for beat in self.beats for deed in beat.unit.deeds}
+
+    @property
+    def strong(self) -> bool:
+        """Whether something is done in it that wants to be seen."""
+        return bool(self.motions & STRONG)
 
     def look_at(self, *ids: str | None) -> None:
         """Add to the focus, each once."""

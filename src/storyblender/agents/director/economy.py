@@ -103,13 +103,17 @@ class _Economy:
         return shot_seconds(a, self.text) + shot_seconds(b, self.text)
 
     def _distance(self, a: ShotDraft, b: ShotDraft) -> float:
-        """How much a join costs: seconds, sizes apart, more for what is to be seen alone, for talk in a wide."""
+        """How much a join costs: seconds, sizes apart, more for what is to be seen alone, for talk in a wide.
+
+        What is strong in both would lose one of its pictures.
+        """
         apart = 0.0 if a.beats[-1].unit.element == b.beats[0].unit.element else 2.0
         alone = sum(4.0 for draft in (a, b) if draft.kind in ("establishing", "insert"))
         strangers = 0.0 if set(a.focus) & set(b.focus) else 2.0
         strangers += 4.0 if len({*self._faces(a), *self._faces(b)}) > 2 else 0.0
         mixed = 4.0 if a.speech != b.speech and (a.whole_body or b.whole_body) else 0.0
-        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed
+        rivals = 3.0 if a.strong and b.strong else 0.0
+        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed + rivals
 
     def _join_best(self, pairs: list[Pair], cost: Callable[[ShotDraft, ShotDraft], float]) -> bool:
         if not pairs:

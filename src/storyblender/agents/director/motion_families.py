@@ -29,4 +29,11 @@ GETTING: Final = frozenset({"take", "pick_up", "catch"})
 """A thing comes into the hand."""
 PARTING: Final = frozenset({"give", "throw", "drop", "put_down"})
 """A thing leaves the hand that held it."""
+HOLDING: Final = frozenset({"hold", "carry", "aim"})
+"""A thing is in the hand already."""
+STRONG: Final = PARTING | GETTING | frozenset({
+    "hug", "kiss", "hit", "kick", "push", "pull", "fight", "shoot", "aim", "fall", "shake_hands", "touch", "dance",
+    "light", "cut", "pour",
+})  # fmt: skip
+"""What a picture is remembered by; two of them want two pictures."""
 SPOKEN: Final = frozenset({"talk", "whisper", "shout", "sing"})

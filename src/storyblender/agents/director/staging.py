@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import takewhile
 
 from storyblender.agents.director.draft import ShotDraft
-from storyblender.agents.director.motion_families import GETTING, PARTING, POSES, TRAVEL
+from storyblender.agents.director.motion_families import GETTING, HOLDING, PARTING, POSES, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
@@ -51,9 +51,10 @@ class Staging:
         seen: set[str] = set()
         for unit in units:
             for deed in unit.deeds:
-                if deed.prop and deed.prop not in seen and deed.motion in PARTING:
+                if deed.prop and deed.prop not in seen and deed.motion in PARTING | HOLDING:
                     brought.setdefault(deed.actor, {})[deed.prop] = unit.start
                 seen.update(filter(None, (deed.prop, deed.target)))
+            seen.update(unit.things)
         return brought
 
     def already(self, deed: Deed, unit: Unit) -> bool:

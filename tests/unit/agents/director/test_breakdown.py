@@ -304,3 +304,10 @@ def test_things_keep_their_modifiers_and_parts_of_buildings_are_nobody_s_props(t
     assert sheet["jar"].description == "tip jar"
     assert sheet["paper_lantern"].description == "paper lantern"
     assert sheet["hay"].description == "hay"
+
+
+@pytest.mark.parametrize(("before", "held"), [("Ann waits.", ("gun",)), ("Ann sees a gun.", ())])
+def test_what_somebody_is_found_to_hold_was_in_hand_unless_it_was_seen(before: str, held: tuple[str, ...]) -> None:
+    script = Script("Ann", things=("gun",)).action(before, ("ann", "idle"), things=["gun"] if held == () else [])
+    script.action("Ann holds up a gun.", ("ann", "hold", "gun", "gun"), things=["gun"])
+    assert board_of(script).shot_details[0].states[0].held == held

@@ -136,6 +136,22 @@ def test_a_direction_on_a_part_of_somebody_is_an_insert_of_it(subject: str, kind
     assert (shot.kind, shot.size, shot.focus, shot.detail) == (kind, "CU", ["ann"], detail)
 
 
+@pytest.mark.parametrize(("second", "count"), [("hit", 2), ("nod", 1)])
+def test_two_strong_acts_of_one_paragraph_get_a_picture_each(second: str, count: int) -> None:
+    script = Script("Ann", "Bob").action("Both wait.", ("ann", "idle"), ("bob", "idle"))
+    script.action("Ann hugs Bob.", ("ann", "hug", "bob"), element=7)
+    script.action("Ann goes on.", ("ann", second, "bob"), element=7)
+    assert len(shots(script)) == 1 + count
+
+
+def test_an_establishing_shot_takes_in_no_strong_act() -> None:
+    script = Script("Ann", "Bob").action("Both wait.", ("ann", "idle"), element=3)
+    script.action("Ann hugs Bob.", ("ann", "hug", "bob"), element=3)
+    reading = script.read()
+    drafts = cover(reading, reading.scenes[0], reading.units, {})
+    assert [draft.kind for draft in drafts] == ["establishing", "action"]
+
+
 def test_the_same_subject_is_cut_two_sizes_apart_and_orders_stay() -> None:
     script = Script("Ann")
     for _ in range(4):

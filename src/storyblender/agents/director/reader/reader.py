@@ -21,6 +21,7 @@ from storyblender.agents.director.reader.sentences import Sentence, action_sente
 from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
+from storyblender.agents.director.reader.words import Word
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
@@ -106,7 +107,8 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
             start, person = named[0]
             kind = next(p.kind for p in roster.people if p.id == person)
             voting = ("he", "she") if kind == "animal" else tuple(lexicon.PRONOUNS)
-            kinds = (lexicon.PRONOUNS[word.low] for word in sentence.words[start:] if word.low in voting)
+            own = (w for at, w in enumerate(sentence.words) if at >= start and not _another(sentence.words, at))
+            kinds = (lexicon.PRONOUNS[word.low] for word in own if word.low in voting)
             votes[person].update(kind for kind in kinds if kind in ("male", "female"))
         gendered = any(lexicon.PRONOUNS.get(word.low) in ("male", "female") for word in sentence.words)
         last = named[0][1] if alone and not gendered else None
@@ -117,6 +119,15 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
             gender, most = count.most_common(1)[0]
             if most > 0.6 * count.total() and (person.gender == "unknown" or most > 1):
                 person.gender = _as_gender(gender)
+
+
+def _another(words: list[Word], at: int) -> bool:
+    """``watches her in the mirror``: an object is somebody else; ``her ear`` and ``behind her`` may be one's own."""
+    if not at or words[at - 1].low in lexicon.PREPOSITIONS:
+        return False
+    after = words[at + 1] if at + 1 < len(words) else None
+    noun = after is not None and after.solid and after.low not in lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS
+    return words[at].low == "him" or (words[at].low == "her" and not noun)
 
 
 def _as_gender(word: str) -> Gender:
