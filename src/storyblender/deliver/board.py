@@ -32,6 +32,16 @@ PICTURE_SHARE = {"grid": 0.66, "single": 0.78}
 """At most this share of a panel's height is picture; the rest is for the words."""
 
 
+class _Print(ImageReader):
+    """A picture to be bound. A JPEG goes in as it is; reportlab would unpack it too, only to name it by its pixels."""
+
+    _dataA = None
+
+    def getRGBData(self) -> bytes:
+        packed = self.jpeg_fh()
+        return super().getRGBData() if packed is None else packed.read()
+
+
 def write_board(
     graph: ContinuityMemoryGraph,
     frames: Mapping[str, Path],
@@ -107,7 +117,7 @@ def _panel(
     left = x + (width - picture_width) / 2
     bottom = top - picture_height
     if frame is not None:
-        canvas.drawImage(ImageReader(str(frame)), left, bottom, picture_width, picture_height)
+        canvas.drawImage(_Print(str(frame)), left, bottom, picture_width, picture_height)
     canvas.setStrokeColor(INK)
     canvas.setLineWidth(0.8)
     canvas.rect(left, bottom, picture_width, picture_height)

@@ -106,6 +106,20 @@ def test_board_is_a_pdf_with_every_panel_and_is_reproducible(
     assert data.count(b"/Type /Page\n") == (1 if layout == "grid" else 2)
 
 
+def test_prints_are_bound_without_being_unpacked(
+    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    prints = {name: path.with_suffix(".jpg") for name, path in frames.items()}
+    for name, path in prints.items():
+        Image.open(frames[name]).save(path)
+    unpacked: list[tuple[int, int]] = []
+    tobytes = Image.Image.tobytes
+    monkeypatch.setattr(Image.Image, "tobytes", lambda image, *how: unpacked.append(image.size) or tobytes(image, *how))
+    board.write_board(graph, prints, tmp_path / "a.pdf")
+    assert (160, 90) not in unpacked
+    assert (tmp_path / "a.pdf").read_bytes().count(b"/DCTDecode") == 2, "each is its own picture"
+
+
 def test_shot_list_rows_are_verbatim_and_inert(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
     shot_list.write_shot_list(graph, tmp_path / "shots.csv")
     rows = list(csv.DictReader((tmp_path / "shots.csv").open(encoding="utf-8-sig")))
