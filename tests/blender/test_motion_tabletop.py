@@ -6,7 +6,7 @@ import math
 
 import bpy
 import pytest
-from mathutils import Vector
+from mathutils import Matrix, Vector
 from tests.blender.motion_stage import Playback, build_bodies, chair_at, cue_of, mark_at, perform, table_at, world_at
 
 from storyblender.blender.motion.plan import StageFurniture, StageProp
@@ -86,6 +86,17 @@ def test_who_stands_at_a_table_bows_no_deeper_than_the_hand_needs(
 
 
 LETTER = {"letter": StageProp(world_at(0.05, -0.45, 0.75), (0.22, 0.11, 0.006), node_id="letter")}
+
+
+def test_no_finger_comes_through_a_paper_that_is_carried(bodies: dict[str, Body]) -> None:
+    grip = Anchor(kind="grip", name="grip_r", location=(-0.01, 0.04, -0.012), normal=(0, 0, 1), curl=(0.2, 0.2, 0.0))
+    letter = {"letter": StageProp(world_at(3, 3), (0.22, 0.11, 0.006), (grip,), node_id="letter")}
+    shot = perform(bodies, (mark_at("man", 0, 0, held=(("R", "letter"),)),), (), 1, props=letter)
+    play, matrix = Playback(bodies["man"], shot, "man"), Matrix(shot.props["letter"][12].tolist())
+    local = [matrix.inverted() @ Vector(point.tolist()) for point in play.skin(12)]
+    over = [p for p in local if abs(p.x) < 0.1 and abs(p.y) < 0.05 and 0.012 < p.z < 0.05]
+    thumb = [p for p in over if p.x > 0.02 or p.x < -0.05]
+    assert len(over) - len(thumb) < 4
 
 
 def _palm(play: Playback, frame: int) -> Vector:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import insort
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mathutils import Euler, Matrix, Vector
 
@@ -115,7 +115,15 @@ class PropPuppet:
         return self.matrix @ Vector((0, 0, self.size.z / 2))
 
     def grip(self, side: str, name: str = "") -> Grip:
-        """Return how the hand of a side holds it; the mirror image where only the other side was declared."""
+        """Return how the hand of a side holds it; the mirror image where only the other side was declared.
+
+        On a paper the fingers lie flat: curled they would come through it.
+        """
+        grip = self._grip(side, name)
+        flat = self.is_sheet and grip.normal.z > 0.7
+        return replace(grip, curl=(1.0, 2.0, min(grip.curl[2], 0.0))) if flat else grip
+
+    def _grip(self, side: str, name: str) -> Grip:
         if not self.two_handed or name:
             for key in (name, f"grip_{side.lower()}", f"{name}_{side.lower()}", f"handle_{side.lower()}"):
                 if key and key in self.anchors:
