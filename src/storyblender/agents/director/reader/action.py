@@ -47,6 +47,9 @@ _RECENT = 7
 _BEFORE_LOOK = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _ADJECTIVES = 4
 """Words before a garment that may describe it."""
+_POSE_ON = {"knee": "kneel", "knees": "kneel", "back": "lie_down", "stomach": "lie_down", "belly": "lie_down"}
+"""``is on her knees``, ``is flat on his back``."""
+_FROM = frozenset({"off", "from", "out of"})
 _USING = frozenset({"on", "with", "into", "at", "through"})
 
 
@@ -229,6 +232,10 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         return "sleep"
     if exits.is_through_a_door(clause):
         return "walk"
+    for place in roles.places:
+        pose = _POSE_ON.get(next((noun.head for noun in place.nouns), "")) if place.preposition == "on" else None
+        if pose:
+            return pose
     solid = [p for p in roles.places if p.people or any(stage.inventory.class_of(t) in _SOMEWHERE for t in p.things)]
     kinds = {lexicon.relation_of(place.preposition) for place in solid}
     seated = any(
@@ -264,6 +271,8 @@ def _notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | Non
 def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
     """What ``it`` and ``them`` may mean next: the thing handled, the thing that does something, the thing it is at."""
     inventory, discourse = stage.inventory, stage.discourse
+    if any(place.preposition in _FROM and any(noun.head == "it" for noun in place.nouns) for place in roles.places):
+        return  # shakes the ice off it
     if stage.sentence.plural_thing:
         discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
     things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]

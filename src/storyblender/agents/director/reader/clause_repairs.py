@@ -47,6 +47,10 @@ def _let(clauses: list[Clause], clause: Clause) -> None:
     """``lets the crowbar fall`` is dropping it, ``lets him go`` nothing anybody sees."""
     at = clauses.index(clause)
     following = clauses[at + 1] if at + 1 < len(clauses) else None
+    if following and following.verb == "go" and following.index == clause.index + 1:
+        clause.particle, clause.places = "go", [*clause.places, *following.places]
+        clauses.remove(following)
+        return
     if following is None or not following.infinitive or following.subject != clause.object or not clause.object:
         return
     if clause.object[0].kind == "thing" and following.verb in _SLIPPING:

@@ -78,7 +78,10 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         elif phrase.kind == "preposition":
             _take_preposition(builder, index, phrase)
         elif phrase.kind == "noun" and phrase.noun:
-            _take_noun(builder, index, phrase.noun)
+            if not builder.clauses and _is_other_side(builder, index):
+                builder.leading[-1][1].append(phrase.noun)
+            else:
+                _take_noun(builder, index, phrase.noun)
         elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
             builder.preposition, builder.aside = "", False
             builder.closed = builder.closed or phrase.text == ","
@@ -281,17 +284,16 @@ def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
         if not noun_follows or (known and phrase.text != "through"):
             clause.particle, builder.preposition = phrase.text, ""
             return
-    builder.preposition = phrase.text
+    absolute = phrase.text == "with" and clause is not None and _is_absolute(builder.phrases, index + 1)
+    builder.preposition = "" if absolute else phrase.text
 
 
 def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
     """A subject to come, the noun of a preposition, an object, a recipient, or one more of a list."""
     clause, left = builder.current, builder.phrases[index - 1] if index else None
     listed = left is not None and (left.kind == "mark" or (left.kind == "link" and left.text == "and"))
-    linked = left is not None and left.kind in ("link", "mark")
+    linked = left is not None and (left.kind in ("link", "mark") or left.text == "with")
     if noun.head in _SUBJECT_ONLY:
-        builder.preposition = ""
-    if builder.preposition == "with" and clause is not None and _is_absolute(builder.phrases, index):
         builder.preposition = ""
     starts_clause = not builder.preposition and (
         clause is None
@@ -322,6 +324,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.asides.append(noun)
         return
     of_both = bool(clause.places) and clause.places[-1][0] == "of" and clause.places[-1][1][-1].kind == noun.kind
+    of_both |= bool(clause.places) and clause.places[-1][0] == "between"
     if left and left.kind == "link" and left.text == "and" and clause.places and (of_both or not clause.object):
         clause.places[-1][1].append(noun)
     elif linked and clause.object and (noun.kind == "person" or (goes_on and clause.object[0].kind == "thing")):
@@ -330,6 +333,12 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and len(clause.places) == clause.opening:
         clause.object = [noun]
+
+
+def _is_other_side(builder: _Builder, index: int) -> bool:
+    """``Between a radio and a lamp sits a cat``: the noun after ``and``."""
+    place = builder.leading[-1] if builder.leading else ("", [])
+    return place[0] == "between" and len(place[1]) == 1 and builder.phrases[index - 1].text == "and"
 
 
 def _is_absolute(phrases: list[Phrase], index: int) -> bool:

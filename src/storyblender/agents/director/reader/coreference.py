@@ -82,7 +82,7 @@ def resolve_pronoun(
     def score(person: Person) -> tuple[float, int]:
         unsure = -0.5 if known else 0.1
         value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else unsure)
-        value -= 1.0 * (person.kind == "animal" and person.gender != gender)
+        value -= (1.0 if person.gender != gender else 0.4) * (person.kind == "animal")
         value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
         sure = person.gender == gender or not known
         value += 0.8 * (role == "subject" and [person] == list(previous) and sure) + 1.2 * (
@@ -182,7 +182,7 @@ def _resolve_pronoun_phrase(
     discourse = stage.discourse
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
-        neuter = [person for person in previous if is_neuter(person)]
+        neuter = [person for person in previous if is_neuter(person) and (role == "subject" or person not in subjects)]
         if role == "subject" and not neuter:
             neuter = _animal_named(stage)
             previous = neuter[:1]

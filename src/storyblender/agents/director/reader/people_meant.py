@@ -108,7 +108,7 @@ def _the_old_one(stage: Stage, mention: Mention) -> list[Person]:
     called = stage.discourse.epithets.get(name)
     if called in pool:
         return [called]
-    pool.sort(key=lambda person: (-years(person), not _ELDERS & set(person.aliases)))
+    pool.sort(key=lambda p: (-years(p), mention.head not in (p.role, *p.aliases), not _ELDERS & set(p.aliases)))
     if pool:
         stage.discourse.epithets[name] = pool[0]
     return pool[:1]
@@ -201,6 +201,8 @@ def _latest(stage: Stage, number: int) -> list[Person]:
     """So many people on stage, those spoken of last."""
     here = [person for person in stage.spoken_of() if person.kind == "human" and person.count == 1]
     number = len(here) if number == EVERYBODY else number
+    others = [person for person in here if person not in stage.sentence.subjects]
+    here = others if len(others) >= number > 2 else here
     here.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
     return here[:number] if len(here) >= number else []
 

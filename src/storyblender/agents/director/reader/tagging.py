@@ -95,7 +95,7 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
     form = FORMS.get(word.low) or _rare_verb(word, following, row)
-    if form is None or names_a_kind(word, following):
+    if form is None or names_a_kind(word, following) or _ends_a_kind(word, row):
         return
     left = row.neighbour()
     following = _object_handed(words, at) or following
@@ -144,6 +144,11 @@ def is_contracted(words: list[Word], at: int) -> bool:
 def names_a_kind(word: Word, following: Word | None) -> bool:
     """``reading glasses``, ``a vending machine``: no reading."""
     return following is not None and f"{word.low}_{singular(following.low)}" in _COMPOUNDS
+
+
+def _ends_a_kind(word: Word, row: Row) -> bool:
+    """``a crate of juggling clubs``: no clubbing."""
+    return bool(row.words) and f"{row.words[-1].low}-{singular(word.low)}" in lexicon.COMPOUNDS
 
 
 def may_be_verb(word: Word, following: Word | None) -> bool:

@@ -43,12 +43,24 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
         return None
     if form.kind == "ing" and at > 1 and before in _RANKING and words[at - 2].low in OPENERS:
         return None
+    if form.kind == "past" and _with_something(words, at):
+        return VerbForm(form.lemma, "pp")
     if form.kind == "past" and form.lemma in _ATTIRING and after_word in ("in", "as"):
         return VerbForm(form.lemma, "pp")
     if form.kind == "past" and word.low in _THINGS and not _does_something(words, at):
         return None
     modifies = form.kind in ("ing", "pp") and after_word in _SOLID and at > 0
     return None if modifies and before in lexicon.PREPOSITIONS else form
+
+
+def _with_something(words: list[Word], at: int) -> bool:
+    """``with his wrists tied``, ``with the door closed``: how it is, done by nobody there."""
+    back = words[max(0, at - 4) : at]
+    noun = words[at - 1] if at else None
+    alone = noun is not None and noun.mention is None and noun.verb is None and noun.text.isalpha()
+    low = [word.low for word in back]
+    plain = not any(word.verb or word.text == "," or word.low in lexicon.CONJUNCTIONS for word in back)
+    return alone and plain and any(low[i] == "with" and low[i + 1] in OPENERS for i in range(len(low) - 2))
 
 
 def is_outcome(words: list[Word], at: int) -> bool:

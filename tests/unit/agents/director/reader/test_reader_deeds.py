@@ -177,6 +177,12 @@ SAYINGS = [
     ("Anna folds the map.", "fold"),
     ("Anna heaves the sack onto the table.", "put_down"),
     ("Anna raises the ledger above her head.", "hold"),
+    ("Anna gives the box a shove.", "push"),
+    ("Anna draws the blanket up.", "pull"),
+    ("Anna draws a map.", "write"),
+    ("Anna is on her knees.", "kneel"),
+    ("Anna lets go of the rope.", "drop"),
+    ("Anna pulls herself to her feet.", "stand_up"),
     ("Anna plants a kiss on his cheek.", "kiss"),
 ]
 

@@ -138,3 +138,17 @@ def test_a_captain_is_the_one_of_that_title_and_a_camel_coat_no_camel() -> None:
         )
     )
     assert [person.id for person in reading.people] == ["hester", "captain_rudd", "woman"]
+
+
+def test_a_robot_lowers_something_else_than_itself_and_animals_come_after_people() -> None:
+    reading = read_script(
+        read(
+            "INT. DOME - DAY\n\nINES (40) sits. MULE, a robot, stands. A DOG sleeps. The dog licks her paw.\n\n"
+            "Mule carries in a mattress and lowers it.\n\nInes wipes the dog. She laughs.\n\n"
+            "She takes a radio, shakes the ice off it and hurls it away."
+        )
+    )
+    deeds = [(deed.actor, deed.motion, deed.prop) for unit in reading.units for deed in unit.deeds]
+    assert ("mule", "put_down", "mattress") in deeds
+    assert ("ines", "laugh", None) in deeds
+    assert ("ines", "throw", "radio") in deeds
