@@ -65,6 +65,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     if not clauses:
         _name_people(stage)
         _name_thing(stage, phrases)
+        noun_places.relate_listed(stage, phrases)
     for index, clause in enumerate(clauses):
         _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
     entrances.named_enter(stage, words, clauses)

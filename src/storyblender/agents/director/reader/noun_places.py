@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.anchors import (
     BODY_OR_DRESS,
     CLOTHS,
+    CONTAINERS,
     OPENINGS,
     SURFACES,
     exact_kind,
@@ -48,6 +49,9 @@ _PASSING = frozenset(
 )
 """``slides the box across the table``: it does not stay there."""
 _STATIVE, _PLACING = lexicon.words("stative"), lexicon.words("placing")
+_BOARDS = frozenset(
+    {"table", "desk", "counter", "shelf", "tray", "bench", "mantelpiece", "mantel", "sideboard", "dresser", "bar"}
+)
 _OPEN = frozenset({"open", "shut", "up", "down", "out", "back", "over"})
 """``a book open on her lap``."""
 _OF_THE_NOUN: frozenset[RelationKind] = frozenset(
@@ -72,6 +76,25 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
             _relate(stage, phrases, index, at, subjects, previous)
             onward = at + 2 if _stands_apart(phrases, index) else len(phrases)
             at = onward if onward + 1 < len(phrases) and phrases[onward].kind == "preposition" else 0
+
+
+def relate_listed(stage: Stage, phrases: list[Phrase]) -> None:
+    """``falls on a table laid for one: a plate, an egg cup``: what a colon lists is on or in the thing before it.
+
+    Args:
+        stage: The state; the sentence has no verb.
+        phrases: Of the sentence.
+    """
+    text = stage.reading.screenplay.text[: stage.unit.start].rstrip()
+    here = {thing for _, thing in stage.sentence.things}
+    before = next((thing for thing in stage.discourse.recent_things if thing not in here), None)
+    head = stage.inventory.head(before)
+    if not text.endswith(":") or before is None or not (head in CONTAINERS or head in _BOARDS):
+        return
+    for noun in listed(phrases, 0):
+        thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+        if noun.kind == "thing" and stage.inventory.class_of(thing) in ("prop", "worn"):
+            stage.relate(thing, "in" if head in CONTAINERS else "on", before)
 
 
 def _place_after(phrases: list[Phrase], index: int) -> int:

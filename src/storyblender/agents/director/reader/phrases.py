@@ -36,6 +36,7 @@ _QUALITIES = (
 )
 _NO_QUALITY = frozenset({"set_piece", "prop", "scenery", "body", "abstract"})
 _COPULAS = lexicon.words("copulas")
+_GERUND_COMPOUNDS = lexicon.words("gerund_compounds")
 _PARTS = lexicon.words("parts")
 """``the handle of the mop`` is the mop."""
 _VEHICLE_PARTS = lexicon.words("vehicle_parts")
@@ -140,9 +141,9 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
     word = words[at]
     if word.low in _SUBORDINATING and _subject_follows(words, at):
         return Phrase("link", at, at, word.low)
-    for compound in lexicon.COMPOUND_PREPOSITIONS.get(word.low, ()):
-        if tuple(w.low for w in words[at : at + len(compound)]) == compound:
-            return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
+    compound = _compound_preposition(words, at)
+    if compound:
+        return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
     if word.low in lexicon.PREPOSITIONS or word.low in lexicon.PARTICLES:
         return Phrase("preposition", at, at, word.low)
     if word.low in _LINKS:
@@ -152,6 +153,12 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
     if word.low in _MODALS or word.low in ("nearly", "almost"):
         return Phrase("negation", at, at, "modal")
     return Phrase("mark", at, at, word.text) if not word.text[0].isalnum() else None
+
+
+def _compound_preposition(words: list[Word], at: int) -> tuple[str, ...]:
+    """``next to``, ``in front of``: the words of a preposition that starts here."""
+    known = lexicon.COMPOUND_PREPOSITIONS.get(words[at].low, ())
+    return next((each for each in known if tuple(w.low for w in words[at : at + len(each)]) == each), ())
 
 
 def _subject_follows(words: list[Word], at: int) -> bool:
@@ -199,6 +206,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         end < len(words)
         and _in_noun_phrase(words[end])
         and not (end > at and words[end].low in _INDEFINITE)
+        and not (end > first and _compound_preposition(words, end))
         and not (end > first and words[end].low in lexicon.PARTICLES)
     ):
         end += 1
@@ -286,7 +294,7 @@ def _compound(words: list[Word], first: int, head: int, noun: str) -> str:
     if (
         left in lexicon.CARRIERS
         or f"{left}-{noun}" in lexicon.COMPOUNDS
-        or left.endswith("ing")
+        or f"{left}_{noun}" in _GERUND_COMPOUNDS
         or (left in _THING_NOUNS | lexicon.SCENERY and noun in _THING_NOUNS)
     ):
         return f"{left} {noun}"

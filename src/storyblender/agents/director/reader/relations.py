@@ -97,6 +97,8 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             found += _placed(stage, clause, place, located, motion)
         if _is_still(stage, clause, roles, motion) or (motion in ("walk", "sneak") and not roles.things):
             _between(stage, roles, located)
+        if clause.verb == "face":
+            found.extend((s, "facing", o) for s in located for o in [p.id for p in roles.people] + _solid(stage, roles))
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
     if first and roles.subjects:
@@ -195,6 +197,10 @@ def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | No
     ]
 
 
+def _solid(stage: Stage, roles: Roles) -> list[str]:
+    return [thing for thing in roles.things if stage.inventory.class_of(thing) in ("prop", "set_piece")]
+
+
 def _only_body(stage: Stage, roles: Roles) -> bool:
     return all(stage.inventory.class_of(thing) == "body" for thing in roles.things)
 
@@ -249,7 +255,8 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str], moti
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
     doorway |= kind == "at" and clause.verb in _TURNING and openings
     beside = kind in ("behind", "in_front_of", "next_to")
-    if clause.verb in _ARRIVING and motion != "sit" and not (beside or doorway or clause.passive):
+    arriving = clause.verb in _ARRIVING and motion != "sit" and stage.person(located[0]) is not None
+    if arriving and not (beside or doorway or clause.passive):
         return []
     anchors = [person.id for person in place.people]
     anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]

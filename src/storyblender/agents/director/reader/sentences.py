@@ -120,7 +120,12 @@ def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
     if colon is None:
         return [(words, False)]
     before, after = words[:colon], words[colon + 1 :]
-    if after and before and before[0].low in lexicon.PREPOSITIONS and not any(w.low in FORMS for w in before):
+    if (
+        after
+        and before
+        and before[0].low in lexicon.PREPOSITIONS
+        and not any(w.low in FORMS and FORMS[w.low].kind in ("3sg", "past", "aux") for w in before)
+    ):
         return (
             [([*before, replace(words[colon], text=","), *after], False)]
             if not _ON_A_SCREEN.search(joined(before))

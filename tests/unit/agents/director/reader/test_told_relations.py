@@ -45,6 +45,10 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("A caravan is parked against the fence, a trough in front of it.", ("trough", "in_front_of", "caravan")),
         ("Joe sits, the hat on the floor in front of him.", ("hat", "in_front_of", "joe")),
         ("Joe enters with Kate at his heels.", ("kate", "behind", "joe")),
+        ("The clipboard goes spinning into the trough.", ("clipboard", "in", "trough")),
+        ("Joe puts the cup next to the bell.", ("cup", "next_to", "bell")),
+        ("Joe sits on the hatbox, facing Kate.", ("joe", "facing", "kate")),
+        ("Light falls on a table laid for one: a plate, an egg cup, a newspaper.", ("newspaper", "on", "table")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
