@@ -6,7 +6,7 @@ is. Meaning decides where no word is known, and only when it is sure; MiniLM fin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -88,7 +88,7 @@ class Retriever:
         entries = [
             Recipe(
                 source="catalog",
-                key=(key := view.means.get(match.key, match.key) if match.score >= HEAD else match.key),
+                key=(key := _meant(match, phrase, view.means)),
                 params=read_variant(PROPS[key], f"{phrase} {view.asset.description} {view.weather}"),
                 score=match.score,
                 reason=match.reason,
@@ -192,6 +192,15 @@ def _lookalike(word: str, other: str) -> bool:
     """Tell whether one word only begins like another, which the model takes for likeness: hatch and hatchet."""
     short, long = sorted((_singular(word), _singular(other)), key=len)
     return short != long and long.startswith(short)
+
+
+def _meant(match: _Match, phrase: str, means: Mapping[str, str]) -> str:
+    """Return the prop that a match means in its place, by the plain word or by what that usually is."""
+    if match.score < HEAD - 2 * _UNEXPLAINED:
+        return match.key
+    plain = [_singular(word) for word in _kept(words_of(phrase))]
+    word = plain[0] if len(plain) == 1 else ""
+    return means.get(word) or means.get(match.key, match.key)
 
 
 def _thing(words: list[str]) -> list[str]:

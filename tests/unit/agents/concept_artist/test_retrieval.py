@@ -141,6 +141,9 @@ def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
         ("beach", "umbrella", "parasol"),
         ("basement", "boxes", "cardboard_box"),
         ("kitchen", "table", "dining_table"),
+        ("cemetery", "stone", "gravestone"),
+        ("attic", "old trunk", "chest"),
+        ("attic", "music box", "jewel_box"),
     ],
 )
 def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
@@ -150,4 +153,7 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
 
 
 def test_what_words_mean_in_a_place_is_in_the_catalog():
-    assert {key for kit in SETS.values() for pair in kit.means.items() for key in pair} <= set(PROPS)
+    known = {*PROPS, *(tag for entry in PROPS.values() for tag in entry.tags)}
+    for kit in SETS.values():
+        assert set(kit.means.values()) <= set(PROPS), kit.key
+        assert set(kit.means) <= known, kit.key
