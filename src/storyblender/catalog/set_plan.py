@@ -25,7 +25,8 @@ class Opening(Frozen):
     width: float
     height: float
     style: str = ""
-    """door: panel, glass, double, cell; window: sash, grid, shop, blinds, curtains, bars, mouth (a bare hole), open (no wall)."""
+    """door: panel, glass, double, cell, lift; window: sash, grid, shop, blinds, curtains, bars; mouth is a bare hole,
+    open no wall at all."""
     state: Literal["open", "closed"] = "closed"
 
 

@@ -60,6 +60,16 @@ from storyblender.memory.scene_context import SceneSetup
         ("GENERAL'S TENT", "indoor", "tent"),
         ("FRONT PORCH", "outdoor", "porch"),
         ("SUBMARINE", "indoor", "control_room"),
+        ("NIGHT BUS", "indoor", "coach"),
+        ("AIRPLANE CABIN", "indoor", "coach"),
+        ("ELEVATOR", "indoor", "elevator"),
+        ("ART MUSEUM", "indoor", "gallery"),
+        ("GREENHOUSE", "indoor", "greenhouse"),
+        ("CHURCH GRAVEYARD", "outdoor", "cemetery"),
+        ("HOTEL - SWIMMING POOL", "outdoor", "pool"),
+        ("FOOTBALL STADIUM", "outdoor", "stadium"),
+        ("HOTEL BALCONY", "outdoor", "balcony"),
+        ("TRENCH", "outdoor", "trench"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:

@@ -150,6 +150,7 @@ _OPTION_WORDS = {
     "space": r"\bspace|star ?ship|\bstars\b|orbit|shuttle|galax|planet",
     "railway": r"station|rail|\btrains?\b|ticket|depot",
     "train": r"\btrain (stands|waits|stops|is standing|has stopped|at the platform)",
+    "air": r"\bplane|air ?plane|aero ?plane|aircraft|airliner|\bjet\b|flight",
     "taxi": r"\btaxi|\bcab\b|cabbie",
     "snow": r"snow|ice|glacier|arctic|blizzard",
 }

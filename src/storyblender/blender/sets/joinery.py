@@ -66,12 +66,11 @@ def door_leaf(opening: Opening, width: float, *, clear: bool, mirrored: bool = F
 def _leaf(builder: MeshBuilder, style: str, width: float, height: float, *, clear: bool) -> None:
     middle, y = width / 2, -0.06
     if style == "cell":
-        iron = finish("iron")
-        for x in np.linspace(0.04, width - 0.04, max(3, round(width / 0.13))):
-            builder.cylinder(iron, (x, y, 0.02), (x, y, height - 0.02), 0.014, segments=8)
-        for z in (0.05, height * 0.5, height - 0.05):
-            builder.box(iron, (middle, y, z), (width, 0.03, 0.05))
-        builder.box(iron, (width - 0.12, y, height * 0.48), (0.16, 0.07, 0.2))
+        _barred_leaf(builder, width, height)
+        return
+    if style == "lift":
+        builder.box(finish("steel"), (middle, y, height / 2), (width - 0.01, LEAF, height))
+        builder.box(finish("metal_grey"), (middle, y + 0.025, height / 2), (width - 0.16, 0.006, height - 0.2))
         return
     wood = finish({"plank": "wood", "double": "wood_dark", "glass": "wood"}.get(style, "wood"))
     panel = finish("wood_dark" if style != "double" else "wood")
@@ -101,6 +100,16 @@ def _leaf(builder: MeshBuilder, style: str, width: float, height: float, *, clea
     for side in (0.05, -0.05):
         builder.sphere(brass, (width - 0.075, y + side + 0.01 * np.sign(side), 1.0), 0.03, segments=10, rings=6)
     builder.box(brass, (width - 0.075, y + 0.026, 1.0), (0.05, 0.008, 0.16))
+
+
+def _barred_leaf(builder: MeshBuilder, width: float, height: float) -> None:
+    middle, y = width / 2, -0.06
+    iron = finish("iron")
+    for x in np.linspace(0.04, width - 0.04, max(3, round(width / 0.13))):
+        builder.cylinder(iron, (x, y, 0.02), (x, y, height - 0.02), 0.014, segments=8)
+    for z in (0.05, height * 0.5, height - 0.05):
+        builder.box(iron, (middle, y, z), (width, 0.03, 0.05))
+    builder.box(iron, (width - 0.12, y, height * 0.48), (0.16, 0.07, 0.2))
 
 
 def _window(builder: MeshBuilder, opening: Opening, thickness: float, trim: bpy.types.Material) -> None:

@@ -18,6 +18,8 @@ _LOOKS = {
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw doors every three metres and a light between each pair."""
+    if params.option("space"):
+        return _aboard(params, rng)
     room = Room("corridor", params, rng, _LOOKS[params.period], view="facades")
     y, past = room.half_y, params.period == "past"
     style = "panel" if params.period != "modern" else "glass"
@@ -49,6 +51,28 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     return room.finish()
 
 
+def _aboard(params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Draw the corridor of a ship in space: ribs with strips of light, sliding doors, the stars at its end."""
+    room = Room("corridor", params, rng, Finishes("metal_grey", "concrete_dark", "metal_grey", dado="paint_grey",
+                dado_height=0.9), view="none")  # fmt: skip
+    x, y, h = room.half_x, room.half_y, params.height
+    count = max(3, int(params.depth // 2.4))
+    for index in range(count + 1):
+        at = -y + 0.2 + (params.depth - 0.4) * index / count
+        room.piece("ship_rib", 0, at, width=2 * x, height=h)
+        if index < count:
+            middle = at + (params.depth - 0.4) / count / 2
+            side = "left" if index % 2 else "right"
+            room.door(side, middle, width=1.1, style="lift", name="hatch")
+            room.lamp("strip", (0, middle, h - 0.12), 18, COOL, kind="AREA", size=0.8)
+            room.piece("ceiling_light", 0, middle, h, modern=True)
+    room.card("stars", (-x * 0.62, y - 0.02), (x * 0.62, y - 0.02), 0.95, 2.05)
+    room.piece("viewscreen", 0, y, 0.95, width=round(1.24 * x, 2), height=1.1)
+    room.mark("far_end", 0, y - 0.9, 0, "enter", "exit", "back", "airlock", "window")
+    room.mark("near_end", 0, -y + 0.9, 180, "enter", "exit", "front")
+    return room.finish()
+
+
 KIT = SetKit(
     key="corridor",
     name="Corridor",
@@ -62,11 +86,11 @@ KIT = SetKit(
         "tunnel",
         "vestibule",
         "entrance hall",
-        "elevator",
     ),
     indoor=True,
     draw=draw,
     width=Span(2.7, 2.9, 4.0),
     depth=Span(8.0, 12.0, 20.0),
     height=Span(2.5, 2.8, 3.6),
+    options={"space": False},
 )

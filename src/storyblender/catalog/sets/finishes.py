@@ -67,6 +67,7 @@ gravel             dirt       #8c8478
 mud                dirt       #55442f
 sand_desert        sand       #c79a63
 water_deep         water      #16303c
+pool_water         water      #2f9db5
 leaf               leaves     #566b31
 leaf_yellow        leaves     #7f8434
 pine               leaves_dark #2f4a33

@@ -68,7 +68,7 @@ KIT = SetKit(
     key="great_hall",
     name="Great hall",
     tags=("throne room", "great hall", "castle", "palace", "ballroom", "tower", "fortress", "temple", "royal court",
-          "council chamber", "museum", "state room", "banquet hall", "crypt",
+          "council chamber", "state room", "banquet hall", "crypt",
           "castle hall", "palace hall", "hall of the castle", "knights' hall", "feast hall"),
     indoor=True,
     draw=draw,

@@ -33,7 +33,7 @@ KIT = SetKit(
     key="open_ground",
     name="Open ground",
     tags=("field", "meadow", "countryside", "pasture", "open ground", "hillside", "plain", "prairie", "farm", "outside",
-          "battlefield", "campsite", "camp", "valley", "hill", "racetrack", "fairground", "cornfield", "exterior"),
+          "campsite", "camp", "valley", "hill", "fairground", "cornfield", "exterior"),
     indoor=False,
     draw=draw,
     width=Span(8.0, 12.0, 24.0),

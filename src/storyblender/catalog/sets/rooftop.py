@@ -43,8 +43,6 @@ KIT = SetKit(
     tags=(
         "rooftop",
         "roof",
-        "terrace",
-        "balcony",
         "penthouse terrace",
         "battlements",
         "ramparts",

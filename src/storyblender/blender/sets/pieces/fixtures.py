@@ -70,6 +70,18 @@ def viewscreen(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.box(finish("lamp_cool"), (float(x), -0.19, -0.1), (0.18, 0.01, 0.03))
 
 
+@piece("ship_rib")
+def ship_rib(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a rib across the corridor of a ship in space, lit along its edges. Parameters: width, height."""
+    half, height, shell = spec.number("width", 2.8) / 2, spec.number("height", 2.6), finish("paint_white")
+    for side in (-1, 1):
+        builder.box(shell, (side * (half - 0.08), 0, height / 2), (0.16, 0.42, height), bevel=0.03)
+        builder.box(shell, (side * (half - 0.3), 0, height - 0.3), (0.16, 0.4, 0.75), rotation=(0, -45 * side, 0))
+        builder.box(finish("lamp_cool"), (side * (half - 0.165), -0.12, height * 0.45), (0.012, 0.05, height * 0.6))
+        builder.box(finish("paint_yellow"), (side * (half - 0.165), 0.1, 0.3), (0.012, 0.12, 0.4))
+    builder.box(shell, (0, 0, height - 0.08), (2 * half, 0.42, 0.16), bevel=0.03)
+
+
 @piece("screen_wall")
 def screen_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a rack of lit screens on a wall at y = 0 from z = 0 up. Parameters: width, height, columns, rows."""
