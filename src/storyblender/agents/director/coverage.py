@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from storyblender.agents.director.company import unique
+from storyblender.agents.director.company import FIXTURES, unique
 from storyblender.agents.director.cutting import step
 from storyblender.agents.director.directions import Names, directed_shot
 from storyblender.agents.director.draft import Beat, ShotDraft
@@ -55,7 +55,7 @@ class _Coverage:
         self.text = reading.screenplay.text
         self.names = Names(reading)
         self.props = {thing.id for thing in reading.things if thing.kind == "prop"}
-        self.things = {thing.id for thing in reading.things}
+        self.things = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] not in FIXTURES}
         self.establish = _is_new(reading, scene)
         self.drafts: list[ShotDraft] = []
         self.talk = 0
@@ -75,6 +75,9 @@ class _Coverage:
                 self._speech(index, unit)
         if not self.drafts:
             self._add("establishing", self._widest, [])
+        for draft in self.drafts:
+            if draft.kind == "action" and not draft.focus:
+                draft.look_at(*draft.on_stage[:2])
         return self.drafts
 
     @property
@@ -174,7 +177,8 @@ class _Coverage:
         elif shown:
             draft = ShotDraft("action", "MS", shown[:1])
         else:
-            draft = ShotDraft("action", "MS" if self.drafts and unit.on_stage else "WS", unit.on_stage[:2])
+            # A door that opens is seen with who comes in; where nobody does, with who is there.
+            draft = ShotDraft("action", "MS" if self.drafts and unit.on_stage else "WS")
         draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
         return draft
 
