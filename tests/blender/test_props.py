@@ -52,6 +52,13 @@ def test_a_prop_stands_on_the_origin_with_its_anchors_on_it(key):
     assert (PROPS[key].seats == 0) or sum(anchor.kind == "seat" for anchor in build.anchors) >= PROPS[key].seats
 
 
+def test_an_umbrella_is_no_taller_for_being_up():
+    size = PROPS["umbrella"].size
+    furled, up = (build_prop("umbrella", {"up": up}, dimension=AssetDimension(height=size[2])) for up in (False, True))
+    assert furled.dimensions[2] == pytest.approx(up.dimensions[2], rel=0.1)
+    assert up.dimensions[0] > 0.8 > 5 * furled.dimensions[0]
+
+
 @pytest.mark.parametrize("key", ["bookshelf", "tree", "rock", "armchair"])
 def test_the_same_seed_builds_the_same_geometry(key):
     assert geometry_hash(build_prop(key, seed=5).mesh) == geometry_hash(build_prop(key, seed=5).mesh)

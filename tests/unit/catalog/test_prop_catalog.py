@@ -39,6 +39,8 @@ def test_a_phrase_varies_a_prop():
     assert read_variant(PROPS["jewel_box"], "the open jewel box") == {"open": True}
     assert read_variant(PROPS["campfire"], "a dead campfire") == {"lit": False}
     assert read_variant(PROPS["chair"], "the chair") == {}
+    assert read_variant(PROPS["paper_lantern"], "paper lantern") == {}
+    assert read_variant(PROPS["jar"], "the tip jar") == {"money": True}
 
 
 @pytest.mark.parametrize(

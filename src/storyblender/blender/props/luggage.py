@@ -191,8 +191,8 @@ def bucket(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("umbrella")
 def umbrella(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an umbrella, open overhead or furled, its handle down."""
-    (w, _, h), cloth, metal = spec.size, spec.material("cloth"), spec.material("metal")
-    r = w / 2
+    h, cloth, metal = spec.size[2], spec.material("cloth"), spec.material("metal")
+    r = h * 0.53
     b.cylinder(metal, (0, 0, 0.08), (0, 0, h), 0.007, segments=10)
     crook = [(0, 0, 0.16), (0, 0, 0.05), (0, -0.02, 0.012), (0, -0.06, 0.01), (0, -0.08, 0.05)]
     b.tube(spec.material("handle"), crook, 0.011)

@@ -65,7 +65,7 @@ CARRIED: tuple[PropEntry, ...] = (
     held(
         "umbrella",
         "parasol, brolly",
-        (1.0, 1.0, 0.95),
+        (0.08, 0.12, 0.95),
         {"cloth": "plastic_black", "handle": "wood", "metal": "steel"},
         "An umbrella, furled; ``up`` opens it.",
         {"up": False},

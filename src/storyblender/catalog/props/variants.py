@@ -272,7 +272,8 @@ def read_variant(entry: PropEntry, phrase: str) -> dict[str, ParamValue]:
     """Return the parameters that a phrase such as ``an old red leather armchair`` asks of an entry."""
     words = words_of(phrase)
     params: dict[str, ParamValue] = {}
-    material = next((MATERIALS[word] for word in words if word in MATERIALS and word not in entry.tags), None)
+    own = {*entry.name.split(), *entry.tags}
+    material = next((MATERIALS[word] for word in words if word in MATERIALS and word not in own), None)
     if material is not None and entry.materials and material != next(iter(entry.materials.values())):
         params["material"] = material
     color = next((COLORS[word] for word in words if word in COLORS), None)
