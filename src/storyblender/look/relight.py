@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,8 +13,6 @@ from storyblender.look.raster import Image, every, shrink
 
 FLOOR = 0.04
 """Reflectance added to every albedo, so that gloss on black survives the division."""
-_BAND = 90
-"""Rows upsampled at a time; keeps the temporaries small."""
 _MIXED, _BEND = 0.002, 0.01
 """Least weight of a block of light that mixes surfaces, and the bend of its depth at which it begins to."""
 _SAME_DEPTH = 0.02
@@ -41,18 +42,29 @@ def upsample(low: Image, gbuffer: GBuffer, factor: int) -> Image:
     """
     height, width = low.shape[:2]
     coarse, fine = gbuffer.view.height // height, gbuffer.view.height // (height * factor)
-    low_depth, low_normal = every(gbuffer.depth, coarse), every(gbuffer.normal, coarse).astype(np.float32)
     depth, normal = every(gbuffer.depth, fine), every(gbuffer.normal, fine)
-    whole = _whole(gbuffer.depth, low_depth, coarse)
-    rows = (np.arange(height * factor, dtype=np.float32) + 0.5) / factor - 0.5
-    columns = (np.arange(width * factor, dtype=np.float32) + 0.5) / factor - 0.5
+    middle = every(gbuffer.depth, coarse)
+    planes = (*_planes(low), *_planes(every(gbuffer.normal, coarse)), middle, _whole(gbuffer.depth, middle, coarse))
+    padded = np.pad(np.stack(planes), ((0, 0), (1, 1), (1, 1)), mode="edge")
     result = np.empty((height * factor, width * factor, 3), np.float32)
-    for top in range(0, height * factor, _BAND):
-        band = slice(top, top + _BAND)
-        result[band] = _blend(
-            low, low_depth, low_normal, whole, depth[band], normal[band].astype(np.float32), rows[band], columns
-        )
+    for row, down in enumerate(_between(factor)):
+        for column, across in enumerate(_between(factor)):
+            own = slice(row, None, factor), slice(column, None, factor)
+            mixed = _blend(padded, depth[own], _planes(normal[own]), down, across)
+            for band, plane in enumerate(mixed):
+                result[(*own, band)] = plane
     return result
+
+
+def _planes(pixels: NDArray) -> list[Image]:
+    """Return the values of (h, w, 3) pixels one by one: numpy works on those three times as fast."""
+    return [np.ascontiguousarray(pixels[..., band], np.float32) for band in range(3)]
+
+
+def _between(factor: int) -> list[tuple[int, float]]:
+    """Return for each pixel of a block the first of the two low pixels round it (-1 or 0) and the way to the other."""
+    places = [(pixel + 0.5) / factor - 0.5 for pixel in range(factor)]
+    return [(math.floor(place), place - math.floor(place)) for place in places]
 
 
 def _whole(depth: Image, middle: Image, step: int) -> Image:
@@ -69,31 +81,31 @@ def _whole(depth: Image, middle: Image, step: int) -> Image:
 
 
 def _blend(
-    low: Image,
-    low_depth: Image,
-    low_normal: Image,
-    whole: Image,
-    depth: Image,
-    normal: Image,
-    rows: NDArray[np.float32],
-    columns: NDArray[np.float32],
-) -> Image:
-    """Mix the four nearest low-resolution pixels, weighted by nearness, depth and normal."""
-    height, width = low_depth.shape
-    y0, x0 = np.floor(rows).astype(np.int32), np.floor(columns).astype(np.int32)
-    fy, fx = (rows - y0)[:, None], (columns - x0)[None, :]
+    low: Image, depth: Image, normal: Sequence[Image], down: tuple[int, float], across: tuple[int, float]
+) -> list[Image]:
+    """Mix, for one pixel of every block, the four nearest low pixels, weighted by nearness, depth and normal.
+
+    Args:
+        low: Planes with a pixel more on each side: colour, normal, depth, and how whole the surface is.
+        depth: (h, w) of these pixels.
+        normal: Its planes.
+        down: First row of low pixels and the share of the second.
+        across: The same for columns.
+    """
+    height, width = depth.shape
     tolerance = 0.01 * depth + 0.01
-    mixed, weights = np.zeros((*depth.shape, 3), np.float32), np.zeros(depth.shape, np.float32)
-    for dy in (0, 1):
-        for dx in (0, 1):
-            y, x = np.clip(y0 + dy, 0, height - 1)[:, None], np.clip(x0 + dx, 0, width - 1)[None, :]
-            near = (fy if dy else 1 - fy) * (fx if dx else 1 - fx) + 0.02
-            level = np.exp(-np.abs(low_depth[y, x] - depth) / tolerance)
-            facing = np.maximum(0.02, np.einsum("hwc,hwc->hw", low_normal[y, x], normal)) ** 4
-            weight = near * level * facing * whole[y, x] + 1e-5
-            mixed += low[y, x] * weight[..., None]
+    mixed, weights = [np.zeros_like(depth) for _ in range(3)], np.zeros_like(depth)
+    for row, high in ((down[0], 1 - down[1]), (down[0] + 1, down[1])):
+        for column, wide in ((across[0], 1 - across[1]), (across[0] + 1, across[1])):
+            near = low[:, row + 1 : row + 1 + height, column + 1 : column + 1 + width]
+            facing = sum(theirs * own for theirs, own in zip(near[3:6], normal, strict=True))
+            facing = np.square(np.square(np.maximum(np.float32(0.02), facing)))
+            level = np.exp(-np.abs(near[6] - depth) / tolerance)
+            weight = np.float32(high * wide + 0.02) * level * facing * near[7] + np.float32(1e-5)
             weights += weight
-    return mixed / weights[..., None]
+            for plane, light in zip(mixed, near[:3], strict=True):
+                plane += light * weight
+    return [plane / weights for plane in mixed]
 
 
 def upsample_by_depth(low: Image, low_depth: Image, depth: Image) -> Image:
