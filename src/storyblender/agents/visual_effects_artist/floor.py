@@ -13,7 +13,7 @@ from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, seat_access
+from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, path_length, seat_access
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout
@@ -25,6 +25,8 @@ BODY = 0.24
 PADDING = 0.10
 TOPS, ROOMY = (0.32, 1.4), 0.25
 """Metres: heights of tops on which things are put down, and how far across such a top is at least."""
+DETOUR = 1.0
+"""Metres farther than straight that somebody goes for the best place at a thing."""
 BACK = 0.6
 """Metres that somebody goes round a thing to work at it in profile."""
 PERSONAL = 0.55
@@ -200,7 +202,14 @@ class Floor:
             if free > BODY * k + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
         ]
         fitting.sort(key=lambda s: math.dist(s, start) + 2.0 * math.dist(s, point) + BACK * _back_turned(s, point))
-        return next((spot for spot in fitting[:8] if self.path(start, spot, k) is not None), None)
+        best: tuple[float, Vec2] | None = None
+        for spot in fitting[:24]:
+            way = self.path(start, spot, k)
+            detour = math.inf if way is None else path_length(way) - math.dist(start, spot)
+            if detour < DETOUR:
+                return spot
+            best = min(best or (math.inf, spot), (detour, spot))
+        return best[1] if best is not None and best[0] < math.inf else None
 
     def seats(self, name: str | None) -> list[SeatPlace]:
         """Return the places to sit on a thing; wide seats hold several people."""

@@ -8,9 +8,11 @@ import math
 import pytest
 
 from storyblender.agents.visual_effects_artist import cue_sheet
+from storyblender.agents.visual_effects_artist import floor as floor_module
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA
+from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
@@ -359,6 +361,16 @@ def test_what_is_given_is_fetched_first_and_things_are_worked_at_in_profile() ->
     assert [clip for clip in _cues(shot, "rick") if clip in ("pick_up", "give")] == ["pick_up", "give"]
     at_cup = next(cue.mark for cue in shot.cues if cue.asset_id == "rick" and cue.clip == "walk")
     assert at_cup is not None and 60 < at_cup.yaw % 360 < 300 and _end(shot, "ilsa").held == (("R", "cup"),)
+
+
+def test_nobody_goes_all_round_a_long_table_for_a_better_place_at_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(floor_module, "BACK", 3.0)
+    view = _view()
+    wall = _thing("counter", (5.0, 0.5, 1.0))
+    layout = LAYOUT.model_copy(update={"objects": (_at("counter", 0.0, 1.0),)})
+    floor = Floor(layout, (wall,), view.plan)
+    spot = floor.spot_at((0.0, 1.1), (0.0, 0.3), 1.0, (), 0.75)
+    assert spot is not None and spot[1] < 1.0, "on the near side, though back to the audience"
 
 
 def test_nothing_is_put_before_the_hand_that_holds_something() -> None:
