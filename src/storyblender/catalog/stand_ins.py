@@ -5,6 +5,7 @@ A class is found by the words of its list (exact head nouns first), or by likene
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Literal
 
 from storyblender.catalog.registry import Catalog
@@ -232,11 +233,17 @@ def head_words(name: str) -> tuple[str, ...]:
     return (*pairs, *reversed(words))
 
 
-def guess_class(name: str) -> StandIn | None:
-    """Return the class whose words name the head of ``name``, or None where no list knows it."""
+def guess_class(name: str, among: Iterable[StandIn] = ()) -> StandIn | None:
+    """Return the class whose words name the head of ``name``, or None where no list knows it.
+
+    Args:
+        name: Of the thing.
+        among: Only these classes; left out, all.
+    """
+    classes = tuple(among) or tuple(STAND_INS.values())
     for word in head_words(name):
         for singular in (word, word.removesuffix("s"), word.removesuffix("es")):
-            for entry in STAND_INS.values():
+            for entry in classes:
                 if singular in entry.tags:
                     return entry
     return None

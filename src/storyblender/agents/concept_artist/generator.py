@@ -36,12 +36,13 @@ class Generator:
 
     def propose(self, view: AssetRequest) -> Recipe:
         """Return a stand-in of the class that the thing's words or their meaning say."""
-        known = guess_class(view.phrase)
+        kind = next(iter(view.asset.tags), "")
+        moving = [entry for entry in STAND_INS.values() if _suits(entry, kind)] if kind in ("vehicle", "animal") else []
+        known = guess_class(view.phrase, moving)
         if known is not None:
             return Recipe(source="stand_in", key=known.key, score=HONEST, reason=f"a kind of {known.name}")
         query = self._model.embed([view.phrase])[0]
         words, vectors = self._words
-        kind = next(iter(view.asset.tags), "")
         likeness = vectors @ query - [not _suits(STAND_INS[key], kind) for key, _ in words]
         best = int(np.argmax(likeness))
         cosine = float(likeness[best])

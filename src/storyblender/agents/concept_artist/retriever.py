@@ -104,7 +104,7 @@ class Retriever:
         return _by_words(phrase, tuple(terms))
 
     def _by_meaning(self, phrase: str, description: str) -> list[_Match]:
-        """Return entries by cosine with any of their names; a term that only shares a modifier does not count."""
+        """Return entries by cosine with any of their names; a term that shares a modifier does not count."""
         words = _kept(words_of(phrase)) or words_of(phrase)
         if not words:
             return []
@@ -113,7 +113,8 @@ class Retriever:
         best: dict[str, _Match] = {}
         for index in np.argsort(-likeness, kind="stable")[:40]:
             term = CATALOG_TERMS[int(index)]
-            if set(term.words) <= set(words[:-1]) or words[-1] in term.words or _lookalike(words[-1], term.words[-1]):
+            shared = set(term.words) & set(words[:-1])
+            if shared or words[-1] in term.words or _lookalike(words[-1], term.words[-1]):
                 continue
             cosine = float(likeness[index])
             score = max(LEAST, min(EXACT, 10.0 - PER_LIKENESS * (1.0 - cosine)))

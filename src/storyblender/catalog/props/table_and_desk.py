@@ -50,7 +50,8 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "plate",
-        "dish, dinner plate, plate of food, meal",
+        "dish, dinner plate, plate of food, meal, food, dinner, lunch, breakfast, pasta, salad, steak, roast, rice, "
+        "omelette, pancakes, saucer, kidney dish",
         (0.26, 0.26, 0.05),
         {"body": "porcelain", "food": "leather", "greens": "leaves"},
         "A plate with food.",
@@ -76,7 +77,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "apple",
-        "fruit, orange, peach, pear",
+        "fruit, orange, peach, pear, lemon, lime, tomato, potato, onion, plum, tangerine",
         (0.08, 0.08, 0.085),
         {"body": "fabric_red", "stem": "wood_dark"},
         "An apple.",

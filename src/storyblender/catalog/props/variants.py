@@ -32,6 +32,13 @@ COLORS: dict[str, str] = {
     "brown": "#5c4028",
     "beige": "#c0ad8a",
     "tan": "#a5845c",
+    "lemon": "#d8c13a",
+    "lime": "#7f9a3a",
+    "tomato": "#a8321e",
+    "potato": "#a98a5c",
+    "onion": "#b07a3c",
+    "plum": "#4d2a4a",
+    "tangerine": "#c9702a",
 }
 
 MATERIALS: dict[str, str] = {

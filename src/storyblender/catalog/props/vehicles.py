@@ -56,7 +56,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     entry(
         "vehicle",
         "bicycle",
-        "bike, push bike",
+        "bike, push bike, tricycle, tandem",
         (0.6, 1.75, 1.05),
         {"frame": "paint", "tyre": "rubber", "metal": "chrome", "saddle": "leather"},
         "A bicycle.",
@@ -73,7 +73,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     entry(
         "vehicle",
         "cart",
-        "wagon, handcart, carriage, horse cart",
+        "wagon, handcart, carriage, horse cart, stagecoach, pushcart, rickshaw",
         (1.5, 3.0, 1.45),
         {"body": "wood", "wheel": "wood_dark", "iron": "iron"},
         "A two-wheeled cart with shafts.",
@@ -81,7 +81,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     entry(
         "vehicle",
         "rowing_boat",
-        "rowboat, boat, dinghy, canoe, lifeboat",
+        "rowboat, boat, dinghy, canoe, lifeboat, gondola, kayak, raft",
         (1.45, 4.0, 0.75),
         {"hull": "wood", "inside": "wood_light", "oar": "wood"},
         "A rowing boat with oars.",
