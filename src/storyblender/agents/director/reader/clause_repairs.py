@@ -78,7 +78,8 @@ def _give_to_inverted(clauses: list[Clause]) -> None:
 def _give_to_following(clauses: list[Clause], words: list[Word]) -> None:
     """``Sitting on the bench, Bob waves``: it is Bob who sits."""
     for number, clause in enumerate(clauses):
-        if not number and not (clause.participle and (not clause.subject or clause.subject[0].head == "")):
+        leads = clause.participle or (clause.passive and clause.elided)
+        if not number and not (leads and (not clause.subject or clause.subject[0].head == "")):
             return
         if number and not clause.elided and not clause.participle and clause.subject and clause.subject[0].head:
             first = clause.subject[0].index

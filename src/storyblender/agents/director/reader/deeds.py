@@ -97,6 +97,9 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
     thing = next((thing for thing in roles.things if stage.inventory.head(thing) not in _QUALITIES), None)
     if motion == "give":
         return _receiver(stage, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)
+    aimed_at = roles.recipients + roles.people_after("to", "at", "after")
+    if motion == "throw" and thing and aimed_at:
+        return aimed_at[0].id, thing
     if clause.verb == "give" and roles.recipients + roles.recipient_things:
         return next((person.id for person in roles.recipients), None) or roles.recipient_things[0], None
     owner = _owner_of_part(stage, clause, roles)

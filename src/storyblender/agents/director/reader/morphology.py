@@ -110,7 +110,7 @@ def singular(word: str) -> str:
         return word[:-2] + "an"
     if word.endswith("ies") and len(word) > 4:
         return word[:-3] + "y"
-    if re.search(r"(ch|sh|x|ss)es$", word):
+    if re.search(r"(ch|sh|x|ss)es$", word) or re.search(r"(at|et|er|ch|ng|ed|rg|it)oes$", word):
         return word[:-2]
     return word[:-1] if word.endswith("s") and not word.endswith(("ss", "us", "is")) and len(word) > 3 else word
 

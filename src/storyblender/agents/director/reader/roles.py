@@ -26,6 +26,8 @@ _STRIKING = lexicon.words("striking")
 _INVERTED = lexicon.INVERTING | {"live", "be"}
 """Verbs whose subject may follow: ``On the stone sat a fox``, ``There was a man``."""
 _CONTACT = frozenset({"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"})
+_SHUTTING = frozenset({"close", "shut", "lock", "slam", "bolt", "bar", "pull", "drag"})
+"""``locks the door behind her``: behind herself."""
 _SIDES = frozenset({"left", "right", "side"})
 
 
@@ -114,7 +116,8 @@ def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequen
     roles.people, roles.things = _resolve_all(stage, clause, clause.object, roles.subjects, previous)
     for preposition, nouns in clause.places:
         placed = preposition in lexicon.RELATION_OF_PREPOSITION
-        people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed)
+        role: Role = "possessor" if preposition == "behind" and clause.verb in _SHUTTING else "object"
+        people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed, role)
         roles.places.append(Place(preposition, people, things, nouns))
     _resolve_all(stage, clause, clause.complement, roles.subjects, previous)
     if roles.people and clause.verb in _STRIKING and not clause.negated:
@@ -128,12 +131,13 @@ def _resolve_all(
     subjects: list[Person],
     previous: Sequence[Person],
     place: bool = False,
+    role: Role = "object",
 ) -> tuple[list[Person], list[str]]:
     people: list[Person] = []
     things: list[str] = []
     for noun in nouns:
         resolve_owner(stage, noun, _owner_role(stage, clause, noun, subjects), subjects, previous)
-        found = resolve(stage, noun, "object", subjects, previous, place)
+        found = resolve(stage, noun, role, subjects, previous, place)
         people += found.people
         stage.scene.named |= {person.id for person in found.people}
         if found.thing:

@@ -29,6 +29,7 @@ STAYING = [
     "Anna pushes Bob into the chair.",
     "Bob goes to the table.",
     "Anna is alone with Bob.",
+    "Anna locks the door behind her.",
 ]
 
 

@@ -183,6 +183,12 @@ SAYINGS = [
     ("Anna is on her knees.", "kneel"),
     ("Anna lets go of the rope.", "drop"),
     ("Anna pulls herself to her feet.", "stand_up"),
+    ("Anna locks the door behind her.", "close"),
+    ("Anna slides down the wall.", "sit"),
+    ("Anna hammers on the door with her fists.", "knock"),
+    ("Anna flips through a magazine.", "read"),
+    ("Anna peels tomatoes.", "cut"),
+    ("Anna drags herself to the door.", "crawl"),
     ("Anna plants a kiss on his cheek.", "kiss"),
 ]
 

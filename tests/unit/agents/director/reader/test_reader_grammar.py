@@ -17,6 +17,7 @@ TOLD = [
     ("They all leave.", {("anna", "walk"), ("bob", "walk")}),
     ("Anna sits, and behind her stands a WAITER.", {("anna", "sit"), ("waiter", "stand")}),
     ("Bob dodges, swoons and grieves.", {("bob", "jump"), ("bob", "fall"), ("bob", "cry")}),
+    ("Seated at the table, Bob reads.", {("bob", "sit"), ("bob", "read")}),
     ("Both of them nod.", {("anna", "nod"), ("bob", "nod")}),
     ("Anna helps Bob put on his coat.", {("bob", "wear")}),
 ]
