@@ -14,8 +14,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the railing along the back, the house at the left, the town below on every side."""
     place = Ground("balcony", params, rng)
     x, y = place.half_x, place.half_y
-    place.slab("block", rectangle(-x - 0.3, -y - 0.3, x + 0.3, y + 0.25), "tile_terracotta", thickness=0.3)
-    for px, py, yaw, length in ((0.0, y + 0.12, 0.0, 2 * x + 0.4), (x + 0.2, 0.0, 90.0, 2 * y + 0.3)):
+    place.slab("block", rectangle(-x - 0.3, -y - 4.0, x + 0.3, y + 0.25), "tile_terracotta", thickness=0.3)
+    for px, py, yaw, length in ((0.0, y + 0.12, 0.0, 2 * x + 0.4), (x + 0.2, -2.0, 90.0, 2 * y + 4.0)):
         place.piece("railing", px, py, yaw=yaw, length=length, height=1.05)
     place.piece("house_front", -x - 0.2, 0, 0, 90, width=9.0, color="#b9a88c", door=0.3, footprint=(9.0, 0.3))
     place.mark("door", -x + 0.6, 0.3, 90, "door", "enter", "exit", "left")

@@ -29,7 +29,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
             at = y - 2.4 - _SHELF * index
             for turn in (-1, 1):
                 room.furnish(
-                    "store_shelf", side * 2.35 + 0.24 * turn, at, yaw=90.0 * turn, required=False,
+                    "store_shelf", side * 2.35 + 0.24 * turn, at, yaw=90.0 * turn, required=index == 0,
                     height=1.3, rows=3.0,
                 )  # fmt: skip
     room.furnish("counter", x - 1.3, -y + 1.7, yaw=90, material="enamel")

@@ -66,11 +66,12 @@ def _pot(builder: MeshBuilder, spec: PieceSpec, x: float, y: float) -> None:
     leaf = finish(str(rng.choice(("hedge", "leaf", "grass_lush"))))
     for turn in np.arange(0, 2 * math.pi, 0.7):
         reach, up = float(rng.uniform(0.06, 0.2)), float(rng.uniform(0.5, 1.0)) * tall
-        tip = (x + reach * math.cos(turn), y + reach * math.sin(turn), foot + up)
+        root = np.array((x, y, foot))
+        tip = root + np.array((reach * math.cos(turn), reach * math.sin(turn), up))
         side = np.array((-math.sin(turn), math.cos(turn), 0.0)) * 0.035
-        middle = np.array((x, y, foot)) * 0.45 + np.array(tip) * 0.55 + (0, 0, 0.05)
-        builder.polygon(leaf, [(x, y, foot), middle - side, tip, middle + side])
-        builder.polygon(leaf, [(x, y, foot), middle + side, tip, middle - side])
+        middle = root * 0.45 + tip * 0.55 + (0, 0, 0.05)
+        builder.polygon(leaf, [root, middle - side, tip, middle + side])
+        builder.polygon(leaf, [root, middle + side, tip, middle - side])
     if rng.random() < 0.45:
         bloom = finish(str(rng.choice(("paint_red", "paint_yellow", "paint_white", "velvet_red"))))
         for _ in range(3):
