@@ -100,6 +100,8 @@ class Actions:
         ):
             person.pace = motion.key
             return
+        if partner is None and not action.target_id:
+            partner = self._met_later(person, later)
         goal, yaw = self.sheet.goal(action, person, partner, motion.speed or 0.0)
         end = self.sheet.go(person, goal, yaw, start, motion.key)
         self.sheet.done(person, start, end)
@@ -112,6 +114,16 @@ class Actions:
             return motion
         key = WITH_SOMEBODY[motion.key]
         return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
+
+    def _met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
+        """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``."""
+        for action in (each for each in later if each.asset_id == person.asset_id):
+            partner = self.company.people.get(action.target_id or "")
+            if clip_of(action.motion).speed is not None:
+                return None
+            if partner is not None and partner.present and clip_of(action.motion).reach == "person":
+                return partner
+        return None
 
     def _nearest(self, person: Person) -> Person | None:
         """Return who is meant where the script does not say with whom."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.visual_effects_artist.belongings import brought_along
+from storyblender.agents.visual_effects_artist.belongings import brought_along, players_of
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
 from storyblender.agents.visual_effects_artist.person import SEATED, Person, stature_of
 from storyblender.catalog.motions import clip_of
@@ -62,12 +62,7 @@ class Company:
 
     def find_players(self, shots: Sequence[ShotContext]) -> None:
         """Give everybody who will play a carried instrument that instrument, unless it is handled before."""
-        handled: set[str] = set()
-        for action in (each for shot in shots for each in shot.character_actions):
-            prop = self.prop_of(action)
-            if prop is not None and prop not in handled and clip_of(action.motion).key == "play_piano":
-                self.players[action.asset_id] = prop
-            handled |= {prop} if prop is not None else set()
+        self.players = players_of(shots, self.prop_of)
 
     def put_away(self, shots: Sequence[ShotContext]) -> None:
         """Take from where the layout laid it what nobody sees before somebody has it."""
@@ -75,8 +70,8 @@ class Company:
             if self.lying.pop(prop, None) is not None:
                 self.touched[prop] = None
 
-    def bring_on(self, shot: ShotContext, cast: Sequence[Person]) -> None:
-        """Put everybody who was not on stage where the shot finds them: at a door, or at their place."""
+    def bring_on(self, shot: ShotContext, cast: Sequence[Person], stay: Sequence[str]) -> None:
+        """Put everybody who was not on stage at a door, or at their place: from there goes who only leaves."""
         for person in cast:
             person.busy, person.acted, person.entering = 0.0, False, False
             person.pace, person.opened = "", ""
@@ -86,7 +81,13 @@ class Company:
             others = [p.place for p in cast if p.present]
             first = next((a for a in shot.character_actions if a.asset_id == person.asset_id), None)
             place, yaw = self.home.get(person.asset_id, (self.middle(), 0.0))
-            enters = first is not None and (self.opens_a_door(first) or clip_of(first.motion).speed is not None)
+            own = [clip_of(a.motion) for a in shot.character_actions if a.asset_id == person.asset_id]
+            leaves = person.asset_id not in stay and all(motion.speed for motion in own)
+            enters = (
+                not leaves
+                and first is not None
+                and (self.opens_a_door(first) or clip_of(first.motion).speed is not None)
+            )
             thing = self.floor.thing(first.target_id) if first is not None else None
             stairs = self.floor.mark_of("stairs") if first is not None and first.motion == "climb" else None
             if first is not None and (stairs is not None or (enters and self.enter_marks())):
@@ -166,9 +167,10 @@ class Company:
                     self.hand_over(person, prop)
 
     def _carriable(self, prop: str) -> bool:
-        """Tell whether a thing of the sheet is not too large for one person."""
-        size = self.size_of(prop)
-        return prop in self.assets and (size is None or size[1] <= HAND_SIZE)
+        """Tell whether one person can carry a thing of the sheet: it has a grip, or is not too large."""
+        canonical, size = self.assets[prop].canonical if prop in self.assets else None, self.size_of(prop)
+        grip = canonical is not None and any(anchor.kind == "grip" for anchor in canonical.anchors)
+        return prop in self.assets and (grip or size is None or size[1] <= HAND_SIZE)
 
     def apply_posture(self, person: Person, state: BodyState) -> None:
         """Bring a person into a posture by a cut."""

@@ -57,7 +57,7 @@ class Rehearsal:
         """
         company = self.company
         cast = [company.people[name] for name in shot.on_stage if name in company.people]
-        company.bring_on(shot, cast)
+        company.bring_on(shot, cast, stay)
         company.apply_states(shot.states, shot.character_actions)
         company.place_loose_props(shot)
         sheet = CueSheet(

@@ -428,6 +428,29 @@ def test_what_somebody_looked_at_before_it_is_in_a_hand_lies_there_until_then() 
     assert before.prop_states == ()
 
 
+def test_who_goes_without_an_end_and_then_embraces_somebody_goes_to_them() -> None:
+    (shot,) = _stage(_shot(1, _do("rick", "walk"), _do("rick", "hug", target_id="ilsa"), seconds=6))
+    walks = [cue.mark for cue in shot.cues if cue.asset_id == "rick" and cue.clip == "walk"]
+    assert walks[0] is not None and math.dist(walks[0].location[:2], _start(shot, "ilsa").location[:2]) < 1.5
+
+
+def test_who_only_leaves_does_not_come_in_first() -> None:
+    going, _ = _stage(_shot(1, _do("rick", "walk")), _shot(2, on_stage=("ilsa",)))
+    assert _start(going, "rick").location[:2] == (-1, -1)
+    assert math.dist(_end(going, "rick").location[:2], DOOR.location[:2]) < 1.5
+    coming, _ = _stage(_shot(1, _do("rick", "walk")), _shot(2))
+    assert math.dist(_start(coming, "rick").location[:2], DOOR.location[:2]) < 1.5
+
+
+def test_a_thing_with_a_grip_is_held_however_large_it_is() -> None:
+    grip = Anchor(kind="grip", name="grip", location=(0, 0, 0.1), size=(0.1, 0.1))
+    umbrella = _thing("cup", (1.0, 1.0, 0.9), grip)
+    view = _view(_shot(1, states=(BodyState(asset_id="rick", held=("cup",)),)))
+    assets = (*(asset for asset in ASSETS if asset.asset_id != "cup"), umbrella)
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": assets})).shots
+    assert _end(shot, "rick").held == (("R", "cup"),)
+
+
 def test_nobody_holds_a_table() -> None:
     (shot,) = _stage(_shot(1, states=(BodyState(asset_id="rick", held=("table",)),)))
     assert _end(shot, "rick").held == ()
