@@ -191,7 +191,9 @@ def _open_scene(stage: Stage, sentence: Sentence) -> None:
     first = [word.low for word in sentence.words[:_CARRIED]]
     if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
         stage.scene.on = [person for person in before.on if person not in before.leaving]
-        single = next((lexicon.PRONOUNS[word] for word in first if word in ("they", "he", "she", "i", "we", "it")), "")
+        single = next(
+            (lexicon.PRONOUNS.get(word, "") for word in first if word in ("they", "he", "she", "i", "we", "it")), ""
+        )
         if single in ("male", "female"):
             stage.scene.on = _of_whom_it_is_told(stage, stage.scene.on, single)
     stage.discourse.next_scene(keep_groups=prose)

@@ -1,0 +1,55 @@
+"""A story in prose comes to its places in many ways, and most sentences that name a place do not leave for it."""
+
+import pytest
+
+from storyblender.agents.director.reader import read_script
+from storyblender.screenplay.source import read
+
+START = "Anna sat in the parlour by the fire. Ben poured the tea."
+
+
+def places(*paragraphs: str) -> list[str]:
+    return [scene.place for scene in read_script(read("\n\n".join(paragraphs))).scenes]
+
+
+@pytest.mark.parametrize(
+    ("paragraph", "place"),
+    [
+        ("Anna goes through to the kitchen, where the blind is down. She hauls it up.", "kitchen"),
+        ("The kitchen of the inn smelled of fish. Mary sat on the settle.", "kitchen"),
+        ("Room nine smelled of chlorine. Anna dropped her bag on the bed.", "room nine"),
+        ("Upstairs in the study, Ben is on his knees beside the desk.", "study"),
+        ("Mrs. Lunt is still in the kitchen, rinsing a saucer, when they come.", "kitchen"),
+        ("At a quarter to twelve Mr. Grey is standing in the hallway. Anna looks at him.", "hallway"),
+        ("Twenty minutes later Ben was crawling through the tunnel with a candle.", "tunnel"),
+        ("Nobody had ever found the tunnel. Half an hour later Ben was crawling through it.", "tunnel"),
+        ("The path brought them out on a ledge high above the cave. Ben looked down.", "cave"),
+        ("At sunrise Ben was waiting in Gannet Cove.", "gannet cove"),
+        ("Out in the drive the cart stands empty. Ben looks at it.", "drive"),
+        ("They drove for an hour. In the office a fan was turning. Ben hit the bell.", "office"),
+    ],
+)
+def test_a_story_comes_to_a_place(paragraph: str, place: str) -> None:
+    assert places(START, paragraph) == ["parlour", place]
+
+
+@pytest.mark.parametrize(
+    "paragraph",
+    [
+        "They pulled a stranger into the parlour. He fell.",
+        "Ben went into the kitchen and came back with a tray. Anna took it.",
+        "Ben went out to the yard.",
+        "The house was silent. Anna put down her cup.",
+        "Anna walked over to the window. She opened it.",
+        "The street was empty. Anna drew the curtain.",
+        "Ben was standing by the door. He listened.",
+        "At ten paces Ben stopped. Anna smiled.",
+    ],
+)
+def test_a_story_stays_where_it_is(paragraph: str) -> None:
+    assert places(START, paragraph) == ["parlour"]
+
+
+def test_a_first_paragraph_that_comes_into_a_room_plays_there() -> None:
+    opening = "Anna puts her shoulder to the door of her uncle's house. It gives, and she stumbles into the hallway."
+    assert places(opening) == ["hallway"]
