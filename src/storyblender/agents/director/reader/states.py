@@ -39,9 +39,13 @@ _WHERE = frozenset({"on", "over", "under", "around", "across", "before", "in fro
 _HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
 _LONG = frozenset({"ladder", "stretcher", "plank"})
 """Furniture that people carry past."""
+_WHOSE = r"(?:(?:his|her|their|its|each|one|the other|both|either) )?"
+_GRIPPED = (
+    r"(?:gripped|clutched|clamped|held|clenched|tucked|cradled)(?: tight| tightly)? (?:in|under|between|against|to)"
+)
 _READY = re.compile(
-    r"\b([a-z-]+) (drawn|raised|ready|at the ready"
-    r"|in (?:(?:his|her|each|one|the other|both|either) )?hands?)(?! of)\b"
+    rf"\b([a-z-]+) (drawn|raised|ready|at the ready|in {_WHOSE}hands?"
+    rf"|{_GRIPPED} {_WHOSE}(?:arms?|hands?|fists?|teeth|elbow|fingers|chest)|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
 )
 
 
@@ -138,6 +142,7 @@ def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
         thing = stage.inventory.id_of(noun, at)
         stage.inventory.seen(thing, "handled")
         hold(stage, people[0].id, thing)
-        known = any(deed.actor == people[0].id and deed.motion == "hold" for deed in stage.unit.deeds)
-        if "hand" in match.group(2) and not known:
+        own = [deed for deed in stage.unit.deeds if deed.actor == people[0].id]
+        known = any(deed.motion == "hold" or (deed.motion == "carry" and deed.prop == thing) for deed in own)
+        if " " in match.group(2) and "ready" not in match.group(2) and not known:
             stage.unit.deeds.append(Deed(people[0].id, "hold", thing, thing, at, "hold"))

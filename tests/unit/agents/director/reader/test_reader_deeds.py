@@ -196,3 +196,8 @@ SAYINGS = [
 @pytest.mark.parametrize(("action", "motion"), SAYINGS)
 def test_a_verb_means_what_its_object_and_preposition_make_of_it(read_scene: Read, action: str, motion: str) -> None:
     assert {(actor, found) for actor, found, _ in told(read_scene, action)} == {("anna", motion)}
+
+
+def test_what_is_gripped_in_passing_is_held(read_scene: Read) -> None:
+    found = told(read_scene, "Anna climbs the stairs, a flashlight gripped between her teeth.")
+    assert found == {("anna", "climb", "stairs"), ("anna", "hold", "flashlight")}
