@@ -103,6 +103,13 @@ def test_what_stands_on_something_waits_for_the_planner() -> None:
     assert dressing.pending == ("table_lamp",)
 
 
+def test_a_lantern_of_paper_hangs_where_a_lamp_hung() -> None:
+    view = DressingView(SceneSetup(), plan_of(Environment(kit="bar", seed=1)), (asset("paper_lantern"),))
+    dressing = RulesSetDresser().propose(view)
+    assert next(item for item in dressing.objects if item.node_id == "paper_lantern").location[2] > 1.8
+    assert "paper_lantern" not in dressing.pending
+
+
 def test_a_chair_goes_to_its_table() -> None:
     relation = Relation(asset_id="chair", kind="next_to", anchor_asset_id="table")
     dressing = RulesSetDresser().propose(cafe("chair", "table", relations=(relation,)))
