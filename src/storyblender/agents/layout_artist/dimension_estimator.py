@@ -15,6 +15,7 @@ from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import TOY_WORDS
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
+from storyblender.memory.base import Vec3
 from storyblender.reflection import Critique, Fault
 
 Side = Literal["width", "depth", "height"]
@@ -65,6 +66,8 @@ NOUNS: dict[str, tuple[Side, float]] = {
 _USUAL: tuple[Side, float] = ("height", 0.4)
 _FURNITURE = 0.4
 """How much of a word of size furniture takes: its heights are people's."""
+_STRETCH = 4.0
+"""How many times larger or smaller than usual a stand-in of a class may be."""
 _TOY = 0.3
 """Metres: the longest side of a toy car, a plush bear, a model ship."""
 _PLAUSIBLE = (0.003, 60.0)
@@ -129,10 +132,17 @@ def estimate(asset: Asset) -> AssetDimension:
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":
-        side, value = NOUNS.get(_head(asset), _largest(asset.canonical.dimensions))
+        side, value = _of_stand_in(_head(asset), asset.canonical.dimensions)
     else:
         side, value = _usual(asset, text)
     return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})
+
+
+def _of_stand_in(noun: str, size: Vec3) -> tuple[Side, float]:
+    """Return the size of a noun if a shape of ``size`` can have it, else the shape's: a rocking horse is no horse."""
+    side, value = NOUNS.get(noun, _largest(size))
+    fits = 1 / _STRETCH < value / size[_SIDES.index(side)] < _STRETCH
+    return (side, value) if fits else _largest(size)
 
 
 def _head(asset: Asset) -> str:

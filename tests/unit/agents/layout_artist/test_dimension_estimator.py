@@ -64,6 +64,7 @@ def test_a_stand_in_is_as_large_as_its_noun_or_its_class() -> None:
     assert only(estimate(built("jug", "stand_in", "vessel")))[1] == max(STAND_INS["vessel"].size)
     assert only(estimate(built("frobnicator", "stand_in", "small_thing")))[1] < 0.2
     assert only(estimate(built("iron gates", "stand_in", "building"))) == NOUNS["gate"]
+    assert only(estimate(built("rocking horse", "stand_in", "garment")))[1] == max(STAND_INS["garment"].size)
 
 
 def test_toys_are_small_and_furniture_keeps_to_people() -> None:
