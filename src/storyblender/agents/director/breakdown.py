@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.agents.director.assembly import Assembly
 from storyblender.agents.director.company import Company
+from storyblender.agents.director.copies import hand_out
 from storyblender.agents.director.coverage import cover
 from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, breathe
 from storyblender.agents.director.directions import attach_notes
@@ -28,7 +29,7 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         settings: How finely to cut.
     """
     settings = settings or DirectorSettings()
-    reading = expand_groups(reading)
+    reading = hand_out(expand_groups(reading))
     company = Company(reading)
     assembly = Assembly(reading, company)
     notes = attach_notes(reading)

@@ -54,7 +54,7 @@ class Staging:
                 if deed.prop and deed.prop not in seen and deed.motion in PARTING | HOLDING:
                     brought.setdefault(deed.actor, {})[deed.prop] = unit.start
                 seen.update(filter(None, (deed.prop, deed.target)))
-            seen.update(unit.things)
+            seen.update(unit.things if not unit.people else ())
         return brought
 
     def already(self, deed: Deed, unit: Unit) -> bool:

@@ -1,0 +1,61 @@
+"""A thing of one name that several people have at once is several things: ``The soldiers drop their spears``."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from storyblender.agents.director.reading import Deed, Reading, Thing, Unit
+
+Owners = dict[tuple[str, str], str]
+"""Person and thing -> the copy that is theirs."""
+
+
+def hand_out(reading: Reading) -> Reading:
+    """Return the reading with a copy of a thing for each of those who use it in one sentence, if it is in the plural.
+
+    Args:
+        reading: Left as it is; groups are people already.
+    """
+    copies: list[Thing] = []
+    owners: Owners = {}
+    taken = {each.id for each in (*reading.people, *reading.things)}
+    for thing in reading.things:
+        sharing = [unit for unit in reading.units if thing.kind == "prop" and _is_plural(thing, unit)]
+        users = list(dict.fromkeys(who for unit in sharing for who in _users(unit, thing.id)))
+        for number, who in enumerate(users[1:], 2):
+            copy = replace(thing, id=f"{thing.id[:60]}_{number}")
+            if copy.id not in taken:
+                owners[who, thing.id] = copy.id
+                copies.append(copy)
+    if not copies:
+        return reading
+    return replace(
+        reading, things=[*reading.things, *copies], units=[_with_copies(unit, owners) for unit in reading.units]
+    )
+
+
+def _users(unit: Unit, thing: str) -> list[str]:
+    """Who uses a thing in a unit, if they are several."""
+    users = list(dict.fromkeys(deed.actor for deed in unit.deeds if deed.prop == thing))
+    return users if len(users) > 1 else []
+
+
+def _is_plural(thing: Thing, unit: Unit) -> bool:
+    return re.search(rf"\b{re.escape(thing.name.split()[-1])}e?s\b", unit.text, re.IGNORECASE) is not None
+
+
+def _with_copies(unit: Unit, owners: Owners) -> Unit:
+    def own(deed: Deed) -> Deed:
+        prop, target = deed.prop or "", deed.target or ""
+        return replace(
+            deed,
+            prop=owners.get((deed.actor, prop), deed.prop),
+            target=owners.get((deed.actor, target), deed.target),
+        )
+
+    return replace(
+        unit,
+        deeds=[own(deed) for deed in unit.deeds],
+        held={who: [owners.get((who, thing), thing) for thing in things] for who, things in unit.held.items()},
+    )
