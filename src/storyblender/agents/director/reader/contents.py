@@ -19,6 +19,8 @@ _COVERING = lexicon.words("covering")
 """``A sheet covers the piano``."""
 _HOLDING = lexicon.words("having_inside")
 """``The drawer holds a pistol``."""
+_BEARING = frozenset({"tray", "plate", "shelf", "rack", "platter"})
+_FOOD = lexicon.words("food")
 _BACK = 6
 """Phrases back to what is full."""
 
@@ -54,6 +56,8 @@ def relate_filled(stage: Stage, words: list[Word], phrases: list[Phrase]) -> Non
     for index, phrase in enumerate(phrases):
         if phrase.kind != "preposition" or phrase.text not in ("with", "of", "in") or not phrase.first:
             continue
+        if phrase.text == "of" and phrases[index - 1].noun:
+            _relate_measured(stage, phrases[index - 1].noun, listed(phrases, index + 1)[:1])
         before = [word.low for word in words[max(0, phrase.first - 2) : phrase.first]]
         filled = next((low for low in reversed(before) if low in _FILLED), "")
         if not filled or (phrase.text == "of") != (filled == "full") or (phrase.text == "in" and filled != "covered"):
@@ -62,6 +66,15 @@ def relate_filled(stage: Stage, words: list[Word], phrases: list[Phrase]) -> Non
         inside = _things(stage, [noun for noun in listed(phrases, index + 1) if noun.kind == "thing"])
         if whole and inside:
             _relate(stage, inside, stage.inventory.id_of(whole.key, words[whole.index].start))
+
+
+def _relate_measured(stage: Stage, holder: NounPhrase | None, nouns: list[NounPhrase]) -> None:
+    """``a crate of clubs``, ``a tray of cups``; a bag of sugar is but a bag."""
+    if holder is None or holder.head not in CONTAINERS | _BEARING or any(noun.head in _FOOD for noun in nouns):
+        return
+    things = [thing for thing in _things(stage, nouns) if stage.inventory.class_of(thing) in ("prop", "set_piece")]
+    at = stage.sentence.words[holder.index].start
+    _relate(stage, things, stage.inventory.id_of(holder.key, at))
 
 
 def listed(phrases: list[Phrase], index: int) -> list[NounPhrase]:

@@ -176,7 +176,7 @@ def _relate_thing(
 ) -> None:
     anchor = anchors[0]
     kinds = ("prop", "set_piece") if anchor.head in BODY_OR_DRESS else ("prop", "set_piece", "worn")
-    if lexicon.noun_class(noun.key) not in kinds or noun.head in lexicon.LIQUIDS:
+    if lexicon.noun_class(noun.key) not in kinds or noun.head in lexicon.LIQUIDS | {"seat", "place"}:
         return
     thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
     if anchor.head in _GRIPS and preposition in ("in", "under"):
@@ -185,7 +185,8 @@ def _relate_thing(
             stage.inventory.seen(thing, "handled")
         return
     if anchor.head in BODY_OR_DRESS and anchor.possessor is not None:
-        worn = preposition in ("around", "round")  # a whistle round her neck
+        around = preposition in ("around", "round")
+        worn = around and noun.head not in CLOTHS  # a whistle round her neck, but a blanket round his shoulders
         held_over = kind == "over" and stage.sentence.verb in _HOLDING
         told = None if worn else kind if held_over else kind_at_body(preposition, anchor.head, kind)
         if told is None or told == "against":

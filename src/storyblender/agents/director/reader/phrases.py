@@ -204,7 +204,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     end = first
     while (
         end < len(words)
-        and _in_noun_phrase(words[end])
+        and (_in_noun_phrase(words[end]) or (end == first > at and _is_superlative(words[end])))
         and not (end > at and words[end].low in _INDEFINITE)
         and not (end > first and _compound_preposition(words, end))
         and not (end > first and words[end].low in lexicon.PARTICLES)
@@ -270,6 +270,11 @@ def _whole(words: list[Word], end: int) -> Phrase | None:
         return None
     inner = _noun_phrase(words, end + 1)
     return inner if inner and inner.noun and inner.noun.kind == "thing" else None
+
+
+def _is_superlative(word: Word) -> bool:
+    """``the nearest door``: no preposition; ``the guest`` is somebody."""
+    return word.low.endswith("est") and word.mention is None and word.verb is None
 
 
 def _in_noun_phrase(word: Word) -> bool:

@@ -34,6 +34,8 @@ _ALWAYS = frozenset({"be", "stay", "remain", "wait"})
 """What comes after them is no object that is moved."""
 _TURNING = frozenset({"turn", "hesitate"})
 """``turns at the door``."""
+_HALTING = frozenset({"stop", "pause", "halt"})
+"""``stops at the counter``."""
 _ARRIVING = (
     frozenset({"drop", "emerge", "step", "watch", "follow", "appear", "stop", "pause", "halt", "pull"}) | _TURNING
 )
@@ -55,6 +57,7 @@ _BACKING = frozenset(
     {"back", "press", "flatten", "shrink", "retreat", "stagger", "crash", "slam", "lean", "prop", "brace"}
 )
 """``backs against the wall``."""
+_SINKING = frozenset({"fall", "collapse", "sink", "slump", "crumple", "tumble", "crash", "topple"})
 _HANGING = frozenset({"hang", "dangle", "swing", "droop", "suspend", "sway"})
 """``swings from a hook`` is on it."""
 _BOARDING = frozenset(
@@ -193,7 +196,7 @@ def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | No
             and _only_body(stage, roles)
             and bool(place.things)
         )
-        or (place.preposition in _BESIDE and (place.people or not roles.things + roles.people))
+        or (place.preposition in _BESIDE and _is_beside(stage, roles, place))
     ]
 
 
@@ -203,6 +206,11 @@ def _solid(stage: Stage, roles: Roles) -> list[str]:
 
 def _only_body(stage: Stage, roles: Roles) -> bool:
     return all(stage.inventory.class_of(thing) == "body" for thing in roles.things)
+
+
+def _is_beside(stage: Stage, roles: Roles, place: Place) -> bool:
+    """``runs alongside him``; ``pulls a chair up beside him`` tells where the chair is."""
+    return not (roles.things + roles.people) or (bool(place.people) and not _solid(stage, roles))
 
 
 def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
@@ -255,7 +263,8 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str], moti
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
     doorway |= kind == "at" and clause.verb in _TURNING and openings
     beside = kind in ("behind", "in_front_of", "next_to")
-    arriving = clause.verb in _ARRIVING and motion != "sit" and stage.person(located[0]) is not None
+    halts = clause.verb in _HALTING and kind == "at" and not openings
+    arriving = clause.verb in _ARRIVING and not halts and motion != "sit" and stage.person(located[0]) is not None
     if arriving and not (beside or doorway or clause.passive):
         return []
     anchors = [person.id for person in place.people]
@@ -289,7 +298,7 @@ def _kind(stage: Stage, clause: Clause, place: Place, located: list[str]) -> Rel
         vehicle = stage.inventory.head(located[0]) in lexicon.VEHICLES
         return "next_to" if (living and not seat) or vehicle else "on"
     if place.preposition == "to" and any(stage.inventory.head(thing) in FLOOR for thing in place.things):
-        return "on" if stage.person(located[0]) is None else None
+        return "on" if stage.person(located[0]) is None or clause.verb in _SINKING else None
     if place.preposition == "from" and clause.verb in _HANGING:
         return None if stage.person(located[0]) or at_body(place) else "on"
     if place.preposition in ("around", "round") and _ring(stage, place):

@@ -180,10 +180,11 @@ class Stage:
         if stated not in self.scene.relations:
             self.scene.relations.append(stated)
             self.reading.relations.append(stated)
-        for end in (subject, anchor):
+        for end in (subject, anchor, second or anchor):
             self.inventory.seen(end, "related")
-        if not self.person(anchor):
+        if not self.person(anchor) and not self.person(subject):
             self.inventory.seen(subject, "placed")
+            self.inventory.seen(anchor, "placed" if kind in ("in", "on") else "related")
 
     def record(self, at: int, word: str, who: Iterable[str]) -> None:
         """Keep what a pronoun means."""

@@ -234,8 +234,8 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     brings = following is not None and (following.mention is not None or right in OPENERS)
     if left.low in _ENTERING and brings and _opens_clause(row) and (third or form.lemma in _INVERTING):
         return True
-    if left.low == "her" and brings and third and form.lemma in _INVERTING and row.words[-2:-1]:
-        return row.words[-2].low in lexicon.PREPOSITIONS  # behind her stands a waiter
+    if third and (_is_relative(left, right, row) or (brings and _is_behind_her(form, left, row))):
+        return True
     if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
         return False
     if _is_inverted(form, following, row):
@@ -263,6 +263,21 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(word, form, left, right)
 
 
+def _is_relative(left: Word, right: str, row: Row) -> bool:
+    """``the letter that lies on the mat``, but not ``sees that hats``."""
+    before = row.words[-2] if len(row.words) > 1 else None
+    if left.low != "that" or before is None or not _goes_on(right):
+        return False
+    small = before.low in _BEFORE_NOUN | _LINKS or _is_adverb(before)
+    return before.solid and before.verb is None and not small
+
+
+def _is_behind_her(form: VerbForm, left: Word, row: Row) -> bool:
+    """``behind her stands a waiter``: no stands of hers."""
+    before = row.words[-2].low if len(row.words) > 1 else ""
+    return left.low == "her" and form.lemma in _INVERTING and before in lexicon.PREPOSITIONS
+
+
 def _several_described(row: Row) -> bool:
     """``SOLDIERS in white smocks``: several people first, then what they have on, and no verb yet."""
     first, *rest = row.words
@@ -272,9 +287,12 @@ def _several_described(row: Row) -> bool:
 
 def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
     """``In the far booth, hats low, sit two THUGS``: a place first, then a verb of being somewhere, then who."""
-    if row.verb_seen or following is None or form.lemma not in _INVERTING:
+    if following is None or form.lemma not in _INVERTING:
         return False
-    first = next((w for w in row.words if w.solid), None)
+    start = max((at for at, w in enumerate(row.words) if w.low in (";", "and")), default=-1) + 1
+    if row.verb_seen and (not start or any(w.verb for w in row.words[start:])):
+        return False  # and on top of the letters lies a ring
+    first = next((w for w in row.words[start if row.verb_seen else 0 :] if w.solid), None)
     leads = first is not None and (first.low in lexicon.PREPOSITIONS | {"there", "here"} or first.verb is not None)
     return leads and (following.mention is not None or following.low in OPENERS | frozenset(lexicon.NUMBERS))
 
