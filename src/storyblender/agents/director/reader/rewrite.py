@@ -33,7 +33,7 @@ _TO_AND_FRO = frozenset(
         ("on", "on"),
     }
 )
-_SIDE_BY_SIDE = ("shoulder", "side", "back", "elbow", "knee", "hip")
+_SIDE_BY_SIDE = ("shoulder", "side", "back", "elbow", "knee", "hip", "arm")
 _RELATED = lexicon.KIN | lexicon.COMPANY
 _BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
 """``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
@@ -94,7 +94,9 @@ def _without_pairs(words: list[Word]) -> list[Word]:
     """``up and down``, ``back and forth`` are adverbs, no directions."""
     low = [word.low for word in words]
     pairs = [i for i in range(len(low) - 2) if low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO]
-    pairs += [i for i in range(len(low) - 2) if low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by")]
+    pairs += [
+        i for i in range(len(low) - 2) if low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by", "in")
+    ]
     return [word for i, word in enumerate(words) if not any(0 <= i - at < 3 for at in pairs)]
 
 

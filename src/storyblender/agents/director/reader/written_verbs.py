@@ -37,7 +37,11 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
     if form is None or form.kind == "3sg" or names_a_kind(word, words[at + 1] if at + 1 < len(words) else None):
         return None
     owned = before == "'s" and words[at - 1].verb is None
-    if before in OPENERS or owned or (form.kind == "base" and before not in _BEFORE_INFINITIVE):
+    if (
+        (before in OPENERS and form.kind != "aux")
+        or owned
+        or (form.kind == "base" and before not in _BEFORE_INFINITIVE)
+    ):
         return None
     if word.low == "left" and before in ("from", "to", "on", "at"):
         return None

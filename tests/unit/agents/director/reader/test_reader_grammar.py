@@ -18,6 +18,8 @@ TOLD = [
     ("Anna sits, and behind her stands a WAITER.", {("anna", "sit"), ("waiter", "stand")}),
     ("Bob dodges, swoons and grieves.", {("bob", "jump"), ("bob", "fall"), ("bob", "cry")}),
     ("Seated at the table, Bob reads.", {("bob", "sit"), ("bob", "read")}),
+    ("Anna and Bob sweep in arm in arm.", {("anna", "walk"), ("bob", "walk")}),
+    ("Round the corner sweeps BOB.", {("bob", "walk")}),
     ("Both of them nod.", {("anna", "nod"), ("bob", "nod")}),
     ("Anna helps Bob put on his coat.", {("bob", "wear")}),
 ]
