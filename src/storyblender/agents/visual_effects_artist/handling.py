@@ -232,7 +232,7 @@ class Handling:
     def _spot_on(self, thing: Thing, person: Person, prop: str) -> Vec3:
         """Return where something is put on a top: before who sits at it, towards who puts it there; else nearest.
 
-        Beside who sits on it; on the side of the hand that holds something there is no room.
+        Beside who sits on it; on the side of the hand that holds something there is less room.
         """
         floor = self.company.floor
         sitters = [p for p in self.company.people.values() if p.present and p.posture == "sit"]
@@ -241,7 +241,8 @@ class Handling:
         for sitter in sorted(sitters, key=lambda each: math.dist(each.place, person.place)):
             (x, y), yaw = sitter.place, sitter.yaw
             away = (person.place[0] - x) * math.cos(yaw) + (person.place[1] - y) * math.sin(yaw)
-            aside = 0.0 if ("L" if away > 0 else "R") in sitter.held else max(-TO_THE_SIDE, min(TO_THE_SIDE, away))
+            most = 0.5 * TO_THE_SIDE if ("L" if away > 0 else "R") in sitter.held else TO_THE_SIDE
+            aside = max(-most, min(most, away))
             ahead = (x + BEFORE * math.sin(yaw), y - BEFORE * math.cos(yaw))
             spot = floor.on_top(thing, (ahead[0] + aside * math.cos(yaw), ahead[1] + aside * math.sin(yaw)))
             if spot is not None and math.dist(spot[:2], person.place) < AT_TABLE:
