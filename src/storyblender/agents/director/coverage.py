@@ -224,7 +224,9 @@ class _Coverage:
         last = self.drafts[-1]
         last.beats += new.beats
         last.on_stage = unique([*last.on_stage, *new.on_stage])
-        last.look_at(*new.focus)
+        people = [each for each in new.focus if each in self.names.people]
+        # A wide view shows the furniture anyway: with somebody there it is about them.
+        last.look_at(*(people if last.kind == "establishing" and last.focus else new.focus))
         last.focus.sort(key=lambda each: each not in self.names.people)
         if last.kind == "establishing":
             return

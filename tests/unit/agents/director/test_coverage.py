@@ -152,6 +152,15 @@ def test_an_establishing_shot_takes_in_no_strong_act() -> None:
     assert [draft.kind for draft in drafts] == ["establishing", "action"]
 
 
+def test_an_establishing_shot_of_somebody_is_not_about_the_furniture() -> None:
+    script = Script("Ann", things=("piano",)).action("Ann waits.", ("ann", "idle"), element=3)
+    script.action("An upright piano.", things=["piano"], element=3)
+    reading = script.read()
+    reading.things[0].kind = "set_piece"
+    (shot,) = cover(reading, reading.scenes[0], reading.units, {})
+    assert (shot.kind, shot.focus) == ("establishing", ["ann"])
+
+
 def test_the_same_subject_is_cut_two_sizes_apart_and_orders_stay() -> None:
     script = Script("Ann")
     for _ in range(4):
