@@ -51,6 +51,8 @@ def test_what_is_no_picture_or_a_packed_one_is_told(tmp_path: Path) -> None:
     stored = {"Layer.Combined.R": np.zeros((2, 2), np.float16)}
     packed = written(tmp_path / "packed.exr", stored, b"\3")
     (tmp_path / "short.exr").write_bytes(written(tmp_path / "whole.exr", stored).read_bytes()[:-3])
-    for path in (tmp_path / "none.exr", tmp_path / "text.exr", packed, tmp_path / "short.exr"):
+    (tmp_path / "head.exr").write_bytes((tmp_path / "whole.exr").read_bytes()[:40])
+    names = ("none.exr", "text.exr", "short.exr", "head.exr")
+    for path in (packed, *(tmp_path / name for name in names)):
         with pytest.raises(EngineError):
             read_channels(path)

@@ -31,24 +31,30 @@ def read_channels(path: Path) -> Channels:
     """Return the channels of the first view layer in the file.
 
     Raises:
-        EngineError: The file is missing, or not one of uncompressed rows.
+        EngineError: The file is missing, cut short, or not one of uncompressed rows.
     """
     try:
         data = path.read_bytes()
     except OSError as error:
         raise EngineError(f"the render wrote no picture: {error}") from error
+    try:
+        return _channels(data)
+    except (IndexError, KeyError, ValueError, struct.error) as error:
+        raise EngineError(f"the render wrote no whole picture, so the disk may be full: {path.name}") from error
+
+
+def _channels(data: bytes) -> dict[str, NDArray[np.float32]]:
+    """Return the channels; what is not as expected raises one of the errors of reading past an end."""
     if data[:4] != _MAGIC or struct.unpack_from("<i", data, 4)[0] & ~0x400 != _PLAIN:
-        raise EngineError(f"the render wrote no readable picture: {path.name}")
+        raise ValueError("not a plain EXR file")
     header, end = _attributes(data, 8)
     if header["compression"] != b"\0" or header["lineOrder"] != b"\0":
-        raise EngineError(f"the render wrote a packed picture: {path.name}")
+        raise ValueError("a packed EXR file")
     left, top, right, bottom = struct.unpack("<4i", header["dataWindow"])
     height, width = bottom - top + 1, right - left + 1
     columns = list(_columns(header["channels"]))
     size = _ROW_HEAD + sum(kind.itemsize * width for _, kind in columns)
     (first,) = struct.unpack_from("<q", data, end)
-    if len(data) < first + height * size:
-        raise EngineError(f"the render's picture was cut short, so the disk may be full: {path.name}")
     rows = np.frombuffer(data, np.uint8, height * size, first).reshape(height, size)
     layer = columns[0][0].split(".", 1)[0]
     channels: dict[str, NDArray[np.float32]] = {}
