@@ -47,6 +47,11 @@ class Wall(Frozen):
     wild: bool = True
     """May be taken away for a shot."""
 
+    @property
+    def missing(self) -> bool:
+        """Whether only the line is there: the set ends at it, and nobody is to see where."""
+        return any(hole.style == "open" for hole in self.openings)
+
 
 class Slab(Frozen):
     """A horizontal sheet or block: floor, rug, road, lawn, stage, ceiling, roof."""
@@ -133,4 +138,4 @@ class SetPlan(Frozen):
     @property
     def under_the_sky(self) -> bool:
         """Whether the sky lights it: out of doors, and in a car on a street."""
-        return not self.indoor or any(hole.style == "open" for wall in self.walls for hole in wall.openings)
+        return not self.indoor or any(wall.missing for wall in self.walls)

@@ -35,7 +35,7 @@ def build_set(plan: SetPlan, scene: bpy.types.Scene, collection: bpy.types.Colle
     Raises:
         KeyError: The plan names a part or a material that nobody builds.
     """
-    objects = [obj for wall in plan.walls for obj in _wall(wall, indoor=plan.indoor)]
+    objects = [obj for wall in plan.walls if not wall.missing for obj in _wall(wall, indoor=plan.indoor)]
     objects += [_slab(slab, scene) for slab in plan.slabs]
     objects += _pieces(plan, scene)
     for card in plan.backdrops:
@@ -56,8 +56,6 @@ def _object(mesh: bpy.types.Mesh, node_id: str, surface: Surface, name: str = ""
 
 
 def _wall(wall: Wall, *, indoor: bool) -> list[bpy.types.Object]:
-    if any(opening.style == "open" for opening in wall.openings):
-        return []  # the set ends here, and nobody is to see where
     angle = math.atan2(wall.end[1] - wall.start[1], wall.end[0] - wall.start[0])
     body = _object(wall_mesh(wall, indoor=indoor), wall.node_id, Surface.SET)
     body.location, body.rotation_euler = (*wall.start, wall.base), (0, 0, angle)
