@@ -157,7 +157,15 @@ MOTIONS: Catalog[Motion] = Catalog(
             hands=2,
         ),
         Motion(
-            "search", "search", ("rummage",), 3.2, ("search", "fold"), stretches=True, reach="thing", distance=0.5, hands=2
+            "search",
+            "search",
+            ("rummage",),
+            3.2,
+            ("search", "fold"),
+            stretches=True,
+            reach="thing",
+            distance=0.5,
+            hands=2,
         ),
         Motion("dress", "put on or take off clothes", ("wear", "undress"), 2.4, ("wear", "take_off"), hands=2),
     ),
