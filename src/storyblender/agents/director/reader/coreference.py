@@ -218,6 +218,8 @@ def _it_there(stage: Stage, index: int) -> str | None:
     """``crosses to the desk and drops an envelope on it``: the last thing before, but not what is put there."""
     moved = stage.sentence.object_thing
     before = [thing for at, thing in stage.sentence.things if at < index and thing != moved]
+    if len(before) > 1 and (index - 2, before[-1]) in stage.sentence.things:
+        before.pop()  # a table with a lamp on it
     solid = [thing for thing in before if stage.inventory.class_of(thing) in ("set_piece", "prop")]
     solid.sort(key=lambda thing: stage.inventory.class_of(thing) == "set_piece")
     if solid and (len(solid) > 1 or stage.inventory.class_of(solid[-1]) == "set_piece" or moved):

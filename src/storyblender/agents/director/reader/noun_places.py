@@ -126,6 +126,8 @@ def _relate(
     _settle_it(stage, phrases[:index], first)
     left = phrases[index - 1] if index else None
     if noun.mention:
+        if first.head in _GRIPS and preposition in ("in", "under"):
+            return
         on_body = first.head in lexicon.BODY and left is not None and (left.text == "," or left.kind == "verb")
         if left and (left.text == "with" or on_body):
             kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
@@ -155,6 +157,8 @@ def _kind(preposition: str) -> RelationKind | None:
 def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: RelationKind | None) -> bool:
     """Whether a place belongs to the noun before it and not to the verb: it follows nothing, or a way to it."""
     verb = next((p.verb.lemma for p in reversed(phrases[:index]) if p.verb), "")
+    if preposition in ("onto", "on to", "into") and verb:
+        return False
     if preposition in ("across", "over", "around", "round", "against") and verb in _PASSING:
         return False
     left = phrases[index - 1] if index else None

@@ -30,13 +30,15 @@ _KINDS = frozenset({"on", "in", "under", "next_to", "behind", "against", "in_fro
 _THROWING = frozenset({"throw", "toss", "fling", "hurl", "lob", "chuck", "pass"})
 _TO_THERE = frozenset({"up to", "to", "over to"})
 _NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
+_EMPTYING = frozenset({"empty", "drain", "wring", "squirt"})
+"""``empties the mug into the sink``: the mug stays in the hand."""
 _BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
 """``sets the child on her lap``."""
 
 
 def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
     """Whether things, or people, end up somewhere else."""
-    if clause.passive or roles.people == roles.subjects != []:
+    if clause.passive or roles.people == roles.subjects != [] or clause.verb in _EMPTYING:
         return False
     aimed = bool(roles.prepositions & {"into", "onto", "on to"})
     carried = motion in _MOVED or clause.verb in _PLACING | _ATTACHING | _RETURNING or aimed

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.anchors import (
+    CLOTHS,
     FLOOR,
     OPENINGS,
     SURFACES,
@@ -23,6 +24,7 @@ from storyblender.agents.director.reader.contents import relate_contents
 from storyblender.agents.director.reader.put_places import put, puts_something
 from storyblender.agents.director.reader.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reader.supports import describes_support, relate_supports
 from storyblender.agents.director.reader.words import joined
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import RelationKind
@@ -58,6 +60,9 @@ _BACKING = frozenset(
 )
 """``backs against the wall``."""
 _SINKING = frozenset({"fall", "collapse", "sink", "slump", "crumple", "tumble", "crash", "topple"})
+_CREEPING = frozenset({"crawl", "creep", "scramble", "squeeze", "slide", "slip", "roll", "wriggle", "dive"})
+_GETTING_DOWN = frozenset({"hop", "jump", "leap", "drop", "slide", "climb", "clamber", "spring"})
+"""``hops to the floor``."""
 _HANGING = frozenset({"hang", "dangle", "swing", "droop", "suspend", "sway"})
 """``swings from a hook`` is on it."""
 _BOARDING = frozenset(
@@ -68,6 +73,7 @@ _BENT = frozenset({"bend", "stoop", "hunch", "bow"})
 _SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
 """``takes her place at the window``."""
 _IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "screen", "monitor", "reflection"})
+_SIDES = frozenset({"to the left of", "to the right of"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their) (left|right)\b|\bto the (left|right) of\b")
 _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
 _MOVING = lexicon.words("moving")
@@ -98,13 +104,15 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     if located:
         for place in _telling_places(stage, clause, roles, motion):
             found += _placed(stage, clause, place, located, motion)
+        if _is_still(stage, clause, roles, motion):
+            found += relate_supports(stage, roles)
         if _is_still(stage, clause, roles, motion) or (motion in ("walk", "sneak") and not roles.things):
             _between(stage, roles, located)
         if clause.verb == "face":
             found.extend((s, "facing", o) for s in located for o in [p.id for p in roles.people] + _solid(stage, roles))
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
-    if first and roles.subjects:
+    if first and roles.subjects and not any(place.preposition in _SIDES and place.things for place in roles.places):
         _left_or_right(stage, roles.subjects)
     if puts_something(clause, roles, motion):
         found += put(stage, roles)
@@ -175,7 +183,8 @@ def _has_furniture(stage: Stage, place: Place) -> bool:
 def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
     """The places of a clause that tell where its subject is once it is over."""
     if _is_still(stage, clause, roles, motion):
-        return [place for at, place in enumerate(roles.places) if not (at and _goes_with(stage, roles, at))]
+        own = [at for at in range(len(roles.places)) if not describes_support(stage, roles, at)]
+        return [roles.places[at] for at in own if not (at and _goes_with(stage, roles, at))]
     if clause.opening:
         return roles.places[-clause.opening :]
     if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
@@ -197,7 +206,15 @@ def _telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | No
             and bool(place.things)
         )
         or (place.preposition in _BESIDE and _is_beside(stage, roles, place))
+        or (not roles.things + roles.people and _gets_there(stage, clause, place))
     ]
+
+
+def _gets_there(stage: Stage, clause: Clause, place: Place) -> bool:
+    """``hops to the floor``, ``crawls under the bed``."""
+    if place.preposition == "to":
+        return clause.verb in _GETTING_DOWN and any(stage.inventory.head(thing) in FLOOR for thing in place.things)
+    return place.preposition in ("under", "underneath", "beneath") and clause.verb in _CREEPING
 
 
 def _solid(stage: Stage, roles: Roles) -> list[str]:
@@ -225,6 +242,8 @@ def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
 def _goes_with(stage: Stage, roles: Roles, at: int) -> bool:
     """``sits with her feet on the desk``: the feet are on it; ``lies on the sofa behind them``: the sofa is there."""
     before, place = roles.places[at - 1], roles.places[at]
+    if place.nouns[0].index < before.nouns[0].index:
+        return False
     if before.preposition == "with":
         return bool(before.things) and place.preposition in ("on", "over", "under", "across")
     pieces = any(stage.inventory.class_of(thing) == "set_piece" for thing in place.things)
@@ -260,6 +279,10 @@ def _placed(stage: Stage, clause: Clause, place: Place, located: list[str], moti
     openings = any(stage.inventory.head(thing) in OPENINGS for thing in place.things)
     if kind == "on" and openings and stage.person(located[0]):
         return []  # with his hand upon the gate
+    if kind == "over" and clause.verb in _BENT - {"hunch"} and not clause.passive:
+        return []  # stoops over the book, and is up again
+    if kind == "in" and stage.person(located[0]) and _wraps(stage, place):
+        return []  # in a blanket: that is what somebody wears
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
     doorway |= kind == "at" and clause.verb in _TURNING and openings
     beside = kind in ("behind", "in_front_of", "next_to")
@@ -298,7 +321,7 @@ def _kind(stage: Stage, clause: Clause, place: Place, located: list[str]) -> Rel
         vehicle = stage.inventory.head(located[0]) in lexicon.VEHICLES
         return "next_to" if (living and not seat) or vehicle else "on"
     if place.preposition == "to" and any(stage.inventory.head(thing) in FLOOR for thing in place.things):
-        return "on" if stage.person(located[0]) is None or clause.verb in _SINKING else None
+        return "on" if stage.person(located[0]) is None or clause.verb in _SINKING | _GETTING_DOWN else None
     if place.preposition == "from" and clause.verb in _HANGING:
         return None if stage.person(located[0]) or at_body(place) else "on"
     if place.preposition in ("around", "round") and _ring(stage, place):
@@ -309,6 +332,10 @@ def _kind(stage: Stage, clause: Clause, place: Place, located: list[str]) -> Rel
 def _ring(stage: Stage, place: Place) -> bool:
     """``sit around the table``, but not ``stand around the corner``."""
     return any(stage.inventory.class_of(thing) in ("set_piece", "prop") for thing in place.things)
+
+
+def _wraps(stage: Stage, place: Place) -> bool:
+    return any(stage.inventory.head(thing) in CLOTHS | lexicon.WORN for thing in place.things)
 
 
 def _is_an_image(stage: Stage, kind: RelationKind, place: Place) -> bool:

@@ -56,6 +56,14 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Joe puts the cup next to the bell.", ("cup", "next_to", "bell")),
         ("Joe sits on the hatbox, facing Kate.", ("joe", "facing", "kate")),
         ("Light falls on a table laid for one: a plate, an egg cup, a newspaper.", ("newspaper", "on", "table")),
+        ("Kate is asleep on the couch by the doors.", ("couch", "next_to", "door")),
+        ("In a chair against the wall sits Joe.", ("chair", "against", "wall")),
+        ("A coat hangs on the hook behind the door.", ("hook", "behind", "door")),
+        ("The book lies on the desk under the window.", ("desk", "under", "window")),
+        ("Joe sits on a crate behind the counter.", ("joe", "behind", "counter")),
+        ("Kate hops down to the floor.", ("kate", "on", "floor")),
+        ("Joe crawls under the bed.", ("joe", "under", "bed")),
+        ("By the stove stands a table with a lamp on it.", ("lamp", "on", "table")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
@@ -71,10 +79,28 @@ def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[
         ("Joe lays Kate on the couch.", "joe"),
         ("Joe leans on his cane.", "joe"),
         ("Joe enters with a whistle round his neck.", "whistle"),
+        ("Joe stoops over the ledger.", "joe"),
+        ("Joe waits, wrapped in a quilt.", "joe"),
+        ("Kate empties the mug into the sink.", "mug"),
+        ("Joe jumps off the table onto the floor.", "table"),
     ],
 )
 def test_what_does_not_stay_there_has_no_place(read_scene: Read, action: str, thing: str) -> None:
     assert thing not in [r.asset_id for _, r in read_scene(PEOPLE + action).relations]
+
+
+@pytest.mark.parametrize(
+    ("action", "wrong"),
+    [
+        ("Kate is asleep on the couch by the doors.", ("kate", "next_to", "door")),
+        ("A coat hangs on the hook behind the door.", ("coat", "behind", "door")),
+        ("Joe stands to the right of the wardrobe.", ("joe", "right_of", "kate")),
+    ],
+)
+def test_a_place_belongs_to_one_of_them(read_scene: Read, action: str, wrong: tuple[str, str, str]) -> None:
+    told = [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in read_scene(PEOPLE + action).relations]
+    assert told
+    assert wrong not in told
 
 
 def test_what_somebody_has_with_them_has_a_place_of_its_own(read_scene: Read) -> None:
