@@ -165,6 +165,8 @@ ARRIVALS, HOSTS = frozenset(_people["arrival"]), frozenset(_people["host"])
 """The visitor came last, the host was there first."""
 COMPANY, CALLINGS = frozenset(_people["company"]), frozenset(_people["calling"])
 """``his companion``, ``the other``; ``the detective``, who was named before."""
+KINDS = {kind: frozenset(animals.split("/")) for kind, animals in _pairs(_people["animal_kind"]).items()}
+"""``the bird`` -> what it may have been called before: a goose."""
 RANKS = {noun: frozenset(titles.split("/")) for noun, titles in _pairs(_people["rank"]).items()}
 """Noun -> titles of those it may mean: the soldier is a sergeant."""
 TITLES = frozenset(_people["title"])

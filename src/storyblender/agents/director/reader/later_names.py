@@ -12,6 +12,18 @@ from storyblender.agents.director.reading import Person
 _SOON, _VERY_SOON = 900, 400
 """Characters from ``a man`` to the name he has a title in, and from ``her brother`` to his."""
 _SOMEBODY = frozenset({"man", "woman", "lady", "gentleman"})
+_YOUNG = frozenset({"boy", "girl", "child", "youth", "lad"})
+_GENERIC = _SOMEBODY | {"fellow", "stranger", "figure"}
+_ATTENDANTS = frozenset(
+    {"waiter", "waitress", "barman", "bartender", "barmaid", "driver", "coachman", "cabman", "conductor", "porter"}
+    | {"guard", "sentry", "doorman", "servant", "maid", "butler", "footman", "cook", "nurse", "clerk", "cashier"}
+    | {"landlord", "landlady", "innkeeper", "priest", "vicar", "postman", "policeman", "constable", "captain", "mate"}
+    | {"bosun", "pilot", "teacher", "headmaster", "king", "queen", "prisoner", "receptionist", "steward", "pianist"}
+)
+"""``the waiter`` comes with the place, nobody has to introduce him."""
+_COMING = "came|comes|enter(?:ed|s)|arrive[ds]|appear(?:ed|s)|walk(?:ed|s) in|ran|runs|burst|bursts"
+_STILL_NEAR = 1500
+"""Characters from ``a man`` to ``the surveyor``."""
 _POSSESSED = re.compile(r"(?:my|our|his|her|their)\b", re.IGNORECASE)
 _INDEFINITE = re.compile(r"an?\b", re.IGNORECASE)
 _SPEAKING = re.compile(r"[,.!?]?[\"”’'] \w+ $")
@@ -32,6 +44,37 @@ def name_the_nameless(roster: Roster, text: str) -> None:
             if _may_be(other, person, text):
                 _join(roster, person, other)
                 break
+    _call_by_trade(roster, text)
+
+
+def _call_by_trade(roster: Roster, text: str) -> None:
+    """``A man stood on the landing. The surveyor did not look up``: who was never introduced is the man."""
+    for person in sorted(roster.people, key=lambda person: person.first):
+        trade = person.role
+        if not _is_nameless(person) or trade in _GENERIC | _ATTENDANTS | lexicon.KIN | lexicon.YOUNG_NOUNS:
+            continue
+        if not text[person.first :].lower().startswith("the ") or re.search(rf"\ban? (?:[\w-]+ )?{trade}\b", text):
+            continue
+        men = [
+            other
+            for other in roster.people
+            if other.role in _GENERIC
+            and _is_nameless(other)
+            and 0 < person.first - other.first < _STILL_NEAR
+            and (person.gender in ("unknown", other.gender) or other.gender == "unknown")
+        ]
+        if len(men) == 1 and not _told_together(men[0], trade, text):
+            _join(roster, person, men[0])
+            person.role = men[0].role  # he stays the man he was before
+
+
+def _told_together(nameless: Person, trade: str, text: str) -> bool:
+    """Whether they are two people: a paragraph has both, or one of them comes in."""
+    low = text.lower()
+    called = re.compile(rf"\b(?:an?|the|that|this) (?:{'|'.join(map(re.escape, nameless.aliases))})\b")
+    if any(called.search(each) and re.search(rf"\b{trade}\b", each) for each in re.split(r"\n\s*\n", low)):
+        return True
+    return re.search(rf"\b{trade} (?:{_COMING})\b", low) is not None
 
 
 def _is_nameless(person: Person) -> bool:
@@ -43,6 +86,8 @@ def _may_be(nameless: Person, named: Person, text: str) -> bool:
     distance, gender = named.first - nameless.first, nameless.gender
     if "unknown" not in (gender, named.gender) and gender != named.gender:
         return False
+    if _is_told_after_all(nameless, named, text):
+        return True
     title, noun = bare(named.name).split()[0].strip("."), nameless.role
     if title in lexicon.TITLES and " " in named.name:
         ranked = title in lexicon.RANKS.get(noun, ())
@@ -50,6 +95,14 @@ def _may_be(nameless: Person, named: Person, text: str) -> bool:
         return (ranked or plain) and distance < _SOON and _INDEFINITE.match(text, nameless.first) is not None
     owned = noun in lexicon.KIN and _POSSESSED.match(text, nameless.first) is not None
     return owned and distance < _VERY_SOON and _does_something(named, text)
+
+
+def _is_told_after_all(nameless: Person, named: Person, text: str) -> bool:
+    """``at his side an old woman with a goose: Mother Kern``, ``A man stood there. It was Goran``."""
+    between = text[nameless.first : named.first]
+    if len(between) > _VERY_SOON or _INDEFINITE.match(between) is None or nameless.role not in _GENERIC | _YOUNG:
+        return False
+    return re.search(r"(?<=\w)(?:: | — | -- )$|[.;] (?:It|This|That|it) (?:was|is) $", between) is not None
 
 
 def _does_something(named: Person, text: str) -> bool:

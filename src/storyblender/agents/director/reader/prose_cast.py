@@ -131,6 +131,8 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
 def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
     phrase = role.phrase
+    if phrase.determiner not in ("a", "an") and not phrase.plural and _is_kind(roster, phrase.noun):
+        return True
     if (
         phrase.noun in _LATER
         and phrase.plural
@@ -156,6 +158,15 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     if text[max(0, role.at - 3) : role.at].lower() == "as ":
         return True
     return apposed and (phrase.determiner in ("a", "an") or _names_before(roster, role, text))
+
+
+def _is_kind(roster: Roster, noun: str) -> bool:
+    """``a goose``, later ``the bird``: one animal."""
+    kinds = lexicon.KINDS.get(noun, frozenset())
+    same = [person for person in roster.people if person.kind == "animal" and person.role in kinds]
+    for person in same[:1]:
+        roster.call(person, noun)
+    return bool(same)
 
 
 def _is_apposed(role: _Role, text: str) -> bool:

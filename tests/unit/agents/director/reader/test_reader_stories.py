@@ -212,3 +212,31 @@ def test_the_latter_is_who_was_named_last() -> None:
     assert [(deed.actor, deed.motion) for deed in reading.units[-1].deeds] == [
         ("anna", "look"), ("ben", "stand_up"), ("ben", "walk"),
     ]  # fmt: skip
+
+
+def test_a_trade_never_introduced_is_that_of_the_stranger() -> None:
+    ferry = (
+        "Anna sat on the jetty. A man in a grey coat stood on the landing with a tripod.",
+        "The man spoke to Anna. She rowed him over.",
+    )
+    assert names(story(*ferry, "The surveyor did not look up.")) == {"Anna", "surveyor"}
+    assert names(story(*ferry, "The inspector came out of the hut.")) == {"Anna", "man", "inspector"}
+    assert names(story(*ferry, "The waiter brought the man a glass.")) == {"Anna", "man", "waiter"}
+
+
+def test_a_name_after_a_colon_is_that_of_who_stood_there() -> None:
+    assert names(story("Anna opened the door. On the step stood a boy with a lantern: Goran. He came in.")) == {
+        "Anna",
+        "Goran",
+    }
+    assert names(story("Anna opened the door. A tall man stood on the step. It was Goran. He came in.")) == {
+        "Anna",
+        "Goran",
+    }
+
+
+def test_the_bird_is_the_goose_of_before() -> None:
+    assert names(story("Anna sat with a goose under her arm. The bird hissed. Anna stroked the bird.")) == {
+        "Anna",
+        "goose",
+    }
