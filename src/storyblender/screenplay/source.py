@@ -70,7 +70,7 @@ def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Scree
         InputError: There is no script in the text.
     """
     text = _NEWLINES.sub("\n", text.encode("utf-8", "replace").decode("utf-8").removeprefix("\ufeff").rstrip("\x1a"))
-    if not text.strip():
+    if not _CONTROLS.sub(" ", text).strip():
         raise InputError("there is nothing to read", mend="write at least one scene", path=path or None)
     if "\0" in text:
         raise InputError(

@@ -202,6 +202,7 @@ _PIECES = st.sampled_from(
 
 
 @example("@/*\r  \rINT.*/", None)
+@example("\x1b", None)
 @given(st.one_of(st.text(), st.lists(_PIECES).map("".join)), st.sampled_from([None, "fountain", "prose"]))
 def test_any_text_is_read_or_refused_and_spans_are_verbatim(text: str, form: str | None) -> None:
     try:
