@@ -11,8 +11,8 @@ from storyblender.agents.director.reader.by_names import nicknamed, tagged_name,
 from storyblender.agents.director.reader.later_names import call_by_nouns
 from storyblender.agents.director.reader.look import describe
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
-from storyblender.agents.director.reader.morphology import form_kind, is_person_noun, singular
-from storyblender.agents.director.reader.person_nouns import find_person_nouns
+from storyblender.agents.director.reader.morphology import FORMS, form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
@@ -56,6 +56,8 @@ _SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "chi
 _TOYS = "|".join(sorted(lexicon.words("toys")))
 """``a teddy bear``: words that make an animal a thing."""
 _NUMBERED = re.compile(r"\s*#?\d+$")
+_MOVES = frozenset({"walk", "run", "sneak", "lie_down", "sit", "sleep", "stagger", "eat"})
+_TINY = frozenset({"ant", "bee", "beetle", "butterfly", "fly", "moth", "spider", "wasp", "mosquito", "bird", "gull"})
 _CHORUS = lexicon.words("chorus")
 """Cues that mean whoever is there."""
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
@@ -292,7 +294,7 @@ def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Perso
 
 
 def _add_animals(roster: Roster, script: Manuscript) -> None:
-    """An animal in small letters is cast when it comes up again: the grey mare, not a dog that barks once."""
+    """An animal in small letters is cast when it comes up again or moves about: not a dog that barks once."""
     first: dict[str, int] = {}
     for paragraph in script.paragraphs:
         for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
@@ -300,10 +302,18 @@ def _add_animals(roster: Roster, script: Manuscript) -> None:
             alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS
             alive = alive and not re.search(rf"\b(?:{_TOYS})\s+{phrase.noun}\b", script.text, re.IGNORECASE)
             if alive and not phrase.plural and not known:
-                if phrase.noun in first:
-                    roster.add(phrase.noun, first[phrase.noun])
+                if phrase.noun in first or _moves_about(phrase, paragraph.raw):
+                    roster.add(phrase.noun, first.get(phrase.noun, paragraph.start + phrase.start))
                 first.setdefault(phrase.noun, paragraph.start + phrase.start)
     roster.people.sort(key=lambda person: person.first)
+
+
+def _moves_about(animal: PersonNoun, text: str) -> bool:
+    """``A lame dog limps out of the arcade``: somebody to be seen."""
+    verb = re.match(r"\s+([a-z]+)", text[animal.end :])
+    form = FORMS.get(verb.group(1)) if verb else None
+    moves = form is not None and form.kind in ("3sg", "past") and lexicon.MOTION_OF_VERB.get(form.lemma) in _MOVES
+    return moves and animal.determiner in ("a", "an") and animal.noun not in _TINY
 
 
 def _newcomer(roster: Roster, sighting: _Sighting, name: str) -> Person:

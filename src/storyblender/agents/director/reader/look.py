@@ -48,7 +48,7 @@ def describe(person: Person, phrase: str) -> None:
                 person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
             if not person.role and word in lexicon.NEUTER_ROLES:
                 person.role = word
-            if word in lexicon.ANIMALS and word == head and "of" not in words:
+            if word in lexicon.ANIMALS and word == head:
                 person.kind, person.role = "animal", word
                 person.aliases = (*person.aliases, word)
 

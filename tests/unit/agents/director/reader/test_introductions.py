@@ -67,3 +67,16 @@ def test_a_script_without_capitals_has_its_people() -> None:
 )
 def test_a_place_on_both_sides_of_a_wall_is_where_its_name_is(heading: str, side: str) -> None:
     assert read_script(read(f"{heading}\n\nANNA waits.\n", "fountain")).scenes[0].scene_type == side
+
+
+@pytest.mark.parametrize(
+    ("action", "cast"),
+    [
+        ("A lame dog limps out of the arcade and lies down.", ["JOE", "dog"]),
+        ("Somewhere a dog barks.", ["JOE"]),
+        ("BERNARD, a goose of uncertain temper, dozes. Joe strokes the goose.", ["JOE", "BERNARD"]),
+    ],
+)
+def test_an_animal_that_moves_about_is_there(action: str, cast: list[str]) -> None:
+    reading = read_script(read(f"INT. ROOM - DAY\n\nJOE (40) sits. {action}\n", "fountain"))
+    assert [person.name for person in reading.people] == cast
