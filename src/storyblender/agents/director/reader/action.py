@@ -281,7 +281,7 @@ def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
         thing for thing in things if inventory.head(thing) not in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
     ]
     things = [t for t in things if inventory.class_of(t) != "unknown" or motion in lexicon.HANDLING]
-    if motion == "take" and not things:
+    if (motion == "take" or motion in _TRAVEL) and not things:
         things = [thing for place in roles.places if place.preposition == "with" for thing in place.things]
     if not things:
         things = [

@@ -48,7 +48,8 @@ def describe(person: Person, phrase: str) -> None:
                 person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
             if not person.role and word in lexicon.NEUTER_ROLES:
                 person.role = word
-            if word in lexicon.ANIMALS and word == head:
+            likened = re.search(r"\bof an? ", part) is not None  # a bear of a man
+            if word in lexicon.ANIMALS and word == head and not likened:
                 person.kind, person.role = "animal", word
                 person.aliases = (*person.aliases, word)
 

@@ -129,7 +129,9 @@ def _relate(
         if first.head in _GRIPS and preposition in ("in", "under"):
             return
         on_body = first.head in lexicon.BODY and left is not None and (left.text == "," or left.kind == "verb")
-        if left and (left.text == "with" or on_body):
+        apart = left is not None and left.text == "," and index > 1 and any(p.verb for p in phrases[:index])
+        ends = at + 2 >= len(phrases) or phrases[at + 2].text in (".", ",", ";")
+        if left and (left.text == "with" or on_body or (apart and ends and not any(p.verb for p in phrases[at:]))):
             kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
             for person in resolve_mention(stage, noun.mention) if kind else []:
                 for target in _anchors(stage, first, kind or "on", subjects, previous):

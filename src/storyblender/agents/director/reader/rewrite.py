@@ -182,6 +182,8 @@ def _complete_fragment(words: list[Word]) -> list[Word]:
     at = next((index for index, word in enumerate(words) if index and _starts_predicate(word)), None)
     if at is None or not (words[at - 1].solid or words[at - 1].text == ","):
         return words
+    if any(word.low == "with" for word in words[:at]) and [w.low for w in words[at + 1 : at + 2]] in (["it"], ["them"]):
+        return words  # a table with a jug on it
     if words[at - 1].text == "," and words[0].mention:
         comma = next(index for index, word in enumerate(words) if word.text == ",")
         words, at = words[:comma] + words[at:], comma

@@ -146,6 +146,8 @@ def _resolve_all(
                 stage.sentence.object_thing = found.thing
             if noun.plural and stage.inventory.class_of(found.thing) in ("prop", "unknown"):
                 stage.sentence.plural_thing = found.thing
+    if nouns is clause.object and len(things) > 1 and not people:
+        stage.sentence.plural_thing = things[0]
     return people, things
 
 

@@ -64,6 +64,11 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Kate hops down to the floor.", ("kate", "on", "floor")),
         ("Joe crawls under the bed.", ("joe", "under", "bed")),
         ("By the stove stands a table with a lamp on it.", ("lamp", "on", "table")),
+        ("A long table with a jug on it.", ("jug", "on", "table")),
+        ("Above the bed hangs a crucifix.", ("crucifix", "over", "bed")),
+        ("Kate stands behind the counter, Joe in front of it.", ("joe", "in_front_of", "counter")),
+        ("Joe picks up the cup, the plate and the spoon and puts them in the sink.", ("cup", "in", "sink")),
+        ("Kate enters with a tray, sets it on the counter and sits.", ("tray", "on", "counter")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
@@ -95,6 +100,7 @@ def test_what_does_not_stay_there_has_no_place(read_scene: Read, action: str, th
         ("Kate is asleep on the couch by the doors.", ("kate", "next_to", "door")),
         ("A coat hangs on the hook behind the door.", ("coat", "behind", "door")),
         ("Joe stands to the right of the wardrobe.", ("joe", "right_of", "kate")),
+        ("Kate stands behind the counter, Joe in front of it.", ("kate", "in_front_of", "counter")),
     ],
 )
 def test_a_place_belongs_to_one_of_them(read_scene: Read, action: str, wrong: tuple[str, str, str]) -> None:
