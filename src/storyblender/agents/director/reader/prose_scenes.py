@@ -30,6 +30,8 @@ _PLACE_FIRST = re.compile(
     r"(?:(?:deep|high|far|down|out|up|back|over|not far|just|upstairs|downstairs|below|above) )*"
     r"(?:in|at|on|inside|outside|aboard|across|near|behind|under)\b"
 )
+_YONDER = re.compile(r"(?:on|from|at|across) the (?:far|other|opposite) (?:side|bank|end|shore|edge)\b")
+"""``On the far side of the river somebody rang``: the story stays on this side."""
 _ARRIVAL = re.compile(
     r"\b(?:reach(?:ed|es)|arrive[ds]|enter(?:ed|s)|return(?:ed|s)|sail(?:ed|s)|c[ao]mes? back|pulled into|pulls into"
     r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides) to)\b"
@@ -106,7 +108,7 @@ def _moved(told: list[str], raw: list[str], scenes: list[SceneReading]) -> tuple
     place = place or place_gone_to(told) or place_told_of(opening, last.place)
     if not place and _later(second):
         place = place_of(second, raw[1]) or any_place(opening)
-    elif not place and _PLACE_FIRST.match(second):
+    elif not place and _PLACE_FIRST.match(second) and not _YONDER.match(second):
         place = place_of(second)
         place = place if place in lexicon.PLACE_KINDS else ""
     next_day = _NEXT_DAY.match(opening) is not None

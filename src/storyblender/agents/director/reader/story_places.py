@@ -34,9 +34,9 @@ _GOING = re.compile(
 """``goes through to the kitchen``, ``brought them out on a ledge above the cave``."""
 _THERE_AND_BACK = re.compile(r"\b(?:came|comes|come|ran|and|was|were|is) (?:straight )?back\b|\breturn(?:s|ed)\b")
 _BEING = re.compile(
-    r"[^,;:]{2,50}? (?:is|was|are|were|stood|sat|stands|sits|waits|waited|lay|lies|knelt|kneels)"
+    r"[^,;:]{2,50}?(?:, [^,;:]{2,50},)? (?:is|was|are|were|stood|sat|stands|sits|waits|waited|lay|lies|knelt|kneels)"
     r"(?: (?:still|already|now|alone|up|down|asleep|awake|busy|\w+ing)){0,2}"
-    rf" (?:in|at|aboard|inside|outside|on) {_DETERMINED}{_WORDS}"
+    rf" (?:in|at|aboard|inside|outside|on|against) {_DETERMINED}{_WORDS}"
 )
 """``Mrs. Lunt is still in the kitchen``: so are we."""
 _SUBJECT = re.compile(rf"(?:the|his|her|their|my|our)\s+{_WORDS}")
@@ -48,6 +48,21 @@ _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
 _PLAIN = lexicon.ADJECTIVES | _SMALL | {"", "other", "next", "same", "whole", "own", "old", "empty", "single"}
 """``the day room`` is a kind of room, ``the little room`` is not."""
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES
+_OWNED = {
+    "hut",
+    "cabin",
+    "shop",
+    "tent",
+    "cell",
+    "study",
+    "office",
+    "workshop",
+    "cottage",
+    "kitchen",
+    "chamber",
+    "forge",
+}
+"""``the ferryman's hut``."""
 _WHOLE = {
     *("house", "cottage", "castle", "hotel", "inn", "motel", "palace", "mansion", "school", "schoolhouse", "church"),
     *("cathedral", "ship", "hospital", "prison", "jail", "monastery", "temple", "theatre", "theater", "museum"),
@@ -77,7 +92,7 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
     named += [
         (before + last).lower() for before, last in _NAMED.findall(raw) if last.lower() in lexicon.PLACES - _WHOLE
     ]
-    known = [place for place in named if place in lexicon.PLACE_KINDS]
+    known = [place for place in named if place in lexicon.PLACE_KINDS or place.rpartition("'s ")[2] in _OWNED]
     return (known or named or [""])[0]
 
 
@@ -131,6 +146,9 @@ def leading_place(words: list[str]) -> str:
         if word in lexicon.PLACES and not compound:
             before = words[index - 1] if index else ""
             pair = f"{before} {word}".strip()
+            owned = re.fullmatch(r"[a-z]+['’]s", before) is not None and word in _OWNED
+            if owned:
+                return f"{before.replace('’', chr(39))} {word}"
             of_a_kind = word == "room" and before not in _PLAIN and form_kind(before) in ("", "ing")
             return pair if of_a_kind or before in lexicon.PLACES | _THINGS or pair in lexicon.PLACE_KINDS else word
     return ""

@@ -26,6 +26,8 @@ def places(*paragraphs: str) -> list[str]:
         ("The path brought them out on a ledge high above the cave. Ben looked down.", "cave"),
         ("At sunrise Ben was waiting in Gannet Cove.", "gannet cove"),
         ("Out in the drive the cart stands empty. Ben looks at it.", "drive"),
+        ("The ferry, a flat thing of planks, lay against the jetty. Ben stepped aboard.", "jetty"),
+        ("That evening Ben sat close to the stove in the miller's hut. Anna slept.", "miller's hut"),
         ("They drove for an hour. In the office a fan was turning. Ben hit the bell.", "office"),
     ],
 )
@@ -37,6 +39,7 @@ def test_a_story_comes_to_a_place(paragraph: str, place: str) -> None:
     "paragraph",
     [
         "They pulled a stranger into the parlour. He fell.",
+        "Ben bent over the map. On the far side of the river somebody had begun to ring.",
         "Ben went into the kitchen and came back with a tray. Anna took it.",
         "Ben went out to the yard.",
         "The house was silent. Anna put down her cup.",
@@ -53,3 +56,8 @@ def test_a_story_stays_where_it_is(paragraph: str) -> None:
 def test_a_first_paragraph_that_comes_into_a_room_plays_there() -> None:
     opening = "Anna puts her shoulder to the door of her uncle's house. It gives, and she stumbles into the hallway."
     assert places(opening) == ["hallway"]
+
+
+def test_the_place_somebody_owns_comes_before_the_river_beyond() -> None:
+    opening = "It was hardly morning in the ferryman's hut when somebody rang on the far side of the river. Ben got up."
+    assert places(opening) == ["ferryman's hut"]
