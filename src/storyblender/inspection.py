@@ -145,13 +145,13 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
             continue
         cast = {figure.node_id for figure in sights[name].figures}
         seen = {item.node_id for item in sights[name].view.subjects if item.node_id in cast and item.pixels > SEEN}
-        least = len(shot.in_frame)
+        least = len(shot.shown)
         most = len(shot.on_stage) if shot.camera_instruction.size in WIDE else least
         expected = min(max(len(seen), least), max(most, least))
         off = abs(len(seen) - expected)
         scores.append(math.exp(-off / (OCCM_EPSILON + expected)) if off else 1.0)
         if off:
-            shown, meant = (", ".join(sorted(people)) or "nobody" for people in (seen, shot.in_frame))
+            shown, meant = (", ".join(sorted(people)) or "nobody" for people in (seen, shot.shown))
             findings.append(f"{name}: shows {shown}; meant to show {meant}")
     mean = 100 * sum(scores) / max(1, len(scores))
     return CheckRow(name="on-stage count matching", value=f"{mean:.1f}", ok=mean >= 95)
@@ -164,7 +164,8 @@ def _hidden_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], find
         if shot.camera_instruction.detail is not None:
             continue
         name = shot_name(shot.scene_id, shot.shot_id)
-        people = [asset_id for asset_id in shot.camera_instruction.focus_on_ids if asset_id in shot.on_stage]
+        there = {*shot.on_stage} - {*(shot.camera.leaves_out if shot.camera else ())}
+        people = there.intersection(shot.camera_instruction.focus_on_ids)
         for item in sights[name].view.subjects if name in sights else ():
             share = item.visible_fraction / max(item.in_frame_fraction, 1e-6)
             if item.node_id in people and share < 1 - HIDDEN:

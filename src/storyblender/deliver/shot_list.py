@@ -40,7 +40,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, out: Path) -> None:
                 "seconds": f"{panel.seconds:.2f}",
                 "record_in": timecode(panel.start, panel.fps),
                 "record_out": timecode(panel.start + shot.duration, panel.fps),
-                "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.in_frame),
+                "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.shown),
                 "action": panel.action,
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),
                 "sound": shot.sound_effect or "",

@@ -189,6 +189,8 @@ class CameraState(Frozen):
     f_number: float = 2.8
     hidden_node_ids: tuple[Identifier, ...] = ()
     """Wild walls: set pieces taken away for this shot."""
+    leaves_out: tuple[Identifier, ...] = ()
+    """Characters the shot was meant to show who stand too far from the others for a picture of its size."""
     score: float = 0.0
     residual: tuple[Flaw, ...] = ()
     """What the critic still minds."""
@@ -222,3 +224,9 @@ class ShotContext(Frozen):
     lighting: Lighting | None = None
     """Replaces the scene's light plan from this shot on, where the script changes the light."""
     locked: tuple[Literal["camera", "blocking", "duration"], ...] = ()
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """Characters the shot is meant to show, without those its camera leaves out."""
+        left = self.camera.leaves_out if self.camera else ()
+        return tuple(asset_id for asset_id in self.in_frame if asset_id not in left)

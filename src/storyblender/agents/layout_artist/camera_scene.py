@@ -134,7 +134,7 @@ def shoot_scene(
                 side=sides.get(axis, 0),
                 reverse=_reverse(instruction.focus_on_ids, answered.get(axis)),
             )
-        state = shot.camera or operate(brief, viewfinder, listener=listener)
+        state = shot.camera or _leaving_out(operate(brief, viewfinder, listener=listener), shot, brief)
         cameras[shot.shot_id] = state
         previous = Cut(instruction, state)
         if axis is not None:
@@ -142,6 +142,12 @@ def shoot_scene(
             if instruction.kind in _ANSWERS:
                 answered[axis] = previous
     return cameras
+
+
+def _leaving_out(state: CameraState, shot: ShotContext, brief: CameraBrief) -> CameraState:
+    """Return the camera with whom it was meant to show and leaves out."""
+    left = tuple(node for node in shot.in_frame if node not in brief.in_frame)
+    return state.model_copy(update={"leaves_out": left}) if left else state
 
 
 def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:

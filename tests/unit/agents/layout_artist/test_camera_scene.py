@@ -128,6 +128,16 @@ def test_a_group_of_medium_size_holds_only_who_is_near(kind: str, size: str, x: 
     assert (brief.in_frame == ("tom",)) == held
 
 
+def test_a_camera_says_whom_it_leaves_out(monkeypatch) -> None:
+    far = replace(TOM, face=(9.0, *TOM.face[1:]), base=(9.0, *TOM.base[1:]))
+    story = graph({"kind": "group", "size": "MWS", "focus_on_ids": AXIS}, in_frame=AXIS)
+    monkeypatch.setattr(camera_scene, "operate", lambda *_, **more: SET)
+    cameras = shoot_scene(story, 1, PLAN, {"cup": CUP}, lambda _: [Moment(0, (ANNA, far))], NumberFinder([], {}))
+    assert cameras[1].leaves_out == ("tom",)
+    assert story.shots[0].shown == AXIS
+    assert story.shots[0].model_copy(update={"camera": cameras[1]}).shown == ("anna",)
+
+
 def test_a_reverse_answers_only_where_the_two_have_not_walked_around_each_other(monkeypatch) -> None:
     story = graph(*DIALOGUE[3:])
     behind = replace(TOM, face=(-0.6, 1.2, TOM.face[2]), base=(-0.6, 1.2, 0.0))
