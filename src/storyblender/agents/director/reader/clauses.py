@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.clause import Clause
+from storyblender.agents.director.reader.clause_order import has_own_place, inverts
 from storyblender.agents.director.reader.clause_repairs import repair
 from storyblender.agents.director.reader.morphology import VerbForm
 from storyblender.agents.director.reader.phrases import NounPhrase, Phrase
@@ -274,7 +275,7 @@ _ORDERS = lexicon.words("ordering")
 def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
     """A particle of the verb (``picks up``) or a preposition with a noun to come."""
     clause = builder.current
-    if index == 0 and phrase.text in _ADVERBIAL and _verb_follows(builder.phrases, 1) and not _inverts(builder.phrases):
+    if index == 0 and phrase.text in _ADVERBIAL and _verb_follows(builder.phrases, 1) and not inverts(builder.phrases):
         return
     following = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
     if clause and phrase.text in lexicon.PARTICLES and not clause.particle and not builder.closed:
@@ -286,12 +287,6 @@ def _take_preposition(builder: _Builder, index: int, phrase: Phrase) -> None:
             return
     absolute = phrase.text == "with" and clause is not None and _is_absolute(builder.phrases, index + 1)
     builder.preposition = "" if absolute else phrase.text
-
-
-def _inverts(phrases: list[Phrase]) -> bool:
-    """``Above the bed hangs a crucifix``: a place, a verb, and only then its subject."""
-    verb = phrases[2].verb if len(phrases) > 3 and phrases[1].kind == "noun" else None
-    return verb is not None and verb.lemma in lexicon.INVERTING | {"be"} and phrases[3].kind == "noun"
 
 
 def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
@@ -323,7 +318,7 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         return
     if clause is None:
         return
-    if noun.kind == "person" and left and left.text == "," and _has_own_place(builder.phrases, index):
+    if noun.kind == "person" and left and left.text == "," and has_own_place(builder.phrases, index):
         builder.aside = True
         return
     goes_on = listed and bool(clause.object) and not clause.places and _list_ends(builder.phrases, index)
@@ -342,14 +337,6 @@ def _take_noun(builder: _Builder, index: int, noun: NounPhrase) -> None:
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and len(clause.places) == clause.opening:
         clause.object = [noun]
-
-
-def _has_own_place(phrases: list[Phrase], index: int) -> bool:
-    """``Kate stands behind the counter, Joe in front of it.``: the last words are about Joe."""
-    after = phrases[index + 1 : index + 4]
-    kinds = [phrase.kind for phrase in after[:2]]
-    told = kinds == ["preposition", "noun"] and after[0].text in lexicon.RELATION_OF_PREPOSITION
-    return told and (len(after) < 3 or after[2].text in (".", ",", ";"))
 
 
 def _is_other_side(builder: _Builder, index: int) -> bool:
