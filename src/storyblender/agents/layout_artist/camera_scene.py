@@ -57,13 +57,15 @@ def story_moment(shot: ShotContext) -> int:
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:
-    """Rank what a shot is remembered by: what people do to each other 3, a deed or a sign 2, words 1, a way 0.
+    """Rank what a shot is remembered by: what people do to each other 3, a deed, a sign or a shout 2, words 1, a way 0.
 
     What goes on in the background, as somebody's playing or reading does, counts as words.
     """
     motion = clip_of(cue.clip)
     if motion.speed is not None:
         return 0
+    if cue.clip == "shout":
+        return 2
     goes_on = motion.stretches and not motion.before
     if motion.reach == "self" and motion.after is None and (goes_on or not motion.hands):
         return 1

@@ -161,6 +161,7 @@ HUG = {"clip": "hug", "start": 120, "target_id": "tom"}
     [
         ([TALK], 30, 50),
         ([TALK, TAKE], 80, 160),
+        ([TAKE, {"clip": "shout", "start": 140, "duration": 40, "target_id": "tom"}], 140, 180),
         ([TALK, HUG, {**TAKE, "start": 160}], 120, 160),
         (
             [{"clip": "play_piano", "start": 5, "duration": 60}, {"clip": "shout", "start": 100, "duration": 40}],
@@ -179,6 +180,7 @@ HUG = {"clip": "hug", "start": 120, "target_id": "tom"}
     ids=[
         "words",
         "deed",
+        "deed, shout",
         "two people",
         "answered play",
         "way to somebody",
