@@ -136,7 +136,8 @@ def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
 def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
     """OCCM (paper, appendix): exp(-|D - E| / (eps + E)), D counted in the ID mask, E as planned.
 
-    A tight shot shows exactly whom it is meant to show. A wide one shows at least those, and anybody else on stage.
+    A tight shot shows exactly whom it is meant to show; whom its camera leaves out as too far away may be seen behind
+    them. A wide one shows at least those, and anybody else on stage.
     """
     scores = []
     for shot in graph.shots:
@@ -146,7 +147,7 @@ def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], fi
         cast = {figure.node_id for figure in sights[name].figures}
         seen = {item.node_id for item in sights[name].view.subjects if item.node_id in cast and item.pixels > SEEN}
         least = len(shot.shown)
-        most = len(shot.on_stage) if shot.camera_instruction.size in WIDE else least
+        most = len(shot.on_stage) if shot.camera_instruction.size in WIDE else len(shot.in_frame)
         expected = min(max(len(seen), least), max(most, least))
         off = abs(len(seen) - expected)
         scores.append(math.exp(-off / (OCCM_EPSILON + expected)) if off else 1.0)
