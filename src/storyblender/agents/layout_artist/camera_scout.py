@@ -31,6 +31,8 @@ _BOAT_RISES = (0, 9, 19, 27)
 """Degrees to go up; three people or more are seen past each other from higher, and so is who sits in a boat."""
 _NEAR = 0.3
 """Metres a camera needs from things."""
+_LAP = 0.8
+"""Metres from somebody within which an insert may show a part of them that the spots of their body do not tell."""
 _AT_BACK = 0.1
 """Metres it needs from the one over whose shoulder it looks."""
 AT_EDGE = 0.6
@@ -93,7 +95,7 @@ def _cleared(brief: CameraBrief, take: Take) -> Take:
         camera = take.at(share_of(brief, moment.frame))
         for node in brief.strangers:
             figure = moment.figure(node)
-            if figure is not None and _inside(camera, figure):
+            if figure is not None and (_inside(camera, figure) or _beside(brief, figure)):
                 gone.append(node)
     return without(take, belongings(brief, gone))
 
@@ -255,6 +257,12 @@ def _body_spots(camera: Orbit, figure: Figure) -> Floats:
     column = np.linspace(figure.crown, (*figure.face[:2], figure.base[2] + _KNEE * height), 7)
     aside = camera.axes[:, 0] * _SHOULDER
     return np.concatenate([column - aside, column, column + aside])
+
+
+def _beside(brief: CameraBrief, figure: Figure) -> bool:
+    """Return whether somebody is so near the thing of an insert that a lap or a sleeve may show."""
+    near = (math.dist((box.x, box.y), figure.base[:2]) < _LAP for box in brief.things)
+    return brief.instruction.kind == "insert" and any(near)
 
 
 def _inside(camera: Orbit, figure: Figure) -> bool:

@@ -169,3 +169,11 @@ def test_the_camera_of_a_frame_is_between_its_poses() -> None:
     assert pose_at(state, 48, FILM).rotation == pytest.approx(last.rotation)
     middle = np.asarray(pose_at(state, 24, FILM).rotation)
     assert abs(middle @ first.rotation) == pytest.approx(abs(middle @ last.rotation))
+
+
+@pytest.mark.parametrize(("x", "aside"), [(0.5, True), (2.5, False)])
+def test_who_sits_beside_the_thing_of_an_insert_may_stand_aside_for_it(x: float, aside: bool) -> None:
+    ring = Box(0, 0, 0.45, 0.03, 0.03, 0.03)
+    sitter = figure("tom", x, 0, 0, 1.3)
+    view = brief([sitter], {"ring": ring}, kind="insert", size="CU", focus_on_ids=("ring",))
+    assert any(take.hidden == ("tom",) for take in scouted(view)) == aside
