@@ -24,8 +24,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reader.morphology import singular
-from storyblender.agents.director.reader.roster import bare
+from storyblender.agents.director.reader.language.morphology import singular
+from storyblender.agents.director.reader.people.roster import bare
 from storyblender.agents.director.reading import Person, Reading
 from storyblender.screenplay.source import read
 

@@ -3,29 +3,20 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader import (
-    changes,
-    contents,
-    deeds,
-    distances,
-    entrances,
-    exits,
-    noun_places,
-    relations,
-    states,
-)
-from storyblender.agents.director.reader.body_parts import motion_of_part
-from storyblender.agents.director.reader.clauses import Clause, find_clauses
-from storyblender.agents.director.reader.coreference import Referents, remember, resolve_owner, resolve_pronoun
-from storyblender.agents.director.reader.morphology import singular
-from storyblender.agents.director.reader.motions import motion_of
-from storyblender.agents.director.reader.people_meant import resolve_mention
-from storyblender.agents.director.reader.phrases import Phrase, find_phrases
-from storyblender.agents.director.reader.rewrite import regularise
-from storyblender.agents.director.reader.roles import Roles, resolve_objects, resolve_subject
-from storyblender.agents.director.reader.sentences import Sentence
+from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
+from storyblender.agents.director.reader.deeds.motions import motion_of
+from storyblender.agents.director.reader.language.body_parts import motion_of_part
+from storyblender.agents.director.reader.language.clauses import Clause, find_clauses
+from storyblender.agents.director.reader.language.morphology import singular
+from storyblender.agents.director.reader.language.phrases import Phrase, find_phrases
+from storyblender.agents.director.reader.language.rewrite import regularise
+from storyblender.agents.director.reader.language.words import joined
+from storyblender.agents.director.reader.page.sentences import Sentence
+from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve_owner, resolve_pronoun
+from storyblender.agents.director.reader.people.people_meant import resolve_mention
+from storyblender.agents.director.reader.people.roles import Roles, resolve_objects, resolve_subject
+from storyblender.agents.director.reader.places import contents, distances, noun_places, relations
 from storyblender.agents.director.reader.stage import SentenceState, Stage
-from storyblender.agents.director.reader.words import joined
 from storyblender.agents.director.reading import Person
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})

@@ -13,7 +13,7 @@ from typing import Literal
 
 from storyblender.agents.director import camera_phrases
 from storyblender.agents.director.naming import UPPER
-from storyblender.agents.director.reader.morphology import form_kind
+from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
 

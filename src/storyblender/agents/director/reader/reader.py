@@ -7,21 +7,21 @@ from collections import Counter
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
-from storyblender.agents.director.reader.carried import bring_along
-from storyblender.agents.director.reader.cast import find_cast
-from storyblender.agents.director.reader.exits import clear_exits
+from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
+from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
+from storyblender.agents.director.reader.deeds.carried import bring_along
+from storyblender.agents.director.reader.deeds.exits import clear_exits
+from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, open_manuscript
+from storyblender.agents.director.reader.page.prose_scenes import read_scene_change
+from storyblender.agents.director.reader.page.prose_sentences import prose_sentences
+from storyblender.agents.director.reader.page.scenes import first_scene, read_heading
+from storyblender.agents.director.reader.page.sentences import Sentence, action_sentences, speech_sentences
+from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reader.props import Inventory
-from storyblender.agents.director.reader.prose_cast import find_prose_cast
-from storyblender.agents.director.reader.prose_scenes import read_scene_change
-from storyblender.agents.director.reader.prose_sentences import prose_sentences
-from storyblender.agents.director.reader.roster import Roster
-from storyblender.agents.director.reader.scenes import first_scene, read_heading
-from storyblender.agents.director.reader.sentences import Sentence, action_sentences, speech_sentences
 from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
-from storyblender.agents.director.reader.words import Word
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay

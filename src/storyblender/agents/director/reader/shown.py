@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.coreference import resolve_pronoun
-from storyblender.agents.director.reader.phrases import NounPhrase, find_phrases
+from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.language.phrases import NounPhrase, find_phrases
+from storyblender.agents.director.reader.language.words import Word, tokenize
+from storyblender.agents.director.reader.people.coreference import resolve_pronoun
 from storyblender.agents.director.reader.stage import Stage
-from storyblender.agents.director.reader.states import hold
-from storyblender.agents.director.reader.words import Word, tokenize
 from storyblender.agents.director.reading import CameraNote, Person
 
 _GRIPS = frozenset({"hand", "palm", "fist", "finger", "grip"})

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.look import years
-from storyblender.agents.director.reader.people_meant import resolve_mention
-from storyblender.agents.director.reader.sentences import Sentence, Speech
+from storyblender.agents.director.reader.page.sentences import Sentence, Speech
+from storyblender.agents.director.reader.people.look import years
+from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Deed, Person
 from storyblender.memory.vocabulary import Gender

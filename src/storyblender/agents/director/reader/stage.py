@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from storyblender.agents.director.reader.language.words import Word, key_of
+from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.props import Inventory
-from storyblender.agents.director.reader.roster import Roster, bare
-from storyblender.agents.director.reader.words import Word, key_of
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Unit
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag

@@ -1,11 +1,11 @@
 from collections.abc import Callable
 
-from storyblender.agents.director.reader.clauses import Clause, find_clauses
-from storyblender.agents.director.reader.mentions import mark_mentions
-from storyblender.agents.director.reader.phrases import find_phrases
-from storyblender.agents.director.reader.rewrite import regularise
-from storyblender.agents.director.reader.roster import Roster
-from storyblender.agents.director.reader.words import Word, tokenize
+from storyblender.agents.director.reader.language.clauses import Clause, find_clauses
+from storyblender.agents.director.reader.language.phrases import find_phrases
+from storyblender.agents.director.reader.language.rewrite import regularise
+from storyblender.agents.director.reader.language.words import Word, tokenize
+from storyblender.agents.director.reader.people.mentions import mark_mentions
+from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Reading
 
 

@@ -1,0 +1,1 @@
+"""Who is in a script: the cast of a screenplay, and of a story in prose."""

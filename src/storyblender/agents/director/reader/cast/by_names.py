@@ -1,0 +1,38 @@
+"""More names for one of a screenplay's cast: nicknames, name tags, and what somebody wears."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+from storyblender.agents.director.naming import UPPER
+from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reading import Person
+
+_NICKNAMED = re.compile(
+    rf"(?P<first>[{UPPER}]{{2,}}(?: [{UPPER}]{{2,}})?) [\"“'‘(](?P<nick>[{UPPER}][\w'’]*(?: [{UPPER}]\w+)?)[\"”'’)] "
+    rf"(?P<last>[{UPPER}][{UPPER}'’-]+)"
+)
+_TAGGED = re.compile(
+    rf"\b(?:tag|badge|named|name|aka|called|says|reads)\b\W+(?:that )?(?:\w+ )??[\"“'‘]?([{UPPER}]{{2,}})\b"
+)
+
+
+def nicknamed(text: str) -> list[tuple[int, int, str, str]]:
+    """Find ``BEATRIZ "BEA" LUNA``: where it starts and ends, the whole name, the nickname."""
+    return [
+        (match.start(), match.end(), f"{match.group('first')} {match.group('last')}", match.group("nick"))
+        for match in _NICKNAMED.finditer(text)
+    ]
+
+
+def worn_name(roster: Roster, name: str) -> Person | None:
+    """``GREY SUIT``, who is the MAN IN A GREY SUIT."""
+    owned = re.compile(rf".* (?:in|with)(?: an?| the)? {re.escape(bare(name))}$")
+    return next((person for person in roster.people if owned.match(bare(person.name))), None)
+
+
+def tagged_name(look: str, names: Collection[str]) -> str:
+    """The name on a tag in brackets, ``(40s, name tag: MARGE)``, if it is a name of the script; else empty."""
+    tag = _TAGGED.search(look)
+    return tag.group(1) if tag and tag.group(1) in names else ""

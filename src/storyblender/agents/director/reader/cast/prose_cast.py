@@ -1,0 +1,242 @@
+"""Who is in a story: names, and nouns for people with a determiner (notes of the director, 1a)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.reader.cast.households import Kinship, is_family, link_kin, link_surnames
+from storyblender.agents.director.reader.cast.later_names import name_the_nameless
+from storyblender.agents.director.reader.cast.prose_names import add_name, names_in
+from storyblender.agents.director.reader.cast.spoken_names import announced, call_by_title, spoken_names, title_noun
+from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
+from storyblender.agents.director.reader.people.epithets import is_epithet
+from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.narrator import find_narrator
+from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reading import Person
+
+_APPOSED = re.compile(rf"\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+)")
+_APPOSED_AFTER_COMMA = re.compile(
+    rf",\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)*)(?=[,.;])"
+)
+"""``his wife, Anna Petrovna,``; ``his companion, Dr. Fell,``."""
+_NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
+_OPENING = re.compile(
+    r"(?:Without|After|Before|While|On|In|At|By|From|Through|Behind|With)\b[a-z ]*,|[A-Z][a-z]+(?:ly|ing)[a-z ]*,"
+)
+"""``Without knocking, a tiny woman came in``: nobody stands before her."""
+_NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
+_LATER = frozenset(
+    {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
+)
+"""``the man`` is somebody known, to be found by looking who is there."""
+
+
+_STRANGERS = frozenset({"stranger", "newcomer", "intruder"})
+"""What a man nobody named is called later."""
+_CHESSMEN = frozenset({"king", "queen", "knight", "bishop", "pawn"})
+_GAMES = re.compile(r"\b(?:chess|checkmate|playing cards|whist|draughts)\b")
+
+
+class _Role(NamedTuple):
+    """A noun for a person where it stands in the story."""
+
+    at: int
+    phrase: PersonNoun
+    after: str
+
+    @property
+    def name(self) -> str:
+        """The name that follows: ``niece Clara``, for kin and companions also after a comma."""
+        close = self.phrase.noun in lexicon.KIN or is_epithet(self.phrase.noun)
+        match = _APPOSED.match(self.after) or (_APPOSED_AFTER_COMMA.match(self.after) if close else None)
+        return match.group(1) if match and not self.phrase.plural else ""
+
+
+def find_prose_cast(script: Manuscript) -> Roster:
+    """Collect the people of a story: longer names first, then roles in the order they appear."""
+    roster = Roster()
+    names: list[tuple[int, str]] = []
+    roles: list[_Role] = []
+    family = is_family(script.text)
+    playing = _GAMES.search(script.text) is not None
+    for paragraph in script.paragraphs:
+        told = without_quotations(paragraph.raw)
+        names += names_in(told, paragraph.start)
+        for phrase in find_person_nouns(told):
+            piece = playing and phrase.noun in _CHESSMEN
+            if phrase.noun not in _NOT_ROLES and not piece and not _only_compared(told, phrase):
+                roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
+    for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
+        add_name(roster, at, name, script.text, family)
+    link_surnames(roster)
+    kin = [role for role in roles if role.name and role.phrase.noun in lexicon.KIN]
+    kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
+    link_kin(roster, kinships, sorted(names))
+    find_narrator(script, roster)
+    spoken = spoken_names(script)
+    titled = [name for at, name in spoken if any(title_noun(name) == r.phrase.noun and r.at < at for r in roles)]
+    for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
+        _admit(roster, role, script.text, [(at, name) for at, name in spoken if name not in titled])
+    call_by_title(roster, spoken)
+    name_the_nameless(roster, script.text)
+    roster.people.sort(key=lambda person: person.first)
+    roster.link_variants()
+    return roster
+
+
+def _only_compared(told: str, phrase: PersonNoun) -> bool:
+    """``a man's coat``, ``like a squirrel``: nobody is there."""
+    owned = phrase.determiner in ("a", "an") and re.match(r"['’]s", told[phrase.end :]) is not None
+    return owned or re.search(r"\b(?:like|as|than) $", told[max(0, phrase.start - 5) : phrase.start]) is not None
+
+
+def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
+    phrase, look = role.phrase, " ".join(role.phrase.adjectives)
+    named = _NAMED.match(role.after)
+    apposed = _is_apposed(role, text)
+    fresh = (
+        phrase.noun in _LATER | lexicon.RANKS.keys()
+        and phrase.determiner in ("a", "an")
+        and not phrase.plural
+        and not apposed
+    )
+    if role.name and is_epithet(phrase.noun) and phrase.determiner not in ("a", "an"):
+        return
+    if role.name:
+        _name_by_kin(roster, role, role.name)
+    elif fresh and (name := announced(roster, spoken, role.at, phrase.noun)):
+        person = roster.add(name, role.at)
+        person.gender = person.gender if person.gender != "unknown" else lexicon.gender_of_word(phrase.noun)
+        describe(person, look)
+    elif named:
+        person = roster.add(named.group(1), role.at)
+        if person.gender == "unknown":
+            person.gender = lexicon.gender_of_word(phrase.noun)
+        person.role = person.role or phrase.noun
+        roster.call(person, phrase.noun)
+        describe(person, look)
+    elif known := [person for person in roster.people if person.role == phrase.noun]:
+        for person in known if not (phrase.noun in _LATER and lexicon.AGED & set(phrase.adjectives)) else ():
+            describe(person, look)
+    elif not _is_somebody_known(roster, role, text):
+        _add_role(roster, role, look)
+
+
+def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
+    """``her uncle`` of a niece, ``the man`` where a man is known, ``Clara, a tall girl``, ``as a baby``."""
+    phrase = role.phrase
+    if phrase.determiner not in ("a", "an") and not phrase.plural and _is_kind(roster, phrase.noun):
+        return True
+    if (
+        phrase.noun in _LATER
+        and phrase.plural
+        and re.search(r"\b(?:the|his|her|their) $", text[max(0, role.at - 6) : role.at].lower())
+    ):
+        return True
+    apposed = _is_apposed(role, text)
+    if apposed and phrase.determiner == "the" and _names_before(roster, role, text):
+        return True
+    if phrase.determiner not in ("a", "an") and _goes_by(roster, phrase, text):
+        return True
+    converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
+    if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
+        return True
+    if phrase.noun in _LATER and phrase.plural and phrase.determiner in lexicon.POSSESSIVES:
+        return True
+    related = phrase.determiner in lexicon.POSSESSIVES and phrase.noun in lexicon.CONVERSE_KIN | {"cousin": ()}
+    if related and len(re.findall(rf"\b{phrase.noun}\b", text)) < 2 and len(roster.people) > 1:
+        return True
+    gender = lexicon.gender_of_word(phrase.noun)
+    if phrase.noun in _LATER and phrase.determiner == "the":
+        return any(gender in (person.gender, "unknown") or person.gender == "unknown" for person in roster.people)
+    if text[max(0, role.at - 3) : role.at].lower() == "as ":
+        return True
+    return apposed and (phrase.determiner in ("a", "an") or _names_before(roster, role, text))
+
+
+def _is_kind(roster: Roster, noun: str) -> bool:
+    """``a goose``, later ``the bird``: one animal."""
+    kinds = lexicon.KINDS.get(noun, frozenset())
+    same = [person for person in roster.people if person.kind == "animal" and person.role in kinds]
+    for person in same[:1]:
+        roster.call(person, noun)
+    return bool(same)
+
+
+def _is_apposed(role: _Role, text: str) -> bool:
+    """``Prado came in, a fat man``, but not ``and next to him, wrapped in a blanket, a boy``."""
+    sentence = re.split(r"[.!?]", text[max(0, role.at - 90) : role.at])[-1]
+    beside = re.search(r"\band (?:next to|beside|behind|with|between|in front of|on)\b", sentence)
+    alone = _OPENING.fullmatch(sentence.strip())
+    return text[max(0, role.at - 2) : role.at] == ", " and beside is None and alone is None
+
+
+def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:
+    """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
+    ranked = [person for person in roster.people if phrase.noun in _rank(person) and not phrase.plural]
+    nameless = [person for person in roster.people if person.role in _LATER and person.role == bare(person.name)]
+    if phrase.noun in _STRANGERS and nameless:
+        roster.call(nameless[-1], phrase.noun)
+        return True
+    if len(ranked) > 1 and phrase.noun in lexicon.FEMALE_NOUNS:
+        ranked = []  # of two ladies nobody knows who is the landlady
+    for person in ranked:
+        roster.call(person, phrase.noun)
+    if ranked or any(phrase.noun in person.aliases for person in roster.people if phrase.noun not in _LATER):
+        return True
+    others = [person for person in roster.people if person.kind == "human" and not is_epithet(person.role)]
+    if phrase.noun in lexicon.CALLINGS:
+        introduced = re.search(rf"\ban? (?:[a-z-]+ )?{phrase.noun}\b", text)
+        return phrase.determiner == "the" and bool(others) and introduced is None
+    return is_epithet(phrase.noun) and len(others) > 1
+
+
+def _rank(person: Person) -> set[str]:
+    """The nouns a title stands for: a sergeant is a soldier, Dr. Fell a doctor."""
+    title = bare(person.name).split()[0].strip(".")
+    nouns = {noun for noun, titles in lexicon.RANKS.items() if title in titles or person.role in titles}
+    nouns |= lexicon.RANKS.get(person.role, frozenset())
+    return nouns | ({lexicon.TITLE_SYNONYMS.get(title, title)} if title in lexicon.TITLES else set())
+
+
+def _names_before(roster: Roster, role: _Role, text: str) -> bool:
+    """``Mrs. Crabbe, the old housekeeper,``: she is the housekeeper from then on."""
+    before = text[max(0, role.at - 60) : role.at - 2].lower()
+    person = next((p for p in roster.people for alias in p.aliases if before.endswith(alias)), None)
+    end = role.at + role.phrase.end - role.phrase.start
+    closed = text[end - 1 : end + 1].endswith((",", ".", ", ")) or text[end : end + 4] == " of "
+    if person is None or not closed:
+        return False
+    roster.call(person, bare(role.phrase.noun))
+    person.role = person.role or role.phrase.noun
+    describe(person, " ".join(role.phrase.adjectives))
+    return True
+
+
+def _add_role(roster: Roster, role: _Role, look: str) -> None:
+    phrase = role.phrase
+    person = roster.add(phrase.noun, role.at)
+    person.count = lexicon.NUMBERS.get(phrase.determiner, 2) if phrase.plural else 1
+    if person.count > 1 and person.kind == "human":
+        person.kind = "group"
+    if look:
+        describe(person, look)
+        roster.call(person, f"{look} {phrase.noun}")
+
+
+def _name_by_kin(roster: Roster, role: _Role, name: str) -> None:
+    """``His niece Clara``: Clara, a woman, somebody's niece."""
+    known = roster.find(name)
+    person = known[0] if known else roster.add(name, role.at)
+    gender = lexicon.gender_of_word(role.phrase.noun)
+    person.gender = gender if gender != "unknown" else person.gender
+    person.role = person.role or role.phrase.noun
+    roster.call(person, bare(role.phrase.noun))
+    if {"little", "younger", "small"} & set(role.phrase.adjectives):
+        person.age = person.age or "child"

@@ -1,0 +1,361 @@
+"""Who is in a screenplay: cues, names in capitals, titles with a name (notes of the director, 1a)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import LOWER, UPPER, unaccented
+from storyblender.agents.director.reader.cast.by_names import nicknamed, tagged_name, worn_name
+from storyblender.agents.director.reader.cast.later_names import call_by_nouns
+from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
+from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reading import Person
+
+_CAPITAL = UPPER + "ʿʾʻ"
+_RUN = re.compile(
+    r"(?<![^\W\d_])(?:THE |A |AN |TWO |THREE |FOUR |FIVE |SIX )?"
+    rf"(?:(?:MRS|MR|DR|MS|PROF|SGT|LT|CAPT|ST)\.|[{_CAPITAL}][{_CAPITAL}'’.-]*[{_CAPITAL}]|[A-Z]{{2,}}\.|[A-Z])"
+    rf"(?:[ ](?:(?:IN|OF|WITH|THE|A)\s)*(?:[{_CAPITAL}][{_CAPITAL}'’.-]*[{_CAPITAL}]\.?|#?\d+))*(?![{LOWER}])"
+)
+"""A run of words in capitals."""
+_TITLED = re.compile(
+    r"\b(?:Mr|Mrs|Ms|Dr|Miss|Officer|Detective|Sergeant|Captain|Professor|Uncle|Aunt|Sheriff|Lieutenant|Deputy)\.? "
+    rf"[{UPPER}][{LOWER}]+"
+)
+_CAPITALISED_ROLE = re.compile(r"\b[Tt]he ((?:[A-Z][a-z]+ ){1,2}[A-Z][a-z]*)\b")
+_ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
+_COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
+_YEARS = r"(?:eigh|nine|seven|six|fif|four|thir|twen|for)(?:teen|ty|ties)\b|"
+_YEARS += r"(?:four|five|six|seven|eight|nine|ten|eleven|twelve)\b"
+_INTRODUCED = re.compile(
+    r"\s*\((?:early |mid |late |age |aged )?\d|\s*\([^)]*(?:\d0s|years)|\s*,\s*(?:\d|a |an |the |in h|early |mid|late "
+    rf"|barely |not yet |{_YEARS})|\s*\([^)]*(?:{_YEARS})"
+)
+_AGED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d\d?(?:['’]?s)?\s*[),]")
+_WORN = "|".join(sorted(word for word in lexicon.WORN if word.endswith("s")))
+_LOOK = re.compile(
+    rf"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|the|her|his|early|mid|late|barely|\d|{_YEARS})[^.;]*?)"
+    rf"(?=,?\s+(?:is|was|(?!(?:{_WORN})\b)[a-z]+s)\b(?! of)|[.;])",
+    re.DOTALL,
+)
+_SOME = 3
+"""Members of a group whose number is not told."""
+_NAMING = re.compile(
+    r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
+    r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
+    rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
+)
+_NOT_FAR = 900
+"""Characters back to the first sight of somebody who is then called ``the STRANGER``."""
+_SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
+_TOYS = "|".join(sorted(lexicon.words("toys")))
+"""``a teddy bear``: words that make an animal a thing."""
+_NUMBERED = re.compile(r"\s*#?\d+$")
+_MOVES = frozenset({"walk", "run", "sneak", "lie_down", "sit", "sleep", "stagger", "eat"})
+_TINY = frozenset({"ant", "bee", "beetle", "butterfly", "fly", "moth", "spider", "wasp", "mosquito", "bird", "gull"})
+_CHORUS = lexicon.words("chorus")
+"""Cues that mean whoever is there."""
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
+
+
+@dataclass(frozen=True, order=True)
+class _Sighting:
+    """One place where a name stands."""
+
+    at: int
+    name: str
+    after: str
+    """What follows it in its paragraph."""
+    nickname: str = ""
+
+
+def find_cast(script: Manuscript) -> Roster:
+    """Collect the people of a screenplay in the order they appear.
+
+    Longer names win: a cue HALE belongs to OFFICER HALE, JO and JOANNA stay two people.
+    """
+    cues = {paragraph.name for paragraph in script.paragraphs if paragraph.kind == "cue"}
+    cues -= {cue for cue in cues if cue.lower() in _CHORUS}
+    sightings: list[_Sighting] = []
+    for paragraph in script.paragraphs:
+        if paragraph.kind == "cue" and paragraph.name.lower() not in _CHORUS:
+            sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
+        elif paragraph.kind == "action":
+            sightings += _in_action(script, paragraph.body, paragraph.start, cues)
+            sightings += _in_camera_notes(paragraph, cues)
+    singles = [
+        part for sighting in sightings for part in _split(sighting) if part.name in cues or "'S " not in part.name
+    ]
+    roster = Roster()
+    full_names = {_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles}
+    for sighting in sorted(singles):
+        _admit(roster, sighting, full_names, script.text)
+    speaking = {bare(cue) for cue in cues}
+    for person in roster.people:
+        person.speaks = any(alias in speaking for alias in person.aliases)
+    for paragraph in script.paragraphs:
+        if paragraph.kind == "action":
+            _named_later(roster, paragraph.raw)
+    _add_animals(roster, script)
+    call_by_nouns(roster, script.text)
+    if not roster.people:
+        _add_unnamed(roster, script)
+    roster.link_variants()
+    return roster
+
+
+def _add_unnamed(roster: Roster, script: Manuscript) -> None:
+    """``She leaves. He stays.`` and nobody has a name: a woman and a man."""
+    for paragraph in script.paragraphs:
+        for word in re.finditer(r"\b(?:he|she)\b", paragraph.raw, re.IGNORECASE) if paragraph.kind == "action" else ():
+            roster.add("Woman" if word.group().lower() == "she" else "Man", paragraph.start + word.start())
+
+
+def _in_action(script: Manuscript, text: str, start: int, cues: set[str]) -> list[_Sighting]:
+    found: list[_Sighting] = []
+    nicknames = nicknamed(text)
+    for at, end, name, nickname in nicknames:
+        found.append(_Sighting(start + at, name, text[end:], nickname))
+        text = text[:at] + " " * (end - at) + text[end:]
+    for match in _RUN.finditer(text):
+        name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
+        before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + 40]
+        if len(name) > 1 and _is_person(name, before, after, cues, script.text):
+            found.append(_Sighting(start + match.start(), name, text[match.end() :]))
+    for match in _TITLED.finditer(text):
+        found.append(_Sighting(start + match.start(), match.group(0).upper(), ""))
+    for match in _CAPITALISED_ROLE.finditer(text):
+        words = match.group(1).split()
+        if len(words) > 1 and is_person_noun(singular(words[-1])):
+            found.append(_Sighting(start + match.start(1), match.group(1).upper(), ""))
+    return found
+
+
+def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
+    """CLOSE ON KIRA, BEN'S POV: people named to the camera."""
+    found: list[_Sighting] = []
+    for _, camera in paragraph.cameras:
+        for name in (camera.subject, camera.who):
+            at = paragraph.raw.find(name)
+            name_alone = name.upper() == name and at >= 0 and len(name) > 1
+            if name_alone and _is_person(name, "the ", paragraph.raw[at + len(name) :][:40], cues, ""):
+                found.append(_Sighting(paragraph.start + at, name, paragraph.raw[at + len(name) :]))
+    return found
+
+
+def _is_person(name: str, before: str, after: str, cues: set[str], text: str) -> bool:
+    """Whether words in capitals name somebody, and not a noise, a thing or a camera."""
+    base = _ARTICLE_OR_COUNT.sub("", name)
+    if base in cues or name in cues:
+        return True
+    if " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS:
+        return True
+    unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"
+    head = singular(unnumbered.split()[-1])
+    title = base.split()[0].strip(".").lower()
+    if is_person_noun(head) or (title in lexicon.TITLES and " " in base):
+        return True
+    if _AGED.match(after) or _is_called_a_person(after):
+        return True
+    if head in lexicon.PROPS | lexicon.SET_PIECES:
+        return False
+    if {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES or _INTRODUCED.match(after):
+        return True
+    if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
+        return False
+    return _acts_like_a_person(base, before, after, text)
+
+
+def _is_called_a_person(after: str) -> bool:
+    """Whether an apposition says so, whatever the name means: ``STONE, a big man, carries``."""
+    told = re.match(r"\s*,\s*(an?\s.*)", after)
+    return told is not None and any(phrase.start == 0 for phrase in find_person_nouns(told.group(1)))
+
+
+def _acts_like_a_person(base: str, before: str, after: str, text: str) -> bool:
+    """A third-person verb follows, and there is no article, or elsewhere the name is written like a name."""
+    verb = re.match(r"\s+([a-z]+)", after)
+    if verb is None or form_kind(verb.group(1)) not in ("3sg", "aux") or form_kind(base.lower()):
+        return False
+    bare_name = not re.search(r"\b(?:the|a|an|his|her|their|its)\s(?:[a-z-]+\s){0,2}$", before, re.IGNORECASE)
+    return bare_name or re.search(rf"\b{re.escape(base.title())}\b(?!['’])", text) is not None
+
+
+def _split(sighting: _Sighting) -> list[_Sighting]:
+    """VERA AND DUTCH are two; ON, WITH before and 'S VOICE behind a name go."""
+    name = re.sub(r"^(ON|AND|WITH|OF|IN) ", "", sighting.name)
+    name = re.sub(r"['’]S (VOICE|POV|HAND|HANDS|FACE|EYES)$", "", name)
+    parts = [part.strip() for part in re.split(r" AND | & | ?/ ?", name) if part.strip()]
+    return [
+        _Sighting(
+            sighting.at + max(name.find(part), 0),
+            part,
+            sighting.after if part == parts[-1] else "",
+            sighting.nickname,
+        )
+        for part in parts
+    ]
+
+
+def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str) -> None:
+    """Add a sighting to the cast unless a longer form of the name is introduced elsewhere."""
+    base = re.sub(r"^(A|AN) ", "", _COUNT.sub("", sighting.name))
+    if _are_numbered(base, full_names):
+        return
+    name = re.sub(r"^THE ", "", base)
+    known = roster.find(name)
+    if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
+        return
+    other = None if known else _apposed(roster, sighting, name, text) or worn_name(roster, name)
+    if other:
+        roster.call(other, bare(name))
+    person = known[0] if known else other or _newcomer(roster, sighting, base)
+    if sighting.nickname:
+        roster.call(person, bare(sighting.nickname))
+    looks = _looks(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else []
+    if not known:
+        _seen_before(roster, person, text, sighting.at)
+    _kin_before(roster, person, text[max(0, sighting.at - 40) : sighting.at])
+    for said in looks:
+        describe(person, said)
+        if person.role and (tag := tagged_name(said, full_names)):
+            roster.call(person, bare(tag))
+
+
+def _looks(after: str) -> list[str]:
+    """What follows a name in brackets, and then between commas: ``(25), in a red coat, sits``."""
+    found, at = [], 0
+    while said := _LOOK.match(after, at):
+        found.append(said.group(1) or said.group(2) or "")
+        at = said.end()
+    return found
+
+
+def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
+    """``A man staggers out of the trees. Caleb drags the STRANGER in``: who is called *the* was there already."""
+    if not person.role or not text[:at].endswith("the "):
+        return
+    earlier = [
+        phrase
+        for phrase in find_person_nouns(text[max(0, at - _NOT_FAR) : at])
+        if phrase.determiner in ("a", "an") and not phrase.plural and phrase.noun in _SOMEBODY
+    ]
+    if earlier and not any(earlier[-1].noun in other.aliases for other in roster.people):
+        roster.call(person, earlier[-1].noun)
+        if person.gender == "unknown":
+            person.gender = lexicon.gender_of_word(earlier[-1].noun)
+
+
+def _kin_before(roster: Roster, person: Person, before: str) -> None:
+    """``Tobin's little sister, LARK``, ``his driver, DOT``: what somebody is to somebody else."""
+    said = re.search(r"(?:\b(?:his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+),? $", before)
+    if said and not person.role and person.kind == "human" and is_person_noun(said.group(1)):
+        person.role = said.group(1)
+        if person.gender == "unknown":
+            person.gender = lexicon.gender_of_word(person.role)
+        roster.call(person, person.role)
+
+
+def _are_numbered(name: str, full_names: set[str]) -> bool:
+    """``two THUGS`` are THUG #1 and THUG #2."""
+    head = singular(name.split()[-1])
+    plural = head != name.split()[-1].lower() and is_person_noun(head)
+    stem = re.escape(" ".join([*name.split()[:-1], head.upper()]))
+    return plural and any(
+        re.fullmatch(rf"(?:{stem}|{re.escape(head.upper())}) #?(?:\d|ONE|TWO)", full) for full in full_names
+    )
+
+
+def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
+    """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
+    left = text[max(0, sighting.at - 40) : sighting.at]
+    before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a |an |the )?$", left)
+    people = roster.find(before.group(1)) if before else []
+    if (
+        people
+        and people[0].role == bare(people[0].name) in lexicon.KIN
+        and left.endswith(", ")
+        and " " not in left[-2:-1]
+    ):
+        people[0].name = name
+        roster.call(people[0], bare(name))
+        return people[0]
+    if not people or left.endswith(", ") or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
+        return None
+    roster.call(people[0], bare(name))
+    roster.call(people[0], name.split()[-1].lower())
+    people[0].age = people[0].age or lexicon.AGE_WORDS.get(name.split()[0].lower(), "")
+    return people[0]
+
+
+def _add_animals(roster: Roster, script: Manuscript) -> None:
+    """An animal in small letters is cast when it comes up again or moves about: not a dog that barks once."""
+    first: dict[str, int] = {}
+    for paragraph in script.paragraphs:
+        for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
+            known = any(phrase.noun in (person.role, *person.aliases) for person in roster.people)
+            alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS
+            alive = alive and not re.search(rf"\b(?:{_TOYS})\s+{phrase.noun}\b", script.text, re.IGNORECASE)
+            if alive and not phrase.plural and not known:
+                if phrase.noun in first or _moves_about(phrase, paragraph.raw):
+                    roster.add(phrase.noun, first.get(phrase.noun, paragraph.start + phrase.start))
+                first.setdefault(phrase.noun, paragraph.start + phrase.start)
+    roster.people.sort(key=lambda person: person.first)
+
+
+def _moves_about(animal: PersonNoun, text: str) -> bool:
+    """``A lame dog limps out of the arcade``: somebody to be seen."""
+    verb = re.match(r"\s+([a-z]+)", text[animal.end :])
+    form = FORMS.get(verb.group(1)) if verb else None
+    moves = form is not None and form.kind in ("3sg", "past") and lexicon.MOTION_OF_VERB.get(form.lemma) in _MOVES
+    return moves and animal.determiner in ("a", "an") and animal.noun not in _TINY
+
+
+def _newcomer(roster: Roster, sighting: _Sighting, name: str) -> Person:
+    """A new person, or a group for TWO GUARDS and SAILORS."""
+    words = name.split()
+    head = singular(words[-1])
+    plural = head != words[-1].lower() and is_person_noun(head)
+    counted = _COUNT.match(sighting.name)
+    count = lexicon.NUMBERS[counted.group(1).lower()] if counted else _SOME if plural else 1
+    if count > 1:
+        name = " ".join([*words[:-1], head.upper()])
+    person = roster.add(name, sighting.at)
+    if count > 1 and person.first == sighting.at:
+        person.count, person.kind = max(person.count, count), "group" if person.kind == "human" else person.kind
+        roster.call(person, bare(sighting.name))
+    return person
+
+
+def _named_later(roster: Roster, text: str) -> None:
+    """``A woman in a grey suit sits down. Her name is NANCY``: the woman is Nancy."""
+    naming = _NAMING.search(text)
+    people = roster.find(naming.group(1).strip()) if naming else []
+    if not naming or not people or people[0].role:
+        return
+    person = people[0]
+    for phrase in find_person_nouns(text[: naming.start()]):
+        if phrase.determiner in ("a", "an") and not phrase.plural:
+            person.role = phrase.noun
+            if person.gender == "unknown":
+                person.gender = lexicon.gender_of_word(phrase.noun)
+            roster.call(person, phrase.noun)
+            if phrase.adjectives:
+                roster.call(person, " ".join((*phrase.adjectives, phrase.noun)))
+            return
+
+
+def _is_part_of(name: str, full: str) -> bool:
+    words = full.split()
+    return (
+        full != name
+        and name in words
+        and not re.search(r"\d", full)
+        and not (words[0].lower() in lexicon.VARIANT_WORDS and words[-1] == name)
+        and (words[0].strip(".").lower() in lexicon.TITLES or name in (words[0], words[-1]))
+    )

@@ -1,0 +1,96 @@
+"""What a sentence changes or lets us notice: doors, lamps and light, sounds, faces."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.people.roles import Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person, StateChange
+
+_STATE_OF_VERB = {
+    "open": "open", "unlock": "open", "pop": "open", "close": "closed", "shut": "closed", "slam": "closed",
+    "lock": "closed", "break": "broken", "shatter": "broken", "smash": "broken", "crack": "broken", "burst": "broken",
+    "explode": "broken",
+}  # fmt: skip
+_STATE_OF_PARTICLE = {"open": "open", "shut": "closed", "on": "on", "off": "off", "out": "off"}
+_HALF_OUT = {"flicker": "flickering", "dim": "dim"}
+_LAMPS, _LIGHTING = lexicon.words("lamps"), lexicon.words("lighting")
+_SWITCHING, _LIGHTING_UP = lexicon.words("switching"), lexicon.words("lighting_up")
+_FAILING = lexicon.words("failing")
+_SOUNDING, _LOUD = lexicon.words("sounding"), lexicon.words("loud")
+_SOUND_OF_MOTION = {"shoot": "gunshot", "knock": "knock", "clap": "applause"}
+
+
+def note_changes(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """Emit what a clause changes: doors that open, lamps and lights that go on or off, things that break."""
+    if clause.negated or clause.unreal:
+        return
+    _openings(stage, clause, roles)
+    for thing in roles.things:
+        _switched(stage, clause, thing)
+    for thing in roles.subject_things if not roles.subjects else ():
+        _fails(stage, clause, thing)
+
+
+def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """``opens the door``, ``The door swings open``, ``The window shatters``."""
+    state = _STATE_OF_VERB.get(clause.verb) or _STATE_OF_PARTICLE.get(clause.particle)
+    for thing in roles.things or (roles.subject_things if not roles.subjects else ()):
+        openable = stage.inventory.head(thing) in lexicon.OPENABLE and state in ("open", "closed")
+        breakable = stage.inventory.class_of(thing) in ("prop", "set_piece") and state == "broken"
+        if state and (openable or breakable):
+            _change(stage, thing, state, clause.at)
+
+
+def _switched(stage: Stage, clause: Clause, thing: str) -> None:
+    """``turns off the lamp``, ``lights a candle``."""
+    head, state = stage.inventory.head(thing), _STATE_OF_PARTICLE.get(clause.particle)
+    if clause.verb in _SWITCHING and state in ("on", "off") and head in _LAMPS:
+        _change(stage, thing, state, clause.at)
+    elif clause.verb in _LIGHTING_UP and (head in _LAMPS or head == "match"):
+        _change(stage, thing, "on", clause.at)
+
+
+def _fails(stage: Stage, clause: Clause, thing: str) -> None:
+    """``The lights go out``, ``The lamp flickers``, ``The power dies``."""
+    head = stage.inventory.head(thing)
+    if clause.verb not in _FAILING or head not in _LAMPS | _LIGHTING:
+        return
+    state = "off" if clause.verb in ("die", "fail") else _HALF_OUT.get(clause.verb)
+    state = _STATE_OF_PARTICLE.get(clause.particle) or state
+    if state:
+        _change(stage, thing, state, clause.at)
+
+
+def _change(stage: Stage, thing: str, state: str, at: int) -> None:
+    """Note a change once; the lights of the place are ``light``."""
+    subject = "light" if stage.inventory.head(thing) in _LIGHTING else thing
+    change = StateChange(subject, state, at)
+    if change not in stage.unit.changes:
+        stage.unit.changes.append(change)
+
+
+def note_sounds(stage: Stage, clauses: Sequence[Clause]) -> None:
+    """Collect the sound effects of the sentence: BANG, thunder rumbles, the phone rings, somebody shoots."""
+    found = [_SOUND_OF_MOTION[deed.motion] for deed in stage.unit.deeds if deed.motion in _SOUND_OF_MOTION]
+    for clause in clauses:
+        nouns = clause.object if clause.verb == "hear" else clause.subject if clause.verb in _SOUNDING else []
+        heads = [noun.head for noun in nouns if noun.kind == "thing"]
+        found += [lexicon.SOUNDS[head] for head in heads if head in lexicon.SOUNDS]
+        if clause.verb == "slam" and any(noun.head == "door" for noun in clause.subject + clause.object):
+            found.append("door_slam")
+    alone = all(clause.negated for clause in clauses)
+    for word in stage.sentence.words:
+        if word.low in _LOUD and word.verb is None and (word.text.isupper() or alone):
+            found.append(lexicon.SOUNDS[word.low])
+    stage.unit.sounds += [sound for sound in dict.fromkeys(found) if sound not in stage.unit.sounds]
+
+
+def note_faces(stage: Stage, clause: Clause, people: Sequence[Person]) -> None:
+    """Keep what shows on a face: smiles, frowns."""
+    if clause.verb in lexicon.FACE_VERBS and not clause.negated and not clause.unreal:
+        for person in people:
+            stage.unit.expressions[person.id] = clause.verb

@@ -1,0 +1,227 @@
+"""What people do: actor, motion, target and prop of a clause, and how far they go."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.language.words import joined
+from storyblender.agents.director.reader.people.roles import Place, Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Deed, Person
+
+_TOWARDS = lexicon.words("towards")
+_GOING = lexicon.words("going")
+"""Motions whose target stands after a preposition even where there is an object."""
+_THROUGH = frozenset({"read", "search", "look", "crawl", "climb", "jump", "walk", "run"})
+_FOLLOWING = frozenset({"walk", "run", "sneak"})
+"""Motions that may be after somebody, wherever they lead."""
+_TO_PLACES = _GOING - {"aim", "shoot"} | {"look"}
+"""Motions that may go to a piece of scenery."""
+_UPON = frozenset({"to", "against", "on", "onto", "upon"})
+_MUTUAL = frozenset({"hug", "kiss", "shake_hands", "fight", "dance"})
+_PAIRING = frozenset({"walk", "hug", "kiss", "run", "touch", "shake_hands"})
+_QUALITIES = lexicon.ADJECTIVES | lexicon.words("manner")
+_EACH_OTHER = re.compile(r"each other|one another")
+_TRAVEL = frozenset({"walk", "run", "sneak", "crawl", "stagger", "climb"})
+_LEADING = frozenset({"lead", "usher", "escort", "show", "see", "march", "guide", "shepherd", "walk"})
+_CAUSING = frozenset({"let", "help", "sit", "seat"})
+"""``lets him in``, ``helps her up``, ``sits Mia on the stool``: who is helped does it."""
+_PORTIONS = frozenset({"bite", "sip", "swig", "gulp", "drag", "puff", "mouthful", "swallow", "stack", "go"})
+"""``takes a bite of it``, ``lets go of the rope``."""
+_SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
+_METRES = {
+    "metre": 1.0, "meter": 1.0, "foot": 0.3048, "feet": 0.3048, "step": 0.75, "pace": 0.75, "yard": 0.9144,
+    "block": 80.0,
+}  # fmt: skip
+"""Length of a unit in metres."""
+_DISTANCE = re.compile(
+    rf"\b(\d+|{'|'.join(word for word in lexicon.NUMBERS)}|few|several)\s+(?:more |quick |slow |small |big |careful )?"
+    r"(metre|meter|foot|feet|step|pace|yard|block)s?\b"
+)
+
+
+def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
+    """Make the deeds of a clause and give them to the unit.
+
+    Args:
+        stage: The state before.
+        clause: Neither negated nor unreal, with somebody as subject.
+        roles: Its people and things.
+        motion: What the subjects do.
+    """
+    if motion in ("touch", "stand") and _only_a_pose(clause, roles, motion):
+        return []
+    target, prop = find_target(stage, clause, roles, motion)
+    distance = _distance(stage) if motion in _TRAVEL else None
+    actors = roles.people if clause.verb in _CAUSING and roles.people else roles.subjects
+    deeds = [
+        Deed(person.id, motion, target if target != person.id else None, prop, clause.at, clause.verb, distance)
+        for person in actors
+    ]
+    deeds = _mutual(stage, roles, deeds, motion)
+    mood = lexicon.mood_of(joined(stage.sentence.words))
+    for deed in deeds:
+        deed.mood = mood
+    deeds += _companions(roles, clause, motion)
+    stage.unit.deeds += [deed for deed in deeds if not _repeats(stage, deed)]
+    _pair_up(stage, roles, motion)
+    return deeds
+
+
+def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
+    """Who is led, and who goes along: ``ran down with her brother``."""
+    along = roles.people_after("with") if motion in _TRAVEL and clause.verb != "leave" else []
+    along += roles.people if clause.verb in _LEADING and motion == "walk" else []
+    along += roles.people if clause.verb == "chase" and clause.places else []
+    return [Deed(person.id, motion, at=clause.at, verb=clause.verb) for person in along if person not in roles.subjects]
+
+
+def _repeats(stage: Stage, deed: Deed) -> bool:
+    return any((d.actor, d.motion, d.at) == (deed.actor, deed.motion, deed.at) for d in stage.unit.deeds)
+
+
+def _only_a_pose(clause: Clause, roles: Roles, motion: str) -> bool:
+    """Touching oneself; ``reads it, standing``."""
+    own = bool(clause.object) and bool(roles.subjects) and clause.object[0].owner == roles.subjects[0].id
+    own = own and not any(
+        place.people or (place.things and place.preposition in _UPON) or any(n.owner for n in place.nouns)
+        for place in roles.places
+    )
+    return own if motion == "touch" else clause.participle and not clause.places
+
+
+def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tuple[str | None, str | None]:
+    """Whom or what a motion is for, and the thing used: ``gives Ben the folder`` -> Ben, folder."""
+    thing = next((thing for thing in roles.things if stage.inventory.head(thing) not in _QUALITIES), None)
+    if motion == "give":
+        return _receiver(stage, roles), thing or (roles.recipient_things[0] if roles.recipient_things else None)
+    aimed_at = roles.recipients + roles.people_after("to", "at", "after")
+    if motion == "throw" and thing and aimed_at:
+        return aimed_at[0].id, thing
+    if clause.verb == "give" and roles.recipients + roles.recipient_things:
+        return next((person.id for person in roles.recipients), None) or roles.recipient_things[0], None
+    owner = _owner_of_part(stage, clause, roles)
+    if owner:
+        return owner, None
+    people = roles.people + roles.recipients
+    target = people[0].id if people else thing
+    prop = thing
+    if motion in ("eat", "drink", "read") and not thing:
+        prop = target = _in_hand(stage, roles.subjects[0])
+    whole = [part for place in roles.places if place.preposition == "of" for part in place.things]
+    if whole and (stage.inventory.head(thing) in _PORTIONS or (motion == "drop" and not thing)):
+        prop = target = whole[0]
+    if stage.inventory.class_of(target) == "body" and not people:
+        target = prop = None
+    if not target or (motion in _GOING and not (people and motion in _FOLLOWING)):
+        target = _destination(stage, roles, motion, target)
+    if motion == "sit" and stage.inventory.head(target) not in _SEATS:
+        target = _seat_walked_to(stage, roles.subjects[0]) or target
+    if motion == "take" and not target:
+        prop = target = next((t for place in roles.places if place.preposition == "with" for t in place.things), None)
+    if motion == "touch":
+        owned = next((noun.owner for place in roles.places for noun in place.nouns if noun.owner), None)
+        target = owned if stage.inventory.class_of(target) == "body" else target
+        prop = None
+    return target, prop
+
+
+def _owner_of_part(stage: Stage, clause: Clause, roles: Roles) -> str | None:
+    """Whose body something is done to: ``grabs her arm``, ``kisses the top of her head``."""
+    if roles.people or not roles.things or stage.inventory.class_of(roles.things[0]) not in ("body", "abstract"):
+        return None
+    nouns = clause.object + [noun for place in roles.places if place.preposition == "of" for noun in place.nouns]
+    owners = [noun.owner for noun in nouns if noun.owner and noun.owner not in [p.id for p in roles.subjects]]
+    return owners[0] if owners else None
+
+
+def _receiver(stage: Stage, roles: Roles) -> str | None:
+    """Who is given something: named, or the only other person there."""
+    receivers = roles.recipients + roles.people_after("to")
+    if receivers:
+        return receivers[0].id
+    others = [p for p in stage.on_stage() if p not in roles.subjects and p.kind == "human"]
+    return others[0].id if len(others) == 1 else None
+
+
+def _in_hand(stage: Stage, person: Person) -> str | None:
+    """The prop somebody holds, for ``He drinks.``"""
+    held = stage.scene.held.get(person.id, ())
+    return next((thing for thing in reversed(held) if stage.inventory.class_of(thing) == "prop"), None)
+
+
+def _destination(stage: Stage, roles: Roles, motion: str, target: str | None) -> str | None:
+    """The person or thing after a preposition of direction."""
+    for place in sorted(roles.places, key=lambda place: place.preposition != "at"):
+        if place.preposition == "of" or (motion == "look" and place.preposition in ("in", "from")):
+            continue
+        directed = place.preposition in _TOWARDS or " " in place.preposition or motion in ("climb", "kneel")
+        through = place.preposition == "through" and motion in _THROUGH
+        through |= place.preposition in ("behind", "after") and motion in _GOING | {
+            "hide",
+            "stand",
+            "kneel",
+            "crouch",
+            "stagger",
+        }
+        if place.preposition == "from" and motion not in ("take", "drink", "eat"):
+            continue
+        if directed or through:
+            found = _at_place(stage, place, motion)
+            if found and not (motion == "throw" and target):
+                return found
+    return target
+
+
+def _at_place(stage: Stage, place: Place, motion: str) -> str | None:
+    owner = next((n.owner for n in place.nouns if n.kind == "thing" and n.head in lexicon.BODY and n.owner), None)
+    if owner:
+        return owner
+    if place.people:
+        return place.people[0].id
+    solid = sorted(place.things, key=lambda thing: stage.inventory.class_of(thing) == "scenery")
+    for thing in solid:
+        noun_class = stage.inventory.class_of(thing)
+        weather = stage.inventory.head(thing) in lexicon.WEATHER_NOUNS
+        if noun_class != "abstract" and not weather and (noun_class != "scenery" or motion in _TO_PLACES):
+            return thing
+    return None
+
+
+def _seat_walked_to(stage: Stage, person: Person) -> str | None:
+    """``Walks over to the booth and sits down``: the booth."""
+    units = stage.reading.units[-2:]
+    walked = [d for unit in units for d in unit.deeds if d.actor == person.id and d.motion in ("walk", "run")]
+    return next((d.target for d in reversed(walked) if stage.inventory.head(d.target) in lexicon.SEATS), None)
+
+
+def _mutual(stage: Stage, roles: Roles, deeds: list[Deed], motion: str) -> list[Deed]:
+    """``They hug``, ``They look at each other``: each is the other's target."""
+    if len(deeds) != 2:
+        return deeds
+    together = motion in _MUTUAL and not roles.people + roles.recipients
+    if together or _EACH_OTHER.search(joined(stage.sentence.words)):
+        first, second = deeds
+        first.target, second.target = second.actor, first.actor
+    return deeds
+
+
+def _pair_up(stage: Stage, roles: Roles, motion: str) -> None:
+    """Somebody who walks to somebody or hugs them makes a pair with them: ``they`` may follow."""
+    others = roles.people + roles.recipients + roles.people_after("to", "toward")
+    pair = {person.id: person for person in roles.subjects + others}
+    if len(roles.subjects) == 1 and motion in _PAIRING and len(pair) == 2:
+        discourse = stage.discourse
+        discourse.groups.append((discourse.sentence, list(pair.values()), discourse.clock))
+
+
+def _distance(stage: Stage) -> float | None:
+    """Metres, where the sentence says how far: ``ten metres``, ``three steps``."""
+    found = _DISTANCE.search(joined(stage.sentence.words))
+    if found is None:
+        return None
+    count = found.group(1)
+    number = float(count) if count.isdigit() else float(lexicon.NUMBERS.get(count, 3))
+    return round(number * _METRES[found.group(2)], 2)

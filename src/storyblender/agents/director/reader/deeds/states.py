@@ -1,0 +1,148 @@
+"""What stays after a sentence: postures, what supports people, what they have in hand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import zip_longest
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.language.morphology import singular
+from storyblender.agents.director.reader.language.words import joined
+from storyblender.agents.director.reader.people.roles import Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Deed, Person
+from storyblender.memory.vocabulary import Posture
+
+_POSTURE_OF_MOTION: dict[str, Posture] = {
+    "sit": "sit", "lie_down": "lie", "kneel": "kneel", "crouch": "crouch", "sleep": "asleep", "crawl": "kneel",
+    "fall": "lie", "wake": "lie", "lean": "lean",
+}  # fmt: skip
+_UPRIGHT = frozenset(
+    {"stand_up", "stand", "walk", "run", "jump", "climb", "dance", "stagger", "sneak", "fight", "swim"}
+)
+_TAKING = frozenset({"pick_up", "take", "hold", "carry", "catch"})
+_LOSING = frozenset({"put_down", "drop", "throw"})
+_NOT_HELD = frozenset({"abstract", "body", "set_piece", "scenery"})
+_NEAR = frozenset({"beside", "by", "near", "next to", "before", "in front of", "behind"})
+"""``sits beside the bed``: not on it."""
+_SUPPORTED = frozenset({"sit", "lie_down", "sleep", "lean", "kneel"})
+_FILLED = frozenset({
+    "begin", "cover", "crowd", "deal", "decorate", "end", "fill", "fuss", "help", "lay", "line", "load", "pack", "play",
+    "set", "stack", "start", "struggle", "wrestle",
+})  # fmt: skip
+"""What these are done with is not in the doer's hand."""
+_NOT_WITH = frozenset({"look", "think", "read", "listen"})
+_WHERE = frozenset({"on", "over", "under", "around", "across", "before", "in front of", "at", "behind", "beside", "by"})
+"""``with a hat on her head``: where what comes with somebody is, if not in the hand."""
+_HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
+_LONG = frozenset({"ladder", "stretcher", "plank"})
+"""Furniture that people carry past."""
+_WHOSE = r"(?:(?:his|her|their|its|each|one|the other|both|either) )?"
+_GRIPPED = (
+    r"(?:gripped|clutched|clamped|held|clenched|tucked|cradled)(?: tight| tightly)? (?:in|under|between|against|to)"
+)
+_READY = re.compile(
+    rf"\b([a-z-]+) (drawn|raised|ready|at the ready|in {_WHOSE}hands?"
+    rf"|{_GRIPPED} {_WHOSE}(?:arms?|hands?|fists?|teeth|elbow|fingers|chest)|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
+)
+
+
+def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
+    """Carry the outcome of deeds into the scene: postures, things in hand, vehicles."""
+    for deed in deeds:
+        posture = _POSTURE_OF_MOTION.get(deed.motion)
+        if posture:
+            stage.scene.posture[deed.actor] = (posture, _support(stage, deed, roles))
+        elif deed.motion in _UPRIGHT:
+            stage.scene.posture[deed.actor] = ("stand", None)
+        _board(stage, deed, clause, roles)
+        _handle(stage, deed)
+    _bring(stage, deeds, clause, roles)
+
+
+def _bring(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
+    """``stands in the doorway with an umbrella``, ``hits him with the torch``: it is in the hand."""
+    told = {deed.motion for deed in deeds}
+    in_hand = any(stage.inventory.class_of(thing) == "prop" for thing in roles.things)
+    if clause.passive or clause.verb in _FILLED or told & _NOT_WITH or in_hand or not deeds:
+        return
+    for place, after in zip_longest(roles.places, roles.places[1:]):
+        heads = {noun.head for noun in after.nouns} if after else set[str]()
+        elsewhere = after is not None and after.preposition in _WHERE and not heads & _HANDS
+        if place.preposition == "with" and not place.people and not elsewhere:
+            for thing in place.things:
+                if stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in _LONG:
+                    hold(stage, deeds[0].actor, thing)
+
+
+def _support(stage: Stage, deed: Deed, roles: Roles) -> str | None:
+    """What somebody sits, lies or leans on."""
+    if deed.motion not in _SUPPORTED:
+        return None
+    for place in roles.places:
+        kind = lexicon.relation_of(place.preposition)
+        for thing in place.things:
+            if kind in ("on", "in", "against") and stage.inventory.class_of(thing) in ("set_piece", "prop"):
+                return thing
+    near = any(deed.target in place.things and place.preposition in _NEAR for place in roles.places)
+    if stage.inventory.head(deed.target) in lexicon.SEATS and not near:
+        return deed.target
+    known = stage.scene.posture.get(deed.actor)
+    return known[1] if known and known[0] in ("sit", "lie", "asleep") and deed.motion in ("sit", "sleep") else None
+
+
+def _board(stage: Stage, deed: Deed, clause: Clause, roles: Roles) -> None:
+    """Getting into a vehicle is sitting in it; getting out is standing again."""
+    if clause.verb not in ("get", "climb", "step", "slide", "jump") or deed.motion not in ("walk", "climb", "jump"):
+        return
+    prepositions = roles.prepositions | {clause.particle}
+    if stage.inventory.head(deed.target) in lexicon.VEHICLES and prepositions & {"in", "into", "inside"}:
+        stage.scene.posture[deed.actor] = ("sit", deed.target)
+    elif prepositions & {"out", "out of"}:
+        stage.scene.posture[deed.actor] = ("stand", None)
+
+
+def _handle(stage: Stage, deed: Deed) -> None:
+    thing, held = deed.prop, stage.scene.held
+    if not thing or stage.inventory.class_of(thing) in _NOT_HELD:
+        return
+    if deed.motion in _TAKING:
+        hold(stage, deed.actor, thing)
+    elif deed.motion in _LOSING and thing in held.get(deed.actor, ()):
+        held[deed.actor].remove(thing)
+    elif deed.motion == "give":
+        _release(stage, thing)
+        if deed.target and stage.person(deed.target):
+            hold(stage, deed.target, thing)
+
+
+def hold(stage: Stage, person: str, thing: str) -> None:
+    """Put a thing into somebody's hand, out of everybody else's."""
+    if thing not in stage.scene.held.get(person, ()):
+        _release(stage, thing)
+        stage.scene.held.setdefault(person, []).append(thing)
+
+
+def _release(stage: Stage, thing: str) -> None:
+    for things in stage.scene.held.values():
+        if thing in things:
+            things.remove(thing)
+
+
+def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
+    """``Gun drawn``, ``notebook in hand``: the subject holds it."""
+    text = joined(stage.sentence.words)
+    for match in _READY.finditer(text):
+        noun = singular(match.group(1))
+        if noun not in lexicon.PROPS or not people:
+            continue
+        at = next((word.start for word in stage.sentence.words if word.low == match.group(1)), stage.unit.start)
+        thing = stage.inventory.id_of(noun, at)
+        stage.inventory.seen(thing, "handled")
+        hold(stage, people[0].id, thing)
+        own = [deed for deed in stage.unit.deeds if deed.actor == people[0].id]
+        known = any(deed.motion == "hold" or (deed.motion == "carry" and deed.prop == thing) for deed in own)
+        if " " in match.group(2) and "ready" not in match.group(2) and not known:
+            stage.unit.deeds.append(Deed(people[0].id, "hold", thing, thing, at, "hold"))

@@ -1,0 +1,1 @@
+"""English as screenplays write it: words, their forms, phrases and clauses."""

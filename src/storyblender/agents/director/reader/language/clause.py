@@ -1,0 +1,44 @@
+"""A clause: a verb with who does it, to whom, where."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from storyblender.agents.director.reader.language.phrases import NounPhrase
+
+
+@dataclass
+class Clause:
+    """A verb with everything that belongs to it."""
+
+    index: int
+    """Position of the verb among the words."""
+    at: int
+    """Offset of the verb in the script."""
+    verb: str
+    particle: str = ""
+    subject: list[NounPhrase] = field(default_factory=list)
+    object: list[NounPhrase] = field(default_factory=list)
+    recipient: list[NounPhrase] = field(default_factory=list)
+    complement: list[NounPhrase] = field(default_factory=list)
+    """What somebody or something is said to be: ``The shop is a ruin``, ``Hale is asleep``."""
+    places: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
+    """Prepositions with their nouns."""
+    asides: list[NounPhrase] = field(default_factory=list)
+    """``stands there, a crate on his shoulder``."""
+    opening: int = 0
+    """How many of the last places open the sentence: ``Behind the curtain Lena tunes her violin``."""
+    participle: bool = False
+    """An -ing form, or a bare infinitive."""
+    infinitive: bool = False
+    """``watches her go``."""
+    absolute: bool = False
+    """A participle with a subject of its own: ``engine running``."""
+    passive: bool = False
+    """A past participle: somebody else does it."""
+    negated: bool = False
+    unreal: bool = False
+    """It does not happen: would, if, without, wants to."""
+    elided: bool = False
+    """No subject is written."""
+    main: bool = True

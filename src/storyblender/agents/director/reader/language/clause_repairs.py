@@ -1,0 +1,91 @@
+"""What is only seen when all clauses of a sentence are known: delayed subjects, two verbs that are one deed."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clause import Clause
+from storyblender.agents.director.reader.language.words import Word
+
+_NEAR = 4
+"""Words between a comma and the subject it opens."""
+_BESIDE = frozenset({"come", "go"})
+"""``comes running``: one deed."""
+_ENDING = frozenset({"stop", "quit", "finish", "cease"})
+"""``stops writing``: no deed."""
+_FINDING = frozenset({"catch", "find", "spot", "notice"})
+"""``catches Ben staring``: it is Ben who does something."""
+_SLIPPING = frozenset({"fall", "drop", "slip", "go"})
+
+
+def repair(clauses: list[Clause], words: list[Word]) -> None:
+    """Give clauses the subjects told later, and join verbs that tell one deed.
+
+    Args:
+        clauses: Of one sentence, in order; changed in place.
+        words: The sentence.
+    """
+    _give_to_inverted(clauses)
+    _give_to_following(clauses, words)
+    following = [*clauses[1:], None]
+    joined = [clause for at, clause in enumerate(clauses) if not _joins(clause, following[at])]
+    for clause in [clause for clause in joined if clause.verb == "let"]:
+        _let(joined, clause)
+    clauses[:] = joined
+
+
+def _joins(clause: Clause, following: Clause | None) -> bool:
+    """Whether a verb only leads over to the participle after it."""
+    if following is None or not following.participle or following.infinitive or clause.places:
+        return False
+    if clause.verb in _FINDING and clause.object and following.subject == clause.object:
+        return True
+    touches = following.index == clause.index + 1
+    return touches and (clause.verb in _ENDING or (clause.verb in _BESIDE and not following.absolute))
+
+
+def _let(clauses: list[Clause], clause: Clause) -> None:
+    """``lets the crowbar fall`` is dropping it, ``lets him go`` nothing anybody sees."""
+    at = clauses.index(clause)
+    following = clauses[at + 1] if at + 1 < len(clauses) else None
+    if following and following.verb == "go" and following.index == clause.index + 1:
+        clause.particle, clause.places = "go", [*clause.places, *following.places]
+        clauses.remove(following)
+        return
+    if following is None or not following.infinitive or following.subject != clause.object or not clause.object:
+        return
+    if clause.object[0].kind == "thing" and following.verb in _SLIPPING:
+        clause.verb = "drop"
+        clauses.remove(following)
+    elif following.verb == "go" and not (following.places or following.particle):
+        clauses.remove(following)
+
+
+def _give_to_inverted(clauses: list[Clause]) -> None:
+    """``Under the stairs, sitting on a suitcase, is DOLORES``: it is Dolores who sits; ``Propped up is a broom``."""
+    if not clauses:
+        return
+    *before, last = clauses
+    somebody = bool(last.object) and last.object[0].kind == "person"
+    if last.opening and somebody and last.verb in lexicon.INVERTING and all(n.kind == "thing" for n in last.subject):
+        last.subject, last.object = last.object, []  # In the booth, hats low, sit two THUGS
+    if last.subject or not last.object or last.verb not in lexicon.INVERTING | {"be"}:
+        return
+    if all((clause.passive or (clause.participle and somebody)) and clause.elided for clause in before):
+        for clause in before:
+            clause.subject, clause.elided = last.object, False
+
+
+def _give_to_following(clauses: list[Clause], words: list[Word]) -> None:
+    """``Sitting on the bench, Bob waves``: it is Bob who sits."""
+    for number, clause in enumerate(clauses):
+        leads = clause.participle or (clause.passive and clause.elided)
+        if not number and not (leads and (not clause.subject or clause.subject[0].head == "")):
+            return
+        if number and not clause.elided and not clause.participle and clause.subject and clause.subject[0].head:
+            first = clause.subject[0].index
+            comma = max((index for index in range(first) if words[index].text == ","), default=first)
+            between = {word.low for word in words[comma:first]}
+            if clause.subject[0].kind != "thing" and first - comma <= _NEAR and not between & lexicon.CONJUNCTIONS:
+                for before in clauses[:number]:
+                    before.subject, before.elided = clause.subject, False
+            return

@@ -1,0 +1,54 @@
+"""Nouns for people and animals with a determiner: ``a tall man``, ``his little brother``, ``two guards``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+
+_DETERMINER = re.compile(
+    r"\b(the|a|an|his|her|their|my|our|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE
+)
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY | lexicon.PLACES
+_SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
+
+
+class PersonNoun(NamedTuple):
+    """A noun phrase in running text."""
+
+    start: int
+    """Of the determiner, in the text searched."""
+    end: int
+    determiner: str
+    adjectives: tuple[str, ...]
+    noun: str
+    """Singular."""
+    plural: bool
+
+
+def _names_a_thing(noun: str, word: str, after: str) -> bool:
+    """``a camel coat``, ``the sheep track``: no animal is there."""
+    following = re.match(r" ([a-z]+)", after)
+    return noun in lexicon.ANIMALS and noun == word and following is not None and following.group(1) in _THINGS
+
+
+def find_person_nouns(text: str) -> Iterator[PersonNoun]:
+    """Yield every noun for a person or animal with a determiner and at most three words between."""
+    for match in _DETERMINER.finditer(text):
+        at = match.end()
+        adjectives: list[str] = []
+        for word in match.group(2).split():
+            low = word.lower().strip(",")
+            noun = singular(low)
+            at = text.index(word, at) + len(word)
+            if low in _SMALL:
+                break
+            if is_person_noun(noun) and _names_a_thing(noun, low, text[at:]):
+                break
+            if is_person_noun(noun):
+                yield PersonNoun(match.start(), at, match.group(1).lower(), tuple(adjectives), noun, noun != low)
+                break
+            adjectives.append(low)

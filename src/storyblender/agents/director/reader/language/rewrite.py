@@ -1,0 +1,224 @@
+"""Make a screenplay sentence regular, so that its clauses can be read from left to right (notes, 1b).
+
+Verbs are told from nouns (``Kira sprints down``, ``They dance``) and tagged; what screenplays leave out is put in:
+the subject of ``Grabs a shovel.``, the ``was`` of ``MAN #2 on the bed``; appositions are taken out.
+"""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import VerbForm, form_kind, singular
+from storyblender.agents.director.reader.language.tagging import (
+    OPENERS,
+    Row,
+    as_participles,
+    is_contracted,
+    may_be_verb,
+    tag_verb,
+    was,
+)
+from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.language.written_verbs import is_outcome, written_verb
+
+_PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
+_NO_FRAGMENT = frozenset({"of", "with", "to", "as"})
+_TO_AND_FRO = frozenset(
+    {
+        ("up", "down"),
+        ("back", "forth"),
+        ("to", "fro"),
+        ("in", "out"),
+        ("round", "round"),
+        ("over", "over"),
+        ("on", "on"),
+    }
+)
+_SIDE_BY_SIDE = ("shoulder", "side", "back", "elbow", "knee", "hip", "arm")
+_RELATED = lexicon.KIN | lexicon.COMPANY
+_BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
+"""``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
+_OUTCOMES = {"shut": "shut", "closed": "shut", "open": "open"}
+"""What a door is after it was kicked or pulled."""
+_BESIDE = frozenset({"at", "by", "beside", "behind", "near", "under", "beneath", "next", "opposite", "atop", "across"})
+"""``Magda, by the loft, lights a match``: where she is, not who."""
+_LOOK_AHEAD = 16
+"""Words an apposition may take."""
+
+
+def regularise(words: list[Word]) -> list[Word]:
+    """Tag the verbs of a sentence and put in what it leaves out.
+
+    Args:
+        words: A sentence with its mentions marked.
+
+    Returns:
+        The words in the order they are to be read; only inserted words are new.
+    """
+    words = _named_kin(_without_all(_without_pairs(words)))
+    row = Row()
+    at = 0
+    while at < len(words):
+        word = words[at]
+        if word.text == "," and row.words and row.words[-1].named and not any(w.inserted and w.verb for w in row.words):
+            end = _apposition_end(words, at)
+            if end:
+                row.tail += _with_something(words[at + 1 : end - 1])
+                if words[at + 1].low in _BESIDE:
+                    start = len(row.words) - (2 if len(row.words) > 1 and row.words[-2].low in OPENERS else 1)
+                    row.words[start:start] = words[at + 1 : end - 1]
+                at, word = end, words[end]
+        if _renames(row.words, words, at):
+            at += 1 if word.mention else 2
+            continue
+        if word.text.isalpha() and word.mention is None:
+            tag_verb(words, at, row)
+        elif is_contracted(words, at):
+            word.verb, row.verb_seen = VerbForm("be", "aux"), True
+        row.words.append(word)
+        at += 1
+    regular = row.words if row.verb_seen else _complete_fragment(row.words)
+    if row.tail:
+        stop = 1 if regular[-1].text in ".!?" else 0
+        regular = [*regular[: len(regular) - stop], *row.tail, *regular[len(regular) - stop :]]
+    for index, word in enumerate(regular):
+        if word.low in _OUTCOMES and is_outcome(regular, index):
+            word.low, word.verb = _OUTCOMES[word.low], None
+        elif word.verb is None and word.mention is None and not word.inserted:
+            word.verb = written_verb(regular, index)
+    if row.last_kind == "3sg":
+        as_participles(regular)
+    return regular
+
+
+def _without_pairs(words: list[Word]) -> list[Word]:
+    """``up and down``, ``back and forth`` are adverbs, no directions."""
+    low = [word.low for word in words]
+    pairs = [i for i in range(len(low) - 2) if low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO]
+    pairs += [
+        i for i in range(len(low) - 2) if low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by", "in")
+    ]
+    return [word for i, word in enumerate(words) if not any(0 <= i - at < 3 for at in pairs)]
+
+
+def _without_all(words: list[Word]) -> list[Word]:
+    """``They all leave``, ``the men both nod``: the word changes nothing."""
+    return [
+        word
+        for index, word in enumerate(words)
+        if not (word.low in ("all", "both", "each") and index and _is_several(words[index - 1]))
+        or [following.low for following in words[index + 1 : index + 2]] == ["of"]
+    ]
+
+
+def _is_several(word: Word) -> bool:
+    return word.low in ("they", "we") or (word.mention is not None and word.mention.kind == "group")
+
+
+def _renames(before: list[Word], words: list[Word], at: int) -> bool:
+    """``a girl named Elin``, ``his niece Clara``: the name is told by the noun before it."""
+    left = before[-1].mention if before else None
+    named = words[at].low in ("named", "called") and at + 1 < len(words)
+    mention = words[at + 1].mention if named else words[at].mention
+    if not (left and mention and mention.kind == "name" and left.kind in ("role", "generic")):
+        return False
+    if named or mention.candidates[0] in left.candidates:
+        left.candidates = mention.candidates
+        return True
+    return False
+
+
+def _named_kin(words: list[Word]) -> list[Word]:
+    """``his companion, Dr. Fell, read``, ``the vicar, Mr. Pym, dozed``: told by name between commas."""
+    kept: list[Word] = []
+    at = 0
+    while at < len(words):
+        left, right = kept[-1].mention if kept else None, words[at + 1 : at + 3]
+        name = right[0].mention if len(right) > 1 and words[at].text == right[1].text == "," else None
+        named = left and left.kind != "name" and name and name.kind == "name"
+        if named and left and name and (left.head in _RELATED or name.candidates[0] in left.candidates):
+            kept[-1].mention = name
+            at += 3
+        else:
+            kept.append(words[at])
+            at += 1
+    return kept
+
+
+def _apposition_end(words: list[Word], comma: int) -> int | None:
+    """``ROOK, a broad man in a dark uniform, pushes``: index of the verb after the second comma."""
+    for at in range(comma + 2, min(len(words), comma + _LOOK_AHEAD)):
+        word = words[at]
+        following = words[at + 1] if at + 1 < len(words) else None
+        if word.mention or words[at - 1].text != "," or not may_be_verb(word, following):
+            continue
+        inside = words[comma + 1 : at]
+        first = next((w for w in inside if w.low not in lexicon.ADVERBS), inside[0])
+        if form_kind(first.low) == "ing":
+            return None
+        somebody = any(w.mention and w.text[0].isupper() for w in inside)
+        verb = any(
+            form_kind(w.low) in ("3sg", "aux") and inside[i - 1].low not in lexicon.NUMBERS
+            for i, w in enumerate(inside)
+            if not w.mention and not (i == 0 and singular(w.low) in _BORNE)
+        )
+        several = any(w.low == "and" for w in inside) and inside[0].low not in ("in", "with")
+        return None if somebody or verb or several else at
+    return None
+
+
+def _with_something(apposition: list[Word]) -> list[Word]:
+    """The part of an apposition that tells what somebody has with them."""
+    at = next((index for index, word in enumerate(apposition) if word.low == "with"), len(apposition))
+    belongs = any(word.low in lexicon.PREPOSITIONS for word in apposition[at + 1 :])
+    return apposition[at:] if belongs else []
+
+
+def _complete_fragment(words: list[Word]) -> list[Word]:
+    """Put ``was`` into a sentence without a verb: ``MAN #2 on the bed``, ``Behind her, JO``."""
+    if not words:
+        return words
+    if words[0].low in lexicon.PREPOSITIONS and words[0].mention is None:
+        return _turn_around(words)
+    at = next((index for index, word in enumerate(words) if index and _starts_predicate(word)), None)
+    if at is None or not (words[at - 1].solid or words[at - 1].text == ","):
+        return words
+    if any(word.low == "with" for word in words[:at]) and [w.low for w in words[at + 1 : at + 2]] in (["it"], ["them"]):
+        return words  # a table with a jug on it
+    if words[at - 1].text == "," and words[0].mention:
+        comma = next(index for index, word in enumerate(words) if word.text == ",")
+        words, at = words[:comma] + words[at:], comma
+    return [*words[:at], was(words[at].start), *words[at:]]
+
+
+def _starts_predicate(word: Word) -> bool:
+    if word.mention:
+        return False
+    return word.low in _PREDICATES or (word.low in lexicon.PREPOSITIONS and word.low not in _NO_FRAGMENT)
+
+
+def _is_list(words: list[Word]) -> bool:
+    """``On the table, a lamp, two glasses and a gun``: things only."""
+    commas = [index for index, word in enumerate(words) if word.text == ","]
+    heads = [words[index + 1].low for index in commas if index + 1 < len(words)]
+    several = bool(commas) or any(word.low == "and" for word in words)
+    nobody = not any(word.named for word in words)
+    return several and nobody and not any(low.endswith("ing") or low in lexicon.ADJECTIVES for low in heads)
+
+
+def _turn_around(words: list[Word]) -> list[Word]:
+    """``Behind her, JO holding a doll`` -> JO was behind her, holding a doll; ``On it JO`` -> JO was on it."""
+    comma = next((index for index, word in enumerate(words) if word.text == ","), None)
+    while words and words[-1].text in ".!?":
+        words = words[:-1]
+    if len(words) > 2 and words[1].low in lexicon.PRONOUNS and words[2].named:
+        place, rest = words[:2], words[2:]
+    elif comma is None or comma >= 6 or comma + 1 >= len(words):
+        return words
+    else:
+        place, rest = words[:comma], words[comma + 1 :]
+    prepositions = [i for i, word in enumerate(rest) if word.low in lexicon.PREPOSITIONS and not word.mention]
+    first = prepositions[0] if prepositions else len(rest)
+    cut = next((index for index, word in enumerate(rest) if word.text == ","), first)
+    if _is_list(rest[:first]):
+        cut = first
+    return [*rest[:cut], was(words[0].start), *place, *rest[cut:]]

@@ -1,0 +1,390 @@
+"""Telling verbs from nouns in a screenplay's present tense, from what stands to the left and to the right.
+
+``Kira sprints down``, ``The phone rings.``, ``grabs his boots, hands her the key``: a word that can be both is tagged
+where a verb fits; the words to its left are already tagged.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import (
+    FORMS,
+    RARE_FORMS,
+    VerbForm,
+    form_kind,
+    guess_lemma,
+    singular,
+)
+from storyblender.agents.director.reader.language.words import Word
+
+OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
+"""Words that start the object of a verb, and hardly ever follow a plural noun."""
+_DIRECTIONS = frozenset(
+    {
+        "up", "to", "twice", "once", "again", "at", "back", "away", "forward", "aside", "into", "toward", "towards",
+        "out", "through", "past", "from", "onto", "across", "off", "around", "along",
+    }
+)  # fmt: skip
+_BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
+_LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
+_CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})
+_SUBORDINATORS = frozenset({"when", "as", "while", "after", "before", "once", "until", "if", "since", "because"})
+_PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
+_AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
+SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
+PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
+_ENTERING = frozenset({"last", "next", "first", "here", "in", "out", "up", "down", "there", "along", "off", "then"})
+_LIMBS = frozenset({"hands", "arms", "fingers", "thumbs", "eyes", "knees", "elbows"})
+_FRAGMENT_NOUNS = frozenset({"hands", "arms", "guns", "lights", "steps", "sparks", "shots", "fires", "flames", "waves"})
+_STAGE_ORDERS = frozenset({"enter", "exit", "re-enter"})
+"""``Enter HAMLET.``"""
+_HANDING = frozenset({"over", "out", "back", "round"})
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
+_NOUNS = _THINGS | lexicon.WORN
+_ANY_NOUNS = _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
+PERCEIVING = lexicon.words("perceiving")
+"""``sees Tom go``, ``lets her in``: what follows the object is what that does."""
+_COMPOUNDS = lexicon.words("gerund_compounds")
+_RESTING = lexicon.words("stative")
+_CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
+_INVERTING = lexicon.INVERTING
+"""Verbs whose subject may follow: ``In the booth sit two thugs``."""
+
+
+@dataclass
+class Row:
+    """The words so far."""
+
+    words: list[Word] = field(default_factory=list)
+    verb_seen: bool = False
+    tail: list[Word] = field(default_factory=list)
+    """``with a canister on his back`` out of an apposition: it is told at the end."""
+    last_kind: str = ""
+    """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
+
+    def insert_subject(self, at: int) -> None:
+        """Put in the elided subject."""
+        self.words.append(Word("", at, at, inserted=True))
+
+    def insert_was(self, at: int) -> None:
+        """Put in the missing verb."""
+        self.words.append(was(at))
+        self.verb_seen = True
+
+    def neighbour(self) -> Word | None:
+        """The last word that is no adverb."""
+        return next((word for word in reversed(self.words) if not _is_adverb(word)), None)
+
+
+def was(at: int) -> Word:
+    """An inserted ``was``."""
+    return Word("", at, at, verb=VerbForm("be", "aux"), inserted=True)
+
+
+def _is_adverb(word: Word) -> bool:
+    adverb = (word.low.endswith("ly") and len(word.low) > 4) or word.low in _PASSED_OVER
+    return adverb and word.mention is None
+
+
+def tag_verb(words: list[Word], at: int, row: Row) -> None:
+    """Decide whether the word at ``at`` is a verb of this sentence; tag it, put in its subject."""
+    word = words[at]
+    following = words[at + 1] if at + 1 < len(words) else None
+    form = FORMS.get(word.low) or _rare_verb(word, following, row)
+    if form is None or names_a_kind(word, following) or _ends_a_kind(word, row):
+        return
+    left = row.neighbour()
+    following = _object_handed(words, at) or following
+    if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
+        return
+    if form.kind == "base" and word.low in lexicon.PARTICLES:
+        return
+    if form.kind == "past" and left is None and following and following.low in lexicon.PREPOSITIONS:
+        word.verb = VerbForm(form.lemma, "pp")
+    elif form.kind in ("base", "past") and word.low == form.lemma and _is_bare_infinitive(word, following, row):
+        word.verb, row.last_kind = VerbForm(form.lemma, "inf"), "inf"
+    elif form.kind in ("past", "aux", "pp"):
+        if left is None or left.low not in OPENERS:
+            row.verb_seen = True
+            if word.low not in FORMS:
+                word.verb = form
+    elif form.kind in ("3sg", "base"):
+        opens = left is None or not any(w.solid for w in row.words)
+        if _opens_sentence(form, word, following) if opens else _is_finite(form, word, following, left, row):
+            if opens and form.kind == "3sg":
+                row.insert_subject(word.start)
+            word.verb = VerbForm(form.lemma, "past")
+            row.verb_seen, row.last_kind = True, form.kind
+    elif form.kind == "ing" and not row.verb_seen:
+        _tag_participle(words, at, row)
+
+
+def _object_handed(words: list[Word], at: int) -> Word | None:
+    """``hands over the keys``: what follows the particle."""
+    handing = words[at].low == "hands" and at + 2 < len(words) and words[at + 1].low in _HANDING
+    return words[at + 2] if handing else None
+
+
+def is_contracted(words: list[Word], at: int) -> bool:
+    """``He's in the booth``, ``They're off``, ``Vance's in the chair``: a short is or are, no possessor."""
+    word, left = words[at], words[at - 1] if at else None
+    right = words[at + 1] if at + 1 < len(words) else None
+    if left is None or right is None or word.low not in ("'s", "'re", "'m") or right.low in ("got", "been"):
+        return False
+    if left.low in _CONTRACTING:
+        return True
+    named = left.mention is not None and left.mention.kind == "name"
+    return named and (right.low in lexicon.PREPOSITIONS or right.low in ("a", "an", "the", "already", "still", "not"))
+
+
+def names_a_kind(word: Word, following: Word | None) -> bool:
+    """``reading glasses``, ``a vending machine``: no reading."""
+    return following is not None and f"{word.low}_{singular(following.low)}" in _COMPOUNDS
+
+
+def _ends_a_kind(word: Word, row: Row) -> bool:
+    """``a crate of juggling clubs``: no clubbing."""
+    return bool(row.words) and f"{row.words[-1].low}-{singular(word.low)}" in lexicon.COMPOUNDS
+
+
+def may_be_verb(word: Word, following: Word | None) -> bool:
+    """Whether a word after an apposition can be the verb it interrupts: known, or shaped like one before an object."""
+    if form_kind(word.low) in ("3sg", "past", "aux"):
+        return True
+    right = following.low if following else "."
+    return word.low in RARE_FORMS and RARE_FORMS[word.low].kind in ("3sg", "past") and right in _AFTER_VERB
+
+
+def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
+    """A verb of the large list, or an unknown word in -s or -ed right after a person: ``the train barrels``."""
+    left = row.neighbour()
+    right = following.low if following else "."
+    form = RARE_FORMS.get(word.low)
+    if left is None or not word.text.islower() or len(word.low) < 4:
+        return form if left is None and form and form.kind == "3sg" and right in OBJECTS else None
+    if form and form.kind == "3sg" and right in OBJECTS:
+        return form if left.low not in _BEFORE_NOUN else None
+    after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
+    listed = left.low in ("and", ",", "then", "but") and row.verb_seen
+    after_noun = form is not None and not row.verb_seen and left.solid and left.low not in _BEFORE_NOUN
+    if form and form.kind == "3sg" and left.mention and left.named and form_kind(right) not in ("past", "aux"):
+        return form
+    past = form is not None and form.kind == "past"
+    if not (after_person or listed or after_noun) or not (_goes_on(right) or (past and listed)):
+        return None
+    if form is None:
+        form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
+    told = listed and word.low not in lexicon.ADJECTIVES and not row.last_kind
+    if form is None or (form.kind == "past" and (listed or after_noun) and right not in OBJECTS and not told):
+        return None
+    known_noun = form.kind == "3sg" and singular(word.low) in _ANY_NOUNS
+    return None if known_noun and not after_person else form
+
+
+def _guessed(word: Word) -> VerbForm | None:
+    if re.search(r"[^s]s$", word.low):
+        known_noun = singular(word.low) in _ANY_NOUNS
+        return None if known_noun else VerbForm(guess_lemma(word.low), "3sg")
+    return VerbForm(word.low[:-2], "past") if word.low.endswith("ed") else None
+
+
+def _goes_on(right: str) -> bool:
+    return right in _AFTER_VERB or right in OBJECTS | _DIRECTIONS | {"not", "to"} or right.endswith("ly")
+
+
+def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
+    """``watches her go to the window, part the blinds``: a base form after a perceived object, or one more of them."""
+    right = following.low if following else "."
+    left = row.neighbour()
+    if left is None or not _goes_on(right) or (singular(word.low) in _NOUNS and right not in OBJECTS | _DIRECTIONS):
+        return False
+    if row.last_kind == "inf" and left.low in ("and", ","):
+        return True
+    verbs = [i for i, word in enumerate(row.words) if word.verb or form_kind(word.low) == "past"]
+    at = verbs[-1] if verbs else None
+    if at is None or (row.words[at].verb or FORMS[row.words[at].low]).lemma not in PERCEIVING:
+        return False
+    between = row.words[at + 1 :]
+    return (
+        0 < len(between) <= 4
+        and not any(w.low in lexicon.PREPOSITIONS | _LINKS for w in between)
+        and (between[-1].mention is not None or between[-1].low in ("him", "her", "it", "them") or len(between) > 1)
+    )
+
+
+def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
+    """``Grabs a shovel.`` is a verb, ``Hands up.`` and ``Sparks.`` are not."""
+    right = following.low if following else "."
+    if word.low in _STAGE_ORDERS and following and following.mention:
+        return True
+    if form.kind != "3sg" or (right == "." and form.lemma not in lexicon.MOTION_OF_VERB) or right == "of":
+        return False
+    return word.low not in _FRAGMENT_NOUNS or not (right in ("up", "raised", "drawn", ".", ",") or right in FORMS)
+
+
+def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | None, row: Row) -> bool:
+    """Whether a word that can be a verb in the present is one here, from what stands to its left and right."""
+    if left is None or left.inserted:
+        return False
+    third, right = form.kind == "3sg", following.low if following else "."
+    brings = following is not None and (following.mention is not None or right in OPENERS)
+    if left.low in _ENTERING and brings and _opens_clause(row) and (third or form.lemma in _INVERTING):
+        return True
+    if third and (_is_relative(left, right, row) or (brings and _is_behind_her(form, left, row))):
+        return True
+    if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
+        return False
+    if _is_inverted(form, following, row):
+        return True
+    if left.mention and left.low not in PLURAL_PRONOUNS:
+        return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
+    if left.low in ("who", "which", "that") and not third:
+        return _goes_on(right) and left.low != "that"
+    if left.low in SINGULAR_PRONOUNS or (left.low == "other" and third):
+        return third
+    if left.low in PLURAL_PRONOUNS:
+        return True
+    if left.low in (")", '"'):
+        return third
+    if left.low in _LINKS:
+        told_in_past = not row.last_kind and any(
+            form_kind(w.low) == "past" or w.low in ("was", "were", "had") for w in row.words
+        )
+        if third and told_in_past and singular(word.low) in _NOUNS:
+            return False
+        listed = third and left.low in (",", "and") and _reads_as_noun(word, right, row)
+        return _continues(form, left, right, row) and not listed
+    if not third and form.lemma in lexicon.MOTION_OF_VERB and _several_described(row):
+        return singular(word.low) not in _NOUNS
+    return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(word, form, left, right)
+
+
+def _is_relative(left: Word, right: str, row: Row) -> bool:
+    """``the letter that lies on the mat``, but not ``sees that hats``."""
+    before = row.words[-2] if len(row.words) > 1 else None
+    if left.low != "that" or before is None or not _goes_on(right):
+        return False
+    small = before.low in _BEFORE_NOUN | _LINKS or _is_adverb(before)
+    return before.solid and before.verb is None and not small
+
+
+def _is_behind_her(form: VerbForm, left: Word, row: Row) -> bool:
+    """``behind her stands a waiter``: no stands of hers."""
+    before = row.words[-2].low if len(row.words) > 1 else ""
+    return left.low == "her" and form.lemma in _INVERTING and before in lexicon.PREPOSITIONS
+
+
+def _several_described(row: Row) -> bool:
+    """``SOLDIERS in white smocks``: several people first, then what they have on, and no verb yet."""
+    first, *rest = row.words
+    several = first.mention is not None and any(person.count > 1 for person in first.mention.candidates)
+    return several and not row.verb_seen and bool(rest) and rest[0].low in ("in", "with", "of", "from")
+
+
+def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
+    """``In the far booth, hats low, sit two THUGS``: a place first, then a verb of being somewhere, then who."""
+    if following is None or form.lemma not in _INVERTING:
+        return False
+    start = max((at for at, w in enumerate(row.words) if w.low in (";", "and")), default=-1) + 1
+    if row.verb_seen and (not start or any(w.verb for w in row.words[start:])):
+        return False  # and on top of the letters lies a ring
+    first = next((w for w in row.words[start if row.verb_seen else 0 :] if w.solid), None)
+    leads = first is not None and (first.low in lexicon.PREPOSITIONS | {"there", "here"} or first.verb is not None)
+    return leads and (following.mention is not None or following.low in OPENERS | frozenset(lexicon.NUMBERS))
+
+
+def _new_clause(row: Row) -> bool:
+    """Whether the noun before opens a clause of its own: ``Doyle falls and the lantern rolls off``."""
+    for index in range(len(row.words) - 2, max(len(row.words) - 5, -1), -1):
+        if row.words[index].low in OPENERS:
+            before = row.words[index - 1].low if index else ""
+            if index > 1 and before in lexicon.PRONOUNS and row.words[index - 2].low in lexicon.PREPOSITIONS:
+                return True  # and behind it a map hangs
+            return before in _CLAUSE_LINKS or (before == "," and row.words[0].low in _SUBORDINATORS)
+    return False
+
+
+def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
+    """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``slips in``."""
+    if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
+        return False
+    if right in OBJECTS | _DIRECTIONS or right.endswith("ly"):
+        return False
+    if (word.low in _LIMBS and right in lexicon.PREPOSITIONS) or form_kind(right) in ("past", "pp"):
+        return True
+    before = [w for w in row.words if w.solid]
+    return not row.verb_seen or _is_bare_plural(before)
+
+
+def _is_bare_plural(before: list[Word]) -> bool:
+    """Whether the words before a link end in a plural without a determiner: the start of a list of nouns."""
+    before = before[:-1] if before and before[-1].low == "and" else before
+    if not before or before[-1].mention or before[-1].verb or singular(before[-1].low) == before[-1].low:
+        return False
+    return len(before) < 2 or before[-2].low not in OPENERS
+
+
+def _opens_clause(row: Row) -> bool:
+    """Whether only one word stands since the start of the clause: ``In`` of ``In walks BOB``."""
+    return len(row.words) < 2 or row.words[-2].low in ("and", ",", "then", ".")
+
+
+def _is_plural(left: Word, row: Row) -> bool:
+    """Two guards / Kira and Tomas / the officers / the CHILDREN, before a base form."""
+    if left.mention and left.mention.kind == "group":
+        return True
+    coordinated = any(w.low == "and" and i and row.words[i - 1].mention for i, w in enumerate(row.words))
+    return coordinated or left.low.endswith("s") or singular(left.low) != left.low
+
+
+def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
+    """A verb after a comma or conjunction goes on with the verb form before it."""
+    if form.kind == "base":
+        several = any(w.mention and w.mention.kind == "group" for w in row.words)
+        return row.last_kind == "base" or (several and not row.verb_seen and left.low == "," and right in OBJECTS)
+    if left.low in lexicon.CONJUNCTIONS:
+        return left.low in ("and", "then", "but", "or") and (row.verb_seen or any(w.inserted for w in row.words))
+    somebody = any(w.mention for w in row.words)
+    return (row.verb_seen and right != "of") or (somebody and right in OPENERS | lexicon.PREPOSITIONS)
+
+
+def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
+    """``The phone rings.``, ``The doors slam shut.``, ``A map lies spread out``, but not ``Two yellow eyes,``."""
+    if form.kind == "3sg" and left.low in lexicon.ADJECTIVES and singular(word.low) in _NOUNS and right not in OBJECTS:
+        return False
+    if form.kind == "3sg" and form.lemma in ("lie", "stand", "sit", "hang") and form_kind(right) in ("past", "pp"):
+        return True
+    if form.kind == "3sg":
+        going = form.lemma in ("go", "come") and form_kind(right) == "ing"
+        return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly") or going)
+    plural = singular(left.low) != left.low or left.low.endswith("s")
+    return plural and right in _AFTER_VERB - {",", "slowly"}
+
+
+def _tag_participle(words: list[Word], at: int, row: Row) -> None:
+    """``Watching.`` -> He was watching; ``Jo holding a doll`` -> Jo was holding a doll."""
+    start = words[at].start
+    if not row.words:
+        row.insert_subject(start)
+        row.insert_was(start)
+    elif row.words[-1].mention and not any(
+        form_kind(word.low) in ("3sg", "past", "aux") for word in words[at:] if not word.mention
+    ):
+        row.insert_was(start)
+
+
+def as_participles(words: list[Word]) -> None:
+    """``handcuffed``, ``wrapped in feathers`` in the present tense: done to somebody, unless ``he`` did it."""
+    for index, word in enumerate(words):
+        form = FORMS.get(word.low)
+        left = words[index - 1] if index else None
+        acts = left is not None and (
+            (left.verb is not None and left.verb.lemma not in _RESTING) or left.mention is not None
+        )
+        done = left is None or not (acts or left.low in SINGULAR_PRONOUNS | PLURAL_PRONOUNS)
+        if word.verb and form and form.kind == "past" and word.low != form.lemma and done:
+            word.verb = VerbForm(form.lemma, "pp")

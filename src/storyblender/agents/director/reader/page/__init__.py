@@ -1,0 +1,1 @@
+"""The pages of a script: its scenes and its sentences."""

@@ -1,0 +1,123 @@
+"""Where a paragraph of prose changes the scene: a new place or a jump in time at its start."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
+from storyblender.agents.director.reader.page.scenes import same_place, time_of, weather_of
+from storyblender.agents.director.reader.page.story_places import (
+    any_place,
+    place_gone_to,
+    place_of,
+    place_told_of,
+    room_within,
+    scene_type_of,
+)
+from storyblender.agents.director.reading import SceneReading
+from storyblender.memory.vocabulary import TimeOfDay
+
+_COUNT = "|".join(sorted(lexicon.NUMBERS))
+_SENTENCE_END = re.compile(r"(?<=[.!?])(?<!Mr\.)(?<!Dr\.)(?<!Ms\.)(?<!Mrs\.)\s")
+_TIME_JUMP = re.compile(
+    r"(?:(?:early |late )?(?:the next|next|that|one|on|by|at|in the|the following|some|years|weeks|days|hours|later"
+    r"|soon after|a (?:week|month|year|day|few)|when|after|before|towards?|two|three|four|five|six|seven|ten)\b)[^,.]*"
+    r"\b(?:morning|day|night|evening|noon|afternoon|dawn|dusk|sunset|sunrise|midnight|weeks?|months?|years?|days|hours"
+    r"|later|winter|spring|summer|autumn|(?:mon|tues|wednes|thurs|fri|satur|sun)day)\b|meanwhile|later\b"
+)
+_PLACE_FIRST = re.compile(
+    r"(?:(?:deep|high|far|down|out|up|back|over|not far|just|upstairs|downstairs|below|above) )*"
+    r"(?:in|at|on|inside|outside|aboard|across|near|behind|under)\b"
+)
+_YONDER = re.compile(r"(?:on|from|at|across) the (?:far|other|opposite) (?:side|bank|end|shore|edge)\b")
+"""``On the far side of the river somebody rang``: the story stays on this side."""
+_ARRIVAL = re.compile(
+    r"\b(?:reach(?:ed|es)|arrive[ds]|enter(?:ed|s)|return(?:ed|s)|sail(?:ed|s)|c[ao]mes? back|pulled into|pulls into"
+    r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides) to)\b"
+)
+_CLOCK = re.compile(
+    r"(?:at|by|towards?|just before|just after) (?:about )?"
+    rf"(?:(?:a )?(?:quarter|half|{_COUNT}) (?:past|to|before|after) )?(?:{_COUNT}|\d+)\b(?! \w+s\b)"
+)
+"""``At a quarter to twelve``."""
+_AWHILE = re.compile(
+    rf"(?:about |some |barely |not )?(?:{_COUNT}|half an|a few|several|many|\d+)"
+    r" (?:minutes?|hours?|moments?) (?:later|after)"
+)
+_NEXT_DAY = re.compile(
+    r"(?:early |late )?(?:in|on|by|at|with|towards?|the|next)\b[^,.;]*?"
+    r"\b(?:next|following) (?:day|morning|evening|night|afternoon)\b|(?:early |late )?next (?:day|morning|evening)\b"
+)
+"""``In the pale sun next morning``: a scene of its own, where the last one was if it names no place."""
+_OTHER_TIME = re.compile(r"(?:that|in the|by|towards?|at) (?:\w+ )?(?:morning|evening|night|noon|dawn|dusk|midnight)\b")
+"""``In the morning there was an egg``: the same place, unless one is named."""
+
+
+def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: str = "") -> SceneReading | None:
+    """The scene a paragraph opens, or None where it goes on with the last.
+
+    A place in the middle of a sentence is only where somebody is (``They pulled him into the kitchen``); a new scene
+    is told by an opening: a place or a time at its start, a room it begins with, or somebody who arrives.
+
+    Args:
+        paragraph: A paragraph of prose; its first two sentences are searched.
+        scenes: The scenes before.
+        title: Of the story; may tell when it begins.
+    """
+    raw = _SENTENCE_END.split(without_quotations(paragraph.raw))
+    told = [sentence.lower() for sentence in raw]
+    if scenes:
+        moved = _moved(told, raw, scenes)
+        if moved is None:
+            return None
+        place, time = moved
+    else:
+        whole = " ".join(told)
+        place = place_of(told[0]) or place_of(whole) or any_place(whole) or place_of(whole, " ".join(raw))
+        place = room_within(place, told)
+        time = time_of(told[0]) or time_of(whole) or time_of(title)
+    scene_type = scene_type_of(place)
+    return SceneReading(
+        id=len(scenes) + 1,
+        heading="",
+        place=place,
+        place_kind=lexicon.place_kind(place),
+        scene_type=scene_type,
+        time=time or (scenes[-1].time if scenes else "day"),
+        time_written=time or "",
+        weather=weather_of(told[0]),
+        reference=same_place(place, scene_type, scenes),
+        start=paragraph.start,
+        end=paragraph.end,
+    )
+
+
+def _moved(told: list[str], raw: list[str], scenes: list[SceneReading]) -> tuple[str, TimeOfDay | None] | None:
+    """Where and when a paragraph takes the story, or None where it stays."""
+    last = scenes[-1]
+    opening = told[0]
+    second = told[1] if len(told) > 1 else ""
+    later = _later(opening)
+    arrival = _ARRIVAL.search(opening)
+    place = ""
+    if later or arrival or _PLACE_FIRST.match(opening):
+        start = 0 if later or arrival is None else arrival.start()
+        place = place_of(opening[start:], raw[0][start:], home=scenes[0].place)
+        place = place or (place_of(second, raw[1], home=scenes[0].place) if later and second else "")
+    place = place or place_gone_to(told) or place_told_of(opening, last.place)
+    if not place and _later(second):
+        place = place_of(second, raw[1]) or any_place(opening)
+    elif not place and _PLACE_FIRST.match(second) and not _YONDER.match(second):
+        place = place_of(second)
+        place = place if place in lexicon.PLACE_KINDS else ""
+    next_day = _NEXT_DAY.match(opening) is not None
+    hour = time_of(opening) if later else None
+    elapsed = hour is not None and hour != last.time and _OTHER_TIME.match(opening) is not None
+    if not (next_day or elapsed) and place in ("", last.place):
+        return None
+    return place or last.place, time_of(opening)
+
+
+def _later(sentence: str) -> bool:
+    return any(pattern.match(sentence) for pattern in (_TIME_JUMP, _NEXT_DAY, _CLOCK, _AWHILE))

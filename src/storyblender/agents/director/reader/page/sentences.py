@@ -1,0 +1,151 @@
+"""Sentences and speeches of a screenplay, in reading order."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import FORMS
+from storyblender.agents.director.reader.language.words import Word, joined, tokenize
+from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_brackets, without_quotations
+from storyblender.agents.director.reader.people.mentions import mark_mentions
+from storyblender.agents.director.reader.people.roster import Roster
+from storyblender.agents.director.reading import CameraNote
+
+_ON_A_SCREEN = re.compile(
+    r"\b(screen|screens|monitor|monitors|tv|television|photo|photograph|picture|painting|dream|flashback|video|mirror)\b"
+)
+_NAMING_MARKS = frozenset({":", "--", "—", "–"})
+_ABBREVIATIONS = frozenset({"mr", "mrs", "ms", "dr", "prof", "st", "sgt", "lt", "vs", "jr", "capt"})
+
+
+@dataclass
+class Speech:
+    """Something said."""
+
+    text: str
+    name: str = ""
+    """Screenplay: the cue."""
+    extension: str = ""
+    parenthetical: str = ""
+    sung: bool = False
+    dual: bool = False
+    verb: str = "say"
+    """Prose: said, whispered, shouted ..."""
+    subject: list[Word] = field(default_factory=list)
+    """Prose: the words for who says it."""
+    after: Word | None = None
+    """Prose: who is spoken of right after it, where nobody is said to say it: ``"It is fear." She raised her veil``."""
+    alone: bool = False
+    """Prose: its paragraph tells nothing else."""
+
+
+@dataclass
+class Sentence:
+    """One sentence of action, or one speech; in prose possibly both."""
+
+    paragraph: Paragraph
+    scene: int
+    start: int
+    end: int
+    words: list[Word] = field(default_factory=list)
+    speech: Speech | None = None
+    camera: CameraNote | None = None
+    pictured: bool = False
+    """What it tells is on a screen, in a photograph or a dream: nobody in it comes on stage."""
+
+
+def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[Sentence]:
+    """Cut an action paragraph into sentences; each camera direction goes to the sentence it holds from."""
+    body = without_quotations(without_brackets(paragraph.body))
+    words = mark_mentions(tokenize(body, paragraph.start), roster)
+    sentences: list[Sentence] = []
+    for whole in split_sentences(words):
+        for run, pictured in _named_at_last(whole) or _at_colon(whole):
+            sentences.append(Sentence(paragraph, scene, run[0].start, run[-1].end, run, pictured=pictured))
+    for at, camera in paragraph.cameras:
+        _attach(sentences, camera, at, paragraph, scene)
+    return sentences
+
+
+def _attach(sentences: list[Sentence], camera: CameraNote, at: int, paragraph: Paragraph, scene: int) -> None:
+    """Give a camera direction to the first sentence that ends after it, else to the last, else to a new empty one."""
+    free = [sentence for sentence in sentences if sentence.camera is None]
+    following = next((sentence for sentence in free if sentence.end >= at), free[-1] if free else None)
+    spoken = any(word.solid for sentence in sentences for word in sentence.words)
+    if following and spoken:
+        following.camera = camera
+    elif not sentences:
+        sentences.append(Sentence(paragraph, scene, paragraph.start, paragraph.end, camera=camera))
+
+
+def split_sentences(words: list[Word]) -> list[list[Word]]:
+    """Cut a row of words after full stops, exclamation and question marks; names are never cut."""
+    sentences: list[list[Word]] = [[]]
+    for index, word in enumerate(words):
+        sentences[-1].append(word)
+        if word.text not in (".", "!", "?", "..."):
+            continue
+        before = words[index - 1].low.strip(".") if index else ""
+        after = words[index + 1].text if index + 1 < len(words) else ""
+        if (word.text == "." and before in _ABBREVIATIONS) or after in ('"', "”", "'"):
+            continue
+        sentences.append([])
+    return [sentence for sentence in sentences if sentence]
+
+
+def _named_at_last(words: list[Word]) -> list[tuple[list[Word], bool]]:
+    """``A lone rider comes up the street -- CASS WEATHERBY, 60s``: the rider is she; none where nobody is named so."""
+    for at in range(1, len(words) - 1):
+        name = words[at + 1].mention
+        if (
+            words[at].text not in _NAMING_MARKS
+            or name is None
+            or name.kind == "group"
+            or not words[at + 1].text.isupper()
+        ):
+            continue
+        people = [w.mention for w in words[:at] if w.mention and w.mention.head not in lexicon.ANIMALS]
+        somebody = [mention for mention in people if mention.kind == "generic" and not mention.candidates]
+        if len(somebody) == len(people) == 1 and somebody[0].determiner in ("a", "an"):
+            somebody[0].kind, somebody[0].candidates = "name", name.candidates
+            return [(words[:at], False), (words[at + 1 :], False)]
+    return []
+
+
+def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
+    """Cut at a colon. ``On the monitor: Pip pushes a mop`` leaves what comes after it, which is only pictured."""
+    colon = next((index for index, word in enumerate(words) if word.text == ":"), None)
+    if colon is None:
+        return [(words, False)]
+    before, after = words[:colon], words[colon + 1 :]
+    if (
+        after
+        and before
+        and before[0].low in lexicon.PREPOSITIONS
+        and not any(w.low in FORMS and FORMS[w.low].kind in ("3sg", "past", "aux") for w in before)
+    ):
+        return (
+            [([*before, replace(words[colon], text=","), *after], False)]
+            if not _ON_A_SCREEN.search(joined(before))
+            else [(after, True)]
+        )
+    if _ON_A_SCREEN.search(joined(before)) and not any(word.named for word in before):
+        return [(after, True)] if after else []
+    return [(part, False) for part in (before, after) if part]
+
+
+def speech_sentences(manuscript: Manuscript, index: int, scene: int, cue: Paragraph | None) -> list[Sentence]:
+    """The speech of a dialogue paragraph, with the parenthetical right before it."""
+    paragraph = manuscript.paragraphs[index]
+    before = manuscript.paragraphs[index - 1] if index else paragraph
+    speech = Speech(
+        " ".join(paragraph.text.split()),
+        cue.name if cue else "",
+        cue.extension if cue else "",
+        before.text if before.kind == "parenthetical" else "",
+        dual=cue.dual if cue else False,
+        sung=manuscript.screenplay.elements[paragraph.element].kind == "lyric",
+    )
+    return [Sentence(paragraph, scene, paragraph.start, paragraph.end, speech=speech)]

@@ -1,0 +1,89 @@
+"""What the script says a person looks like: age, build, hair, clothes, face, gender."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+_AGE = re.compile(r"^(?:(?:early|mid|late|age|aged|about|around)[- ]+)?(\d{1,3})(?:['’]?s)?(?: years old)?$")
+_GENDER_WORDS: dict[str, Gender] = {
+    "moustache": "male", "mustache": "male", "moustached": "male", "beard": "male", "bearded": "male", "goatee": "male",
+    "woman": "female", "female": "female", "girl": "female", "lady": "female",
+    "man": "male", "male": "male", "boy": "male", "gentleman": "male",
+}  # fmt: skip
+
+
+def describe(person: Person, phrase: str) -> None:
+    """Read a description into a person: ``35, lean, short black hair, grey trench coat``.
+
+    Args:
+        person: Takes what is said; what is known already stays.
+        phrase: The words in brackets after a name, or the apposition.
+    """
+    for part in re.split(r",|;| with | and ", phrase):
+        part = " ".join(part.split())
+        words = part.lower().split()
+        if not words:
+            continue
+        if _AGE.match(part.lower()):
+            person.age = part
+            continue
+        if words[-1] in lexicon.SPELLED_AGES and len(words) < 3:
+            person.age = person.age or lexicon.SPELLED_AGES[words[-1]]
+            continue
+        _sort(person, part, words)
+        head = _head(words)
+        _name_role(person, part, head)
+        for word in words:
+            if word in _GENDER_WORDS:
+                person.gender = _GENDER_WORDS[word]
+            told = lexicon.gender_of_word(word) if word == head and is_person_noun(word) else "unknown"
+            if told != "unknown" and (person.gender == "unknown" or word in lexicon.KIN):
+                person.gender = told
+            if not person.age and (word in lexicon.AGE_WORDS or word in lexicon.AGE_NOUNS):
+                person.age = lexicon.AGE_WORDS.get(word) or lexicon.AGE_NOUNS[word]
+            if not person.role and word in lexicon.NEUTER_ROLES:
+                person.role = word
+            likened = re.search(r"\bof an? ", part) is not None  # a bear of a man
+            if word in lexicon.ANIMALS and word == head and not likened:
+                person.kind, person.role = "animal", word
+                person.aliases = (*person.aliases, word)
+
+
+def _head(words: list[str]) -> str:
+    """The noun a part of a description is about: ``maintenance robot`` of ``a maintenance robot in a cap``."""
+    end = next((i for i, word in enumerate(words) if i and word in lexicon.PREPOSITIONS | {"who"}), len(words))
+    return words[end - 1]
+
+
+def _name_role(person: Person, part: str, head: str) -> None:
+    """``DADI, her grandmother``, ``PIKE, the district attorney``: what somebody is, who has no other role."""
+    told = re.match(r"(?:the|a|an|her|his|their|[\w.]+['’]s) ", part, re.IGNORECASE)
+    vague = head in _GENDER_WORDS or head in lexicon.YOUNG_NOUNS | lexicon.ANIMALS | lexicon.CROWDS
+    if told and is_person_noun(head) and not vague and person.kind == "human" and head not in person.aliases:
+        person.role = person.role or head
+        person.aliases = (*person.aliases, head)
+
+
+def _sort(person: Person, part: str, words: list[str]) -> None:
+    """Put one part of a description where it belongs."""
+    if any(word in lexicon.HAIR or "hair" in word for word in words):
+        person.hair = (*person.hair, part)
+    elif part.lower().startswith(("in a ", "in an ")) or any(
+        word in lexicon.WORN or singular(word) in lexicon.WORN for word in words
+    ):
+        person.outfit = (*person.outfit, part)
+    elif any(word in lexicon.BUILD for word in words):
+        person.build = (*person.build, part)
+    elif any(word in lexicon.FACE for word in words):
+        person.face = (*person.face, part)
+
+
+def years(person: Person) -> int:
+    """Age in years for comparing; 30 where nothing is said."""
+    number = re.search(r"\d+", person.age)
+    return int(number.group(0)) if number else {"infant": 1, "child": 8, "teen": 15}.get(person.age, 30)

@@ -1,0 +1,81 @@
+"""A story told by one of its people: ``I`` is somebody, whom ``he`` and ``the man`` never mean."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.reader.language.words import Mention, Word
+from storyblender.agents.director.reader.manuscript import QUOTATION, Manuscript, without_quotations
+from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+ALONE, TOGETHER = frozenset({"i", "me", "myself"}), frozenset({"we", "us", "ourselves"})
+OWN = frozenset({"my", "our"})
+_I = re.compile(r"\bI\b(?= [a-z]|['’,])")
+_MINE = re.compile(r"\b(?:[Mm]e|[Mm]y|[Mm]yself)\b")
+_OFTEN = 2
+"""Uses of ``I`` and ``my`` outside speech that make a narrator, and no numeral."""
+_SPOUSES: dict[str, Gender] = {"wife": "male", "husband": "female", "girlfriend": "male", "boyfriend": "female"}
+_INTRODUCED = re.compile(
+    r"\b[Mm]y (?:\w+ )?(?:friend|associate|colleague|companion|assistant|partner)(?: and \w+)?,? "
+    rf"((?:(?:Mr|Mrs|Miss|Ms|Dr)\.? )?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)?)"
+)
+"""``"This is my friend, Dr. Watson"``, in a story that Dr. Watson tells."""
+_MY_SPOUSE = re.compile(rf"\b[Mm]y ({'|'.join(_SPOUSES)})\b")
+
+
+def find_narrator(script: Manuscript, roster: Roster) -> None:
+    """Add whoever tells the story to the cast.
+
+    Args:
+        script: A story.
+        roster: Its cast, filled here.
+    """
+    told = [(paragraph.start, without_quotations(paragraph.raw)) for paragraph in script.paragraphs]
+    uses = [start + match.start() for start, text in told for match in _I.finditer(text)]
+    owned = sum(len(_MINE.findall(text)) for _, text in told)
+    if not uses or len(uses) + owned < _OFTEN:
+        return
+    roster.narrator = roster.add("Narrator", uses[0])
+    roster.call(roster.narrator, "i")
+    for paragraph in script.paragraphs:
+        for quotation in QUOTATION.finditer(paragraph.raw):
+            introduced = _INTRODUCED.search(quotation.group(0))
+            if introduced and not roster.find(introduced.group(1)):
+                roster.call(roster.narrator, bare(introduced.group(1)))
+                roster.call(roster.narrator, bare(introduced.group(1)).split()[-1])
+    spouse = next((match for _, text in told if (match := _MY_SPOUSE.search(text))), None)
+    roster.narrator.gender = _SPOUSES[spouse.group(1)] if spouse else "unknown"
+
+
+def mark_narrator(words: Sequence[Word], narrator: Person | None) -> None:
+    """Let ``I`` and ``me`` mention the narrator, ``we`` and ``us`` the narrator and others."""
+    for word in words if narrator else ():
+        if word.quotation or (word.low == "us" and word.text.isupper()):
+            continue
+        if word.low in ALONE and narrator:
+            word.mention = Mention("name", [narrator], word.low, start=word.start)
+        elif word.low in TOGETHER:
+            word.mention = Mention("group", [], word.low, number=2, start=word.start)
+
+
+def own_people(stage: Stage, word: str) -> list[Person]:
+    """Who ``my`` or ``our``, ``we`` or ``us`` means."""
+    narrator = stage.roster.narrator
+    if narrator is None:
+        return []
+    return [narrator] if word == "my" else _together(stage, narrator)
+
+
+def _together(stage: Stage, narrator: Person) -> list[Person]:
+    """The narrator with those who last did something with him, else with whoever was spoken of last."""
+    for _, group, _ in reversed(stage.discourse.groups):
+        if narrator in group and all(person.id in stage.scene.on for person in group):
+            return group
+    others = [person for person in stage.on_stage() if person is not narrator and person.kind == "human"]
+    others.sort(key=lambda person: -stage.discourse.last_named.get(person.id, 0))
+    return [narrator, *others[:1]]

@@ -1,0 +1,145 @@
+"""The people of the script, and the names they answer to."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import asset_id
+from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.language.words import key_of
+from storyblender.agents.director.reading import Person
+
+_ARTICLE = re.compile(r"^(the|a|an) ")
+
+
+def bare(name: str) -> str:
+    """A name in lower case, one space between words, without its article."""
+    return _ARTICLE.sub("", " ".join(name.lower().split()))
+
+
+class Roster:
+    """Everybody found so far, in the order they were found.
+
+    Attributes:
+        people: The cast.
+        ids: Asset ids in use, for people and things together.
+        by_name: Name, as words -> the people it can mean; filled by ``index``.
+        longest: First word of a name -> words in the longest name that starts so.
+        narrator: Who tells a story as ``I``.
+    """
+
+    def __init__(self) -> None:
+        self.people: list[Person] = []
+        self.narrator: Person | None = None
+        self.ids: set[str] = set()
+        self.by_name: dict[tuple[str, ...], list[Person]] = {}
+        self.longest: dict[str, int] = {}
+
+    def find(self, name: str) -> list[Person]:
+        """Everybody who answers to a name."""
+        wanted = bare(name)
+        return [person for person in self.people if wanted in person.aliases]
+
+    def add(self, name: str, first: int = 0) -> Person:
+        """Find the person of a name, or make a new one.
+
+        Args:
+            name: As written: ``OFFICER HALE``, ``Man in a hat``, ``the old woman``.
+            first: Offset of the mention in the script.
+        """
+        known = self._same_title(name) or self._known(name)
+        if known:
+            return known
+        key = bare(name)
+        person = Person(asset_id(key, self.ids), " ".join(name.split()), (key,), first=first)
+        self.ids.add(person.id)
+        self.people.append(person)
+        self._names_within(person, key)
+        words = [word.strip(".,") for word in key.split()]
+        for word in words:
+            if person.gender == "unknown":
+                person.gender = lexicon.gender_of_word(word)
+            person.age = person.age or lexicon.AGE_WORDS.get(word, "")
+        person.age = person.age or lexicon.AGE_NOUNS.get(person.role, "")
+        if any(word in lexicon.CROWDS for word in words):
+            person.kind, person.count = "group", max(person.count, 6)
+        return person
+
+    def _same_title(self, name: str) -> Person | None:
+        """DR. BENNETT is DR. JULIUS BENNETT: same title, same last name."""
+        words = name.lower().replace(".", "").split()
+        if len(words) < 2 or words[0] not in lexicon.TITLES:
+            return None
+        for person in self.people:
+            other = person.name.lower().replace(".", "").split()
+            if len(other) > 1 and (other[0], other[-1]) == (words[0], words[-1]):
+                self.call(person, bare(name))
+                return person
+        return None
+
+    def _known(self, name: str) -> Person | None:
+        written, key = " ".join(name.lower().split()), bare(name)
+        for person in self.people:
+            if written in person.aliases or (key in person.aliases and (person.role or written == key)):
+                return person
+        return None
+
+    def _names_within(self, person: Person, key: str) -> None:
+        """Short forms: the role of MAN IN A HAT, the last name after a title, the first and last name."""
+        core = re.split(r" (?:in|with|of) ", key)[0]
+        words = core.split()
+        numbered = len(words) > 1 and re.match(r"#?\d", words[-1]) is not None
+        head = singular(words[-2] if numbered else words[-1])
+        title = words[0].strip(".")
+        surname = title in lexicon.TITLES and len(words) > 1 and head in lexicon.RARE_PERSON_NOUNS
+        if is_person_noun(head) and head not in lexicon.FIRST_NAMES and not surname:
+            person.role, person.gender = head, lexicon.gender_of_word(head)
+            person.kind = "animal" if head in lexicon.ANIMALS else "human"
+            self.call(person, core)
+        elif title in lexicon.TITLES and len(words) > 1:
+            person.gender = lexicon.TITLE_GENDER.get(title) or lexicon.gender_of_word(title)
+            person.role = title if is_person_noun(title) else ""
+            self.call(person, " ".join(words[1:]))
+            for word in words[1:]:
+                self.call(person, word)
+        elif len(words) > 1:
+            for word in (words[0], words[-1]):
+                if word not in lexicon.VARIANT_WORDS:
+                    self.call(person, word)
+
+    def call(self, person: Person, alias: str) -> None:
+        """Let a person answer to one more name."""
+        if alias not in person.aliases:
+            person.aliases = (*person.aliases, alias)
+
+    def link_variants(self) -> None:
+        """YOUNG EDWARD and ADULT EDWARD are EDWARD at another age."""
+        first_of: dict[str, Person] = {}
+        for person in self.people:
+            words = bare(person.name).split()
+            if not person.role and words[0] not in lexicon.VARIANT_WORDS:
+                for alias in person.aliases:
+                    first_of.setdefault(alias, person)
+        for person in self.people:
+            words = bare(person.name).split()
+            if not person.role and len(words) > 1 and words[0] in lexicon.VARIANT_WORDS:
+                base = first_of.setdefault(" ".join(words[1:]), person)
+                if base is not person:
+                    person.variant_of = base.id
+                    if bare(base.name).split()[0] not in lexicon.VARIANT_WORDS:
+                        person.aliases = tuple(alias for alias in person.aliases if alias not in base.aliases)
+                    if person.gender == "unknown":
+                        person.gender = base.gender
+
+    def index(self) -> None:
+        """Prepare ``by_name`` for finding mentions."""
+        names: dict[tuple[str, ...], list[Person]] = defaultdict(list)
+        for person in self.people:
+            for alias in person.aliases:
+                names[key_of(alias)].append(person)
+        self.by_name = dict(names)
+        self.longest = {}
+        for key in filter(None, names):
+            self.longest[key[0]] = max(self.longest.get(key[0], 0), len(key))

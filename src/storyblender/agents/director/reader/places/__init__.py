@@ -1,0 +1,1 @@
+"""Where people and things are in relation to each other."""

@@ -1,0 +1,91 @@
+"""What people and things can be in, on or beside, and which relation a preposition then states."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.people.roles import Place
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.memory.vocabulary import RelationKind
+
+Stated = tuple[str, RelationKind, str]
+"""Who or what, the relation, to whom or what."""
+
+THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
+SURFACES = lexicon.words("surfaces")
+"""What things lie on or in without being an asset: the floor, a corner."""
+FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
+OPENINGS = frozenset({"door", "window", "gate"})
+BODY_OR_DRESS = lexicon.BODY | lexicon.WORN
+CLOTHS = lexicon.words("cloths")
+"""What is spread over something lies on it."""
+CONTAINERS = lexicon.words("containers")
+_BOXES = frozenset({"crate", "box", "trunk", "barrel", "chest", "basket", "suitcase", "bucket"})
+"""Somebody sits on them, but things are put in them."""
+
+
+def exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> RelationKind:
+    """In an armchair is on it, leaning on is against, over a chair hangs on it.
+
+    Args:
+        stage: The state before.
+        kind: What the preposition says.
+        anchor: Where.
+        verb: Of the clause; ``put`` where a thing is put there.
+    """
+    head = stage.inventory.head(anchor)
+    if kind == "on" and verb in ("lean", "slouch"):
+        return "against"
+    if kind == "in" and head in lexicon.SEATS and not (verb == "put" and head in _BOXES):
+        return "on"
+    return kind
+
+
+def is_the_place(stage: Stage, anchor: str) -> bool:
+    """Whether a noun only names the scene's own place: ``He sits in the cafe``."""
+    head = stage.inventory.head(anchor)
+    return bool(head) and head in stage.place.place.lower().split()
+
+
+def leans_on_a_stick(stage: Stage, subject: str, anchor: str) -> bool:
+    """Somebody on a crutch, a dog on a leash: it goes with them and is no place."""
+    walks = stage.person(subject) is not None
+    return stage.inventory.head(anchor) in (_STICKS if walks else _LEADS)
+
+
+def holds_things(stage: Stage, thing: str) -> bool:
+    """Whether a thing can lie on, in or beside it: an asset, or the floor."""
+    return stage.inventory.class_of(thing) in THINGS or stage.inventory.head(thing) in SURFACES
+
+
+def at_body(place: Place) -> tuple[str, str] | None:
+    """The part of somebody a place names and whose it is: ``on her lap``; ``in his coat`` is in a coat."""
+    parts = BODY_OR_DRESS if place.preposition in _ONTO_SOMEBODY else lexicon.BODY
+    return next(((noun.head, noun.owner) for noun in place.nouns if noun.owner and noun.head in parts), None)
+
+
+def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> RelationKind | None:
+    """``at his elbow`` is next to him, ``around her neck`` and ``behind his ear`` on him.
+
+    Args:
+        preposition: Before the part of the body.
+        part: Its noun.
+        kind: What the preposition says of a thing.
+    """
+    if part in _SIDES and preposition in ("at", "by", "near", "beside"):
+        return "behind" if part in _HEELS else "next_to"
+    if preposition == "between" or (preposition == "to" and kind is None):
+        return None
+    if preposition in ("around", "round", "about", "across", "over", "through", "to", "onto"):
+        return "on"
+    if kind == "in":
+        return "on" if part in _SMALL else None
+    return "on" if part in _SMALL and kind == "behind" else kind
+
+
+_SIDES = frozenset({"side", "elbow", "shoulder", "foot", "knee", "hand", "arm", "heel", "back"})
+_HEELS = frozenset({"heel", "back"})
+_SMALL = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
+"""What is behind or in them is on somebody."""
+_ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
+_STICKS = frozenset({"stick", "cane", "crutch", "staff", "leash", "lead", "chain", "string"})
+_LEADS = frozenset({"leash", "lead", "chain", "string"})

@@ -1,0 +1,243 @@
+"""A noun with a place of its own: ``the phone on the wall``, ``a coffee cup in front of her``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
+from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve, resolve_owner
+from storyblender.agents.director.reader.people.people_meant import resolve_mention
+from storyblender.agents.director.reader.places.anchors import (
+    BODY_OR_DRESS,
+    CLOTHS,
+    CONTAINERS,
+    OPENINGS,
+    SURFACES,
+    exact_kind,
+    is_the_place,
+    kind_at_body,
+    leans_on_a_stick,
+)
+from storyblender.agents.director.reader.places.contents import listed
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import RelationKind
+
+_CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
+_HOLDING = frozenset({"hold", "raise", "lift", "wave", "swing"})
+_GRIPS = frozenset({"hand", "fist", "arm", "paw", "grip"})
+"""What is in a hand or under an arm is held."""
+_PASSING = frozenset(
+    {
+        "slide",
+        "push",
+        "pass",
+        "kick",
+        "roll",
+        "shove",
+        "walk",
+        "look",
+        "reach",
+        "throw",
+        "hand",
+        "lean",
+        "lob",
+        "glance",
+    }
+)
+"""``slides the box across the table``: it does not stay there."""
+_STATIVE, _PLACING = lexicon.words("stative"), lexicon.words("placing")
+_BOARDS = frozenset(
+    {"table", "desk", "counter", "shelf", "tray", "bench", "mantelpiece", "mantel", "sideboard", "dresser", "bar"}
+)
+_OPEN = frozenset({"open", "shut", "up", "down", "out", "back", "over"})
+"""``a book open on her lap``."""
+_OF_THE_NOUN: frozenset[RelationKind] = frozenset(
+    {"on", "under", "in_front_of", "behind", "next_to", "in", "over", "against", "between", "left_of", "right_of"}
+)
+_LEADS_TO = frozenset({"at", "to", "toward", "towards", "for", "with", "of", "from", "past", "on", "through"})
+"""``stares at the clock above the door``: it is the clock that is above it."""
+
+
+def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Person], previous: list[Person]) -> None:
+    """State where the nouns of a sentence are that have their place right after them.
+
+    Args:
+        stage: The state after the clauses.
+        phrases: Of the sentence.
+        subjects: Of the sentence.
+        previous: Of the sentence before.
+    """
+    for index, phrase in enumerate(phrases):
+        at = _place_after(phrases, index)
+        while phrase.noun and at:
+            _relate(stage, phrases, index, at, subjects, previous)
+            onward = at + 2 if _stands_apart(phrases, index) else len(phrases)
+            at = onward if onward + 1 < len(phrases) and phrases[onward].kind == "preposition" else 0
+
+
+def relate_listed(stage: Stage, phrases: list[Phrase]) -> None:
+    """``falls on a table laid for one: a plate, an egg cup``: what a colon lists is on or in the thing before it.
+
+    Args:
+        stage: The state; the sentence has no verb.
+        phrases: Of the sentence.
+    """
+    text = stage.reading.screenplay.text[: stage.unit.start].rstrip()
+    here = {thing for _, thing in stage.sentence.things}
+    before = next((thing for thing in stage.discourse.recent_things if thing not in here), None)
+    head = stage.inventory.head(before)
+    if not text.endswith(":") or before is None or not (head in CONTAINERS or head in _BOARDS):
+        return
+    for noun in listed(phrases, 0):
+        thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+        if noun.kind == "thing" and stage.inventory.class_of(thing) in ("prop", "worn"):
+            stage.relate(thing, "in" if head in CONTAINERS else "on", before)
+
+
+def _place_after(phrases: list[Phrase], index: int) -> int:
+    """Where the preposition after a noun is: ``a book open on her lap``; 0 where there is none."""
+    at = index + 1
+    if at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at].text in _OPEN:
+        at += phrases[at + 1].kind == "preposition"
+    return at if at + 1 < len(phrases) and phrases[at].kind == "preposition" else 0
+
+
+def _stands_apart(phrases: list[Phrase], index: int) -> bool:
+    """``, the helmet on the floor in front of her``: no part of a clause."""
+    return index > 0 and phrases[index - 1].text in (",", "with", ";")
+
+
+def _relate(
+    stage: Stage, phrases: list[Phrase], index: int, at: int, subjects: list[Person], previous: list[Person]
+) -> None:
+    noun, preposition = phrases[index].noun, phrases[at].text
+    kind, first = _kind(preposition), phrases[at + 1].noun
+    if noun is None or first is None:
+        return
+    if first.head in ("left", "right") and first.possessor is not None and preposition in ("to", "on", "at"):
+        kind = "left_of" if first.head == "left" else "right_of"
+    anchors = listed(phrases, at + 1)[: 2 if kind == "between" else 1]
+    at_side = first.head in lexicon.BODY and first.possessor is not None and preposition in ("at", "by")
+    if kind not in _OF_THE_NOUN and not at_side:
+        return
+    _settle_it(stage, phrases[:index], first)
+    left = phrases[index - 1] if index else None
+    if noun.mention:
+        if first.head in _GRIPS and preposition in ("in", "under"):
+            return
+        on_body = first.head in lexicon.BODY and left is not None and (left.text == "," or left.kind == "verb")
+        apart = left is not None and left.text == "," and index > 1 and any(p.verb for p in phrases[:index])
+        ends = at + 2 >= len(phrases) or phrases[at + 2].text in (".", ",", ";")
+        if left and (left.text == "with" or on_body or (apart and ends and not any(p.verb for p in phrases[at:]))):
+            kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
+            for person in resolve_mention(stage, noun.mention) if kind else []:
+                for target in _anchors(stage, first, kind or "on", subjects, previous):
+                    stage.relate(person.id, kind or "on", target)
+    elif noun.kind == "thing" and _is_of_the_noun(phrases, index, preposition, kind):
+        _relate_thing(stage, noun, preposition, kind, anchors, subjects, previous)
+
+
+def _settle_it(stage: Stage, before: list[Phrase], anchor: NounPhrase) -> None:
+    """``A caravan stands by the fence, a trough in front of it``: it is what the sentence is about."""
+    if anchor.head != "it" or anchor.index in stage.sentence.pronouns:
+        return
+    for index, phrase in enumerate(before):
+        if phrase.noun and phrase.noun.kind == "thing" and not (index and before[index - 1].kind == "preposition"):
+            thing = stage.inventory.id_of(phrase.noun.key, stage.sentence.words[phrase.noun.index].start)
+            if stage.inventory.class_of(thing) in ("prop", "set_piece"):
+                remember(stage, anchor.index, Referents([], thing))
+            return
+
+
+def _kind(preposition: str) -> RelationKind | None:
+    return "next_to" if preposition in ("around", "round", "about") else lexicon.relation_of(preposition)
+
+
+def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: RelationKind | None) -> bool:
+    """Whether a place belongs to the noun before it and not to the verb: it follows nothing, or a way to it."""
+    verb = next((p.verb.lemma for p in reversed(phrases[:index]) if p.verb), "")
+    if preposition in ("onto", "on to", "into") and verb:
+        return False
+    if preposition in ("across", "over", "around", "round", "against") and verb in _PASSING:
+        return False
+    left = phrases[index - 1] if index else None
+    if left is None or left.kind != "preposition" or left.text == "with" or kind == "on":
+        return True
+    if verb in _PLACING - _STATIVE and kind in ("over", "under", "behind", "in_front_of"):
+        return left.text in ("on", "in", "to", "onto", "into", "at")
+    return left.text in _LEADS_TO and verb not in _STATIVE | _PLACING and verb != ""
+
+
+def _relate_thing(
+    stage: Stage,
+    noun: NounPhrase,
+    preposition: str,
+    kind: RelationKind | None,
+    anchors: list[NounPhrase],
+    subjects: list[Person],
+    previous: list[Person],
+) -> None:
+    anchor = anchors[0]
+    kinds = ("prop", "set_piece") if anchor.head in BODY_OR_DRESS else ("prop", "set_piece", "worn")
+    if lexicon.noun_class(noun.key) not in kinds or noun.head in lexicon.LIQUIDS | {"seat", "place"}:
+        return
+    thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+    if anchor.head in _GRIPS and preposition in ("in", "under"):
+        for holder in _anchors(stage, anchor, "in", subjects, previous):
+            hold(stage, holder, thing)
+            stage.inventory.seen(thing, "handled")
+        return
+    if anchor.head in BODY_OR_DRESS and anchor.possessor is not None:
+        around = preposition in ("around", "round")
+        worn = around and noun.head not in CLOTHS  # a whistle round her neck, but a blanket round his shoulders
+        held_over = kind == "over" and stage.sentence.verb in _HOLDING
+        told = None if worn else kind if held_over else kind_at_body(preposition, anchor.head, kind)
+        if told is None or told == "against":
+            stage.inventory.seen(thing, "related")
+            return
+        kind = told
+    kind = "on" if kind == "over" and noun.head in CLOTHS else kind
+    if kind is None:
+        return
+    if noun.head in OPENINGS and kind == "behind" and anchor.kind != "thing":
+        return
+    consumed = lexicon.MOTION_OF_VERB.get(stage.sentence.verb) in _CONSUMING
+    if consumed and thing == stage.sentence.object_thing and kind in ("on", "in"):
+        return
+    targets = [target for each in anchors for target in _anchors(stage, each, kind, subjects, previous)]
+    if kind == "between":
+        if len(targets) > 1:
+            stage.relate(thing, kind, targets[0], targets[1])
+        return
+    for target in targets:
+        around = preposition in ("around", "round", "about") and stage.person(target) and kind == "next_to"
+        if leans_on_a_stick(stage, thing, target):
+            stage.inventory.seen(thing, "related")
+        elif not around:
+            stage.relate(thing, exact_kind(stage, kind, target, ""), target)
+
+
+def _anchors(
+    stage: Stage, anchor: NounPhrase, kind: RelationKind, subjects: list[Person], previous: list[Person]
+) -> Iterable[str]:
+    beside = anchor.head in ("left", "right") and anchor.possessor is not None
+    dress = anchor.head in lexicon.WORN and anchor.possessor is not None
+    if anchor.kind == "thing" and (anchor.head in lexicon.BODY or dress or beside):
+        resolve_owner(stage, anchor, "possessor", subjects, previous)
+        return [anchor.owner] if anchor.owner else []
+    there = anchor.kind == "pronoun" and lexicon.PRONOUNS.get(anchor.head) == "thing"
+    role = "possessor" if anchor.kind == "pronoun" and not there else "object"
+    known = stage.sentence.pronouns.get(anchor.index) if there else None
+    found = Referents(*known) if known else resolve(stage, anchor, role, subjects, subjects or previous, place=there)
+    if found.thing and (
+        (
+            stage.inventory.class_of(found.thing) not in ("prop", "set_piece")
+            and (stage.inventory.head(found.thing) not in SURFACES or kind not in ("on", "in", "under"))
+        )
+        or is_the_place(stage, found.thing)
+    ):
+        return []
+    return [person.id for person in found.people] + ([found.thing] if found.thing else [])

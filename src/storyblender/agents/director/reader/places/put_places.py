@@ -1,0 +1,155 @@
+"""Where things, and people, end up by what somebody does with them: ``puts the tray on the table``."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.people.roles import Place, Roles
+from storyblender.agents.director.reader.places.anchors import (
+    CLOTHS,
+    FLOOR,
+    Stated,
+    at_body,
+    exact_kind,
+    holds_things,
+    kind_at_body,
+)
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.memory.vocabulary import RelationKind
+
+_PLACING, _ATTACHING, _SEATING = (lexicon.words(rule) for rule in ("placing", "attaching", "seating"))
+_MOVED = frozenset({"put_down", "drop", "throw"})
+_BRINGING = frozenset({"pull", "push", "carry"})
+_DRAWN_UP = frozenset(
+    {"pull", "draw", "drag", "bring", "push", "roll", "wheel", "shove", "carry", "haul", "move", "slide"}
+)
+"""``pulls a chair up to the table``, ``drags a crate in front of the door``."""
+_RETURNING = frozenset({"return", "restore", "add", "replace"})
+"""``returns the book to the shelf``."""
+_KINDS = frozenset({"on", "in", "under", "next_to", "behind", "against", "in_front_of", "over", "between"})
+_THROWING = frozenset({"throw", "toss", "fling", "hurl", "lob", "chuck", "pass"})
+_TO_THERE = frozenset({"up to", "to", "over to"})
+_NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
+_EMPTYING = frozenset({"empty", "drain", "wring", "squirt"})
+"""``empties the mug into the sink``: the mug stays in the hand."""
+_BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
+"""``sets the child on her lap``."""
+
+
+def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
+    """Whether things, or people, end up somewhere else."""
+    if clause.passive or roles.people == roles.subjects != [] or clause.verb in _EMPTYING:
+        return False
+    aimed = bool(roles.prepositions & {"into", "onto", "on to"})
+    carried = motion in _MOVED or clause.verb in _PLACING | _ATTACHING | _RETURNING or aimed
+    drawn = clause.verb in _DRAWN_UP and bool(roles.prepositions & (_TO_THERE | _NEAR))
+    seated = clause.verb in _SEATING | _PLACING | _ATTACHING or motion in _MOVED | _BRINGING or aimed
+    return (bool(roles.things) and (carried or drawn)) or (bool(roles.people) and bool(roles.subjects) and seated)
+
+
+def put(stage: Stage, roles: Roles) -> list[Stated]:
+    """Puts the tray on the table, the ring into the pocket, the bag over one shoulder.
+
+    Args:
+        stage: The state before.
+        roles: People and things of a clause that ``puts_something``.
+    """
+    found: list[Stated] = []
+    moved = [thing for thing in roles.things if _is_solid(stage, thing)]
+    moved += [person.id for person in roles.people]
+    for at, place in enumerate(roles.places):
+        if place.preposition == "between":
+            _between(stage, place, moved)
+            continue
+        if at and _describes_anchor(stage, roles.places[at - 1], place):
+            continue
+        for thing in moved:
+            kind = _kind(stage, place, thing)
+            if kind:
+                anchors = _anchors(stage, roles, place, thing, kind)
+                found.extend((thing, exact_kind(stage, kind, anchor, "put"), anchor) for anchor in anchors)
+    return _furniture_beside(stage, roles, found)
+
+
+def _describes_anchor(stage: Stage, before: Place, place: Place) -> bool:
+    """``clips it to the board above the desk``: it is the board that is above it."""
+    side = lexicon.relation_of(place.preposition) in ("over", "under", "behind", "in_front_of")
+    return side and not place.people and any(stage.inventory.class_of(thing) == "set_piece" for thing in before.things)
+
+
+def _is_solid(stage: Stage, thing: str) -> bool:
+    """Whether it is a thing of its own, no arm."""
+    return stage.inventory.class_of(thing) not in ("body", "abstract")
+
+
+def _puts_on(stage: Stage, roles: Roles, thing: str, owner: str) -> bool:
+    """``jams the helmet onto her own head``: she wears it."""
+    return stage.inventory.class_of(thing) == "worn" and owner in [person.id for person in roles.subjects]
+
+
+def _kind(stage: Stage, place: Place, thing: str) -> RelationKind | None:
+    """What a preposition says of where a thing is put."""
+    verb, kind = stage.sentence.verb, lexicon.relation_of(place.preposition)
+    body = at_body(place)
+    if body:
+        if stage.person(thing):
+            return "on" if kind == "on" and body[0] in _BEARING else None
+        attached = "on" if verb in _ATTACHING else kind
+        return (
+            None
+            if stage.inventory.head(thing) in lexicon.LIQUIDS
+            else kind_at_body(place.preposition, body[0], attached)
+        )
+    if place.preposition == "across" and verb in _DRAWN_UP:
+        return None  # slides it across the desk: it does not stay there
+    if place.preposition in _TO_THERE and verb in _DRAWN_UP:
+        return "next_to" if stage.inventory.class_of(thing) == "set_piece" else None
+    if place.preposition == "to" and verb in _ATTACHING:
+        seat = any(stage.inventory.head(anchor) in lexicon.SEATS for anchor in place.things)
+        tethered = stage.person(thing) or stage.inventory.head(thing) in lexicon.VEHICLES
+        return "next_to" if tethered and not seat else "on"
+    floor = any(stage.inventory.head(anchor) in FLOOR for anchor in place.things)
+    if place.preposition == "to" and (verb in _RETURNING or floor):
+        return "on"
+    if kind == "over":
+        return "on" if stage.inventory.head(thing) in CLOTHS else None if verb in _THROWING else kind
+    return kind if kind in _KINDS else None
+
+
+def _anchors(stage: Stage, roles: Roles, place: Place, thing: str, kind: RelationKind) -> list[str]:
+    """Whom and what a thing is put on, in or beside."""
+    body = at_body(place)
+    if body:
+        return [] if _puts_on(stage, roles, thing, body[1]) else [body[1]]
+    spread = kind == "on" and stage.inventory.head(thing) in CLOTHS
+    beside = kind in ("in_front_of", "next_to") or spread or (bool(roles.people) and kind == "behind")
+    anchors = [person.id for person in place.people if beside]
+    anchors += [anchor for anchor in place.things if holds_things(stage, anchor)]
+    on_oneself = any(noun.head in lexicon.BODY for noun in place.nouns)
+    if kind == "on" and on_oneself and roles.subjects and not stage.person(thing):
+        anchors.append(roles.subjects[0].id)
+    return [anchor for anchor in anchors if anchor != thing]
+
+
+def _between(stage: Stage, place: Place, moved: list[str]) -> None:
+    anchors = [person.id for person in place.people] + place.things
+    if len(anchors) > 1:
+        for thing in moved:
+            stage.relate(thing, "between", anchors[0], anchors[1])
+
+
+def _furniture_beside(stage: Stage, roles: Roles, found: list[Stated]) -> list[Stated]:
+    """``Lays her hat on the chair by the stove``: it is the chair that is by the stove."""
+    pieces = [
+        anchor for _, kind, anchor in found if kind in ("on", "in") and stage.inventory.class_of(anchor) == "set_piece"
+    ]
+    beside = [
+        place.things[0]
+        for place in roles.places
+        if place.preposition in ("by", "near", "next to", "beside")
+        and place.things
+        and stage.inventory.class_of(place.things[0]) == "set_piece"
+    ]
+    if not pieces or not beside or beside[0] == pieces[0]:
+        return found
+    return [*(relation for relation in found if relation[2] != beside[0]), (pieces[0], "next_to", beside[0])]

@@ -1,0 +1,59 @@
+"""Where the furniture is that somebody or something is on: ``asleep on the couch by the doors``."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.people.roles import Place, Roles
+from storyblender.agents.director.reader.places.anchors import FLOOR, SURFACES, THINGS, Stated
+from storyblender.agents.director.reader.stage import Stage
+
+_HELD_UP = frozenset({"on", "in"})
+_ASIDE = frozenset({"next_to", "behind", "in_front_of", "under", "over", "against", "left_of", "right_of"})
+_PEGS = frozenset({"hook", "nail", "peg"})
+
+
+def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
+    """Whether a place tells where the furniture named right before it is: ``on the hook behind the door``.
+
+    Args:
+        stage: The state before.
+        roles: Of a clause that tells where its subject is.
+        at: Which of its places.
+    """
+    if not at:
+        return False
+    before, place = roles.places[at - 1], roles.places[at]
+    side = lexicon.relation_of(place.preposition)
+    if roles.subjects and side == "behind":
+        return False  # on a crate behind the counter: that is where the person is
+    return (
+        lexicon.relation_of(before.preposition) in _HELD_UP
+        and side in _ASIDE
+        and len(before.things) == len(place.things) == 1
+        and not before.people + place.people
+        and before.nouns[0].index < place.nouns[0].index
+        and _stands(stage, before)
+        and stage.inventory.class_of(place.things[0]) == "set_piece"
+        and before.things != place.things
+    )
+
+
+def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
+    """The relations of furniture to furniture that the places of a clause tell.
+
+    Args:
+        stage: The state before.
+        roles: Of a clause that tells where its subject is.
+    """
+    found: list[Stated] = []
+    for at, place in enumerate(roles.places):
+        side = lexicon.relation_of(place.preposition)
+        if side and describes_support(stage, roles, at):
+            found.append((roles.places[at - 1].things[0], side, place.things[0]))
+    return found
+
+
+def _stands(stage: Stage, place: Place) -> bool:
+    """Whether it is a piece of furniture, or a hook in the wall: no floor, nothing that is carried about."""
+    head, kind = stage.inventory.head(place.things[0]), stage.inventory.class_of(place.things[0])
+    return head not in FLOOR | SURFACES and (kind == "set_piece" or (head in _PEGS and kind in THINGS))
