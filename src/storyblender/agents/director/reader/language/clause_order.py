@@ -27,3 +27,79 @@ def has_own_place(phrases: list[Phrase], index: int) -> bool:
     kinds = [phrase.kind for phrase in after[:2]]
     told = kinds == ["preposition", "noun"] and after[0].text in lexicon.RELATION_OF_PREPOSITION
     return told and (len(after) < 3 or after[2].text in (".", ",", ";"))
+
+
+def is_fronted(phrases: list[Phrase], at: int) -> bool:
+    """``under the window was a wheel``, ``behind him Al sat``: whether places that start here lead a clause.
+
+    Args:
+        phrases: Of the sentence.
+        at: Of the first place.
+    """
+    start = at
+    while at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at + 1].kind == "noun":
+        if phrases[at].text not in lexicon.RELATION_OF_PREPOSITION:
+            return False
+        at += 2
+    if at == start or at >= len(phrases):
+        return False
+    at += phrases[at].text == "," and at + 1 < len(phrases)
+    new = phrases[at].noun
+    if new and phrases[start - 1].text != "," and (new.kind == "person" or new.determiner in ("a", "an")):
+        return True  # a bed, and behind it a lamp
+    inverted = phrases[at].kind == "verb"
+    verb = phrases[at if inverted or at + 1 == len(phrases) else at + 1].verb
+    if verb is None or verb.kind not in ("past", "aux", "3sg") or not (inverted or phrases[at].kind == "noun"):
+        return False
+    return not inverted or (verb.lemma in lexicon.INVERTING | {"be"} and phrases[start - 1].text != ",")
+
+
+def is_absolute(phrases: list[Phrase], index: int) -> bool:
+    """``, the robot bumping along behind them``, ``, engine running``: somebody or something else does it.
+
+    Args:
+        phrases: Of the sentence.
+        index: Of who or what does it; a phrase stands before it.
+    """
+    left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
+    participle = following is not None and following.verb is not None and following.verb.kind in ("ing", "pp")
+    return left.text in (",", "while", "with", "as") and participle
+
+
+def list_ends(phrases: list[Phrase], index: int) -> bool:
+    """``a pistol, a map and a key``: whether the noun here is one of a list that an ``and`` closes.
+
+    Args:
+        phrases: Of the sentence.
+        index: Of the noun.
+    """
+    while index > 0 and index < len(phrases) and phrases[index].kind == "noun":
+        if phrases[index - 1].text == "and":
+            return True
+        after = [phrase.text for phrase in phrases[index + 1 : index + 3]]
+        if not after or after[0] not in (",", "and"):
+            return False
+        index += 3 if after == [",", "and"] else 2
+    return False
+
+
+def verb_follows(phrases: list[Phrase], index: int) -> bool:
+    """Whether a list of nouns that starts here ends at a finite verb: ``but her son, taking it, examined it``.
+
+    Args:
+        phrases: Of the sentence.
+        index: Of the first noun.
+    """
+    linked, aside = index > 0 and phrases[index - 1].kind == "link", phrases[index + 1 : index + 3]
+    if linked and len(aside) > 1 and aside[0].text == "," and aside[1].verb and aside[1].verb.kind == "ing":
+        return True
+    while index < len(phrases):
+        phrase = phrases[index]
+        right = phrases[index + 1] if index + 1 < len(phrases) else None
+        joins = (
+            right is not None and right.kind == "noun" and (phrase.text in (",", "and") or phrase.kind == "preposition")
+        )
+        if phrase.kind != "noun" and not joins:
+            return phrase.kind == "verb" and (phrase.verb is None or phrase.verb.kind != "ing")
+        index += 1
+    return False

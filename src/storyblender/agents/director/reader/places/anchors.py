@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.people.roles import Place
+from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.memory.vocabulary import RelationKind
 
@@ -55,6 +55,11 @@ def leans_on_a_stick(stage: Stage, subject: str, anchor: str) -> bool:
 def holds_things(stage: Stage, thing: str) -> bool:
     """Whether a thing can lie on, in or beside it: an asset, or the floor."""
     return stage.inventory.class_of(thing) in THINGS or stage.inventory.head(thing) in SURFACES
+
+
+def solid_things(stage: Stage, roles: Roles) -> list[str]:
+    """The things in object position that are furniture or props."""
+    return [thing for thing in roles.things if stage.inventory.class_of(thing) in ("prop", "set_piece")]
 
 
 def at_body(place: Place) -> tuple[str, str] | None:

@@ -1,0 +1,94 @@
+"""Nouns of a sentence in its clauses: subjects to come, objects, recipients, places, lists."""
+
+from __future__ import annotations
+
+from storyblender.agents.director.reader.language.clause import Clause
+from storyblender.agents.director.reader.language.clause_builder import ClauseBuilder
+from storyblender.agents.director.reader.language.clause_order import (
+    has_own_place,
+    is_absolute,
+    list_ends,
+    verb_follows,
+)
+from storyblender.agents.director.reader.language.phrases import NounPhrase
+
+_SUBJECT_ONLY = frozenset({"he", "she", "they", "i", "we"})
+"""``At seven she pulls herself up``: no object of the preposition before."""
+_INSERTING = frozenset({"where", "when", "until", "because", "since"})
+
+
+def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
+    """A subject to come, the noun of a preposition, an object, a recipient, or one more of a list.
+
+    Args:
+        builder: What has been read; changed in place.
+        index: Position of the noun among the phrases.
+        noun: The noun.
+    """
+    clause, left = builder.current, builder.phrases[index - 1] if index else None
+    listed = left is not None and (left.kind == "mark" or (left.kind == "link" and left.text == "and"))
+    linked = left is not None and (left.kind in ("link", "mark") or left.text == "with")
+    if noun.head in _SUBJECT_ONLY:
+        builder.preposition = ""
+    starts_clause = not builder.preposition and (
+        clause is None
+        or noun.head in _SUBJECT_ONLY
+        or builder.fronted is not None
+        or (linked and (verb_follows(builder.phrases, index) or is_absolute(builder.phrases, index)))
+    )
+    if starts_clause:
+        builder.inserted = left is not None and left.text in _INSERTING
+        if left is not None and left.text in _INSERTING | {"as", "while"} and not listed and not builder.clauses:
+            builder.outer = builder.pending
+        builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
+        return
+    if builder.preposition:
+        if builder.fronted is not None:
+            builder.fronted.append((builder.preposition, [noun]))
+        elif not builder.aside and not (clause and builder.pending):
+            places = clause.places if clause else builder.leading
+            places.append((builder.preposition, [noun]))
+        builder.preposition = ""
+        return
+    if clause is None:
+        return
+    if noun.kind == "person" and left and left.text == "," and has_own_place(builder.phrases, index):
+        builder.aside = True
+        return
+    goes_on = listed and bool(clause.object) and not clause.places and list_ends(builder.phrases, index)
+    apart = (left is not None and left.text == ",") or bool(listed and clause.object and clause.places)
+    builder.aside = noun.kind == "thing" and apart and not goes_on
+    if builder.aside and not clause.object:
+        clause.asides.append(noun)
+        return
+    of_both = bool(clause.places) and clause.places[-1][0] == "of" and clause.places[-1][1][-1].kind == noun.kind
+    of_both |= bool(clause.places) and clause.places[-1][0] == "between"
+    if left and left.kind == "link" and left.text == "and" and clause.places and (of_both or not clause.object):
+        clause.places[-1][1].append(noun)
+    elif linked and clause.object and (noun.kind == "person" or (goes_on and clause.object[0].kind == "thing")):
+        clause.object.append(noun)
+    elif clause.object and left and left.kind == "noun" and noun.kind == "thing" and _gets_it(clause):
+        clause.recipient, clause.object = clause.object, [noun]
+    elif not clause.object and len(clause.places) == clause.opening:
+        clause.object = [noun]
+
+
+def is_other_side(builder: ClauseBuilder, index: int) -> bool:
+    """``Between a radio and a lamp sits a cat``: the noun after ``and``.
+
+    Args:
+        builder: What has been read.
+        index: Position of the noun among the phrases.
+    """
+    place = builder.leading[-1] if builder.leading else ("", [])
+    return place[0] == "between" and len(place[1]) == 1 and builder.phrases[index - 1].text == "and"
+
+
+def _gets_it(clause: Clause) -> bool:
+    """``hands Mia the key``, ``gives the box a shove``."""
+    return _receives(clause.object[0]) or (clause.verb == "give" and clause.object[0].determiner != "")
+
+
+def _receives(noun: NounPhrase) -> bool:
+    """Whether a noun before another noun can be who gets it: ``hands Mia the key``."""
+    return noun.kind == "person" or (noun.kind == "pronoun" and noun.head != "it")

@@ -1,0 +1,122 @@
+"""What one place of a clause states about its subject: which relation, to what."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.people.roles import Place
+from storyblender.agents.director.reader.places.anchors import (
+    CLOTHS,
+    FLOOR,
+    OPENINGS,
+    SURFACES,
+    THINGS,
+    Stated,
+    at_body,
+    exact_kind,
+    is_the_place,
+    kind_at_body,
+    leans_on_a_stick,
+)
+from storyblender.agents.director.reader.places.place_verbs import (
+    ARRIVING,
+    ATTACHING,
+    BENT,
+    GETTING_DOWN,
+    HALTING,
+    HANGING,
+    STATIVE,
+    TURNING,
+)
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.memory.vocabulary import RelationKind
+
+_ANCHORS = THINGS | {"scenery"}
+_GAZE = lexicon.words("gaze")
+_SINKING = frozenset({"fall", "collapse", "sink", "slump", "crumple", "tumble", "crash", "topple"})
+_IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "screen", "monitor", "reflection"})
+
+
+def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], motion: str | None) -> list[Stated]:
+    """What a place says of who or what is there.
+
+    Args:
+        stage: The state before.
+        clause: Not negated.
+        place: One of its places that tell where its subject is.
+        located: Ids of the subject, at least one.
+        motion: The motion of the subject.
+    """
+    kind = _kind(stage, clause, place, located)
+    if kind is None or kind == "between" or place.preposition == "down":
+        return []
+    past_it = place.preposition == "across" and clause.verb == "be" and stage.person(located[0]) is not None
+    if past_it or _is_an_image(stage, kind, place):
+        return []
+    if kind == "behind" and clause.verb not in STATIVE and stage.inventory.head(located[0]) in OPENINGS:
+        return []  # behind her the door opens: it is somewhere in the room
+    openings = any(stage.inventory.head(thing) in OPENINGS for thing in place.things)
+    if kind == "on" and openings and stage.person(located[0]):
+        return []  # with his hand upon the gate
+    if kind == "over" and clause.verb in BENT - {"hunch"} and not clause.passive:
+        return []  # stoops over the book, and is up again
+    if kind == "in" and stage.person(located[0]) and _wraps(stage, place):
+        return []  # in a blanket: that is what somebody wears
+    doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
+    doorway |= kind == "at" and clause.verb in TURNING and openings
+    beside = kind in ("behind", "in_front_of", "next_to")
+    halts = clause.verb in HALTING and kind == "at" and not openings
+    arriving = clause.verb in ARRIVING and not halts and motion != "sit" and stage.person(located[0]) is not None
+    if arriving and not (beside or doorway or clause.passive):
+        return []
+    anchors = [person.id for person in place.people]
+    anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]
+    if kind in ("in", "at") and place.things and stage.inventory.class_of(place.things[0]) == "scenery":
+        anchors = [person.id for person in place.people]
+        surfaces = kind == "in" or place.preposition in ("on", "onto", "upon")
+        anchors += [thing for thing in place.things if surfaces and stage.inventory.head(thing) in SURFACES]
+    body = at_body(place)
+    if body:
+        if kind == "under":
+            return []  # ducks under his arm
+        kind = kind_at_body(place.preposition, body[0], kind)
+        anchors = [body[1]]
+    if kind is None:
+        return []
+    return [
+        (subject, exact_kind(stage, kind, anchor, clause.verb), anchor)
+        for anchor in anchors
+        if not (is_the_place(stage, anchor) and kind in ("in", "at"))
+        for subject in located
+        if subject != anchor and not leans_on_a_stick(stage, subject, anchor)
+    ]
+
+
+def _kind(stage: Stage, clause: Clause, place: Place, located: list[str]) -> RelationKind | None:
+    """What the preposition says of this verb: ``pinned to`` and ``hangs from`` are on."""
+    if place.preposition == "to" and clause.verb in ATTACHING:
+        living = stage.person(located[0]) is not None
+        seat = any(stage.inventory.head(thing) in lexicon.SEATS for thing in place.things)
+        vehicle = stage.inventory.head(located[0]) in lexicon.VEHICLES
+        return "next_to" if (living and not seat) or vehicle else "on"
+    if place.preposition == "to" and any(stage.inventory.head(thing) in FLOOR for thing in place.things):
+        return "on" if stage.person(located[0]) is None or clause.verb in _SINKING | GETTING_DOWN else None
+    if place.preposition == "from" and clause.verb in HANGING:
+        return None if stage.person(located[0]) or at_body(place) else "on"
+    if place.preposition in ("around", "round") and _ring(stage, place):
+        return "at" if stage.person(located[0]) else "next_to"
+    return lexicon.relation_of(place.preposition)
+
+
+def _ring(stage: Stage, place: Place) -> bool:
+    """``sit around the table``, but not ``stand around the corner``."""
+    return any(stage.inventory.class_of(thing) in ("set_piece", "prop") for thing in place.things)
+
+
+def _wraps(stage: Stage, place: Place) -> bool:
+    return any(stage.inventory.head(thing) in CLOTHS | lexicon.WORN for thing in place.things)
+
+
+def _is_an_image(stage: Stage, kind: RelationKind, place: Place) -> bool:
+    """``In the mirror stands a man``: he is somewhere else."""
+    return kind == "in" and any(stage.inventory.head(thing) in _IMAGES for thing in place.things)

@@ -1,0 +1,172 @@
+"""Which places of a clause tell where its subject is once the clause is over."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.people.roles import Place, Roles
+from storyblender.agents.director.reader.places.anchors import (
+    FLOOR,
+    solid_things,
+)
+from storyblender.agents.director.reader.places.place_verbs import (
+    ARRIVING,
+    ATTACHING,
+    BENT,
+    GETTING_DOWN,
+    HANGING,
+    STATIVE,
+)
+from storyblender.agents.director.reader.places.supports import describes_support
+from storyblender.agents.director.reader.stage import Stage
+
+_AT_REST = lexicon.words("at_rest")
+"""Verbs that tell where a thing is, not what somebody does."""
+_ALWAYS = frozenset({"be", "stay", "remain", "wait"})
+"""What comes after them is no object that is moved."""
+_STILL = frozenset({"sit", "stand", "lie_down", "kneel", "lean", "sleep", "hide", "crouch"})
+_PLACING = lexicon.words("placing")
+_GAZE = lexicon.words("gaze")
+_BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
+"""Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
+_COMING_TO_REST, _WHERE = (
+    lexicon.words("coming_to_rest"),
+    ("on", "to", "in", "into", "onto", "under", "behind", "beneath"),
+)
+_AT_WORK = frozenset({"cook", "eat", "drink", "read", "write", "type", "work", "cut", "clean", "pour", "play_music"})
+_CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
+"""``eats a sandwich on a ladder``: it is the eater who is on it."""
+_BACKING = frozenset(
+    {"back", "press", "flatten", "shrink", "retreat", "stagger", "crash", "slam", "lean", "prop", "brace"}
+)
+"""``backs against the wall``."""
+_CREEPING = frozenset({"crawl", "creep", "scramble", "squeeze", "slide", "slip", "roll", "wriggle", "dive"})
+_SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
+"""``takes her place at the window``."""
+_MOVING = lexicon.words("moving")
+"""Verbs after which a thing is somewhere else than the words say."""
+_STATIC = frozenset(
+    {"on", "upon", "atop", "in", "inside", "under", "underneath", "beneath", "above", "over", "behind", "beside", "by",
+     "next to", "near", "in front of", "on top of", "between", "among"}
+)  # fmt: skip
+"""Prepositions that tell where a thing is that does something: ``A radio plays on the shelf``."""
+
+
+def is_still(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> bool:
+    """Whether a clause tells where its subject is: it stands, is laid, hangs there.
+
+    Args:
+        stage: The state before.
+        clause: Not negated.
+        roles: Its people and things.
+        motion: The motion of its subject.
+    """
+    if _settles_itself(clause, roles):
+        return True
+    if clause.verb not in _ALWAYS and not clause.passive and _moves_something(stage, roles, motion):
+        return False
+    still = (
+        clause.verb in STATIVE
+        or (clause.verb in BENT and clause.passive)
+        or clause.verb in ARRIVING
+        or motion in _STILL
+    )
+    laid = clause.verb in _AT_REST and not roles.subjects
+    put_there = clause.passive and (not roles.subjects or clause.verb in _PLACING | _AT_REST | ATTACHING)
+    return still or laid or put_there
+
+
+def _settles_itself(clause: Clause, roles: Roles) -> bool:
+    """``lowers himself into the chair``, ``takes a seat beside Kate``, ``joins her on the bench``."""
+    own = bool(roles.people) and roles.people == roles.subjects and clause.verb in _PLACING | STATIVE | _BACKING
+    seat = clause.verb in ("take", "find", "have", "resume") and any(n.head in _SEATS_TAKEN for n in clause.object)
+    return bool(roles.subjects) and (own or seat or clause.verb == "join")
+
+
+def _moves_something(stage: Stage, roles: Roles, motion: str | None) -> bool:
+    """``sets the doll on the chair``, ``rests her hands on the book``, but not ``leans her head on the chair``."""
+    classes = {stage.inventory.class_of(thing) for thing in roles.things} - {"abstract"}
+    classes -= set() if stage.sentence.verb in _PLACING else {"unknown"}
+    return bool(roles.people) or bool(classes - {"body"}) or (bool(classes) and motion not in _STILL)
+
+
+def _has_furniture(stage: Stage, place: Place) -> bool:
+    """``writes at the desk``, but not ``works at the knot``."""
+    return any(stage.inventory.class_of(thing) in ("set_piece", "scenery") for thing in place.things)
+
+
+def telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> list[Place]:
+    """The places of a clause that tell where its subject is once it is over.
+
+    Args:
+        stage: The state before.
+        clause: Not negated.
+        roles: Its people and things.
+        motion: The motion of its subject.
+    """
+    if is_still(stage, clause, roles, motion):
+        own = [at for at in range(len(roles.places)) if not describes_support(stage, roles, at)]
+        return [roles.places[at] for at in own if not (at and _goes_with(stage, roles, at))]
+    if clause.opening:
+        return roles.places[-clause.opening :]
+    if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
+        return [place for place in roles.places if place.preposition in _WHERE]
+    if not roles.subjects:
+        rests = clause.verb not in _MOVING and not roles.things
+        return [place for place in roles.places if rests and _is_where(stage, clause, place)]
+    if clause.verb in _GAZE or (clause.verb in _PLACING and roles.things):
+        return []
+    return [
+        place
+        for place in roles.places
+        if (place.preposition == "at" and motion in _AT_WORK and _has_furniture(stage, place))
+        or (place.preposition in ("on", "in") and motion in _CONSUMING and not place.people)
+        or (
+            place.preposition == "against"
+            and clause.verb in _BACKING
+            and _only_body(stage, roles)
+            and bool(place.things)
+        )
+        or (place.preposition in _BESIDE and _is_beside(stage, roles, place))
+        or (not roles.things + roles.people and _gets_there(stage, clause, place))
+    ]
+
+
+def _gets_there(stage: Stage, clause: Clause, place: Place) -> bool:
+    """``hops to the floor``, ``crawls under the bed``."""
+    if place.preposition == "to":
+        return clause.verb in GETTING_DOWN and any(stage.inventory.head(thing) in FLOOR for thing in place.things)
+    return place.preposition in ("under", "underneath", "beneath") and clause.verb in _CREEPING
+
+
+def _only_body(stage: Stage, roles: Roles) -> bool:
+    return all(stage.inventory.class_of(thing) == "body" for thing in roles.things)
+
+
+def _is_beside(stage: Stage, roles: Roles, place: Place) -> bool:
+    """``runs alongside him``; ``pulls a chair up beside him`` tells where the chair is."""
+    return not (roles.things + roles.people) or (bool(place.people) and not solid_things(stage, roles))
+
+
+def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
+    """``A radio plays on the shelf``, ``A lantern swings from a hook``: where a thing is that does something."""
+    if place.preposition == "from":
+        return clause.verb in HANGING
+    return place.preposition in _STATIC and any(
+        stage.inventory.class_of(thing) in ("prop", "set_piece") for thing in place.things
+    )
+
+
+def _goes_with(stage: Stage, roles: Roles, at: int) -> bool:
+    """``sits with her feet on the desk``: the feet are on it; ``lies on the sofa behind them``: the sofa is there."""
+    before, place = roles.places[at - 1], roles.places[at]
+    if place.nouns[0].index < before.nouns[0].index:
+        return False
+    if before.preposition == "with":
+        return bool(before.things) and place.preposition in ("on", "over", "under", "across")
+    pieces = any(stage.inventory.class_of(thing) == "set_piece" for thing in place.things)
+    supported = lexicon.relation_of(before.preposition) in ("on", "in") and any(
+        stage.inventory.class_of(thing) == "set_piece" for thing in before.things
+    )
+    side = lexicon.relation_of(place.preposition) in ("behind", "in_front_of", "next_to", "under", "over")
+    return not roles.subjects and supported and side and (pieces or bool(place.people))
