@@ -6,8 +6,9 @@ import bpy
 import numpy as np
 import pytest
 
+from storyblender.blender.people import mouth
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.pack import load_body_pack
+from storyblender.blender.people.pack import PARTS, load_body_pack
 from storyblender.blender.people.person import PersonBuild, build_person
 from storyblender.blender.people.scalp import Scalp, above_hairline
 from storyblender.blender.people.skin import whisker_growth
@@ -102,6 +103,18 @@ def test_the_face_moves_with_its_shape_keys() -> None:
         moved = np.linalg.norm(np.array([point.co for point in key.data]) - basis, axis=1)
         assert 0.003 < moved.max() < 0.05
         assert key.value == 0
+
+
+@needs_data
+def test_an_open_mouth_is_dark_with_a_band_of_upper_teeth() -> None:
+    pack = load_body_pack()
+    assert pack is not None
+    throat, lip, chin = (0.0, 6.585, 0.57), (0.0, 6.671, 1.601), (0.0, 6.43, 1.491)
+    assert mouth.hollow(pack, np.array([throat, lip, chin])).tolist() == [1.0, 0.0, 0.0]
+    rows = mouth.paint_teeth(pack.points[PARTS["teeth"]])
+    lower, upper = (row.max() for row in np.split(rows, 2))
+    assert mouth.TONGUE[0] < upper / 2, "the teeth are told from what is behind them"
+    assert lower < upper / 3 < 0.2, "two bright rows read as one block"
 
 
 @needs_data

@@ -63,7 +63,8 @@ def _eye(figure: Figure, side: str) -> Sheet:
 
 
 @lru_cache(maxsize=1)
-def _base_tree(pack: BodyPack) -> tuple[BVHTree, Ints]:
+def base_tree(pack: BodyPack) -> tuple[BVHTree, Ints]:
+    """Return the skin of the base mesh, decimetres, for rays, and the corners of its faces."""
     skin = PARTS["skin"].stop
     faces = pack.faces[pack.faces[:, 0] < skin]
     return BVHTree.FromPolygons(pack.points[:skin].tolist(), faces.tolist()), faces
@@ -79,7 +80,7 @@ class Pin:
     """
 
     def __init__(self, pack: BodyPack, x: float, y: float) -> None:
-        tree, faces = _base_tree(pack)
+        tree, faces = base_tree(pack)
         hit, _, face, _ = tree.ray_cast((x, y, 5.0), (0.0, 0.0, -1.0))
         if face is None or hit.z < 0:  # past the jaw's edge: the nearest place on it
             hit, _, face, _ = tree.find_nearest((x, y, 1.0))

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.people import eyewear, face, hair, mannequin, rig, skin, tailor, whiskers
+from storyblender.blender.people import eyewear, face, hair, mannequin, mouth, rig, skin, tailor, whiskers
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import PARTS, load_body_pack
@@ -29,8 +29,6 @@ HEM = 0.004
 PUPIL = (0.005, 0.005, 0.005)
 SCLERA = (0.78, 0.76, 0.74)
 LASH = (0.010, 0.008, 0.006)
-TOOTH = (0.75, 0.72, 0.65)
-TONGUE = (0.40, 0.12, 0.10)
 
 FRAME = (0.012, 0.010, 0.009)
 Expressions = dict[str, NDArray[np.float64]]
@@ -119,20 +117,21 @@ def _build_skin(
     for slot, sheet in enumerate(sheets):
         sheet.slot[:] = slot
     whole = join(sheets)
+    painted = {0: paint, 2: mouth.paint_teeth(sheets[2].base)}  # by slot
     return build_object(
         f"{armature.name}_skin",
         whole,
         [
             Paint(colors.skin, "skin", vertex_colors=True),
             Paint(LASH, "cloth"),
-            Paint(TOOTH, "satin"),
-            Paint(TONGUE, "skin"),
+            Paint(mouth.TOOTH, "satin", vertex_colors=True),
+            Paint(mouth.TONGUE, "skin"),
             Paint(colors.brow, "hair"),
         ],
         armature,
         surface=Surface.SKIN,
         ink_group=f"{armature.name}_skin",
-        colors=np.concatenate([paint, np.zeros((len(whole.points) - len(paint), 3))]),
+        colors=np.concatenate([painted.get(slot, np.zeros((len(part.points), 3))) for slot, part in enumerate(sheets)]),
         shape_keys={key: np.concatenate([part[key] for part in keys]) for key in every},
     )
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.blender.people import mouth
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import BodyPack, to_scene
 from storyblender.blender.people.scalp import above_hairline
@@ -49,7 +50,7 @@ def whisker_growth(base: Floats) -> Floats:
 
 
 def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: CharacterLook) -> Floats:
-    """Return the vertex colours (V, 3): tone, blood in cheeks, nose and ears, lips, eye sockets, stubble, age.
+    """Return the vertex colours (V, 3): tone, blood in cheeks, nose and ears, lips, mouth, eye sockets, stubble, age.
 
     Args:
         figure: Whose body it is.
@@ -84,4 +85,6 @@ def paint_skin(figure: Figure, sheet: Sheet, colors: Complexion, look: Character
         ]
         paint = paint * (1 - shadow) + np.array(colors.hair) * shadow
     paint = paint * (1 - beard) + np.array(colors.brow) * beard
-    return paint * (1 - lips[:, None]) + np.array(colors.lips) * lips[:, None]
+    paint = paint * (1 - lips[:, None]) + np.array(colors.lips) * lips[:, None]
+    hollow = mouth.hollow(figure.pack, base)[:, None]
+    return paint * (1 - hollow) + np.array(mouth.HOLLOW) * hollow
