@@ -82,7 +82,11 @@ def put_away(shot: ShotContext, frame: int) -> set[str]:
         if cue.prop_id is not None and cue.start <= frame:
             gone = gone - {cue.prop_id} | ({cue.prop_id} if cue.clip in _LEAVES else set())
     busy = [cue for cue in shot.cues if cue.start <= frame and cue.clip not in _AT_REST]
-    last = {cue.asset_id: cue for cue in sorted(busy, key=lambda cue: cue.start)}
+    last: dict[str, Cue] = {}
+    for cue in sorted(busy, key=lambda cue: cue.start):
+        # Who is embraced is in the embrace, whatever they did with their hands before.
+        pair = (cue.asset_id, cue.target_id) if clip_of(cue.clip).reach == "person" else (cue.asset_id,)
+        last |= {who: cue for who in pair if who is not None}
     return gone - {cue.prop_id for cue in last.values()}
 
 

@@ -12,6 +12,7 @@ from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, fac
 from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.meetings import Meetings
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.memory.shot_context import CharacterAction
@@ -116,12 +117,17 @@ class Actions:
         return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
 
     def _met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
-        """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``."""
+        """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``.
+
+        Who has no place of their own on the set goes to whom they then speak to.
+        """
+        homeless = person.asset_id not in self.company.home
         for action in (each for each in later if each.asset_id == person.asset_id):
-            partner = self.company.people.get(action.target_id or "")
-            if clip_of(action.motion).speed is not None:
+            partner, motion = self.company.people.get(action.target_id or ""), clip_of(action.motion)
+            if motion.speed is not None:
                 return None
-            if partner is not None and partner.present and clip_of(action.motion).reach == "person":
+            meets = motion.reach == "person" or (homeless and motion.key in SPOKEN)
+            if partner is not None and partner.present and meets:
                 return partner
         return None
 

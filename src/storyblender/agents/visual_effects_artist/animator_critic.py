@@ -62,7 +62,7 @@ def _places(floor: Floor, scale: dict[str, float], blocking: Blocking, name: str
         if floor.room_at(place) < INSIDE * BODY * k and not _before_seat(floor, place):
             goal = floor.free_near(place, k)
             faults.append(_fault("inside", mark, f"{name}: {mark.asset_id} stands inside furniture", goal))
-        elif not floor.inside(place, -0.3) and not _named(floor, place):
+        elif not floor.inside(place, -floor.beyond) and not _named(floor, place):
             goal = floor.free_near(place, k)
             faults.append(_fault("off_set", mark, f"{name}: {mark.asset_id} stands outside the set", goal))
     return faults

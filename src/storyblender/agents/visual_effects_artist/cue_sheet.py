@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import Crossing, aboard, vessel_at
-from storyblender.agents.visual_effects_artist.floor import BODY, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WAY_OUT, facing
 from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.motions import MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.boxes import turn_between
@@ -268,7 +268,7 @@ class CueSheet:
         thing = self.company.floor.thing(action.target_id)
         point = self.company.rail(person, thing) if thing is not None else person.place
         if leaves and not self.company.floor.inside(point):  # to a plane on the field: out, on its side
-            return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, point)), None
+            return self._out_towards(person, point, others), None
         if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):
             spot = self.company.floor.spot_at(point, person.place, person.k, others, REACH)
             spot = spot or self.company.floor.free_near(point, person.k, others)
@@ -290,6 +290,25 @@ class CueSheet:
         most = max(2.5, ON_THE_MOVE * speed)
         step = max(-most, min(most, across)) or 2.0
         return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.k, others), None
+
+    def _out_towards(self, person: Person, point: Vec2, others: Sequence[Vec2]) -> Vec2:
+        """Return where one is last seen who leaves for what stands off stage: on the way there, or where one goes out.
+
+        Each has a way of their own: two who leave together do not end on one spot.
+        """
+        floor, apart = self.company.floor, math.dist(point, person.place)
+        for part in (1.0, 0.8, 0.6) if floor.open_air else ():
+            step = part * min(WAY_OUT, apart - REACH)
+            spot = _on_the_way(person.place, point, step)
+            free = all(math.dist(spot, other) > PERSONAL for other in others) and floor.room_at(spot) > BODY * person.k
+            if step > REACH and free and floor.inside(spot, -floor.beyond):
+                return spot
+        return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, point))
+
+
+def _on_the_way(start: Vec2, goal: Vec2, length: float) -> Vec2:
+    share = length / max(math.dist(start, goal), 1e-6)
+    return start[0] + share * (goal[0] - start[0]), start[1] + share * (goal[1] - start[1])
 
 
 def cheated(yaw: float) -> float:

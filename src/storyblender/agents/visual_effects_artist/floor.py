@@ -31,6 +31,8 @@ BACK = 0.6
 """Metres that somebody goes round a thing to work at it in profile."""
 PERSONAL = 0.55
 """Metres between two people who have nothing to do with each other."""
+WAY_OUT, OFF_STAGE = 4.0, 0.3
+"""Metres that somebody walks on towards what stands off stage, in the open and under a roof."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,7 @@ class Floor:
             self.things[item.node_id] = Thing(item.node_id, item.asset_id, item.location, yaw, size, anchors)
         size = layout.scene_size
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
+        self.open_air = not plan.indoor
         self.marks = plan.marks
         self.openings = [_opening(place) for wall in plan.walls for place in openings_of(wall)]
         self.set_boxes = [_footprint(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
@@ -158,6 +161,11 @@ class Floor:
         """Tell whether a point is within the playing area."""
         x0, y0, x1, y1 = self.bounds
         return x0 + margin <= point[0] <= x1 - margin and y0 + margin <= point[1] <= y1 - margin
+
+    @property
+    def beyond(self) -> float:
+        """Metres from the playing area that people may end a way."""
+        return WAY_OUT if self.open_air else OFF_STAGE
 
     def path(self, start: Vec2, goal: Vec2, k: float, people: Sequence[Vec2] = ()) -> list[Vec2] | None:
         """Return the way for a person of scale ``k`` past furniture and people who stand."""

@@ -64,8 +64,11 @@ class Speeches:
             partner = min(others, key=lambda p: math.dist(p.place, person.place), default=None)
         walking = person.busy
         start = max(self.sheet.clock, walking - 0.8 if person.upright else walking)
+        turned = walking
         if partner is not None and start >= walking:
             start = self.sheet.face_person(person, partner, start)
+        elif partner is not None and person.upright:  # words begin on the way: who has come turns to whom they address
+            turned = self.sheet.face_person(person, partner, walking)
         target = partner.asset_id if partner else None
         end = self.sheet.cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=mood)
         for listener in others:
@@ -76,7 +79,7 @@ class Speeches:
             else:
                 self.sheet.cue(listener, "look", max(start, listener.busy), 0.6, target_id=person.asset_id)
         person.acted = True
-        person.busy = max(person.busy, end)
+        person.busy = max(person.busy, turned, end)
         self.sheet.clock = end
 
     def idle_looks(self, shot: ShotContext, cast: Sequence[Person]) -> None:
@@ -110,10 +113,6 @@ def mood_of(parenthetical: str) -> Mood:
         if re.search(pattern, words):
             return mood
     return "neutral"
-
-
-def _turn(a: float, b: float) -> float:
-    return (b - a + math.pi) % (2 * math.pi) - math.pi
 
 
 def _line(action: CharacterAction, lines: Sequence[ScriptLine]) -> ScriptLine | None:

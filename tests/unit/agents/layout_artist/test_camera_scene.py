@@ -111,6 +111,14 @@ def test_what_was_put_down_before_is_not_what_a_picture_is_about(frame: int, foc
     assert brief.instruction.focus_on_ids == focus
 
 
+def test_who_is_embraced_after_putting_something_down_is_not_seen_with_it() -> None:
+    puts = Cue(asset_id="anna", clip="put_down", start=5, prop_id="cup")
+    hugs = Cue(asset_id="tom", clip="hug", start=50, target_id="anna")
+    story = graph({"kind": "action", "size": "MS", "focus_on_ids": (*AXIS, "cup")}, cues=(puts, hugs))
+    brief = camera_brief(story, story.shots[0], PLAN, {}, [Moment(80, (ANNA, TOM))])
+    assert set(brief.instruction.focus_on_ids) == set(AXIS)
+
+
 @pytest.mark.parametrize(
     ("kind", "size", "x", "held"),
     [

@@ -302,6 +302,20 @@ def test_who_leaves_for_what_is_beyond_the_set_goes_out_on_its_side() -> None:
     assert _end(AnimatorRules().propose(view).shots[0], "rick").location[:2] == (3.4, 3.0)
 
 
+def test_two_who_leave_in_the_open_for_a_plane_walk_side_by_side_towards_it() -> None:
+    plane = _thing("plane", (20.0, 15.0, 5.0))
+    layout = LAYOUT.model_copy(update={"objects": (_at("plane", 2, 24.0), *LAYOUT.objects)})
+    both = [_do(who, "walk", target_id="plane") for who in ("rick", "ilsa")]
+    view = _view(_shot(1, *both, seconds=6), _shot(2, on_stage=()))
+    plan = PLAN.model_copy(update={"indoor": False})
+    view = view.model_copy(update={"assets": (plane, *ASSETS), "layout": layout, "plan": plan})
+    draft = AnimatorRules().propose(view)
+    assert AnimatorCritic().judge(draft, view).faults == ()
+    rick, ilsa = (_end(draft.shots[0], who).location for who in ("rick", "ilsa"))
+    assert math.dist(rick, ilsa) > 1.0
+    assert min(rick[1] + 1.0, ilsa[1] + 0.6) > 3.0, "a few metres on"
+
+
 BENCH = _thing(
     "bench",
     (1.8, 0.42, 0.46),
@@ -432,6 +446,29 @@ def test_who_goes_without_an_end_and_then_embraces_somebody_goes_to_them() -> No
     (shot,) = _stage(_shot(1, _do("rick", "walk"), _do("rick", "hug", target_id="ilsa"), seconds=6))
     walks = [cue.mark for cue in shot.cues if cue.asset_id == "rick" and cue.clip == "walk"]
     assert walks[0] is not None and math.dist(walks[0].location[:2], _start(shot, "ilsa").location[:2]) < 1.5
+
+
+def test_who_has_no_place_of_their_own_comes_to_whom_they_speak_to_and_faces_them() -> None:
+    objects = tuple(each for each in LAYOUT.objects if each.node_id != "rick")
+    view = _view(_shot(1, _do("rick", "walk"), _do("rick", "talk", target_id="ilsa"), seconds=6))
+    view = view.model_copy(update={"layout": LAYOUT.model_copy(update={"objects": objects})})
+    (shot,) = AnimatorRules().propose(view).shots
+    rick, ilsa = _end(shot, "rick"), _end(shot, "ilsa")
+    assert 1.0 <= math.dist(rick.location, ilsa.location) <= 1.4
+    assert _off(rick, ilsa) < 60
+
+
+def test_who_speaks_while_they_arrive_turns_to_whom_they_address() -> None:
+    (shot,) = _stage(_shot(1, _do("rick", "walk", target_id="cup"), _do("rick", "talk", target_id="ilsa"), seconds=8))
+    rick, ilsa = _end(shot, "rick"), _end(shot, "ilsa")
+    assert _cues(shot, "rick")[-1] in ("talk", "turn")
+    assert _off(rick, ilsa) < 60
+
+
+def _off(one: Mark, other: Mark) -> float:
+    """Degrees between where somebody faces and where somebody else is."""
+    way = floor_module.facing(one.location[:2], other.location[:2])
+    return abs((math.degrees(way) - one.yaw + 180) % 360 - 180)
 
 
 def test_who_only_leaves_does_not_come_in_first() -> None:
