@@ -25,8 +25,8 @@ class Opening(Frozen):
     width: float
     height: float
     style: str = ""
-    """door: panel, glass, double, cell, lift; window: sash, grid, shop, blinds, curtains, bars; mouth is a bare hole,
-    open no wall at all."""
+    """door: panel, glass, double, cell, lift, paper, bus; window: sash, grid, shop, blinds, curtains, bars, paper,
+    rubber (a vehicle's); mouth is a bare hole, open no wall at all."""
     state: Literal["open", "closed"] = "closed"
 
 

@@ -41,8 +41,11 @@ _GROUND: Final = {
     "porch": "boards", "dock": "wet planks", "parking_lot": "asphalt", "classroom": "linoleum", "church": "stone flags",
     "prison": "bare concrete", "court": "parquet", "beach": "sand", "desert": "sand", "mountain": "rock and scree",
     "field": "grass", "gate": "cobbles", "garden": "lawn", "cemetery": "grass", "rooftop": "tar paper",
-    "car": "asphalt",
-    "train": "worn carpet", "plane": "concrete", "sea": "planks of a deck",
+    "car": "asphalt", "police_station": "worn linoleum", "motel_room": "worn carpet",
+    "nursery": "pale boards with a rug",
+    "tatami_room": "straw mats", "locker_room": "small tiles", "ship_deck": "planks of a deck",
+    "space_hull": "steel plates",
+    "train": "worn carpet", "plane": "concrete", "sea": "wet sand",
 }  # fmt: skip
 _WALLS: Final = {
     "kitchen": "painted plaster with a tiled dado", "bathroom": "white tiles", "diner": "panelled dado, large windows",
@@ -53,7 +56,9 @@ _WALLS: Final = {
     "prison": "bare concrete", "church": "stone", "security_room": "grey panels", "control_room": "steel panels",
     "spaceship": "curved white panels", "classroom": "painted plaster with a board", "bank": "marble panels",
     "train": "wood panels and windows", "attic": "boards under sloping rafters", "tent": "canvas", "cave": "rough rock",
-    "restaurant_kitchen": "white tiles", "car": "doors and windows", "court": "panelled dado, plaster above",
+    "restaurant_kitchen": "white tiles", "car": "doors and windows",
+    "police_station": "painted plaster with a dado", "motel_room": "panelling", "nursery": "pale wallpaper",
+    "tatami_room": "paper screens", "locker_room": "tiles and lockers", "court": "panelled dado, plaster above",
 }  # fmt: skip
 
 

@@ -40,7 +40,7 @@ def dress_opening(
         _spandrels(builder, wall, width, height, thickness)
     if kind == "gap" or style == "mouth":
         return
-    if not arched and style != "bars":
+    if not arched and style not in ("bars", "rubber", "bus"):
         for x in (-CASING / 2, width + CASING / 2):
             builder.box(trim, (x, 0.02, height / 2), (CASING, 0.06, height + 0.001))
         builder.box(trim, (width / 2, 0.02, height + CASING / 2), (width + 2.4 * CASING, 0.07, CASING))
@@ -65,8 +65,8 @@ def door_leaf(opening: Opening, width: float, *, clear: bool, mirrored: bool = F
 
 def _leaf(builder: MeshBuilder, style: str, width: float, height: float, *, clear: bool) -> None:
     middle, y = width / 2, -0.06
-    if style == "cell":
-        _barred_leaf(builder, width, height)
+    if style in ("cell", "paper", "bus"):
+        {"cell": _barred_leaf, "paper": _paper_leaf, "bus": _folding_leaf}[style](builder, width, height)
         return
     if style == "lift":
         builder.box(finish("steel"), (middle, y, height / 2), (width - 0.01, LEAF, height))
@@ -112,11 +112,46 @@ def _barred_leaf(builder: MeshBuilder, width: float, height: float) -> None:
     builder.box(iron, (width - 0.12, y, height * 0.48), (0.16, 0.07, 0.2))
 
 
+def _paper_leaf(builder: MeshBuilder, width: float, height: float) -> None:
+    with builder.at((0, -0.06, 0.0)):
+        _lattice(builder, width, height)
+
+
+def _folding_leaf(builder: MeshBuilder, width: float, height: float) -> None:
+    """Add the two narrow panes of a bus door in their rubber."""
+    rubber, y = finish("rubber"), -0.06
+    for x in (0.03, width / 2 - 0.025, width / 2 + 0.025, width - 0.03):
+        builder.box(rubber, (x, y, height / 2), (0.045, 0.04, height))
+    for z in (0.04, height * 0.4, height - 0.04):
+        builder.box(rubber, (width / 2, y, z), (width, 0.04, 0.07))
+    builder.box(finish("metal_grey"), (width / 2, y, height * 0.2), (width - 0.08, 0.02, height * 0.36))
+    builder.cylinder(finish("chrome"), (width * 0.6, y + 0.05, 0.8), (width * 0.6, y + 0.05, 1.5), 0.014, segments=8)
+
+
+def _lattice(builder: MeshBuilder, width: float, height: float) -> None:
+    """Add paper behind thin bars of wood, about the plane y = 0."""
+    wood = finish("wood_dark")
+    builder.box(finish("paper"), (width / 2, -0.012, height / 2), (width, 0.006, height))
+    for x in np.linspace(0, width, max(3, round(width / 0.24)) + 1):
+        builder.box(wood, (float(x), 0, height / 2), (0.02, 0.022, height))
+    for z in np.linspace(0, height, max(4, round(height / 0.3)) + 1):
+        builder.box(wood, (width / 2, 0, float(z)), (width, 0.022, 0.02))
+    for x in (0.0, width / 2, width):
+        builder.box(wood, (x, 0.006, height / 2), (0.05, 0.034, height))
+
+
 def _window(builder: MeshBuilder, opening: Opening, thickness: float, trim: bpy.types.Material) -> None:
     width, height, style, y = opening.width, opening.height, opening.style, -thickness * 0.55
     if style == "bars":
         for x in np.linspace(0, width, max(3, round(width / 0.14)) + 1)[1:-1]:
             builder.cylinder(finish("iron"), (x, y, 0), (x, y, height), 0.013, segments=8)
+        return
+    if style == "rubber":
+        _gasket(builder, width, height)
+        return
+    if style == "paper":
+        with builder.at((0, y, 0)):
+            _lattice(builder, width, height)
         return
     builder.box(trim, (width / 2, 0.035, -0.025), (width + 3.2 * CASING, 0.16, 0.05))
     if style in ("arched", "stained"):
@@ -138,6 +173,14 @@ def _window(builder: MeshBuilder, opening: Opening, thickness: float, trim: bpy.
         _blinds(builder, width, height)
     elif style == "curtains":
         _curtains(builder, width, height, opening.sill)
+
+
+def _gasket(builder: MeshBuilder, width: float, height: float) -> None:
+    """Add the black frame about the one pane of a vehicle's window."""
+    for x in (0.0, width):
+        builder.box(finish("rubber"), (x, 0.004, height / 2), (0.05, 0.03, height + 0.05), bevel=0.01)
+    for z in (0.0, height):
+        builder.box(finish("rubber"), (width / 2, 0.004, z), (width + 0.05, 0.03, 0.05), bevel=0.01)
 
 
 def _blinds(builder: MeshBuilder, width: float, height: float) -> None:

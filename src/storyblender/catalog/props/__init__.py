@@ -14,6 +14,7 @@ from storyblender.catalog.props.music_and_sport import MUSIC_AND_SPORT
 from storyblender.catalog.props.nature import ANIMALS, NATURE
 from storyblender.catalog.props.pantry import PANTRY
 from storyblender.catalog.props.places import PLACES
+from storyblender.catalog.props.rooms import ROOMS
 from storyblender.catalog.props.seats import SEATS
 from storyblender.catalog.props.street import STREET
 from storyblender.catalog.props.table_and_desk import TABLE_AND_DESK
@@ -41,6 +42,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + HOUSEHOLD
     + LABORATORY
     + MUSIC_AND_SPORT
-    + YARD,
+    + YARD
+    + ROOMS,
 )
 """In the order they are listed to people."""

@@ -28,7 +28,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "tablet",
-        "ipad, clipboard, slate",
+        "ipad, slate",
         (0.2, 0.28, 0.01),
         {"body": "plastic_black", "screen": "screen"},
         "A flat tablet, screen up.",

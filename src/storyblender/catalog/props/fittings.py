@@ -181,7 +181,7 @@ FITTINGS: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "notice_board",
-        "bulletin board, cork board, pin board, evidence board",
+        "bulletin board, cork board, pin board, evidence board, board",
         (1.4, 0.05, 0.95),
         {"board": "cardboard", "frame": "wood", "note": "paper"},
         "A cork board with notes.",
@@ -190,7 +190,7 @@ FITTINGS: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "blackboard",
-        "chalkboard, whiteboard, school board",
+        "chalkboard, school board",
         (2.2, 0.1, 1.2),
         {"board": "plastic_black", "frame": "wood"},
         "A writing board.",

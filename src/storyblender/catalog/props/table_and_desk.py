@@ -64,7 +64,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         {"body": "porcelain", "food": "leather"},
         "A bowl of soup.",
     ),
-    held("teapot", "kettle, coffee pot", (0.27, 0.16, 0.19), {"body": "porcelain"}, "A teapot."),
+    held("teapot", "kettle, tea kettle, coffee pot", (0.27, 0.16, 0.19), {"body": "porcelain"}, "A teapot."),
     held("tray", "serving tray, platter", (0.44, 0.32, 0.04), {"body": "silver"}, "A tray with two handles."),
     held("bread", "loaf, baguette, loaf of bread, sandwich", (0.3, 0.13, 0.11), {"body": "cardboard"}, "A loaf."),
     held(
@@ -191,7 +191,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         "A wrench, jaws up.",
     ),
     held("shovel", "spade, pitchfork, rake, hoe", (0.22, 0.08, 1.35), {"handle": "wood", "head": "steel"}, "A shovel."),
-    held("broom", "mop, besom, sweeping brush", (0.34, 0.09, 1.4), {"handle": "wood", "head": "thatch"}, "A broom."),
+    held("broom", "besom, sweeping brush", (0.34, 0.09, 1.4), {"handle": "wood", "head": "thatch"}, "A broom."),
     held("bow", "longbow, bow and arrow, crossbow", (0.03, 0.3, 1.5), {"body": "wood", "string": "linen"}, "A bow."),
     held(
         "spear",

@@ -23,7 +23,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                    skylight=side > 0, **gable)  # fmt: skip
     for at in (-y * 0.6, y * 0.05, y * 0.7):
         room.piece("collar_beam", 0, at, h - 0.62, length=round(0.62 * 2 * x / (h - EAVE) + 0.3, 2), post=0.55)
-    room.window("back", 0, width=1.1, height=1.2, sill=0.85, style="grid", mark=True)
+    room.window("back", 0, width=0.8, height=1.0, sill=0.95, style="arched", mark=True)
     room.door("front", x - 1.3, width=0.85, height=1.95, style="plank")
     room.piece("floor_hatch", -x + 1.75, -y + 1.0, yaw=0, footprint=(1.1, 1.1))
     room.mark("hatch", -x + 1.75, -y + 1.9, 180, "enter", "exit", "trapdoor", "hatch")

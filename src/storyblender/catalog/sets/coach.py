@@ -31,14 +31,14 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         for side in (-1, 1):
             room.furnish("carriage_seat", side * (x - 0.6), py, color=cloth)
         for side in ("left", "right"):
-            room.window(side, py - 0.2, width=wide, height=tall, sill=sill, style="sash" if air else "grid")
+            room.window(side, py - 0.2, width=wide, height=tall, sill=sill, style="rubber")
     for side in (-1, 1):
         bin_y = 0.35
         if air:
             room.piece("overhead_bin", side * x, bin_y, h - 0.12, -90.0 * side, length=2 * y - 1.6)
         else:
             room.piece("hand_rail", side * 0.42, bin_y, 1.92, 90, length=2 * y - 1.6, drop=round(h - 1.92, 2))
-    room.door("right", -y + 0.6, width=0.85, height=1.95, style="glass", name="cabin_door")
+    room.door("right", -y + 0.6, width=0.85, height=1.95, style="lift" if air else "bus", name="cabin_door")
     room.door("back", 0, width=0.7, height=1.95, style="lift", name="rear_door", tags=("enter", "exit", "back"))
     room.furnish("car_seat", 0.95 - (x - 0.6) + 0.3 if air else -x + 0.75, -y + 0.65, required=False, color=cloth)
     room.mark("front_seat", -x + 0.75, -y + 0.4, 0, "driver", "pilot")

@@ -93,6 +93,15 @@ chalkboard         linoleum   #22332b
 metal_green        paint      #4f5a4c
 metal_grey         paint      #8a8d8c
 frosted            paint      #93a3a0
+carpet_worn        carpet     #6b5a48
+tatami             linen      #a89a62
+mat_border         fabric     #1f2a24
+hull_plate         concrete   #a3a6a8
+void               plastic_black #05060a
+cell_blue          glass_dark #16305c
+sea_blue           paint      #2b5c94
+land_green         grass      #5f7a48
+cloud_white        plaster    #e9edf0
 pane_warm          lampshade  #ffc173
 pane_cool          lampshade  #cfe0ff
 """

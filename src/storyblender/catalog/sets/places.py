@@ -69,6 +69,10 @@ _OUTSIDE_OF = {
     "classroom": "park",
     "interrogation": "alley",
     "waiting_room": "platform",
+    "control_room": "space_hull",
+    "tatami_room": "park",
+    "nursery": "park",
+    "locker_room": "stadium",
     "bathroom": "street",
 }
 """EXT. of an indoor place: what lies before its door; a street unless said otherwise."""
@@ -93,6 +97,7 @@ _INSIDE_OF = {
     "desert": "cottage",
     "mountain": "cave",
     "ship_deck": "carriage",
+    "space_hull": "control_room",
     "platform": "subway",
     "open_ground": "cottage",
 }
@@ -102,6 +107,10 @@ _INSIDE_OF = {
 _SURE, _SUITS = 10.0, 30.0
 """Points of a particular word, and for suiting INT or EXT: that beats any phrase that does not. INT. CAR - PARKING LOT
 is in the car."""
+
+
+_BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|next to|close to)\s+")
+"""What comes after is another place: the alley behind the market is an alley."""
 
 
 def kit_of(setup: SceneSetup) -> str:
@@ -150,8 +159,8 @@ def _score(tag: str, place_kind: str, words: str) -> float:
     phrase = _tokens(tag)
     weight = 10.0 * len(phrase) - (6.0 if len(phrase) == 1 and phrase[0] in _VAGUE else 0.0)
     score = weight + 6.0 if _tokens(place_kind.replace("_", " ")) == phrase else 0.0
-    head, _, owner = words.lower().partition(" of ")
-    for text, share in ((head, 1.0), (owner, 0.5)):
+    head, *owners = _BESIDE.split(words.lower(), maxsplit=1)
+    for text, share in ((head, 1.0), *((owner, 0.5) for owner in owners)):
         tokens = _tokens(text)
         if tokens == phrase and share == 1.0:  # the heading says this and nothing else
             score = max(score, weight + 8.0)

@@ -6,6 +6,7 @@ inside a word stand for spaces (``get_up``, ``living_room``), ``word=value`` mak
 
 from __future__ import annotations
 
+import re
 from importlib.resources import files
 from typing import Literal, NamedTuple, cast
 
@@ -260,8 +261,17 @@ def relation_of(preposition: str) -> RelationKind | None:
     return cast(RelationKind, kind) if kind else None
 
 
+_BESIDE = re.compile(r"(?<=\w)\s+(?:behind|near|beside|outside|opposite|next to|close to)\s+")
+
+
 def place_kind(place: str) -> str:
-    """The place kind of a heading or phrase: the last known words in it, or an empty string."""
-    padded = f" {place.lower().replace(',', ' ')} "
-    known = [word for word in PLACE_KINDS if f" {word} " in padded]
-    return PLACE_KINDS[max(known, key=lambda word: (padded.rfind(f" {word} ") + len(word), len(word)))] if known else ""
+    """The place kind of a heading or phrase: the last known words in it, or an empty string.
+
+    What it is beside names another place: an alley behind the market is an alley.
+    """
+    for part in _BESIDE.split(place.lower(), maxsplit=1):
+        padded = f" {part.replace(',', ' ')} "
+        known = [word for word in PLACE_KINDS if f" {word} " in padded]
+        if known:
+            return PLACE_KINDS[max(known, key=lambda word: (padded.rfind(f" {word} ") + len(word), len(word)))]
+    return ""

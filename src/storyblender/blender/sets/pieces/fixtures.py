@@ -136,3 +136,19 @@ def wall_bars(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.box(wood, (float(x), -0.08, height / 2), (0.06, 0.16, height), bevel=0.008)
     for z in np.arange(0.16, height, 0.165):
         builder.cylinder(wood, (-width / 2, -0.12, float(z)), (width / 2, -0.12, float(z)), 0.02, segments=8)
+
+
+@piece("peg_rail")
+def peg_rail(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Hang a board of coat pegs on a wall at y = 0, its lower edge at z = 0. Parameters: length."""
+    length, wood = spec.number("length", 2.0), finish("wood")
+    builder.box(wood, (0, -0.015, 0.07), (length, 0.03, 0.14), bevel=0.006)
+    for x in np.arange(-length / 2 + 0.15, length / 2 - 0.1, 0.3):
+        builder.cylinder(finish("chrome"), (float(x), -0.02, 0.08), (float(x), -0.11, 0.11), 0.011, segments=8)
+
+
+@piece("column_post")
+def column_post(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a square post from the floor up. Parameters: height."""
+    height = spec.number("height", 2.4)
+    builder.box(finish("wood_dark"), (0, 0, height / 2), (0.11, 0.11, height), bevel=0.008)
