@@ -9,7 +9,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.look.gbuffer import GBuffer
 from storyblender.look.raster import Image, blur, luminance, noise, shrink
+from storyblender.look.surface import PERSON
 
 _PAPER = np.array([0.985, 0.965, 0.925], np.float32)
 _TONE_IN = (0.0, 0.10, 0.20, 0.32, 0.42, 0.60, 0.74, 0.95)
@@ -26,12 +28,16 @@ _ROWS = 540
 _TILE = 512
 _LEAST_SIZE = 0.6
 """Strokes are made for a picture 540 rows high and grow with it; smaller than this they would be but noise."""
+_SLOPING, _LEVEL = 0.7, 0.9
+"""Upward part of a normal from which a surface begins to be drawn as ground, and is."""
 _PITCH = 5.0
 """Pixels between two strokes."""
 _STROKE = 18
 """Length of a stroke over the pitch."""
 _SHADE, _DEEP = 0.84, 0.52
 """Tones below which strokes are laid, and strokes across them."""
+_GROUND = 1.02
+"""The same on level ground: even a light one gets a few strokes, and so lies there instead of being left out."""
 _WAVER = 1.6
 """Pixels by which a line may leave its way."""
 _GRAPHITE = 0.90
@@ -46,6 +52,7 @@ class _Sheet:
         tooth: (h, w) roughness of the paper, -0.5 to 0.5.
         down: (h, w) how hard the shade must be before a stroke leaves graphite here; the first layer.
         across: The same of the layer across it.
+        flat: The same of strokes that lie with the ground.
         pressure: (h, w) of the hand along lines, about 1.
         near: (4, h * w) the pixels a line's pixel is taken from: the hand wavers.
         weight: (4, h * w) how much of each.
@@ -54,18 +61,20 @@ class _Sheet:
     tooth: Image
     down: Image
     across: Image
+    flat: Image
     pressure: Image
     near: NDArray[np.int32]
     weight: NDArray[np.float32]
 
 
-def draw_pencil(display: Image, ink: Image, flesh: Image, strength: float) -> Image:
+def draw_pencil(display: Image, ink: Image, flesh: Image, level: Image, strength: float) -> Image:
     """Return the drawing as a display picture.
 
     Args:
         display: (h, w, 3) the graded colour picture; only its brightness is used.
         ink: (h, w) darkness of the lines.
         flesh: (h, w) share of skin; faces are kept light.
+        level: (h, w) share of level ground; its strokes lie with it.
         strength: Darkness of the line, 0 to 1.
     """
     sheet = _sheet(*ink.shape)
@@ -76,9 +85,15 @@ def draw_pencil(display: Image, ink: Image, flesh: Image, strength: float) -> Im
     wash = np.interp(tone, _TONE_IN, _TONE_OUT).astype(np.float32)
     wash += (np.interp(soft, _SKIN_IN, _SKIN_OUT).astype(np.float32) - wash) * flesh
     wash *= _texture(seen)
-    drawn = _hatched(wash, sheet) * (1 - flesh * (1 - _features(seen, flesh)))
+    drawn = _hatched(wash, level, sheet) * (1 - flesh * (1 - _features(seen, flesh)))
     line = _GRAPHITE * strength * _by_hand(ink, sheet)
     return (np.clip(drawn, 0, 1) * (1 - line))[..., None] * _PAPER
+
+
+def level_ground(gbuffer: GBuffer) -> Image:
+    """Return (h, w) the share of level ground, 0 to 1: floors, sand, water, table tops; never people."""
+    up = (gbuffer.normal[..., 2].astype(np.float32) - _SLOPING) / (_LEVEL - _SLOPING)
+    return np.clip(up, 0, 1) * ~np.isin(gbuffer.surface, PERSON)
 
 
 def _features(tone: Image, flesh: Image) -> Image:
@@ -96,9 +111,10 @@ def _texture(seen: Image) -> Image:
     return np.clip(1.6 * seen / around - 0.57, 0.84, 1)
 
 
-def _hatched(wash: Image, sheet: _Sheet) -> Image:
+def _hatched(wash: Image, level: Image, sheet: _Sheet) -> Image:
     """Return the wash with strokes in its shade, other strokes across them in its dark, and the tooth showing."""
-    first = np.clip((_SHADE - wash) * 2.2, 0, 0.9) - sheet.down
+    shade, down = _SHADE + (_GROUND - _SHADE) * level, sheet.down + (sheet.flat - sheet.down) * level
+    first = np.clip((shade - wash) * 2.2, 0, 0.9) - down
     second = np.clip((_DEEP - wash) * 2.6, 0, 0.9) - sheet.across
     drawn = wash * (1 - (0.38 - 0.26 * wash) * np.clip(first * 4, 0, 1)) * (1 - 0.28 * np.clip(second * 4, 0, 1))
     drawn += 0.05 * (1 - wash)
@@ -127,6 +143,7 @@ def _sheet(height: int, width: int) -> _Sheet:
         tooth,
         _strokes(rows, columns, 58, pitch, hand, 1),
         _strokes(rows, columns, 22, 0.9 * pitch, hand, 2),
+        _strokes(rows, columns, 3, 1.1 * pitch, 0.5 * hand, 3),
         np.clip(1 + 0.45 * hand, 0.6, 1.15),
         near,
         weight,

@@ -10,7 +10,8 @@ from storyblender.look.bundled import blender_folder, bundled_module
 from storyblender.look.face_light import face_lights
 from storyblender.look.grade import to_bytes, to_display, to_film
 from storyblender.look.looks import LOOKS
-from storyblender.look.pencil import draw_pencil
+from storyblender.look.pencil import draw_pencil, level_ground
+from storyblender.look.surface import PERSON as PEOPLE
 from storyblender.look.surface import Surface
 from storyblender.look.wet_ground import add_wet_ground, wetness
 from storyblender.memory.scene_context import Fog, Light, Lighting, Sky
@@ -72,11 +73,11 @@ def test_ground_is_wet_by_rain_and_a_little_at_night():
 
 def test_pencil_is_grey_and_keeps_faces_light():
     none = np.zeros((108, 192), np.float32)
-    drawn = draw_pencil(GREY, none, none, 0.86)
+    drawn = draw_pencil(GREY, none, none, none, 0.86)
     assert np.ptp(drawn[50, 50]) < 0.08
     flesh = np.zeros_like(none)
     flesh[40:60, 40:60] = 1
-    dim = draw_pencil(GREY * 0.3, none, flesh, 0.86)
+    dim = draw_pencil(GREY * 0.3, none, flesh, none, 0.86)
     assert dim[45:55, 45:55].mean() > dim[80:90, 80:90].mean() + 0.1
 
 
@@ -85,13 +86,13 @@ def test_pencil_keeps_the_eyes():
     display[50:53, 50:53] = 0.05
     flesh = np.zeros((108, 192), np.float32)
     flesh[30:70, 30:70] = 1
-    drawn = draw_pencil(display, flesh * 0, flesh, 0.86)
+    drawn = draw_pencil(display, flesh * 0, flesh, flesh * 0, 0.86)
     assert drawn[51, 51].mean() < 0.7 * drawn[40, 40].mean()
 
 
 def test_pencil_tells_dark_skin_from_fair():
     flesh = np.ones((108, 192), np.float32)
-    tones = [draw_pencil(GREY * gain, flesh * 0, flesh, 0.86).mean() for gain in (0.7, 1.5, 3.0)]
+    tones = [draw_pencil(GREY * gain, flesh * 0, flesh, flesh * 0, 0.86).mean() for gain in (0.7, 1.5, 3.0)]
     assert tones[0] + 0.1 < tones[1] < tones[2] - 0.1
 
 
@@ -99,14 +100,14 @@ def test_pencil_keeps_the_strands_of_white_hair():
     display = np.full((108, 192, 3), 0.8, np.float32)
     display[:, ::8] = display[:, 1::8] = 0.7
     none = np.zeros((108, 192), np.float32)
-    drawn = draw_pencil(display, none, none, 0.86)
+    drawn = draw_pencil(display, none, none, none, 0.86)
     assert drawn[:, ::8].mean() < 0.95 * drawn[:, 4::8].mean()
 
 
 def test_pencil_hatches_shade_and_leaves_light_bare():
     none = np.zeros((540, 960), np.float32)
     shade, light = (
-        draw_pencil(np.full((540, 960, 3), tone, np.float32), none, none, 0.86)[..., 0] for tone in (0.2, 0.7)
+        draw_pencil(np.full((540, 960, 3), tone, np.float32), none, none, none, 0.86)[..., 0] for tone in (0.2, 0.7)
     )
     assert shade.std() > 2 * light.std()
     # Strokes, not a screen: along no row do they repeat.
@@ -115,15 +116,33 @@ def test_pencil_hatches_shade_and_leaves_light_bare():
         assert (rows[:, shift:] * rows[:, :-shift]).mean() < 0.6 * rows.var()
 
 
+def test_pencil_strokes_lie_with_level_ground_and_a_light_one_gets_a_few():
+    none = np.zeros((540, 960), np.float32)
+    shade, sand = (np.full((540, 960, 3), tone, np.float32) for tone in (0.2, 0.6))
+    upright, level = (draw_pencil(shade, none, none, none + ground, 0.86)[..., 0] for ground in (0, 1))
+    along, across = (np.abs(np.diff(level, axis=axis)).mean() for axis in (1, 0))
+    assert along < 0.6 * across, "strokes run from side to side"
+    assert along < 0.7 * np.abs(np.diff(upright, axis=1)).mean()
+    bare, drawn = (draw_pencil(sand, none, none, none + ground, 0.86)[..., 0] for ground in (0, 1))
+    assert 0.02 < (drawn < bare - 0.03).mean() < 0.4
+
+
+def test_level_ground_is_the_floor_not_the_wall_or_somebody():
+    level = level_ground(FRAME)
+    upward = FRAME.normal[..., 2] > 0.9
+    assert (level[upward & ~np.isin(FRAME.surface, PEOPLE)] == 1).all()
+    assert level[FRAME.ids == WALL].max() == level[FRAME.ids == PERSON].max() == 0
+
+
 def test_pencil_night_is_darker_than_day():
     none = np.zeros((108, 192), np.float32)
-    assert draw_pencil(GREY, none, none, 0.86).mean() < 0.8 * draw_pencil(GREY * 3, none, none, 0.86).mean()
+    assert draw_pencil(GREY, none, none, none, 0.86).mean() < 0.8 * draw_pencil(GREY * 3, none, none, none, 0.86).mean()
 
 
 def test_pencil_lines_waver_but_stay_where_they_are():
     ink = np.zeros((540, 960), np.float32)
     ink[270:273] = 1
-    drawn = draw_pencil(np.full((540, 960, 3), 0.8, np.float32), ink, ink * 0, 0.86)[..., 0]
+    drawn = draw_pencil(np.full((540, 960, 3), 0.8, np.float32), ink, ink * 0, ink * 0, 0.86)[..., 0]
     place = np.argmin(drawn, axis=0)
     assert 266 <= place.min() < place.max() <= 276
 

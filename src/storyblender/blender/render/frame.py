@@ -24,7 +24,7 @@ from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
 from storyblender.look.ink import apply_ink, draw_ink, people_nearby
 from storyblender.look.looks import LOOKS, Look
-from storyblender.look.pencil import draw_pencil
+from storyblender.look.pencil import draw_pencil, level_ground
 from storyblender.look.raster import Image, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
 from storyblender.look.surface import FLESH
@@ -158,7 +158,7 @@ def _drawn(display: Image, gbuffer: GBuffer, ink: Image | None, look: Look, step
     if ink is None:
         return display
     if look.style == "pencil":
-        return draw_pencil(display, ink, gbuffer.coverage(FLESH, step), look.ink)
+        return draw_pencil(display, ink, gbuffer.coverage(FLESH, step), level_ground(gbuffer.reduced(step)), look.ink)
     return apply_ink(display, ink, people_nearby(gbuffer, step), look.ink)
 
 
