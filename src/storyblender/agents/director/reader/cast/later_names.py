@@ -3,124 +3,291 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import form_kind
+from storyblender.agents.director.reader.cast.namings import Naming
+from storyblender.agents.director.reader.cast.pronoun_votes import gender_told
+from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
-_SOON, _VERY_SOON = 900, 400
-"""Characters from ``a man`` to the name he has a title in, and from ``her brother`` to his."""
+_SOON, _LATER = 900, 2500
+"""Characters from where somebody without a name was told of last to his title, and to a name that just turns up."""
+_NEAR, _ANSWERING = 1600, 150
+"""Characters between somebody's last mention and what he is called."""
 _SOMEBODY = frozenset({"man", "woman", "lady", "gentleman"})
-_YOUNG = frozenset({"boy", "girl", "child", "youth", "lad"})
-_GENERIC = _SOMEBODY | {"fellow", "stranger", "figure"}
-_ATTENDANTS = frozenset(
-    {"waiter", "waitress", "barman", "bartender", "barmaid", "driver", "coachman", "cabman", "conductor", "porter"}
-    | {"guard", "sentry", "doorman", "servant", "maid", "butler", "footman", "cook", "nurse", "clerk", "cashier"}
-    | {"landlord", "landlady", "innkeeper", "priest", "vicar", "postman", "policeman", "constable", "captain", "mate"}
-    | {"bosun", "pilot", "teacher", "headmaster", "king", "queen", "prisoner", "receptionist", "steward", "pianist"}
+_YOUNG = frozenset({"boy", "girl", "child", "youth", "lad", "kid", "teenager"})
+GENERIC = _SOMEBODY | {"fellow", "stranger", "figure"}
+"""Nouns that tell no more than that somebody is there."""
+_PASSING = frozenset(
+    {"waiter", "waitress", "barman", "bartender", "barmaid", "coachman", "cabman", "conductor", "porter", "doorman"}
+    | {"guard", "sentry", "servant", "maid", "footman", "clerk", "cashier", "postman", "policeman", "constable"}
+    | {"receptionist", "steward", "customer", "passenger", "guest", "neighbour", "neighbor", "stranger", "passer-by"}
 )
-"""``the waiter`` comes with the place, nobody has to introduce him."""
-_COMING = "came|comes|enter(?:ed|s)|arrive[ds]|appear(?:ed|s)|walk(?:ed|s) in|ran|runs|burst|bursts"
-_STILL_NEAR = 1500
-"""Characters from ``a man`` to ``the surveyor``."""
-_POSSESSED = re.compile(r"(?:my|our|his|her|their)\b", re.IGNORECASE)
+"""They may come and go without a name: only what is said gives them one."""
+_BABIES = frozenset({"baby", "infant", "newborn"})
+_ARRIVING = re.compile(
+    r"(?:\w+ly )?(?:came|comes|entered|enters|arrived|arrives|appeared|appears|burst|bursts|strode|strides|returned"
+    r"|returns|emerged|emerges|joined|joins|hurried|rushed|stood|stands|sat|sits|waited|waits|lay|lies"
+    r"|was|is|were|are)\b"
+)
+"""What a story says of somebody who is new to it."""
+_GOING = re.compile(r"\b(?:passed|passes|went (?:by|past|out|away)|(?:ran|walked|hurried) (?:by|past|off|away)|left)\b")
+_PLACED = re.compile(
+    r"(?:^|[.!?]\s)\s*(?:[Bb]ehind|[Bb]eside|[Oo]n|[Ii]n|[Aa]t|[Uu]nder|[Nn]ext to|[Ff]rom)\b[^.!?]*, $"
+)
+_POSSESSED = re.compile(r"(?:my|our|his|her|their|\w+['’]s)\b", re.IGNORECASE)
 _INDEFINITE = re.compile(r"an?\b", re.IGNORECASE)
-_SPEAKING = re.compile(r"[,.!?]?[\"”’'] \w+ $")
+_APPOSED = re.compile(r",\s+(?:an?|the|his|her|my|their|who|whose|\w+['’]s)\s")
 
 
-def name_the_nameless(roster: Roster, text: str) -> None:
-    """Join somebody introduced by a noun with the name that turns up soon after without any introduction.
+def is_nameless(person: Person) -> bool:
+    """Whether somebody is only known as ``man``, ``young man`` or ``nun``."""
+    return _has_no_name(person) and person.kind == "human" and person.count == 1
+
+
+def _has_no_name(person: Person) -> bool:
+    return person.role == bare(person.name) or (person.role != "" and person.name.endswith(f" {person.role}"))
+
+
+def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> None:
+    """Join everybody introduced by a noun with the name they get later.
+
+    A name somebody says is theirs, or is called by, goes to whoever was told of last and can have it. A name that the
+    story begins to use without bringing anybody in is that of somebody who is there.
 
     Args:
         roster: The cast of a story; whoever is joined leaves it under the old name.
-        text: The script.
+        told: The script without what is said.
+        namings: Where people get names.
     """
+    for naming in namings:
+        _name(roster, told, naming)
     for person in sorted(roster.people, key=lambda person: person.first):
-        if person.role == bare(person.name) or person is roster.narrator or person.kind != "human":
-            continue
-        nameless = [other for other in roster.people if _is_nameless(other) and other.first < person.first]
-        for other in sorted(nameless, key=lambda other: -other.first):
-            if _may_be(other, person, text):
-                _join(roster, person, other)
-                break
-    _call_by_trade(roster, text)
+        plain = person.role != bare(person.name) and person is not roster.narrator and person.kind == "human"
+        if plain and told.startswith(person.name, person.first) and not is_person_noun(singular(person.name)):
+            _turns_up(roster, person, told)
 
 
-def _call_by_trade(roster: Roster, text: str) -> None:
-    """``A man stood on the landing. The surveyor did not look up``: who was never introduced is the man."""
-    for person in sorted(roster.people, key=lambda person: person.first):
-        trade = person.role
-        if not _is_nameless(person) or trade in _GENERIC | _ATTENDANTS | lexicon.KIN | lexicon.YOUNG_NOUNS:
-            continue
-        if not text[person.first :].lower().startswith("the ") or re.search(rf"\ban? (?:[\w-]+ )?{trade}\b", text):
-            continue
-        men = [
-            other
-            for other in roster.people
-            if other.role in _GENERIC
-            and _is_nameless(other)
-            and 0 < person.first - other.first < _STILL_NEAR
-            and (person.gender in ("unknown", other.gender) or other.gender == "unknown")
-        ]
-        if len(men) == 1 and not _told_together(men[0], trade, text):
-            _join(roster, person, men[0])
-            person.role = men[0].role  # he stays the man he was before
+# -- names that are said -----------------------------------------------------------------------------------------
 
 
-def _told_together(nameless: Person, trade: str, text: str) -> bool:
-    """Whether they are two people: a paragraph has both, or one of them comes in."""
-    low = text.lower()
-    called = re.compile(rf"\b(?:an?|the|that|this) (?:{'|'.join(map(re.escape, nameless.aliases))})\b")
-    if any(called.search(each) and re.search(rf"\b{trade}\b", each) for each in re.split(r"\n\s*\n", low)):
-        return True
-    return re.search(rf"\b{trade} (?:{_COMING})\b", low) is not None
+def _name(roster: Roster, told: str, naming: Naming) -> None:
+    """Give a name that is said to whom it belongs, if that is somebody without one."""
+    known = roster.find(naming.name) or roster.find(naming.name.split()[-1]) or roster.find(naming.name.split()[0])
+    named = known[0] if known else None
+    if named is not None and (named.first < naming.at or named.role == bare(named.name)):
+        return
+    spoken_only = named is None
+    if spoken_only and naming.way != "told" and (naming.way == "called" or not _is_a_name(naming.name)):
+        return
+    fitting = [each for each in roster.people if _can_be_called(roster, each, named, told, naming)]
+    if not fitting:
+        return
+    nameless = min(
+        fitting, key=lambda each: (not _introduces_himself(told, each, naming), _distance(told, each, naming))
+    )
+    if _distance(told, nameless, naming) > _NEAR:
+        return
+    if named is None:
+        named = roster.add(naming.name, naming.at)
+    roster.call(named, bare(naming.name))
+    join(roster, named, nameless)
 
 
-def _is_nameless(person: Person) -> bool:
-    return person.role == bare(person.name) and person.kind == "human" and person.count == 1
+def _is_a_name(name: str) -> bool:
+    """Whether a name that is only said is one: a first name, or one with a title."""
+    words = bare(name).replace(".", "").split()
+    return words[0] in lexicon.FIRST_NAMES or (words[0] in lexicon.TITLES and len(words) > 1)
 
 
-def _may_be(nameless: Person, named: Person, text: str) -> bool:
-    """Whether a name can be that of somebody without one: by gender, title, distance and how both are told."""
-    distance, gender = named.first - nameless.first, nameless.gender
-    if "unknown" not in (gender, named.gender) and gender != named.gender:
+def _can_be_called(roster: Roster, person: Person, named: Person | None, told: str, naming: Naming) -> bool:
+    """Whether somebody has no name yet, and may have this one."""
+    animal = _has_no_name(person) and person.kind == "animal" and person.count == 1
+    if not (is_nameless(person) or animal) or person in (named, roster.narrator):
         return False
-    if _is_told_after_all(nameless, named, text):
+    speaks = _speaks(naming.tag, person) or _leads(told, person, naming)
+    introduced = person.first < naming.at or speaks
+    if not introduced or (naming.way == "called" and speaks):
+        return False
+    gender = naming.gender if naming.gender != "thing" else "unknown"
+    if not _agree(gender, person.gender) or (
+        naming.way != "called" and not _agree(_tag_gender(naming.tag), person.gender)
+    ):
+        return False
+    if not _may_bear(person, naming.name):
+        return False
+    return named is None or (_may_have(named, person, told) and not are_two(told, person, named))
+
+
+def _may_bear(person: Person, name: str) -> bool:
+    """A butler is no ``Inspector Gale``: a title of office is for a man, or for whom it is a rank of."""
+    title = bare(name).split()[0].strip(".")
+    office = " " in name and is_person_noun(lexicon.TITLE_SYNONYMS.get(title, title)) and title not in lexicon.KIN
+    ranks = lexicon.RANKS.get(person.role, frozenset()) | {person.role}
+    return not office or person.role in GENERIC | _YOUNG | lexicon.KIN or title in ranks
+
+
+def _speaks(tag: str, person: Person) -> bool:
+    """``said the mole``."""
+    return (
+        re.search(rf"\b(?:the|her|his|my) (?:[\w-]+ )?{re.escape(person.role)}\b", tag[:40], re.IGNORECASE) is not None
+    )
+
+
+def _introduces_himself(told: str, person: Person, naming: Naming) -> bool:
+    return naming.way == "own" and (_speaks(naming.tag, person) or _leads(told, person, naming))
+
+
+def _leads(told: str, person: Person, naming: Naming) -> bool:
+    """``The courier held out the envelope. "You are Irina?"``: whom the sentence before is about speaks."""
+    if person.kind == "animal" or not _agree(_tag_gender(naming.tag), person.gender):
+        return False
+    paragraph = told[: naming.at].rstrip(" ")
+    if paragraph.endswith("\n") and _tag_gender(naming.tag) == "unknown":
+        return False
+    sentence = re.split(r"[.!?\n]\s+", paragraph.rstrip().rstrip(".!?:,"))[-1]
+    return re.match(rf"\s*(?:The|An?) (?:[\w-]+ )?{re.escape(person.role)}\b", sentence) is not None
+
+
+def _tag_gender(tag: str) -> str:
+    said = re.match(r"(?:\w+ )?(he|she)\b", tag, re.IGNORECASE)
+    return lexicon.PRONOUNS.get(said.group(1).lower(), "unknown") if said else "unknown"
+
+
+def _distance(told: str, person: Person, naming: Naming) -> int:
+    """Characters to the mention of somebody next before a naming; after a call also to the next one after it."""
+    places = list(_mentions(told, person))
+    before = [naming.at - at for at in places if at < naming.at]
+    after = [2 * (at - naming.at) for at in places if at >= naming.at and naming.way == "called"]
+    answers = (at for at in places if naming.way == "called" and 0 <= at - naming.at < _ANSWERING and _opens(told, at))
+    if any(naming.name.split()[0] not in told[naming.at : at] for at in answers):
+        return 0  # "Nat!" shouted the captain. The boy ran.
+    return min([*before, *after], default=_NEAR + 1) + (person.kind == "animal") * _ANSWERING
+
+
+def _opens(told: str, at: int) -> bool:
+    """Whether a noun stands at the start of a paragraph: ``The boy``."""
+    return re.search(r"\n\s*The (?:[\w-]+ )?[\w-]+$", told[max(0, at - 40) : at]) is not None
+
+
+def _mentions(told: str, person: Person) -> Iterable[int]:
+    plain = {"man", "boy"} if person.role == "stranger" else set[str]()
+    called = "|".join(
+        map(re.escape, sorted({person.role, *person.aliases, *plain}, key=lambda name: (-len(name), name)))
+    )
+    return (match.end() for match in re.finditer(rf"\b(?:{called})\b", told, re.IGNORECASE))
+
+
+# -- names that turn up ------------------------------------------------------------------------------------------
+
+
+def _turns_up(roster: Roster, named: Person, told: str) -> None:
+    """``a man came down the stairs … said Jostein``: a new name without anybody coming in."""
+    nameless = [each for each in roster.people if is_nameless(each) and each.first < named.first]
+    nameless = [each for each in nameless if each is not roster.narrator and each.role not in _BABIES]
+    for each in sorted(
+        nameless, key=lambda each: -max((at for at in _mentions(told, each) if at < named.first), default=0)
+    ):
+        if _may_be(each, named, told, len(nameless) == 1):
+            join(roster, named, each)
+            return
+
+
+def _may_be(nameless: Person, named: Person, told: str, alone: bool) -> bool:
+    """Whether a name can be that of somebody without one: by gender, title, distance and how both are told.
+
+    ``alone``: nobody else is without a name.
+    """
+    if not _may_have(named, nameless, told):
+        return False
+    if _is_told_after_all(nameless, named, told):
         return True
+    since = named.first - max((at for at in _mentions(told, nameless) if at < named.first), default=-_LATER)
     title, noun = bare(named.name).split()[0].strip("."), nameless.role
     if title in lexicon.TITLES and " " in named.name:
         ranked = title in lexicon.RANKS.get(noun, ())
         plain = noun in _SOMEBODY and title not in lexicon.KIN
-        return (ranked or plain) and distance < _SOON and _INDEFINITE.match(text, nameless.first) is not None
-    owned = noun in lexicon.KIN and _POSSESSED.match(text, nameless.first) is not None
-    return owned and distance < _VERY_SOON and _does_something(named, text)
+        indefinite = _INDEFINITE.match(told, nameless.first) is not None
+        return (ranked or plain) and named.first - nameless.first < _SOON and indefinite
+    if noun in lexicon.KIN and _POSSESSED.match(told, nameless.first) is None:
+        return False
+    if (
+        since > (_LATER if alone else _SOON)
+        or noun in _PASSING
+        or _is_brought_in(named, told)
+        or are_two(told, nameless, named)
+    ):
+        return False
+    sentence = re.split(r"[.!?\n]", told[nameless.first :])[0]
+    return _GOING.search(sentence) is None and (alone or named.first - nameless.first < _LATER)
 
 
-def _is_told_after_all(nameless: Person, named: Person, text: str) -> bool:
+def _is_brought_in(named: Person, told: str) -> bool:
+    """``On the stair Mrs. Pym held up a lantern``, ``Tom came in``, ``Gerald, who owns the place,``: somebody new."""
+    before, after = told[max(0, named.first - 80) : named.first], told[named.first + len(named.name) :][:60]
+    return (
+        _ARRIVING.match(after.lstrip()) is not None
+        or _APPOSED.match(after) is not None
+        or _PLACED.search(before) is not None
+        or re.search(r"\b(?:saw|and|with|called|named|of|like|about|for|to|than) $", before) is not None
+    )
+
+
+def _is_told_after_all(nameless: Person, named: Person, told: str) -> bool:
     """``at his side an old woman with a goose: Mother Kern``, ``A man stood there. It was Goran``."""
-    between = text[nameless.first : named.first]
-    if len(between) > _VERY_SOON or _INDEFINITE.match(between) is None or nameless.role not in _GENERIC | _YOUNG:
+    between = told[nameless.first : named.first]
+    if len(between) > _SOON or _INDEFINITE.match(between) is None or nameless.role not in GENERIC | _YOUNG:
         return False
     return re.search(r"(?<=\w)(?:: | — | -- )$|[.;] (?:It|This|That|it) (?:was|is) $", between) is not None
 
 
-def _does_something(named: Person, text: str) -> bool:
-    """Whether a name opens a sentence, or a verb of saying stands before it."""
-    before, after = text[max(0, named.first - 24) : named.first], text[named.first + len(named.name) :][:24]
-    opens = re.search(r"(?:[.!?][\"”]?\s+|\n)$", before) or before.endswith(("” ", '" ')) or _SPEAKING.search(before)
-    verb = re.match(r"\s+([a-z]+)", after)
-    return opens is not None and (
-        (verb is not None and form_kind(verb.group(1)) in ("past", "base", "aux")) or after[:1] in ",."
+# -- one or two --------------------------------------------------------------------------------------------------
+
+
+def are_two(told: str, nameless: Person, named: Person) -> bool:
+    """Whether a sentence tells of both: ``Bess looked at the old woman``."""
+    names = "|".join(re.escape(alias) for alias in sorted(named.aliases, key=len, reverse=True))
+    if not names:
+        return False
+    noun = re.compile(
+        rf"\b(?:an?|the|his|her|their|my) (?:[\w-]+,? ){{0,3}}(?:{re.escape(nameless.role)})\b", re.IGNORECASE
     )
+    name = re.compile(rf"\b(?:{names})\b(?!['’]s)", re.IGNORECASE)
+    for sentence in re.split(r"(?<!\bMr)(?<!\bMrs)(?<!\bDr)[.!?\n]", told[nameless.first :]):
+        one, other = noun.search(sentence), name.search(sentence)
+        if one and other and not re.match(r",? (?:named |called )?$", sentence[one.end() : other.start()]):
+            return True
+    return False
 
 
-def _join(roster: Roster, named: Person, nameless: Person) -> None:
+def _may_have(named: Person, nameless: Person, told: str) -> bool:
+    """Whether gender and age speak for one person; the pronouns after a name know better than the name."""
+    heard = gender_told(told, rf"(?:{re.escape(named.name)})")
+    gender = heard if heard != "unknown" else "unknown" if set(named.aliases) & lexicon.UNISEX else named.gender
+    other = gender_told(told, rf"(?:(?:[Aa]n?|[Tt]he) (?:[\w-]+ )?{re.escape(nameless.role)})")
+    return _agree(gender, other if other != "unknown" else nameless.gender)
+
+
+def _agree(gender: str, other: str) -> bool:
+    return "unknown" in (gender, other) or gender == other
+
+
+def join(roster: Roster, named: Person, nameless: Person) -> None:
+    """Make two of the cast one person, who keeps the name.
+
+    Args:
+        roster: The cast; the nameless one leaves it.
+        named: Who has a name.
+        nameless: The same person, as they were called before.
+    """
     for alias in nameless.aliases:
         roster.call(named, alias)
     named.first = min(named.first, nameless.first)
     named.role = named.role or nameless.role
-    if named.gender == "unknown":
+    named.kind = nameless.kind
+    if nameless.gender != "unknown":
         named.gender = nameless.gender
     for look in ("age", "hair", "face", "outfit", "build"):
         if not getattr(named, look):

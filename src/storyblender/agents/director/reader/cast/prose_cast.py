@@ -8,10 +8,13 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.reader.cast.beasts import does_something
 from storyblender.agents.director.reader.cast.households import Kinship, is_family, link_kin, link_surnames
 from storyblender.agents.director.reader.cast.later_names import name_the_nameless
+from storyblender.agents.director.reader.cast.namings import namings, told_text
 from storyblender.agents.director.reader.cast.prose_names import add_name, names_in
 from storyblender.agents.director.reader.cast.spoken_names import announced, call_by_title, spoken_names, title_noun
+from storyblender.agents.director.reader.cast.trades import call_by_trade
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
 from storyblender.agents.director.reader.people.epithets import is_epithet
@@ -37,6 +40,8 @@ _LATER = frozenset(
 """``the man`` is somebody known, to be found by looking who is there."""
 
 
+_ANOTHER = 400
+"""Characters from ``a man`` to ``a young man`` who is another."""
 _STRANGERS = frozenset({"stranger", "newcomer", "intruder"})
 """What a man nobody named is called later."""
 _CHESSMEN = frozenset({"king", "queen", "knight", "bishop", "pawn"})
@@ -64,16 +69,18 @@ def find_prose_cast(script: Manuscript) -> Roster:
     names: list[tuple[int, str]] = []
     roles: list[_Role] = []
     family = is_family(script.text)
+    whole = told_text(script)
     playing = _GAMES.search(script.text) is not None
     for paragraph in script.paragraphs:
         told = without_quotations(paragraph.raw)
         names += names_in(told, paragraph.start)
         for phrase in find_person_nouns(told):
             piece = playing and phrase.noun in _CHESSMEN
-            if phrase.noun not in _NOT_ROLES and not piece and not _only_compared(told, phrase):
+            idle = phrase.noun in lexicon.ANIMALS and not does_something(phrase.noun, whole)
+            if phrase.noun not in _NOT_ROLES and not piece and not idle and not _only_compared(told, phrase):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
-        add_name(roster, at, name, script.text, family)
+        add_name(roster, at, name, whole, family)
     link_surnames(roster)
     kin = [role for role in roles if role.name and role.phrase.noun in lexicon.KIN]
     kinships = [Kinship(r.at, r.phrase.determiner, r.phrase.noun, p) for r in kin for p in roster.find(r.name)[:1]]
@@ -84,7 +91,8 @@ def find_prose_cast(script: Manuscript) -> Roster:
     for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
         _admit(roster, role, script.text, [(at, name) for at, name in spoken if name not in titled])
     call_by_title(roster, spoken)
-    name_the_nameless(roster, script.text)
+    name_the_nameless(roster, whole, namings(script))
+    call_by_trade(roster, script.text, whole)
     roster.people.sort(key=lambda person: person.first)
     roster.link_variants()
     return roster
@@ -93,7 +101,8 @@ def find_prose_cast(script: Manuscript) -> Roster:
 def _only_compared(told: str, phrase: PersonNoun) -> bool:
     """``a man's coat``, ``like a squirrel``: nobody is there."""
     owned = phrase.determiner in ("a", "an") and re.match(r"['’]s", told[phrase.end :]) is not None
-    return owned or re.search(r"\b(?:like|as|than) $", told[max(0, phrase.start - 5) : phrase.start]) is not None
+    before = told[max(0, phrase.start - 12) : phrase.start]
+    return owned or re.search(r"\b(?:like|as|than|size of|height of|belonged to) $", before) is not None
 
 
 def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
@@ -121,6 +130,8 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
         person.role = person.role or phrase.noun
         roster.call(person, phrase.noun)
         describe(person, look)
+    elif _is_another(roster, role, text, apposed):
+        _add_role(roster, role, look, f"{look} {phrase.noun}")
     elif known := [person for person in roster.people if person.role == phrase.noun]:
         for person in known if not (phrase.noun in _LATER and lexicon.AGED & set(phrase.adjectives)) else ():
             describe(person, look)
@@ -142,7 +153,7 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     apposed = _is_apposed(role, text)
     if apposed and phrase.determiner == "the" and _names_before(roster, role, text):
         return True
-    if phrase.determiner not in ("a", "an") and _goes_by(roster, phrase, text):
+    if phrase.determiner not in ("a", "an") and _goes_by(roster, role, text):
         return True
     converse = lexicon.CONVERSE_KIN.get(phrase.noun, ())
     if phrase.determiner in lexicon.POSSESSIVES and any(person.role in converse for person in roster.people):
@@ -153,7 +164,8 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
     if related and len(re.findall(rf"\b{phrase.noun}\b", text)) < 2 and len(roster.people) > 1:
         return True
     gender = lexicon.gender_of_word(phrase.noun)
-    if phrase.noun in _LATER and phrase.determiner == "the":
+    of_a_kind = bool(phrase.adjectives) and lexicon.noun_class(phrase.adjectives[-1]) not in ("unknown", "abstract")
+    if phrase.noun in _LATER and phrase.determiner == "the" and not of_a_kind:
         return any(gender in (person.gender, "unknown") or person.gender == "unknown" for person in roster.people)
     if text[max(0, role.at - 3) : role.at].lower() == "as ":
         return True
@@ -177,10 +189,12 @@ def _is_apposed(role: _Role, text: str) -> bool:
     return text[max(0, role.at - 2) : role.at] == ", " and beside is None and alone is None
 
 
-def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:
+def _goes_by(roster: Roster, role: _Role, text: str) -> bool:
     """``his son`` of a family, ``the visitor`` among others, ``the soldier`` who is a sergeant."""
+    phrase = role.phrase
     ranked = [person for person in roster.people if phrase.noun in _rank(person) and not phrase.plural]
-    nameless = [person for person in roster.people if person.role in _LATER and person.role == bare(person.name)]
+    before = [person for person in roster.people if person.first < role.at]
+    nameless = [person for person in before if person.role in _LATER and person.role == bare(person.name)]
     if phrase.noun in _STRANGERS and nameless:
         roster.call(nameless[-1], phrase.noun)
         return True
@@ -190,7 +204,7 @@ def _goes_by(roster: Roster, phrase: PersonNoun, text: str) -> bool:
         roster.call(person, phrase.noun)
     if ranked or any(phrase.noun in person.aliases for person in roster.people if phrase.noun not in _LATER):
         return True
-    others = [person for person in roster.people if person.kind == "human" and not is_epithet(person.role)]
+    others = [person for person in before if person.kind == "human" and not is_epithet(person.role)]
     if phrase.noun in lexicon.CALLINGS:
         introduced = re.search(rf"\ban? (?:[a-z-]+ )?{phrase.noun}\b", text)
         return phrase.determiner == "the" and bool(others) and introduced is None
@@ -219,9 +233,24 @@ def _names_before(roster: Roster, role: _Role, text: str) -> bool:
     return True
 
 
-def _add_role(roster: Roster, role: _Role, look: str) -> None:
+def _is_another(roster: Roster, role: _Role, text: str, apposed: bool) -> bool:
+    """``A man in a grey coat opened``, and much later ``knelt a young man``: somebody else."""
     phrase = role.phrase
-    person = roster.add(phrase.noun, role.at)
+    if phrase.noun not in _LATER or phrase.determiner not in ("a", "an") or phrase.plural or apposed:
+        return False
+    look = " ".join(phrase.adjectives)
+    known = [person for person in roster.people if person.role == phrase.noun and person.first < role.at]
+    told = any(f"{look} {phrase.noun}" in person.aliases for person in known)
+    is_said = re.search(
+        r"\b(?:is|was|be|been|am|are|were|become|became|such|not|for|of) $", text[: role.at][-10:].lower()
+    )
+    near = any(role.at - person.first < _ANOTHER for person in known)
+    return bool(known and look) and not told and not near and is_said is None
+
+
+def _add_role(roster: Roster, role: _Role, look: str, name: str = "") -> None:
+    phrase = role.phrase
+    person = roster.add(name or phrase.noun, role.at)
     person.count = lexicon.NUMBERS.get(phrase.determiner, 2) if phrase.plural else 1
     if person.count > 1 and person.kind == "human":
         person.kind = "group"

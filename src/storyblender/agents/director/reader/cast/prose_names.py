@@ -6,16 +6,14 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
+from storyblender.agents.director.reader.cast.pronoun_votes import gender_told
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reading import Person
 
-_TITLE = (
-    r"(?:Mr|Mrs|Ms|Miss|Dr|Prof|Prince|Princess|King|Queen|Captain|Sergeant|Officer|Doctor|Uncle|Aunt|Lady|Lord|Sir"
-    r"|Sheriff|Father|Sister|Brother|Professor|Inspector|Constable|Colonel|Major|General|Lieutenant|Corporal"
-    r"|Sergeant-Major|Reverend|Madame|Monsieur|Master)"
-)
+_TITLE = rf"(?:{'|'.join(sorted(title.title() for title in lexicon.TITLES | {'master'}))})"
 _NAME = re.compile(
     rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+(?: [{UPPER}][{LOWER}]+)*"
@@ -26,6 +24,13 @@ _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an
 """``named Iver, tall and stooped, with a grey beard``."""
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
+_WHERE = re.compile(
+    r"(?:\b(?:in|at|to|from|of|near|since|into|via|across|outside|inside|towards?|beyond|reach(?:ed|es)?|entered)|&)\s$"
+)
+_OWNED = re.compile(r"\b(?:an?|his|her|their|my|our)\s((?:[a-z-]+\s){0,2})$")
+"""``a silver Volvo``: a thing has a name too."""
+_OPENERS = _SMALL | _NOT_NAMES | {"so", "still", "soon", "again", "now", "only", "even", "perhaps", "maybe", "here"}
+"""``So Hana said``: what may stand before a name at the start of a sentence."""
 
 
 def names_in(text: str, start: int) -> list[tuple[int, str]]:
@@ -38,6 +43,9 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
     found: list[tuple[int, str]] = []
     for match in _NAME.finditer(text):
         name = match.group(0)
+        while " " in name and name.split()[0].lower() in _OPENERS:
+            name = name.split(maxsplit=1)[1]
+        at = match.start() + match.group(0).rindex(name)
         first = name.split()[0].lower()
         if first in _SMALL | _NOT_NAMES or name.lower() in lexicon.PRONOUNS:
             continue
@@ -45,26 +53,30 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
             continue
         if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() :]):
             continue
-        before = text[max(0, match.start() - 8) : match.start()].lower()
+        before = text[max(0, at - 30) : at].lower()
         known = first.strip(".") in lexicon.FIRST_NAMES | lexicon.TITLES
         if not known and _is_somewhere(name, before) and not _is_apposed_to_somebody(text[match.end() :]):
             continue
-        found.append((start + match.start(), name))
+        found.append((start + at, name))
     return found
 
 
 def _is_somewhere(name: str, before: str) -> bool:
     """``since Tulsa``, ``into the Starlite Motel``, ``Laburnam Villa``: a place, a ship or a car."""
-    if re.search(r"\b(in|at|to|from|of|near|since|into|via|across|outside|inside)\s$", before):
+    owned = _OWNED.search(before)
+    named = any(form_kind(word) for word in owned.group(1).split()) if owned else False
+    if _WHERE.search(before) or (owned and not named and not any(find_person_nouns(before))):
         return True
     *_, last = name.lower().split()
-    return (before.endswith("the ") and not is_person_noun(last)) or (" " in name and last in lexicon.PLACES)
+    return (re.search(r"\bthe\s+$", before) is not None and not is_person_noun(last)) or (
+        " " in name and last in lexicon.PLACES
+    )
 
 
 def _opens_like_a_name(name: str, following: str) -> bool:
     """At the start of a sentence every word has a capital: a name is known, or does something next."""
     first = name.split()[0].lower()
-    acts = form_kind(following) in ("past", "aux") or following in ("and", "who")
+    acts = form_kind(following) in ("past", "aux", "3sg") or following in ("and", "who")
     common = lexicon.noun_class(singular(first)) != "unknown" or first in lexicon.ADJECTIVES | lexicon.ADVERBS
     return unaccented(first) in lexicon.FIRST_NAMES or (
         acts and not common and not form_kind(first) and first[-2:] != "ly"
@@ -99,6 +111,9 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
         for person in roster.find(words[1]):
             if "unknown" in (gender, person.gender) or gender == person.gender:
                 roster.call(person, bare(name))
+    for namesake in roster.find(name):
+        if len(words) == 1 and _is_her_husbands(namesake, words[0], text):
+            namesake.aliases = tuple(alias for alias in namesake.aliases if alias != words[0])
     if roster.find(name):
         return
     person = roster.add(name, at)
@@ -108,3 +123,10 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
     later = _LATER_LOOK.match(text[at + len(name) : at + len(name) + 160])
     if later:
         describe(person, later.group(1))
+
+
+def _is_her_husbands(namesake: Person, surname: str, told: str) -> bool:
+    """``said Coker. He lit the lantern``, in a story of Mrs. Coker: he is somebody else."""
+    title = bare(namesake.name).split()[0].strip(".")
+    called = title in lexicon.TITLES and lexicon.TITLE_GENDER.get(title) == "female"
+    return called and gender_told(told, rf"(?:{surname.title()})") == "male"

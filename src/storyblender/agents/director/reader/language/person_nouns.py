@@ -30,9 +30,11 @@ class PersonNoun(NamedTuple):
 
 
 def _names_a_thing(noun: str, word: str, after: str) -> bool:
-    """``a camel coat``, ``the sheep track``: no animal is there."""
+    """``a camel coat``, ``the sheep track``, ``the way lion tamers do``: no animal is there."""
     following = re.match(r" ([a-z]+)", after)
-    return noun in lexicon.ANIMALS and noun == word and following is not None and following.group(1) in _THINGS
+    if noun not in lexicon.ANIMALS or noun != word or following is None:
+        return False
+    return following.group(1) in _THINGS or is_person_noun(singular(following.group(1)))
 
 
 def find_person_nouns(text: str) -> Iterator[PersonNoun]:

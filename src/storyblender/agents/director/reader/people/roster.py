@@ -19,6 +19,12 @@ def bare(name: str) -> str:
     return _ARTICLE.sub("", " ".join(name.lower().split()))
 
 
+def _is_full_name(first: str, last: str) -> bool:
+    """``Tom Baker``: a trade after a first name is a surname."""
+    gendered = lexicon.MALE_NOUNS | lexicon.FEMALE_NOUNS | lexicon.YOUNG_NOUNS | lexicon.ANIMALS
+    return first in lexicon.FIRST_NAMES and not is_person_noun(first) and last not in gendered
+
+
 class Roster:
     """Everybody found so far, in the order they were found.
 
@@ -94,6 +100,7 @@ class Roster:
         head = singular(words[-2] if numbered else words[-1])
         title = words[0].strip(".")
         surname = title in lexicon.TITLES and len(words) > 1 and head in lexicon.RARE_PERSON_NOUNS
+        surname = surname or (len(words) > 1 and _is_full_name(words[0], head))
         if is_person_noun(head) and head not in lexicon.FIRST_NAMES and not surname:
             person.role, person.gender = head, lexicon.gender_of_word(head)
             person.kind = "animal" if head in lexicon.ANIMALS else "human"

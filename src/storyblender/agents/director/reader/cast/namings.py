@@ -1,0 +1,74 @@
+"""Where a story gives somebody a name: ``"I'm Oline," she said``, ``"Ada, get out"``, ``His name was Barnaby``."""
+
+from __future__ import annotations
+
+import re
+from typing import Literal, NamedTuple
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.reader.manuscript import QUOTATION, QUOTATION_MARKS, Manuscript, without_quotations
+
+Way = Literal["own", "told", "called"]
+
+_TITLE = "|".join(sorted((re.escape(title) for title in lexicon.TITLES), key=len, reverse=True))
+_NAME = rf"(?:(?i:{_TITLE})\.?\s)?[{UPPER}][{LOWER}]+(?:['’-][{UPPER}][{LOWER}]+)?(?:\s[{UPPER}][{LOWER}]+)?"
+_ENDS = r"(?=\s*(?:[.,!?;:…—–-]|$|\band\b|\bfrom\b|\bof\b))"
+_OWN = re.compile(
+    rf"(?:\bI am|\bI['’]m|\b[Mm]y name(?: is|['’]s)|\b[Nn]ame['’]s|\b[Cc]alls? me|\bcalled)"
+    rf"\s({_NAME}){_ENDS}"
+)
+_CALLED = re.compile(
+    rf"(?:^|[.!?]\s+)(?:(?:Oh|Ah|Well|Hey|Hello|Hi|Come|Come on|Come here|No|Yes|Now|Please|And|Evening|Morning)[, ]+)?"
+    rf"({_NAME})(?=\s*[,!?.—–-])"
+    rf"|,\s({_NAME})(?=\s*(?:[,!?.—–…]|$))"
+    rf"|\b(?:[Tt]his is|[Tt]hat['’]s|[Mm]eet|[Yy]ou are|[Yy]ou['’]re|[Yy]ou must be|[Aa]re you)\s({_NAME}){_ENDS}"
+)
+_TOLD = re.compile(
+    rf"\b(?P<whose>[Hh]is|[Hh]er|[Ii]ts|[Tt]heir)\s(?:first |last )?name\s(?:is|was)\s(?P<told>{_NAME})"
+    rf"|\b(?:(?:who|he|she)\s(?:was|is)\s(?:called|named)|whose\sname\s(?:was|is)|call(?:ed|s)\s(?:him|her|it)(?:self)?"
+    rf"|(?:introduced|introduces)\s(?:him|her)self\sas|gave\s(?:his|her)\sname\sas)\s(?P<other>{_NAME})"
+)
+
+
+class Naming(NamedTuple):
+    """A place where somebody gets a name."""
+
+    at: int
+    name: str
+    way: Way
+    """Said by themselves, told by the story, or called so by somebody."""
+    tag: str
+    """What the story says around the words in its paragraph: ``said the mole``."""
+    gender: str = "unknown"
+    """Of the pronoun in ``his name was``."""
+
+
+def told_text(script: Manuscript) -> str:
+    """The script with everything but narration blanked, character for character."""
+    told = [" " if letter != "\n" else letter for letter in script.text]
+    for paragraph in script.paragraphs:
+        told[paragraph.start : paragraph.end] = without_quotations(paragraph.raw)
+    return "".join(told)
+
+
+def namings(script: Manuscript) -> list[Naming]:
+    """Find every place where somebody is named, in reading order."""
+    found: list[Naming] = []
+    for paragraph in script.paragraphs:
+        told = without_quotations(paragraph.raw)
+        for match in _TOLD.finditer(told):
+            group = "told" if match.group("told") else "other"
+            gender = lexicon.PRONOUNS.get((match.group("whose") or "").lower(), "unknown")
+            found.append(Naming(paragraph.start + match.start(group), match.group(group), "told", "", gender))
+        for quotation in QUOTATION.finditer(paragraph.raw):
+            said = quotation.group(0).strip(QUOTATION_MARKS)
+            at = paragraph.start + quotation.start() + 1
+            tag = " ".join(re.split(r"[.!?]", told[quotation.end() :])[0].split())[:60]
+            own = [(match.start(1), match.group(1)) for match in _OWN.finditer(said)]
+            found += [Naming(at + place, name, "own", tag) for place, name in own]
+            for match in _CALLED.finditer(said):
+                group = next(index for index in (1, 2, 3) if match.group(index))
+                if (match.start(group), match.group(group)) not in own:
+                    found.append(Naming(at + match.start(group), match.group(group), "called", tag))
+    return sorted(found)

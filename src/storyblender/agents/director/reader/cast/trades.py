@@ -1,0 +1,73 @@
+"""Who is meant by a trade nobody was introduced with: ``A man stood on the landing. The surveyor did not look up``."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.cast.later_names import GENERIC, is_nameless, join
+from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reading import Person
+
+_ATTENDANTS = frozenset(
+    {"waiter", "waitress", "barman", "bartender", "barmaid", "driver", "coachman", "cabman", "conductor", "porter"}
+    | {"guard", "sentry", "doorman", "servant", "maid", "butler", "footman", "cook", "nurse", "clerk", "cashier"}
+    | {"landlord", "landlady", "innkeeper", "priest", "vicar", "postman", "policeman", "constable", "captain", "mate"}
+    | {"bosun", "pilot", "teacher", "headmaster", "king", "queen", "prisoner", "receptionist", "steward", "pianist"}
+)
+"""``the waiter`` comes with the place, nobody has to introduce him."""
+_COMING = "came|comes|enter(?:ed|s)|arrive[ds]|appear(?:ed|s)|walk(?:ed|s) in|ran|runs|burst|bursts"
+_STILL_NEAR, _JUST_NAMED = 1500, 160
+"""Characters from ``a man`` to ``the surveyor``, and from ``Mr. Finch`` to ``The lawyer``."""
+
+
+def call_by_trade(roster: Roster, text: str, told: str) -> None:
+    """Join whoever is first called *the surveyor* with the man, or the Mr. Finch, who was there already.
+
+    Args:
+        roster: The cast of a story.
+        text: The script.
+        told: The same without what is said.
+    """
+    for person in sorted(roster.people, key=lambda person: person.first):
+        trade = person.role
+        if not is_nameless(person) or trade in GENERIC | _ATTENDANTS | lexicon.KIN | lexicon.YOUNG_NOUNS:
+            continue
+        if not text[person.first :].lower().startswith("the ") or re.search(rf"\ban? (?:[\w-]+ )?{trade}\b", text):
+            continue
+        men = [
+            other
+            for other in roster.people
+            if other.role in GENERIC
+            and is_nameless(other)
+            and 0 < person.first - other.first < _STILL_NEAR
+            and (person.gender in ("unknown", other.gender) or other.gender == "unknown")
+        ]
+        if len(men) == 1 and not _told_together(men[0], trade, text):
+            join(roster, person, men[0])
+            person.role = men[0].role  # he stays the man he was before
+        elif titled := _just_named(roster, person, told):
+            join(roster, titled, person)
+
+
+def _just_named(roster: Roster, nameless: Person, told: str) -> Person | None:
+    """``said Mr. Finch. The lawyer unrolled the will``: who has a title, in the sentence right before."""
+    opens = told[nameless.first].isupper()
+    coming = re.match(rf"\w+ [\w-]+ (?:{_COMING})\b", told[nameless.first :]) is not None
+    for other in roster.people if opens and not coming else ():
+        title = bare(other.name).split()[0].strip(".")
+        near = told.rfind(other.name, max(0, nameless.first - _JUST_NAMED), nameless.first)
+        between = told[near : nameless.first].strip()
+        fits = "unknown" in (nameless.gender, other.gender) or nameless.gender == other.gender
+        if title in lexicon.TITLES and not other.role and fits and near >= 0 and "\n\n" not in between:
+            return other
+    return None
+
+
+def _told_together(nameless: Person, trade: str, text: str) -> bool:
+    """Whether they are two people: a paragraph has both, or one of them comes in."""
+    low = text.lower()
+    called = re.compile(rf"\b(?:an?|the|that|this) (?:{'|'.join(map(re.escape, nameless.aliases))})\b")
+    if any(called.search(each) and re.search(rf"\b{trade}\b", each) for each in re.split(r"\n\s*\n", low)):
+        return True
+    return re.search(rf"\b{trade} (?:{_COMING})\b", low) is not None
