@@ -12,6 +12,19 @@ PatternKey = Literal[
     "skyline", "treeline", "hills", "sea", "stars", "gradient", "map", "clock_face", "screen",
 ]  # fmt: skip
 
+_REPEATS: dict[PatternKey, tuple[str, float]] = {
+    "planks": ("count", 6),
+    "parquet": ("count", 4),
+    "brick": ("rows", 12),
+    "checker": ("count", 4),
+    "paving": ("count", 4),
+    "shingles": ("count", 6),
+    "corrugated": ("count", 12),
+    "stripes": ("count", 8),
+    "weave": ("threads", 32),
+}
+"""Patterns that repeat within their picture: the parameter that says how often, and its default."""
+
 
 class MaterialEntry(Frozen):
     """One material of the built-in library."""
@@ -37,6 +50,12 @@ class MaterialEntry(Frozen):
     """Puddles: roughness varies over the world."""
     grain: bool = False
     """The pattern runs along a direction: boards and bars turn it to their length."""
+
+    @property
+    def repeat(self) -> float:
+        """Metres from one board, course or tile to the next; 0 where nothing repeats so."""
+        parameter, default = _REPEATS.get(self.pattern, ("", 0.0))
+        return self.tile / self.params.get(parameter, default) if parameter else 0.0
 
 
 def hex_color(code: str) -> Color:
