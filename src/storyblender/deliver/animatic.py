@@ -76,8 +76,9 @@ def _add_subtitles(container: OutputContainer, pieces: Sequence[Subtitle]) -> No
     track.codec_context.subtitle_header = _STYLE
     for number, piece in enumerate(pieces):
         start, length = round(piece.start * 1000), round((piece.end - piece.start) * 1000)
-        # joiners keep a backslash in the script from being read as a code
-        line = f"{number},0,Default,,0,0,0,," + piece.text.replace("\\", "\u2060\\\u2060")
+        # joiners keep a backslash in the script from being read as a code; a new line is one
+        text = piece.text.replace("\\", "\u2060\\\u2060").replace("\n", "\\N")
+        line = f"{number},0,Default,,0,0,0,,{text}"
         packet = track.codec_context.encode_subtitle(SubtitleSet.create(line.encode(), 0, length, start))
         packet.stream, packet.time_base = track, _MILLISECOND
         packet.pts = packet.dts = start

@@ -122,6 +122,12 @@ def lines_of(words: Sequence[Word], width: float) -> list[list[Word]]:
     return lines if words else []
 
 
+def width_of(text: str, size: float) -> float:
+    """Return the points that a text in one line takes, in letters of ``size`` points."""
+    words = list(words_of(text, ""))
+    return size * sum(word.width + _SPACE * (word.spaced and bool(at)) for at, word in enumerate(words))
+
+
 def draw_lines(lines: Sequence[Sequence[Word]], width: float) -> Image.Image:
     """Return lines as a picture on white, ``width`` ems wide; one that is read from the right begins there."""
     picture = Image.new("RGB", (max(1, round(width * EM)), max(1, round(len(lines) * LEADING * EM))), "white")

@@ -12,7 +12,7 @@ from pathlib import Path
 from string import Template
 
 from storyblender.deliver.checklist import Check
-from storyblender.deliver.panel import Panel, cue_of, panels
+from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.deliver.speech import subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -44,8 +44,7 @@ def write_page(
         shown = [panel for panel in shots if panel.scene is scene]
         cards = "\n".join(_card(panel, frames.get(panel.name), folder, counts[panel.name]) for panel in shown)
         scenes.append(f'<h2>{escape(scene.title)}</h2>\n<div class="grid">\n{cards}\n</div>')
-    minutes, seconds = divmod(round(sum(panel.seconds for panel in shots)), 60)
-    counted = f"{_counted(graph.outline, 'scene')}, {_counted(shots, 'shot')}, {minutes}:{seconds:02d} minutes"
+    counted = length_of(shots)
     summary = f"{escape(graph.story_summary)} <br>{counted}" if graph.story_summary else counted
     page = Template((files("storyblender.deliver") / "page.html").read_text(encoding="utf-8"))
     out.write_text(
@@ -69,10 +68,6 @@ def _links(folder: Path, to_check: int) -> str:
     return "".join(f'<a href="{name}">{label}</a>' for name, label in links)
 
 
-def _counted(items: Sequence[object], word: str) -> str:
-    return f"{len(items)} {word}" if len(items) == 1 else f"{len(items)} {word}s"
-
-
 def _source(path: Path, folder: Path) -> str:
     return escape(path.relative_to(folder).as_posix(), quote=True)
 
@@ -93,7 +88,6 @@ def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int) -> str:
     if frame is not None:
         alt = escape(panel.outline.shot_description, quote=True)
         picture = f'<img loading="lazy" src="{_source(frame, folder)}" alt="{alt}">'
-    facts = f"{panel.framing} · {panel.lens:.0f} mm · {panel.movement}"
     words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
     for line in panel.dialogue:
         words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
@@ -102,7 +96,7 @@ def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int) -> str:
     return (
         f'<article id="{panel.name}">{picture}<div class="text">'
         f'<div class="slate"><span>{panel.name}</span><span>{panel.seconds:.1f} s</span></div>'
-        f'<div class="facts">{escape(facts)}</div>{"".join(words)}</div></article>'
+        f'<div class="facts">{escape(panel.facts)}</div>{"".join(words)}</div></article>'
     )
 
 

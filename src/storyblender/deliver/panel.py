@@ -18,6 +18,8 @@ STOPS = (".", "!", "?", "…", ":", "。", "！", "？")
 """What ends a sentence."""
 STILL = 0.02
 """Metres moved, or radians turned, below which a camera stands still."""
+USUAL_CLOSING = 0.7
+"""Share of the picture that a push in ends on, before there is a camera."""
 KIND_LABEL = {
     "two_shot": "two-shot",
     "ots": "over the shoulder",
@@ -65,6 +67,27 @@ class Panel:
         instruction = self.shot.camera_instruction
         label = KIND_LABEL.get(instruction.kind)
         return f"{instruction.size} {label}" if label else instruction.size
+
+    @property
+    def facts(self) -> str:
+        """The camera in a line, e.g. ``MCU over the shoulder · low angle · 65 mm · push in``."""
+        angle = self.shot.camera_instruction.angle
+        said = (self.framing, "" if angle == "eye-level" else angle, f"{self.lens:.0f} mm", self.movement)
+        return " · ".join(filter(None, said))
+
+    @property
+    def heading(self) -> str:
+        """The scene's heading, after its number in the script where it has one."""
+        return f"{self.scene.script_number}  {self.scene.title}" if self.scene.script_number else self.scene.title
+
+    @property
+    def closes_to(self) -> float:
+        """Share of the wider picture that a camera going in or out sees at its narrowest, at the pivot."""
+        camera = self.shot.camera
+        if camera is None:
+            return USUAL_CLOSING
+        views = [pose.distance / pose.lens for pose in (camera.poses[0], camera.poses[-1])]
+        return min(views) / max(views)
 
     @property
     def movement(self) -> str:
@@ -121,6 +144,16 @@ def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
             result.append(Panel(name, scene, outline, shot, start, graph.format.fps, action))
             start, told = start + shot.duration, told + len(outline.lines)
     return result
+
+
+def length_of(shots: Sequence[Panel]) -> str:
+    """Return how much there is: ``5 scenes, 22 shots, 2:54 minutes``."""
+    scenes = len({panel.scene.scene_id for panel in shots})
+    minutes, seconds = divmod(round(sum(panel.seconds for panel in shots)), 60)
+    counted = ", ".join(
+        f"{n} {word}" if n == 1 else f"{n} {word}s" for n, word in ((scenes, "scene"), (len(shots), "shot"))
+    )
+    return f"{counted}, {minutes}:{seconds:02d} minutes"
 
 
 def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:

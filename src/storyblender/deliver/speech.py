@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -13,6 +14,7 @@ SPOKEN = ("talk", "whisper", "shout")
 """Clips during which a mouth moves."""
 SUBTITLE = 84
 """Characters that are read at a glance: two lines of 42."""
+_SENTENCE_END = re.compile(r"(?<=[.!?…][\"'”’)]) |(?<=[.!?…]) ")
 
 
 @dataclass(frozen=True)
@@ -74,11 +76,26 @@ def subtitles(shots: Sequence[Panel]) -> list[Subtitle]:
 
 
 def _pieces(text: str) -> list[str]:
-    """Split into pieces of about the same length."""
-    words = " ".join(text.split())
-    count = -(-len(words) // SUBTITLE)
-    slack = max(map(len, words.split()), default=0)
-    return textwrap.wrap(words, min(SUBTITLE, len(words) // max(1, count) + slack))
+    """Split where sentences end, as far as a piece holds them; a longer sentence into pieces of about one length."""
+    pieces: list[str] = []
+    for sentence in _SENTENCE_END.split(" ".join(text.split())):
+        if pieces and len(pieces[-1]) + 1 + len(sentence) <= SUBTITLE:
+            pieces[-1] += f" {sentence}"
+        elif len(sentence) <= SUBTITLE:
+            pieces.append(sentence)
+        else:
+            slack = max(map(len, sentence.split()))
+            pieces += textwrap.wrap(sentence, min(SUBTITLE, len(sentence) // -(-len(sentence) // SUBTITLE) + slack))
+    return [_in_lines(piece) for piece in pieces]
+
+
+def _in_lines(piece: str) -> str:
+    """Break what is too long for a line near its middle."""
+    spaces = [at for at, letter in enumerate(piece) if letter == " "]
+    if len(piece) <= SUBTITLE // 2 or not spaces:
+        return piece
+    at = min(spaces, key=lambda at: abs(2 * at - len(piece)))
+    return f"{piece[:at]}\n{piece[at + 1 :]}"
 
 
 def _by_length(panel: Panel) -> list[Speech]:

@@ -143,7 +143,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_pat
     said: list[str] = []
     set_ = board._setting
     monkeypatch.setattr(board, "_setting", lambda p, *a, **k: said.extend(text for text, _ in p) or set_(p, *a, **k))
-    monkeypatch.setattr(board, "_arrow", lambda canvas, way, *where: said.append(f"arrow {way}"))
+    monkeypatch.setattr(board, "_arrow", lambda canvas, panel, way, *where: said.append(f"arrow {way}"))
     show = Canvas.drawRightString
     monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or show(*a))
     board.write_board(graph, {}, tmp_path / "a.pdf", layout)  # type: ignore[arg-type]
@@ -170,6 +170,60 @@ def test_board_says_where_words_were_cut(
     long = outline.shots[1].model_copy(update={"lines": (speech,) * 30})
     graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], long)}),)})
     assert "…" in drawn(monkeypatch, graph, tmp_path, "grid")
+
+
+def test_board_sets_a_long_speech_whole_in_smaller_letters(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outline = graph.outline[0]
+    line = outline.shots[1].lines[0].model_copy(update={"text": "I waited for the train and it never came. " * 18})
+    long = outline.shots[1].model_copy(update={"lines": (line,)})
+    graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], long)}),)})
+    assert "…" not in drawn(monkeypatch, graph, tmp_path, "grid")
+    monkeypatch.setattr(board, "SHRINKING", ())
+    assert "…" in drawn(monkeypatch, graph, tmp_path, "grid"), "the speech must be one that does not fit at full size"
+
+
+@pytest.mark.parametrize("aspect", [0.5625, 1.78, 2.39])
+def test_words_under_a_single_picture_have_room(aspect: float) -> None:
+    left, _, width, _ = board._cell(0, "single", aspect)
+    assert (
+        width >= board.LEAST_WORDS and left >= board.MARGIN and left + width <= board.PAGE_WIDTH - board.MARGIN + 1e-6
+    )
+
+
+def test_a_line_that_is_too_long_ends_in_an_ellipsis_in_any_letters(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for word in ("夜の電車", "Night train "):
+        said = drawn(monkeypatch, graph.model_copy(update={"title": word * 40}), tmp_path, "grid")
+        assert said[0].startswith(word[:3]) and said[0].endswith("…")
+
+
+def test_board_says_how_long_the_story_is_and_which_scene_of_the_script(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outline = graph.outline[0].model_copy(update={"script_number": "12A"})
+    said = drawn(monkeypatch, graph.model_copy(update={"outline": (outline,)}), tmp_path, "grid")
+    assert "1 scene, 2 shots, 0:02 minutes" in said and "12A  INT. BAR - NIGHT" in said
+    assert b"/Outlines" in (tmp_path / "a.pdf").read_bytes()
+
+
+def test_facts_name_an_angle_that_is_not_at_eye_level(graph: ContinuityMemoryGraph) -> None:
+    assert panels(graph)[0].facts == "MCU · 65 mm · push in"
+    instruction = graph.shots[0].camera_instruction.model_copy(update={"angle": "low angle"})
+    shots = (graph.shots[0].model_copy(update={"camera_instruction": instruction}), graph.shots[1])
+    assert panels(graph.model_copy(update={"shots": shots}))[0].facts == "MCU · low angle · 65 mm · push in"
+
+
+def test_the_frame_of_a_push_in_is_what_the_camera_sees_at_its_end(graph: ContinuityMemoryGraph) -> None:
+    ends = tuple(
+        CameraPose(frame=frame, pivot=(0, 0, 1), rotation=(1, 0, 0, 0), distance=distance, lens=lens)
+        for frame, distance, lens in ((0, 4.0, 50), (11, 3.0, 75))
+    )
+    for poses in (ends, ends[::-1]):
+        shots = (graph.shots[0].model_copy(update={"camera": CameraState(poses=poses)}), graph.shots[1])
+        assert panels(graph.model_copy(update={"shots": shots}))[0].closes_to == pytest.approx(0.5)
 
 
 @pytest.mark.parametrize(
@@ -219,6 +273,18 @@ def test_the_film_is_read_in_pieces_while_mouths_move(graph: ContinuityMemoryGra
     assert all(a.end <= b.start + 1e-9 for a, b in pairwise(pieces))
     marker = list(timeline.build_timeline(graph, {}, tmp_path).find_clips())[1].markers[0]
     assert (marker.marked_range.start_time.value, marker.marked_range.duration.value) == (2, 4)
+
+
+def test_subtitles_end_where_sentences_do_and_break_near_the_middle(graph: ContinuityMemoryGraph) -> None:
+    outline = graph.outline[0]
+    text = "Two exit papers, Rick. Keep them for an hour. You despise me, so I trust you."
+    line = outline.shots[1].lines[0].model_copy(update={"text": text})
+    spoken = outline.shots[1].model_copy(update={"lines": (line,)})
+    graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], spoken)}),)})
+    assert [piece.text for piece in subtitles(panels(graph))] == [
+        "Élodie: Two exit papers,\nRick. Keep them for an hour.",
+        "You despise me, so I trust you.",
+    ]
 
 
 def test_a_cue_has_its_parenthetical(graph: ContinuityMemoryGraph) -> None:
