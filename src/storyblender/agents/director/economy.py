@@ -2,7 +2,7 @@
 
 Given up in this order: inserts without a line of their own, reactions, over-the-shoulder pairs (they become the
 two-shot), neighbouring actions of one actor, any close neighbours. What the script orders is never given up, and no
-word of the script is lost: what a dropped shot covered goes to its neighbour.
+word of the script is lost: what a dropped shot covered goes to its neighbour. Two strong acts keep two pictures.
 """
 
 from __future__ import annotations
@@ -89,11 +89,14 @@ class _Economy:
         return self._join_best(self._pairs(), self._distance)
 
     def _pairs(self) -> list[Pair]:
-        pairs = pairwise(self.drafts)
+        """Neighbours that may share a shot: short enough together, and only one of them wants a picture of its own."""
         return [
             (a, b)
-            for a, b in pairs
-            if not a.explicit and not b.explicit and a.beats and b.beats and self._seconds(a, b) <= self._limit(a, b)
+            for a, b in pairwise(self.drafts)
+            if not (a.explicit or b.explicit or (a.strong and b.strong))
+            and a.beats
+            and b.beats
+            and self._seconds(a, b) <= self._limit(a, b)
         ]
 
     def _limit(self, a: ShotDraft, b: ShotDraft) -> float:
@@ -103,17 +106,13 @@ class _Economy:
         return shot_seconds(a, self.text) + shot_seconds(b, self.text)
 
     def _distance(self, a: ShotDraft, b: ShotDraft) -> float:
-        """How much a join costs: seconds, sizes apart, more for what is to be seen alone, for talk in a wide.
-
-        What is strong in both would lose one of its pictures.
-        """
+        """How much a join costs: seconds, sizes apart, more for what is to be seen alone, for talk in a wide."""
         apart = 0.0 if a.beats[-1].unit.element == b.beats[0].unit.element else 2.0
         alone = sum(4.0 for draft in (a, b) if draft.kind in ("establishing", "insert"))
         strangers = 0.0 if set(a.focus) & set(b.focus) else 2.0
         strangers += 4.0 if len({*self._faces(a), *self._faces(b)}) > 2 else 0.0
         mixed = 4.0 if a.speech != b.speech and (a.whole_body or b.whole_body) else 0.0
-        rivals = 3.0 if a.strong and b.strong else 0.0
-        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed + rivals
+        return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed
 
     def _join_best(self, pairs: list[Pair], cost: Callable[[ShotDraft, ShotDraft], float]) -> bool:
         if not pairs:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -36,6 +37,8 @@ class LayoutBrief:
         placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it.
         handlers: Who takes a thing into their hands, in their order, by the thing's asset id.
         company: Who stands with whom as the scene begins: companion to the one the script places.
+        found: Postures of whom a later shot finds in their place without their having come: jurors, guests, guards.
+        stations: What somebody is found at who does nothing there: the dock, the door.
     """
 
     scene_id: int
@@ -45,6 +48,7 @@ class LayoutBrief:
     dressed: tuple[LayoutObject, ...] = ()
     pending: tuple[str, ...] = ()
     states: tuple[BodyState, ...] = ()
+    found: tuple[BodyState, ...] = ()
     groups: tuple[tuple[str, ...], ...] = ()
     targets: tuple[str, ...] = ()
     reference: Layout | None = None
@@ -52,6 +56,7 @@ class LayoutBrief:
     placements: Mapping[str, str] = field(default_factory=dict)
     handlers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     company: Mapping[str, str] = field(default_factory=dict)
+    stations: Mapping[str, str] = field(default_factory=dict)
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -130,7 +135,32 @@ def layout_brief(
         placements=placements or {},
         handlers=handlers,
         company=_company(graph, first) if first is not None else {},
+        found=_found(shots),
+        stations=_stations(shots),
     )
+
+
+def _found(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:
+    """Return the first state of everybody who is there only later and whom nothing brings."""
+    seen = {*shots[0].on_stage} if shots else set[str]()
+    found: list[BodyState] = []
+    for shot in shots[1:]:
+        come = {action.asset_id for action in shot.character_actions if clip_of(action.motion).speed}
+        found += [state for state in shot.states if state.asset_id in {*shot.on_stage} - seen - come]
+        seen |= {*shot.on_stage}
+    return tuple(found)
+
+
+def _stations(shots: Sequence[ShotContext]) -> dict[str, str]:
+    """Return what somebody is found at in the shot they are first seen in."""
+    seen: set[str] = set()
+    stations: dict[str, str] = {}
+    for shot in shots:
+        for action in shot.character_actions:
+            if action.asset_id not in seen and action.motion in _RESTING and action.target_id is not None:
+                stations.setdefault(action.asset_id, action.target_id)
+        seen |= {*shot.on_stage}
+    return stations
 
 
 def _company(graph: ContinuityMemoryGraph, first: ShotContext) -> dict[str, str]:

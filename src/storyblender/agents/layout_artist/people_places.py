@@ -31,11 +31,12 @@ _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, 
 
 
 def place_people(stage: Stage) -> None:
-    """Place everybody who is on stage at the start."""
+    """Place everybody who is on stage at the start, then those whom a later shot finds at a place of their own."""
     states = {state.asset_id: state for state in stage.brief.states}
-    relations = {
-        relation.asset_id: relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in states
-    }
+    everybody = {*states, *(state.asset_id for state in stage.brief.found)}
+    stated = [relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in everybody]
+    settled = {relation.asset_id: relation for relation in stated}
+    relations = {each: relation for each, relation in settled.items() if each in states}
     for state in sorted(states.values(), key=lambda state: state.asset_id in relations):
         if state.posture in ("sit", "lie", "asleep"):
             _sit(stage, state, relations.get(state.asset_id))
@@ -56,7 +57,20 @@ def place_people(stage: Stage) -> None:
             _accompany(stage, member, other)
     for members in _groups(stage, list(states)):
         _gather(stage, members)
+    for state in stage.brief.found:
+        _find(stage, state, settled.get(state.asset_id))
     _look_at_each_other(stage)
+
+
+def _find(stage: Stage, state: BodyState, relation: Relation | None) -> None:
+    """Place who is there already when a later shot shows them: on a seat, at what the script says, at their trade."""
+    if state.posture in ("sit", "lie", "asleep"):
+        _sit(stage, state, relation)
+    if state.asset_id not in stage.things:
+        _stand_at_work(stage, state.asset_id, relation)
+    anchor = stage.find(relation.anchor_asset_id) if relation is not None else None
+    if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
+        _stand_at(stage, state.asset_id, anchor, relation)
 
 
 def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
@@ -87,7 +101,8 @@ def _sit(stage: Stage, state: BodyState, relation: Relation | None) -> None:
     asked = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
     found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
     if not found:
-        own = _mark_of(stage, state.asset_id, state.support_id)
+        station = relation.anchor_asset_id if relation is not None and relation.kind not in _OPPOSITE else None
+        own = _mark_of(stage, state.asset_id, state.support_id or station)
         near = own.location[:2] if own is not None else stage.middle
         near = (support.box.x, support.box.y) if support is not None else near
         other = stage.things.get(relation.anchor_asset_id) if relation is not None else None
@@ -162,10 +177,21 @@ def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | N
 
 
 def _mark_of(stage: Stage, person: str, place: str | None) -> PlanMark | None:
-    """Return the set's mark for what somebody is in or at, else for their trade: the dock, the driver's seat."""
-    wanted = [{place, place.rsplit("_", 1)[-1]}] if place else []
-    marks = stage.brief.plan.marks
-    return next((mark for words in (*wanted, set(person.split("_"))) for mark in marks if words & set(mark.tags)), None)
+    """Return the set's mark for what somebody is in or at, else for their trade: the dock, the driver's seat.
+
+    A mark that is meant by the place and by the trade goes before one that only the place means.
+    """
+    trade = {word for word in person.split("_") if not word.isdigit()}
+    named = [
+        {each, each.rsplit("_", 1)[-1]} if each else set[str]() for each in (place, stage.brief.stations.get(person))
+    ]
+
+    def meant(mark: PlanMark) -> int:
+        tags = {*mark.tags}
+        return 4 * bool(named[0] & tags) + 2 * bool(named[1] & tags) + bool(trade & tags)
+
+    best = max(stage.brief.plan.marks, key=meant)
+    return best if meant(best) else None
 
 
 def _stand_at_work(stage: Stage, asset_id: str, relation: Relation | None) -> None:

@@ -228,6 +228,8 @@ class Company:
             if free:
                 return min(free, key=lambda seat: math.dist(seat.edge, beside.place))
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
+        if name and self.floor.thing(name) is None:
+            name = None  # a part of the set: what one sits on there is a seat of the set
         names = [name] if name else [thing.node_id for thing in self.floor.things.values()]
         same = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name]
         seats = [seat for each in same or names for seat in self.floor.seats(each)]

@@ -22,6 +22,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.window("left", at, width=1.2, height=2.0, sill=min(2.1, h - 2.2), style="grid", mark=at < 0)
     for at in (-0.4, y * 0.55):
         room.window("right", at, width=1.2, height=1.6, sill=min(2.3, h - 1.8), style="grid")
+    _public(room)
     _bench(room)
     _jury(room)
     room.piece("court_box", -x + 1.0, 0.4, yaw=90, width=1.7, depth=1.3, rail=True)
@@ -32,7 +33,6 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         for off in (-0.42, 0.42):
             room.furnish("chair", px + off, py - 0.62, yaw=180, required=off < 0)
         room.mark(f"counsel_{'left' if side < 0 else 'right'}", side * 1.05, -1.2, 180, "table", *tags)
-    _public(room)
     for px in (-x * 0.5, x * 0.5):
         for py in (-y * 0.4, y * 0.4):
             room.piece("ceiling_light", px, py, h, modern=modern)
@@ -45,7 +45,7 @@ def _bench(room: Room) -> None:
     y, h = room.half_y, room.height
     room.piece("judges_bench", 0, y - 1.95, footprint=(3.3, 0.75), width=3.3)
     room.furnish("armchair", 0, y - 0.55, color="#3a2018", required=False)
-    room.mark("bench", 0, y - 1.28, 0, "judge", "magistrate", "bench", "justice")
+    room.mark("judges_bench", 0, y - 1.28, 0, "judge", "magistrate", "justice", "bench")
     room.slab("patch", rectangle(-2.0, y - 2.5, 2.0, y - 0.05), "cloth_red", z=0.012)
     room.piece("court_seal", 0, y, min(h - 0.75, 2.75), footprint=(1.1, 0.2), wild=True)
     for side in (-1, 1):
@@ -69,6 +69,7 @@ def _public(room: Room) -> None:
     """Fence off the public and seat it."""
     x, y = room.half_x, room.half_y
     py = -y + 2.2
+    room.mark("gallery", 0.6, py - 0.3, 180, "gallery", "bench", "public", "spectator", "reporter")
     for side in (-1, 1):
         length = x - 0.75
         room.piece("court_rail", side * (0.65 + length / 2), py, length=round(length, 2))
@@ -88,6 +89,7 @@ KIT = SetKit(
     width=Span(10.4, 10.8, 14.0),
     depth=Span(10.4, 10.8, 14.0),
     height=Span(3.8, 4.2, 5.0),
-    has=("dock", "jury box", "witness box", "witness stand", "judge's bench", "rail", "box", "stand"),
+    has=("dock", "jury box", "witness box", "witness stand", "judge's bench", "rail", "box", "stand",
+         "bench", "public gallery", "gallery"),
     means={"bench": "pew", "podium": "lectern"},
 )  # fmt: skip

@@ -99,9 +99,9 @@ mat_border         fabric     #1f2a24
 hull_plate         concrete   #a3a6a8
 void               plastic_black #05060a
 cell_blue          glass_dark #16305c
-sea_blue           paint      #2b5c94
-land_green         grass      #5f7a48
-cloud_white        plaster    #e9edf0
+sea_blue           lampshade  #2b5c94
+land_green         lampshade  #5f7a48
+cloud_white        lampshade  #c9d2d8
 pane_warm          lampshade  #ffc173
 pane_cool          lampshade  #cfe0ff
 """

@@ -30,7 +30,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     hull.piece("solar_wing", -x * 0.3, y + 8.0, 0.9, length=13.0, width=3.4)
     hull.piece("solar_wing", x + 3.0, y + 8.0, 0.9, length=13.0, width=3.4)
     hull.piece("dish", x - 0.6, y - 0.2, footprint=(0.9, 0.9), radius=0.9)
-    hull.piece("planet", x * 0.9 + 14, 46.0, -26.0, radius=28.0)
+    hull.piece("planet", 15.0, 40.0, -11.0, radius=22.0)
     hull.slab("ground", rectangle(-200, -200, 200, 200), "void", z=-62.0)
     for index in range(12):
         left, right = (math.radians(30 * index + turn) for turn in (15, -15))

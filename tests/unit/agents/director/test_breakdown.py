@@ -311,3 +311,13 @@ def test_what_somebody_is_found_to_hold_was_in_hand_unless_it_was_seen(before: s
     script = Script("Ann", things=("gun",)).action(before, ("ann", "idle"), things=["gun"] if held == () else [])
     script.action("Ann holds up a gun.", ("ann", "hold", "gun", "gun"), things=["gun"])
     assert board_of(script).shot_details[0].states[0].held == held
+
+
+def test_two_strong_acts_keep_two_pictures_however_small_the_budget() -> None:
+    script = """INT. HALL - DAY
+
+ANA hugs BEN. CAL throws his hat into the fire. DEE picks up the ring.
+"""
+    board = storyboard(read_script(read(script, "fountain")), DirectorSettings(shots_per_scene=1))
+    lines = [[line.text for line in shot.lines] for shot in board.storyboard_outline[0].shots]
+    assert lines == [["ANA hugs BEN."], ["CAL throws his hat into the fire."], ["DEE picks up the ring."]]

@@ -306,3 +306,73 @@ def test_who_sits_opposite_somebody_takes_the_seat_they_look_at() -> None:
     people = [BodyState(asset_id="ben", posture="sit"), BodyState(asset_id="ana", posture="sit")]
     at = solved(brief(relations=[("ben", "facing", "ana")], people=people, dressed=facing_each_other))
     assert {at["ana"].anchor_asset_id, at["ben"].anchor_asset_id} == {"bench_1", "bench_2"}
+
+
+def court(**fields: object) -> LayoutBrief:
+    people = {
+        name: measure(name, 1.1, 0.35, 1.75, person=True) for name in ("judge_ito", "juror_1", "juror_2", "bo", "eve")
+    }
+    chair = measure("set_chair", 0.46, 0.52, 0.92, anchors=(SEAT,))
+    pew = measure("set_pew", 1.8, 0.58, 0.94, anchors=BENCH)
+    seats = {"chair": chair, "pew": pew, "armchair": chair}
+    court = plan_of(Environment(kit="courtroom"))
+    dressed = tuple(
+        LayoutObject(
+            node_id=item.node_id,
+            asset_id=seats[item.prop].asset_id,
+            location=item.location,
+            rotation=(0, 0, item.yaw),
+            fixed=True,
+        )
+        for item in court.furnishings
+        if item.prop in seats
+    )
+    measures = people | {"set_chair": chair, "set_pew": pew}
+    setup = SceneSetup(scene_type="indoor", place="courtroom", asset_ids=tuple(people))
+    return LayoutBrief(scene_id=1, setup=setup, measures=measures, plan=court, dressed=dressed, **fields)  # type: ignore[arg-type]
+
+
+def test_whom_a_later_shot_finds_in_court_is_at_the_place_of_their_office() -> None:
+    layout = SpatialRules().propose(
+        court(
+            states=(BodyState(asset_id="judge_ito", support_id="bench", posture="sit"),),
+            found=(
+                BodyState(asset_id="juror_1", support_id="jury_box", posture="sit"),
+                BodyState(asset_id="juror_2", support_id="jury_box", posture="sit"),
+                BodyState(asset_id="bo", posture="stand"),
+                BodyState(asset_id="eve", support_id="bench", posture="sit"),
+            ),
+            stations={"bo": "dock"},
+        )
+    )
+    at = {item.asset_id: item.location for item in layout.objects}
+    marks = {mark.name: mark.location for mark in plan_of(Environment(kit="courtroom")).marks}
+    assert at["judge_ito"][1] > marks["judges_bench"][1]
+    assert at["juror_1"] != at["juror_2"]
+    assert min(at["juror_1"][0], at["juror_2"][0]) > marks["jury"][0]
+    assert math.dist(at["bo"], marks["dock"]) < 0.3
+    assert at["eve"][1] < marks["gallery"][1]
+
+
+def test_who_comes_in_later_has_no_place_yet_and_who_is_found_there_has() -> None:
+    def shot(number: int, stage: tuple[str, ...], *actions: CharacterAction) -> ShotContext:
+        return ShotContext(
+            scene_id=1,
+            shot_id=number,
+            on_stage=stage,
+            states=tuple(BodyState(asset_id=each) for each in stage),
+            character_actions=actions,
+            camera_instruction=CameraInstruction(),
+        )
+
+    walk = CharacterAction(asset_id="cal", action_description="Cal runs in.", motion="run")
+    waits = CharacterAction(
+        asset_id="ben", action_description="Ben waits at the door.", motion="idle", target_id="door"
+    )
+    graph = ContinuityMemoryGraph(
+        scenes=(SceneContext(scene_id=1, setup=SceneSetup(scene_type="indoor", asset_ids=("ana", "ben", "cal"))),),
+        shots=(shot(1, ("ana",)), shot(2, ("ana", "ben"), waits), shot(3, ("ana", "ben", "cal"), walk)),
+    )
+    brief = layout_brief(graph, 1, plan(), measures=MEASURES)
+    assert [state.asset_id for state in brief.found] == ["ben"]
+    assert brief.stations == {"ben": "door"}

@@ -563,3 +563,8 @@ def test_the_critic_finds_a_seat_that_is_not_there_and_a_way_that_is_none() -> N
     walk = Cue(asset_id="rick", clip="walk", start=0, mark=inside)
     critique = AnimatorCritic().judge(_draft(Blocking(start=outside, end=outside), cues=(walk,)), _view(_shot(1)))
     assert "no_way" in [fault.kind for fault in critique.faults]
+
+
+def test_who_sits_in_a_part_of_the_set_has_a_seat_of_the_set() -> None:
+    (shot,) = _stage(_shot(1, states=(BodyState(asset_id="rick", posture="sit", support_id="jury_box"),)))
+    assert _start(shot, "rick").support_id in ("chair_l", "chair_r")
