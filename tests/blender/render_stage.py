@@ -72,6 +72,12 @@ def exterior() -> Lighting:
     )  # fmt: skip
 
 
+def add_hand(scene: bpy.types.Scene, name: str, place: tuple[float, float, float]) -> None:
+    """Hang a ball of somebody's skin in the air."""
+    hand = _add(scene, f"{name}_hand", _ball(place, 0.06), (0.8, 0.5, 0.4), "character", Surface.SKIN)
+    tag(hand, kind="character", node_id=name, asset_id=name, surface=Surface.SKIN, ink_group=hand.name)
+
+
 def _add_person(scene: bpy.types.Scene, name: str, head: tuple[float, float, float]) -> None:
     x, y, z = head
     body = _add(scene, f"{name}_coat", _box((x, y, z / 2 - 0.1), (0.4, 0.25, z - 0.2)), (0.6, 0.05, 0.05), "character")

@@ -1,3 +1,4 @@
+import math
 import sys
 from pathlib import Path
 
@@ -69,6 +70,18 @@ def test_each_person_in_frame_gets_three_lamps(room):
     assert [(light.for_asset, light.role) for light in lights] == [
         (name, role) for name in ("ana", "ben") for role in ("key", "fill", "rim")
     ]
+
+
+def test_an_insert_of_a_hand_gets_the_lamps_of_the_face():
+    scene = render_stage.build_stage()
+    render_stage.add_hand(scene, "ana", (-0.6, -0.5, 0.9))
+    scene.camera.location, scene.camera.rotation_euler = (-0.6, -2.0, 0.9), (math.radians(90), 0, 0)
+    scene.camera.data.lens = 85
+    scene.view_layers[0].update()
+    by_role = {light.role: light for light in frame(scene, render_stage.interior()).lights if light.for_asset == "ana"}
+    assert by_role["key"].target == pytest.approx((-0.6, -0.5, 0.9), abs=0.08)
+    away = np.linalg.norm(np.subtract(by_role["key"].location, by_role["key"].target))
+    assert away == pytest.approx(2.3, abs=0.05), "as far as from a face"
 
 
 def test_quick_and_traced_light_agree(yard):

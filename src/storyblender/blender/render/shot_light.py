@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
@@ -29,6 +29,7 @@ from storyblender.look.illumination import (
 from storyblender.look.occlusion import ambient_occlusion
 from storyblender.look.raster import Image, Mask, blur
 from storyblender.look.relight import mean_albedo
+from storyblender.look.surface import Surface
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Light, Lighting
 
@@ -90,10 +91,11 @@ class ShotLight:
         self._openness = ambient_occlusion(self.gbuffer.depth, self.gbuffer.view, self._normal)
         ambient = ambient_light(self.plan, set_light.roofed, self._normal, self._openness)
         self.roof_light = roof_light(self.plan, set_light.roofed, self._normal) * self._openness[..., None]
-        lamps = self.plan.lights + _lamps_of_faces(session, people, self.plan)
+        bodies = _pixels_of(people, passes, self.gbuffer)
+        lamps = self.plan.lights + _lamps_of_faces(session, self._by_hands(people, bodies), self.plan)
         fields = [light_field(lamp, self._positions, self._normal) for lamp in lamps]
         casting = self._casting(fields, shadows)
-        fields = self._with_shadows(session, fields, casting, _pixels_of(people, passes, self.gbuffer))
+        fields = self._with_shadows(session, fields, casting, bodies)
         from_set = total([f for f in fields if f.light.for_asset is None], ambient)
         bounce = bounce_light(self.albedo, from_set, ~self.gbuffer.sky, self._openness)
         faces = find_faces(self.gbuffer, [(head.asset_id, head.location, head.scale) for head in people])
@@ -115,6 +117,23 @@ class ShotLight:
     def illumination(self) -> Image:
         """Return the (h, w, 3) illumination by every lamp."""
         return total(self.fields, self._around)
+
+    def _by_hands(
+        self, people: Sequence[PersonHead], bodies: Sequence[tuple[PersonHead, Mask]]
+    ) -> tuple[PersonHead, ...]:
+        """Return the people; whose face is outside the picture is placed where their skin is seen: the hands get light.
+
+        The lamps then stand round the hands as they stand round the face in other shots.
+        """
+        view, skin = self.gbuffer.view, self.gbuffer.surface == Surface.SKIN
+        placed = {head.asset_id: head for head in people}
+        for head, body in bodies:
+            column, row, depth = view.project(np.array(head.location))
+            seen = self._positions[body & skin]
+            if len(seen) and not (depth > 0 and 0 <= column < view.width and 0 <= row < view.height):
+                x, y, z = (float(part) for part in np.median(seen, axis=0))
+                placed[head.asset_id] = replace(head, location=(x, y, z))
+        return tuple(placed.values())
 
     def _casting(self, fields: Sequence[LightField], most: Mapping[str, int]) -> frozenset[int]:
         """Return which lamps matter enough to cast shadows."""
