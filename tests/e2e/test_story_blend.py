@@ -32,6 +32,9 @@ for scene in bpy.data.scenes:
     }
 facts = {
     "scenes": scenes,
+    "opens_on": bpy.context.window.scene.name,
+    "views": [area.spaces.active.region_3d.view_perspective
+              for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"],
     "assets": [c.name for c in bpy.data.collections if c.asset_data],
     "missing": [i.name for i in bpy.data.images if i.source == "FILE" and not i.packed_file],
     "libraries": len(bpy.data.libraries),
@@ -63,6 +66,11 @@ def test_every_shot_has_a_camera_on_a_marker(project: Path, facts: dict[str, Any
     markers = facts["scenes"]["SC010"]["markers"]
     assert [name for name, _, _ in markers] == [row["shot"] for row in rows(project)]
     assert all(name == camera for name, _, camera in markers)
+
+
+def test_the_file_opens_on_the_first_shot_through_its_camera(facts: dict[str, Any]) -> None:
+    assert facts["opens_on"] == "SC010"
+    assert set(facts["views"]) == {"CAMERA"}
 
 
 def test_the_edit_has_one_strip_a_shot_with_its_camera_and_length(project: Path, facts: dict[str, Any]) -> None:

@@ -15,6 +15,7 @@ from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.cameras import make_camera
 from storyblender.blender.light import make_lights
 from storyblender.blender.merge import merge_duplicates
+from storyblender.blender.opening import open_on
 from storyblender.blender.pack import key_hidden, save_pack
 from storyblender.blender.sets.world import set_world
 from storyblender.blender.tags import tag
@@ -52,6 +53,7 @@ def compile_story(job: StoryJob, root: Path, out: Path) -> None:
         _add_library(job, bpy.data.scenes[LIBRARY], AssetStore(root / "assets"))
     merge_duplicates()
     _add_edit(job)
+    open_on(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
     bpy.data.orphans_purge(do_recursive=True)
     save_pack(out)
 
@@ -170,4 +172,3 @@ def _add_edit(job: StoryJob) -> None:
         strip.frame_final_duration = shot.duration
         frame += shot.duration
     edit.frame_start, edit.frame_end = 1, max(1, frame - 1)
-    bpy.context.window.scene = edit
