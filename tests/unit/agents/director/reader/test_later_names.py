@@ -126,3 +126,26 @@ def test_the_lawyer_is_who_was_just_named() -> None:
 def test_a_surname_may_be_a_trade() -> None:
     reading = read_script(read("INT. ROOM - DAY\n\nTOM BAKER (40) sits.\n\nTom stands up.\n", "fountain"))
     assert [person.name for person in reading.people] == ["TOM BAKER"]
+
+
+@pytest.mark.parametrize(
+    ("told", "who"),
+    [
+        (("Mira sat still. Under the chair lay the twins, Ola and Per.", "The twins laughed."), {"Mira", "Ola", "Per"}),
+        (
+            ("The stranger sat on the well.", '"You got a name?"', '"Silas." The stranger spat.', "Silas rose."),
+            {"Silas"},
+        ),
+        (("Jun came down. In the kitchen stood a young man.", "The thief put down the rice."), {"Jun", "thief"}),
+        (("A man opened the door to the hall.", '"I am sorry," said her neighbor.'), {"neighbor"}),
+        (("Inga sat on the bench.", "Her grandfather was sitting beside her."), {"Inga", "grandfather"}),
+        (("Marcus sat on the bed.", '"No," said Dee.', "His sister sat down beside him."), {"Marcus", "Dee"}),
+        (("Freya sat on the gate beside Uncle Gus.", "His brother looked at his boots."), {"Freya", "Uncle Gus"}),
+        (("Father Ambrose put down a bucket.", "The priest pulled the curtain."), {"Father Ambrose"}),
+        (("The nurse was a big man. He hung up a bag.", '"No," said Dee.'), {"nurse", "Dee"}),
+        (("The kid looked behind him.", '"Mouse," said Tom. "You are in."', "Mouse stood up."), {"Tom", "Mouse"}),
+        (("Tom sat down. The butler bowed.", '"Inspector Gale?" said Tom.'), {"Tom", "butler"}),
+    ],
+)
+def test_one_person_is_counted_once(told: tuple[str, ...], who: set[str]) -> None:
+    assert cast(*told) == who

@@ -34,7 +34,8 @@ def _acts(word: str) -> bool:
     form = FORMS.get(word)
     if form is None or form.kind not in ("past", "3sg", "aux"):
         return False
-    return form.kind != "past" or form.lemma in _DOING or form.lemma in lexicon.MOTION_OF_VERB
+    done = word.endswith("ed") and form.lemma not in _DOING and form.lemma not in lexicon.MOTION_OF_VERB
+    return form.kind != "past" or not done
 
 
 def _appears(word: str) -> bool:

@@ -20,6 +20,8 @@ _SOMEBODY = frozenset({"man", "woman", "lady", "gentleman"})
 _YOUNG = frozenset({"boy", "girl", "child", "youth", "lad", "kid", "teenager"})
 GENERIC = _SOMEBODY | {"fellow", "stranger", "figure"}
 """Nouns that tell no more than that somebody is there."""
+_EITHER = frozenset({"nurse", "secretary", "housekeeper"})
+"""They may be men after all."""
 _PASSING = frozenset(
     {"waiter", "waitress", "barman", "bartender", "barmaid", "coachman", "cabman", "conductor", "porter", "doorman"}
     | {"guard", "sentry", "servant", "maid", "footman", "clerk", "cashier", "postman", "policeman", "constable"}
@@ -48,7 +50,7 @@ def is_nameless(person: Person) -> bool:
 
 
 def _has_no_name(person: Person) -> bool:
-    return person.role == bare(person.name) or (person.role != "" and person.name.endswith(f" {person.role}"))
+    return person.role == bare(person.name) or (person.role != "" and person.name.islower())
 
 
 def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> None:
@@ -77,7 +79,7 @@ def _name(roster: Roster, told: str, naming: Naming) -> None:
     """Give a name that is said to whom it belongs, if that is somebody without one."""
     known = roster.find(naming.name) or roster.find(naming.name.split()[-1]) or roster.find(naming.name.split()[0])
     named = known[0] if known else None
-    if named is not None and (named.first < naming.at or named.role == bare(named.name)):
+    if named is not None and (named.first < naming.at or (_has_no_name(named) and not _is_nickname(named, told))):
         return
     spoken_only = named is None
     if spoken_only and naming.way != "told" and (naming.way == "called" or not _is_a_name(naming.name)):
@@ -96,6 +98,12 @@ def _name(roster: Roster, told: str, naming: Naming) -> None:
     join(roster, named, nameless)
 
 
+def _is_nickname(named: Person, told: str) -> bool:
+    """``"Mouse," he said``: a noun with a capital and never with an article."""
+    noun = re.escape(named.role)
+    return named.name[0].isupper() and re.search(rf"\b(?i:an?|the|his|her|my) (?:[\w-]+ )?{noun}\b", told) is None
+
+
 def _is_a_name(name: str) -> bool:
     """Whether a name that is only said is one: a first name, or one with a title."""
     words = bare(name).replace(".", "").split()
@@ -108,7 +116,10 @@ def _can_be_called(roster: Roster, person: Person, named: Person | None, told: s
     if not (is_nameless(person) or animal) or person in (named, roster.narrator):
         return False
     speaks = _speaks(naming.tag, person) or _leads(told, person, naming)
-    introduced = person.first < naming.at or speaks
+    soon = (
+        naming.way == "called" and "\n" not in told[naming.at : person.first] and person.first - naming.at < _ANSWERING
+    )
+    introduced = person.first < naming.at or soon or speaks
     if not introduced or (naming.way == "called" and speaks):
         return False
     gender = naming.gender if naming.gender != "thing" else "unknown"
@@ -124,6 +135,8 @@ def _can_be_called(roster: Roster, person: Person, named: Person | None, told: s
 def _may_bear(person: Person, name: str) -> bool:
     """A butler is no ``Inspector Gale``: a title of office is for a man, or for whom it is a rank of."""
     title = bare(name).split()[0].strip(".")
+    if person.kind == "animal":
+        return title not in lexicon.TITLES or " " not in name
     office = " " in name and is_person_noun(lexicon.TITLE_SYNONYMS.get(title, title)) and title not in lexicon.KIN
     ranks = lexicon.RANKS.get(person.role, frozenset()) | {person.role}
     return not office or person.role in GENERIC | _YOUNG | lexicon.KIN or title in ranks
@@ -263,11 +276,13 @@ def are_two(told: str, nameless: Person, named: Person) -> bool:
 
 
 def _may_have(named: Person, nameless: Person, told: str) -> bool:
-    """Whether gender and age speak for one person; the pronouns after a name know better than the name."""
-    heard = gender_told(told, rf"(?:{re.escape(named.name)})")
-    gender = heard if heard != "unknown" else "unknown" if set(named.aliases) & lexicon.UNISEX else named.gender
-    other = gender_told(told, rf"(?:(?:[Aa]n?|[Tt]he) (?:[\w-]+ )?{re.escape(nameless.role)})")
-    return _agree(gender, other if other != "unknown" else nameless.gender)
+    """Whether their genders agree; where a word does not tell one, the pronouns after it do."""
+    unsure = named.gender == "unknown" or bool(set(named.aliases) & lexicon.UNISEX)
+    gender = gender_told(told, rf"(?:{re.escape(named.name)})") if unsure else named.gender
+    other = nameless.gender
+    if other == "unknown" or nameless.role in _EITHER:
+        other = gender_told(told, rf"(?:(?:[Aa]n?|[Tt]he) (?:[\w-]+ )?{re.escape(nameless.role)})")
+    return _agree(gender, other)
 
 
 def _agree(gender: str, other: str) -> bool:
@@ -285,7 +300,7 @@ def join(roster: Roster, named: Person, nameless: Person) -> None:
     for alias in nameless.aliases:
         roster.call(named, alias)
     named.first = min(named.first, nameless.first)
-    named.role = named.role or nameless.role
+    named.role = nameless.role if _has_no_name(named) else named.role or nameless.role
     named.kind = nameless.kind
     if nameless.gender != "unknown":
         named.gender = nameless.gender

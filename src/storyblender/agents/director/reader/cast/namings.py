@@ -15,7 +15,7 @@ _TITLE = "|".join(sorted((re.escape(title) for title in lexicon.TITLES), key=len
 _NAME = rf"(?:(?i:{_TITLE})\.?\s)?[{UPPER}][{LOWER}]+(?:['’-][{UPPER}][{LOWER}]+)?(?:\s[{UPPER}][{LOWER}]+)?"
 _ENDS = r"(?=\s*(?:[.,!?;:…—–-]|$|\band\b|\bfrom\b|\bof\b))"
 _OWN = re.compile(
-    rf"(?:\bI am|\bI['’]m|\b[Mm]y name(?: is|['’]s)|\b[Nn]ame['’]s|\b[Cc]alls? me|\bcalled)"
+    rf"(?:\bI am|\bI['’]m|\b[Mm]y name(?: is|['’]s)|\b[Nn]ame['’]s|\b[Cc]alls? me|\bcalled|\b[Ii]t['’]s)"
     rf"\s({_NAME}){_ENDS}"
 )
 _CALLED = re.compile(
@@ -29,6 +29,8 @@ _TOLD = re.compile(
     rf"|\b(?:(?:who|he|she)\s(?:was|is)\s(?:called|named)|whose\sname\s(?:was|is)|call(?:ed|s)\s(?:him|her|it)(?:self)?"
     rf"|(?:introduced|introduces)\s(?:him|her)self\sas|gave\s(?:his|her)\sname\sas)\s(?P<other>{_NAME})"
 )
+_ASKED = re.compile(r"\bname\b|\b[Ww]ho are you\b|\bI['’]m [A-Z]|\bI am [A-Z]")
+"""What the answer is a name to: ``"You got a name?" "Silas."``"""
 
 
 class Naming(NamedTuple):
@@ -55,6 +57,7 @@ def told_text(script: Manuscript) -> str:
 def namings(script: Manuscript) -> list[Naming]:
     """Find every place where somebody is named, in reading order."""
     found: list[Naming] = []
+    asked = False
     for paragraph in script.paragraphs:
         told = without_quotations(paragraph.raw)
         for match in _TOLD.finditer(told):
@@ -67,6 +70,11 @@ def namings(script: Manuscript) -> list[Naming]:
             tag = " ".join(re.split(r"[.!?]", told[quotation.end() :])[0].split())[:60]
             own = [(match.start(1), match.group(1)) for match in _OWN.finditer(said)]
             found += [Naming(at + place, name, "own", tag) for place, name in own]
+            alone = re.fullmatch(rf"({_NAME})[,.!]?", said)
+            if alone and asked:
+                own.append((0, alone.group(1)))
+                found.append(Naming(at, alone.group(1), "own", tag))
+            asked = _ASKED.search(said) is not None or (asked and alone is not None)  # the other may say his, too
             for match in _CALLED.finditer(said):
                 group = next(index for index in (1, 2, 3) if match.group(index))
                 if (match.start(group), match.group(group)) not in own:

@@ -10,6 +10,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.cast.beasts import does_something
 from storyblender.agents.director.reader.cast.households import Kinship, is_family, link_kin, link_surnames
+from storyblender.agents.director.reader.cast.kin import is_known_relative
 from storyblender.agents.director.reader.cast.later_names import name_the_nameless
 from storyblender.agents.director.reader.cast.namings import namings, told_text
 from storyblender.agents.director.reader.cast.prose_names import add_name, names_in
@@ -28,6 +29,8 @@ _APPOSED_AFTER_COMMA = re.compile(
     rf",\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)*)(?=[,.;])"
 )
 """``his wife, Anna Petrovna,``; ``his companion, Dr. Fell,``."""
+_LISTED = rf",?\s+[{UPPER}][{LOWER}]+(?:, [{UPPER}][{LOWER}]+)*,? and [{UPPER}]"
+"""``the twins, Ola and Per``: they have names."""
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
 _OPENING = re.compile(
     r"(?:Without|After|Before|While|On|In|At|By|From|Through|Behind|With)\b[a-z ]*,|[A-Z][a-z]+(?:ly|ing)[a-z ]*,"
@@ -77,7 +80,8 @@ def find_prose_cast(script: Manuscript) -> Roster:
         for phrase in find_person_nouns(told):
             piece = playing and phrase.noun in _CHESSMEN
             idle = phrase.noun in lexicon.ANIMALS and not does_something(phrase.noun, whole)
-            if phrase.noun not in _NOT_ROLES and not piece and not idle and not _only_compared(told, phrase):
+            listed = phrase.plural and re.search(rf"\b{phrase.noun}\w*{_LISTED}", whole) is not None
+            if phrase.noun not in _NOT_ROLES and not (piece or idle or listed or _only_compared(told, phrase)):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         add_name(roster, at, name, whole, family)
@@ -91,6 +95,7 @@ def find_prose_cast(script: Manuscript) -> Roster:
     for role in sorted(roles, key=lambda role: (not role.name, is_epithet(role.phrase.noun), role.at)):
         _admit(roster, role, script.text, [(at, name) for at, name in spoken if name not in titled])
     call_by_title(roster, spoken)
+    call_by_trade(roster, script.text, whole)
     name_the_nameless(roster, whole, namings(script))
     call_by_trade(roster, script.text, whole)
     roster.people.sort(key=lambda person: person.first)
@@ -160,8 +165,7 @@ def _is_somebody_known(roster: Roster, role: _Role, text: str) -> bool:
         return True
     if phrase.noun in _LATER and phrase.plural and phrase.determiner in lexicon.POSSESSIVES:
         return True
-    related = phrase.determiner in lexicon.POSSESSIVES and phrase.noun in lexicon.CONVERSE_KIN | {"cousin": ()}
-    if related and len(re.findall(rf"\b{phrase.noun}\b", text)) < 2 and len(roster.people) > 1:
+    if phrase.determiner in lexicon.POSSESSIVES and is_known_relative(roster, phrase, role.at, role.after, text):
         return True
     gender = lexicon.gender_of_word(phrase.noun)
     of_a_kind = bool(phrase.adjectives) and lexicon.noun_class(phrase.adjectives[-1]) not in ("unknown", "abstract")

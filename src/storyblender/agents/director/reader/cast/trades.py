@@ -10,13 +10,28 @@ from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
 _ATTENDANTS = frozenset(
-    {"waiter", "waitress", "barman", "bartender", "barmaid", "driver", "coachman", "cabman", "conductor", "porter"}
+    {
+        "waiter",
+        "waitress",
+        "barman",
+        "barkeep",
+        "bartender",
+        "barmaid",
+        "driver",
+        "coachman",
+        "cabman",
+        "conductor",
+        "porter",
+    }
     | {"guard", "sentry", "doorman", "servant", "maid", "butler", "footman", "cook", "nurse", "clerk", "cashier"}
     | {"landlord", "landlady", "innkeeper", "priest", "vicar", "postman", "policeman", "constable", "captain", "mate"}
     | {"bosun", "pilot", "teacher", "headmaster", "king", "queen", "prisoner", "receptionist", "steward", "pianist"}
 )
 """``the waiter`` comes with the place, nobody has to introduce him."""
+_GENTLE = frozenset({"mr", "mrs", "ms", "miss", "sir", "lord", "lady", "madame", "monsieur", "herr", "frau", "master"})
+"""Titles that tell no trade."""
 _COMING = "came|comes|enter(?:ed|s)|arrive[ds]|appear(?:ed|s)|walk(?:ed|s) in|ran|runs|burst|bursts"
+_SPEAKING = re.compile(r"\b(?:said|says|asked|asks|cried|cries|shouted|shouts|replied|answered|whispered) $")
 _STILL_NEAR, _JUST_NAMED = 1500, 160
 """Characters from ``a man`` to ``the surveyor``, and from ``Mr. Finch`` to ``The lawyer``."""
 
@@ -33,41 +48,53 @@ def call_by_trade(roster: Roster, text: str, told: str) -> None:
         trade = person.role
         if not is_nameless(person) or trade in GENERIC | _ATTENDANTS | lexicon.KIN | lexicon.YOUNG_NOUNS:
             continue
-        if not text[person.first :].lower().startswith("the ") or re.search(rf"\ban? (?:[\w-]+ )?{trade}\b", text):
+        speaks = _SPEAKING.search(told[: person.first][-40:]) is not None
+        known = "the |his |her " if speaks else "the "
+        if re.match(known, text[person.first :], re.IGNORECASE) is None:
+            continue
+        if re.search(rf"\ban? (?:[\w-]+ )?{trade}\b", text):
             continue
         men = [
             other
             for other in roster.people
             if other.role in GENERIC
-            and is_nameless(other)
             and 0 < person.first - other.first < _STILL_NEAR
-            and (person.gender in ("unknown", other.gender) or other.gender == "unknown")
+            and _agree(person, other)
+            and not _told_together(other, trade, told, speaks)
         ]
-        if len(men) == 1 and not _told_together(men[0], trade, text):
-            join(roster, person, men[0])
-            person.role = men[0].role  # he stays the man he was before
-        elif titled := _just_named(roster, person, told):
+        men = [other for other in men if is_nameless(other)] or men
+        if len(men) == 1:
+            one, other = (person, men[0]) if is_nameless(men[0]) else (men[0], person)
+            role = men[0].role
+            join(roster, one, other)
+            one.role = role  # he stays the man he was before
+        elif titled := _just_named(roster, person, told, speaks):
             join(roster, titled, person)
 
 
-def _just_named(roster: Roster, nameless: Person, told: str) -> Person | None:
+def _agree(person: Person, other: Person) -> bool:
+    return "unknown" in (person.gender, other.gender) or person.gender == other.gender
+
+
+def _just_named(roster: Roster, nameless: Person, told: str, speaks: bool) -> Person | None:
     """``said Mr. Finch. The lawyer unrolled the will``: who has a title, in the sentence right before."""
     opens = told[nameless.first].isupper()
     coming = re.match(rf"\w+ [\w-]+ (?:{_COMING})\b", told[nameless.first :]) is not None
-    for other in roster.people if opens and not coming else ():
+    for other in roster.people if (opens or speaks) and not coming else ():
         title = bare(other.name).split()[0].strip(".")
         near = told.rfind(other.name, max(0, nameless.first - _JUST_NAMED), nameless.first)
         between = told[near : nameless.first].strip()
-        fits = "unknown" in (nameless.gender, other.gender) or nameless.gender == other.gender
-        if title in lexicon.TITLES and not other.role and fits and near >= 0 and "\n\n" not in between:
+        fits = title in _GENTLE and not other.role and _agree(nameless, other)
+        if fits and near >= 0 and (speaks or "\n\n" not in between):
             return other
     return None
 
 
-def _told_together(nameless: Person, trade: str, text: str) -> bool:
-    """Whether they are two people: a paragraph has both, or one of them comes in."""
-    low = text.lower()
+def _told_together(nameless: Person, trade: str, told: str, speaks: bool) -> bool:
+    """Whether they are two people: a paragraph (of who speaks, a sentence) has both, or one of them comes in."""
+    low = told.lower()
     called = re.compile(rf"\b(?:an?|the|that|this) (?:{'|'.join(map(re.escape, nameless.aliases))})\b")
-    if any(called.search(each) and re.search(rf"\b{trade}\b", each) for each in re.split(r"\n\s*\n", low)):
+    pieces = re.split(r"[.!?\n]" if speaks else r"\n\s*\n", low)
+    if any(called.search(each) and re.search(rf"\b{trade}\b", each) for each in pieces):
         return True
     return re.search(rf"\b{trade} (?:{_COMING})\b", low) is not None
