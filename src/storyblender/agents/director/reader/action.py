@@ -5,6 +5,7 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
+from storyblender.agents.director.reader.language.bare_places import say_bare_places
 from storyblender.agents.director.reader.language.body_parts import motion_of_part
 from storyblender.agents.director.reader.language.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.language.morphology import singular
@@ -16,6 +17,7 @@ from storyblender.agents.director.reader.people.coreference import Referents, re
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles, resolve_objects, resolve_subject
 from storyblender.agents.director.reader.places import contents, distances, noun_places, relations
+from storyblender.agents.director.reader.places.settled import settle_things
 from storyblender.agents.director.reader.stage import SentenceState, Stage
 from storyblender.agents.director.reading import Person
 
@@ -47,12 +49,13 @@ _USING = frozenset({"on", "with", "into", "at", "through"})
 def read_action(stage: Stage, sentence: Sentence) -> None:
     """Read a sentence into the unit that was opened for it."""
     words = regularise(sentence.words)
-    phrases = find_phrases(words)
+    phrases = say_bare_places(find_phrases(words))
     clauses = find_clauses(words, phrases)
     previous = stage.discourse.subjects
     stage.sentence = SentenceState(words, pictured=sentence.pictured or _tells_of_elsewhere(stage, joined(words)))
     _notice_nouns(stage, phrases)
     distances.settle_apart(stage, words)
+    settle_things(stage, phrases)
     if not clauses:
         _name_people(stage)
         _name_thing(stage, phrases)
@@ -86,7 +89,7 @@ def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
         word = stage.sentence.words[noun.index]
         if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
             _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
-        thing = stage.inventory.id_of(noun.key, word.start)
+        thing = stage.inventory.id_of(noun.key, word.start, noun.determiner == "the")
         if noun.head in _TROPHIES and noun.determiner and not any(p.kind == "animal" for p in stage.roster.people):
             stage.inventory.detach(thing)
         stage.sentence.things.append((noun.index, thing))

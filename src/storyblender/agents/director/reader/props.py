@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import dataclass, field
 from typing import Literal
 
-from storyblender.agents.director.lexicon import LIQUIDS, VEHICLES, WORN, NounClass, noun_class
+from storyblender.agents.director.lexicon import LIQUIDS, SEATS, VEHICLES, WORN, NounClass, noun_class
 from storyblender.agents.director.naming import asset_id
 from storyblender.agents.director.reading import Thing
 
@@ -43,14 +44,15 @@ class Inventory:
         self._by_key: dict[str, Item] = {}
         self._by_id: dict[str, Item] = {}
 
-    def id_of(self, key: str, at: int) -> str:
+    def id_of(self, key: str, at: int, definite: bool = False) -> str:
         """The id of a noun, new if it comes up for the first time; ``the cup`` is the ``coffee cup`` of before.
 
         Args:
             key: Singular noun with its kind, ``coffee cup``.
             at: Offset in the script.
+            definite: Whether it is known already: ``the bench`` may be the workbench of before.
         """
-        item = self._by_key.get(key)
+        item = self._by_key.get(key) or (self._longer(key) if definite else None)
         if item is None:
             item = Item(asset_id(key, self._ids), key, noun_class(key), at)
             self._ids.add(item.id)
@@ -59,6 +61,15 @@ class Inventory:
         if " " in key and (item.noun_class == "prop" or key.rsplit(" ", 1)[-1] in VEHICLES):
             self._by_key[key.rsplit(" ", 1)[-1]] = item
         return item.id
+
+    def _longer(self, key: str) -> Item | None:
+        """The last seat whose name ends in a noun without a space: the armchair, the workbench."""
+        if key not in SEATS:
+            return None
+        longer = [item for item in self._by_id.values() if re.search(rf"[a-z]{key}$", item.key)]
+        if longer:
+            self._by_key[key] = longer[-1]
+        return longer[-1] if longer else None
 
     def detach(self, id: str) -> None:
         """A part of a body that belongs to nobody there is a thing: the monkey's paw on the table."""

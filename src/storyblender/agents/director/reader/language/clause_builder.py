@@ -45,3 +45,12 @@ class ClauseBuilder:
     def current(self) -> Clause | None:
         """The last clause."""
         return self.clauses[-1] if self.clauses else None
+
+    def close_fronted(self) -> None:
+        """``and behind it a lamp``: a place and its subject without a verb are a clause."""
+        if self.fronted and self.pending:
+            at = self.pending[0].index
+            clause = Clause(at, self.words[at].start, "be", subject=self.pending, places=self.fronted)
+            clause.opening, self.fronted = len(self.fronted), None
+            self.clauses.append(clause)
+            self.pending = []

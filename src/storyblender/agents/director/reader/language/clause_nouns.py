@@ -37,10 +37,7 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
         or (linked and (verb_follows(builder.phrases, index) or is_absolute(builder.phrases, index)))
     )
     if starts_clause:
-        builder.inserted = left is not None and left.text in _INSERTING
-        if left is not None and left.text in _INSERTING | {"as", "while"} and not listed and not builder.clauses:
-            builder.outer = builder.pending
-        builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
+        _start_clause(builder, left.text if left is not None else "", noun, listed)
         return
     if builder.preposition:
         if builder.fronted is not None:
@@ -61,16 +58,36 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
     if builder.aside and not clause.object:
         clause.asides.append(noun)
         return
-    of_both = bool(clause.places) and clause.places[-1][0] == "of" and clause.places[-1][1][-1].kind == noun.kind
-    of_both |= bool(clause.places) and clause.places[-1][0] == "between"
-    if left and left.kind == "link" and left.text == "and" and clause.places and (of_both or not clause.object):
-        clause.places[-1][1].append(noun)
+    place = _open_place(clause, noun) if left and left.kind == "link" and left.text == "and" else None
+    if place is not None:
+        place.append(noun)
     elif linked and clause.object and (noun.kind == "person" or (goes_on and clause.object[0].kind == "thing")):
         clause.object.append(noun)
     elif clause.object and left and left.kind == "noun" and noun.kind == "thing" and _gets_it(clause):
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and len(clause.places) == clause.opening:
         clause.object = [noun]
+
+
+def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
+    """The nouns of a place that goes on after ``and``: ``between a jar of pickles and a clock``."""
+    if not clause.places:
+        return None
+    (before, one), (preposition, nouns) = clause.places[-2:] if len(clause.places) > 1 else [("", []), *clause.places]
+    of_both = preposition == "between" or (preposition == "of" and nouns[-1].kind == noun.kind)
+    if of_both and before == "between" and len(one) == 1:
+        return one
+    return nouns if of_both or not clause.object else None
+
+
+def _start_clause(builder: ClauseBuilder, left: str, noun: NounPhrase, listed: bool) -> None:
+    """Keep a noun, or one more, until its verb comes."""
+    if left == "with":
+        builder.close_fronted()
+    builder.inserted = left in _INSERTING
+    if left in _INSERTING | {"as", "while"} and not listed and not builder.clauses:
+        builder.outer = builder.pending
+    builder.pending = [*builder.pending, noun] if listed and builder.pending else [noun]
 
 
 def is_other_side(builder: ClauseBuilder, index: int) -> bool:

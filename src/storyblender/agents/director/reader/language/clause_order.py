@@ -5,6 +5,9 @@ from __future__ import annotations
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.phrases import Phrase
 
+_NEW = frozenset({"a", "an", "another", "two", "three", "four", "five", "six", "several", "some", "many", "more"})
+_ENDS = (".", ",", ";", "and", "of", "with")
+
 
 def inverts(phrases: list[Phrase]) -> bool:
     """``Above the bed hangs a crucifix``: a place, a verb, and only then its subject.
@@ -44,9 +47,12 @@ def is_fronted(phrases: list[Phrase], at: int) -> bool:
     if at == start or at >= len(phrases):
         return False
     at += phrases[at].text == "," and at + 1 < len(phrases)
-    new = phrases[at].noun
+    new, after = phrases[at].noun, phrases[at + 1].text if at + 1 < len(phrases) else "."
     if new and phrases[start - 1].text != "," and (new.kind == "person" or new.determiner in ("a", "an")):
         return True  # a bed, and behind it a lamp
+    told = new is not None and (new.determiner in _NEW or (phrases[start - 1].text == ";" and not new.determiner))
+    if new and new.kind == "thing" and told and phrases[at - 1].kind in ("noun", "mark") and after in _ENDS:
+        return True  # a sink, above it a mirror
     inverted = phrases[at].kind == "verb"
     verb = phrases[at if inverted or at + 1 == len(phrases) else at + 1].verb
     if verb is None or verb.kind not in ("past", "aux", "3sg") or not (inverted or phrases[at].kind == "noun"):

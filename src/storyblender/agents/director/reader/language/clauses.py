@@ -19,6 +19,8 @@ _NEAR = 4
 """Phrases back to whom ``who`` means."""
 _HYPOTHETICAL = frozenset({"if", "unless"})
 _WONDERING = frozenset({"how", "why", "whether"})
+_POSED = lexicon.words("stative")
+_HOW = lexicon.ADJECTIVES | lexicon.words("manner")
 _ADVERBIAL = frozenset({"outside", "inside", "without", "within", "above", "below"})
 """``Outside a blizzard was raging``: no preposition where subject and verb follow."""
 
@@ -33,6 +35,7 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
     builder = ClauseBuilder(phrases, words)
     for index, phrase in enumerate(phrases):
         if phrase.text in (";", "and", ",") and builder.clauses and is_fronted(phrases, index + 1):
+            builder.close_fronted()
             builder.fronted = []
         if phrase.kind == "negation":
             builder.negated = builder.negated or phrase.text != "modal"
@@ -70,11 +73,7 @@ def _take_relative(builder: ClauseBuilder, index: int, pronoun: str) -> None:
 
 def _finish(builder: ClauseBuilder) -> None:
     """What is left over when the sentence is over: a last place, places before the first verb, delayed subjects."""
-    if builder.fronted and builder.pending:
-        at = builder.pending[0].index
-        clause = Clause(at, builder.words[at].start, "be", subject=builder.pending, places=builder.fronted)
-        clause.opening = len(builder.fronted)
-        builder.clauses.append(clause)
+    builder.close_fronted()
     if builder.clauses:
         builder.clauses[0].places += builder.leading
         builder.clauses[0].opening = len(builder.leading)
@@ -82,8 +81,14 @@ def _finish(builder: ClauseBuilder) -> None:
         builder.clauses[0].unreal = True
     repair(builder.clauses, builder.words)
     for clause in builder.clauses:
-        if clause.verb == "be":
+        if clause.verb == "be" or _is_posed(clause):
             clause.complement, clause.object = clause.object, []
+
+
+def _is_posed(clause: Clause) -> bool:
+    """``A glass stands empty``: how it stands is no object."""
+    how = clause.object[:1]
+    return clause.verb in _POSED and any(n.head in _HOW and not n.determiner for n in how)
 
 
 def _is_object(clause: Clause, nouns: list[NounPhrase]) -> bool:

@@ -229,17 +229,18 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
         return None
     whole = _whole(words, end) if noun in lexicon.MEASURES | _PARTS | _VEHICLE_PARTS else None
     if whole and whole.noun and (noun not in _VEHICLE_PARTS or whole.noun.head in lexicon.VEHICLES):
+        whole.noun.determiner = whole.noun.determiner or determiner
+        whole.noun.plural = whole.noun.plural or noun != words[head].low
         return replace(whole, first=at)
     key = _compound(words, first, head, noun)
-    thing = NounPhrase(
-        "thing", head, noun, key, possessor=possessor, plural=noun != words[head].low, determiner=determiner
-    )
+    plural = noun != words[head].low or noun in lexicon.PLURAL_ONLY
+    thing = NounPhrase("thing", head, noun, key, possessor=possessor, plural=plural, determiner=determiner)
     return Phrase("noun", at, end - 1, noun=thing)
 
 
 def _before_manner(words: list[Word], first: int, head: int) -> int:
-    """``puts her hand flat against it``, ``gets one hand free``: the hand."""
-    while head > first and words[head].low in _MANNER and _is_thing(words[head - 1]):
+    """``puts her hand flat against it``, ``a saucer full of pegs``: the hand, the saucer."""
+    while head > first and words[head].low in _BARE and _is_thing(words[head - 1]):
         head -= 1
     return head
 

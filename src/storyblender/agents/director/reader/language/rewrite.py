@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import VerbForm, form_kind, singular
+from storyblender.agents.director.reader.language.row import Row, was
 from storyblender.agents.director.reader.language.tagging import (
     OPENERS,
-    Row,
     as_participles,
     is_contracted,
     may_be_verb,
     tag_verb,
-    was,
 )
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.language.written_verbs import is_outcome, written_verb
@@ -216,7 +215,8 @@ def _turn_around(words: list[Word]) -> list[Word]:
         return words
     else:
         place, rest = words[:comma], words[comma + 1 :]
-    prepositions = [i for i, word in enumerate(rest) if word.low in lexicon.PREPOSITIONS and not word.mention]
+    placing = lexicon.PREPOSITIONS - {"of"}
+    prepositions = [i for i, word in enumerate(rest) if word.low in placing and not word.mention]
     first = prepositions[0] if prepositions else len(rest)
     cut = next((index for index, word in enumerate(rest) if word.text == ","), first)
     if _is_list(rest[:first]):

@@ -7,7 +7,6 @@ where a verb fits; the words to its left are already tagged.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import (
@@ -18,6 +17,7 @@ from storyblender.agents.director.reader.language.morphology import (
     guess_lemma,
     singular,
 )
+from storyblender.agents.director.reader.language.row import Row, is_adverb
 from storyblender.agents.director.reader.language.words import Word
 
 OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
@@ -33,8 +33,7 @@ _BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
 _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})
 _SUBORDINATORS = frozenset({"when", "as", "while", "after", "before", "once", "until", "if", "since", "because"})
-_PASSED_OVER = lexicon.ADVERBS - {"there", "here"}
-_AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", "open", "shut", "and", "slowly", "away", "back"}
+_AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", ";", ":", "open", "shut", "and", "slowly", "away", "back"}
 SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
 PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
 _ENTERING = frozenset({"last", "next", "first", "here", "in", "out", "up", "down", "there", "along", "off", "then"})
@@ -51,43 +50,13 @@ PERCEIVING = lexicon.words("perceiving")
 _COMPOUNDS = lexicon.words("gerund_compounds")
 _RESTING = lexicon.words("stative")
 _CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
+_BARE_PLACES = frozenset({"inside", "underneath", "beneath", "below", "above", "outside", "opposite", "behind"})
+"""``Inside lie two letters``: a place without a noun."""
+_POSED = frozenset({"lie", "stand", "sit", "hang"})
+_HOW = lexicon.ADJECTIVES | lexicon.words("manner")
+"""``A boat lies upside down``, ``A glass stands empty``."""
 _INVERTING = lexicon.INVERTING
 """Verbs whose subject may follow: ``In the booth sit two thugs``."""
-
-
-@dataclass
-class Row:
-    """The words so far."""
-
-    words: list[Word] = field(default_factory=list)
-    verb_seen: bool = False
-    tail: list[Word] = field(default_factory=list)
-    """``with a canister on his back`` out of an apposition: it is told at the end."""
-    last_kind: str = ""
-    """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
-
-    def insert_subject(self, at: int) -> None:
-        """Put in the elided subject."""
-        self.words.append(Word("", at, at, inserted=True))
-
-    def insert_was(self, at: int) -> None:
-        """Put in the missing verb."""
-        self.words.append(was(at))
-        self.verb_seen = True
-
-    def neighbour(self) -> Word | None:
-        """The last word that is no adverb."""
-        return next((word for word in reversed(self.words) if not _is_adverb(word)), None)
-
-
-def was(at: int) -> Word:
-    """An inserted ``was``."""
-    return Word("", at, at, verb=VerbForm("be", "aux"), inserted=True)
-
-
-def _is_adverb(word: Word) -> bool:
-    adverb = (word.low.endswith("ly") and len(word.low) > 4) or word.low in _PASSED_OVER
-    return adverb and word.mention is None
 
 
 def tag_verb(words: list[Word], at: int, row: Row) -> None:
@@ -142,8 +111,9 @@ def is_contracted(words: list[Word], at: int) -> bool:
 
 
 def names_a_kind(word: Word, following: Word | None) -> bool:
-    """``reading glasses``, ``a vending machine``: no reading."""
-    return following is not None and f"{word.low}_{singular(following.low)}" in _COMPOUNDS
+    """``reading glasses``, ``a vending machine``, ``paint cans``: no reading, no painting."""
+    noun = singular(following.low) if following else ""
+    return f"{word.low}_{noun}" in _COMPOUNDS or f"{word.low}-{noun}" in lexicon.COMPOUNDS
 
 
 def _ends_a_kind(word: Word, row: Row) -> bool:
@@ -236,9 +206,10 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return True
     if third and (_is_relative(left, right, row) or (brings and _is_behind_her(form, left, row))):
         return True
-    if left.mention is None and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
+    inverted, bare = _is_inverted(form, following, row), left.low in _BARE_PLACES and len(row.words) == 1
+    if left.mention is None and not (bare and inverted) and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
         return False
-    if _is_inverted(form, following, row):
+    if inverted:
         return True
     if left.mention and left.low not in PLURAL_PRONOUNS:
         return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
@@ -268,7 +239,7 @@ def _is_relative(left: Word, right: str, row: Row) -> bool:
     before = row.words[-2] if len(row.words) > 1 else None
     if left.low != "that" or before is None or not _goes_on(right):
         return False
-    small = before.low in _BEFORE_NOUN | _LINKS or _is_adverb(before)
+    small = before.low in _BEFORE_NOUN | _LINKS or is_adverb(before)
     return before.solid and before.verb is None and not small
 
 
@@ -356,7 +327,7 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
     """``The phone rings.``, ``The doors slam shut.``, ``A map lies spread out``, but not ``Two yellow eyes,``."""
     if form.kind == "3sg" and left.low in lexicon.ADJECTIVES and singular(word.low) in _NOUNS and right not in OBJECTS:
         return False
-    if form.kind == "3sg" and form.lemma in ("lie", "stand", "sit", "hang") and form_kind(right) in ("past", "pp"):
+    if form.kind == "3sg" and form.lemma in _POSED and (form_kind(right) in ("past", "pp") or right in _HOW):
         return True
     if form.kind == "3sg":
         going = form.lemma in ("go", "come") and form_kind(right) == "ing"

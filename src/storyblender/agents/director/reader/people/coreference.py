@@ -160,7 +160,8 @@ def resolve(
         if people or noun.head not in lexicon.PROPS | lexicon.ANIMALS:
             return Referents(people)
         return Referents([], stage.inventory.id_of(noun.head, stage.sentence.words[noun.index].start))
-    if place and noun.head == "it" and not any(is_neuter(person) for person in previous):
+    settled = noun.index in stage.sentence.pronouns
+    if place and noun.head == "it" and not settled and not any(is_neuter(person) for person in previous):
         return remember(stage, noun.index, Referents([], _it_there(stage, noun.index)))
     if noun.kind == "thing" and noun.head in _SIDES and noun.determiner == "the" and noun.owner is None:
         whole = next((t for t in stage.discourse.recent_things if stage.inventory.class_of(t) == "set_piece"), None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.people.roles import Place, Roles
+from storyblender.agents.director.reader.people.roles import Place
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.memory.vocabulary import RelationKind
 
@@ -57,9 +57,9 @@ def holds_things(stage: Stage, thing: str) -> bool:
     return stage.inventory.class_of(thing) in THINGS or stage.inventory.head(thing) in SURFACES
 
 
-def solid_things(stage: Stage, roles: Roles) -> list[str]:
-    """The things in object position that are furniture or props."""
-    return [thing for thing in roles.things if stage.inventory.class_of(thing) in ("prop", "set_piece")]
+def solid_things(stage: Stage, things: list[str]) -> list[str]:
+    """Those of some things that are furniture or props."""
+    return [thing for thing in things if stage.inventory.class_of(thing) in ("prop", "set_piece")]
 
 
 def at_body(place: Place) -> tuple[str, str] | None:

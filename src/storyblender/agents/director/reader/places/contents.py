@@ -85,6 +85,8 @@ def listed(phrases: list[Phrase], index: int) -> list[NounPhrase]:
         if noun is None:
             break
         nouns.append(noun)
+        measured = [phrase.text for phrase in phrases[index + 1 : index + 2]] == ["of"]
+        index += 2 if measured and index + 2 < len(phrases) and phrases[index + 2].noun else 0
         after = [phrase.text for phrase in phrases[index + 1 : index + 3]]
         if not after or after[0] not in (",", "and"):
             break

@@ -159,11 +159,11 @@ def _kind(preposition: str) -> RelationKind | None:
 def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: RelationKind | None) -> bool:
     """Whether a place belongs to the noun before it and not to the verb: it follows nothing, or a way to it."""
     verb = next((p.verb.lemma for p in reversed(phrases[:index]) if p.verb), "")
+    left = phrases[index - 1] if index else None
     if preposition in ("onto", "on to", "into") and verb:
-        return False
+        return left is not None and left.text in (",", "and")
     if preposition in ("across", "over", "around", "round", "against") and verb in _PASSING:
         return False
-    left = phrases[index - 1] if index else None
     if left is None or left.kind != "preposition" or left.text == "with" or kind == "on":
         return True
     if verb in _PLACING - _STATIVE and kind in ("over", "under", "behind", "in_front_of"):
@@ -235,6 +235,7 @@ def _anchors(
     if found.thing and (
         (
             stage.inventory.class_of(found.thing) not in ("prop", "set_piece")
+            and not (kind == "in" and stage.inventory.head(found.thing) in CONTAINERS)
             and (stage.inventory.head(found.thing) not in SURFACES or kind not in ("on", "in", "under"))
         )
         or is_the_place(stage, found.thing)

@@ -13,7 +13,9 @@ from storyblender.agents.director.reader.places.anchors import (
     exact_kind,
     holds_things,
     kind_at_body,
+    solid_things,
 )
+from storyblender.agents.director.reader.places.supports import PEGS
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.memory.vocabulary import RelationKind
 
@@ -62,6 +64,8 @@ def put(stage: Stage, roles: Roles) -> list[Stated]:
             _between(stage, place, moved)
             continue
         if at and _describes_anchor(stage, roles.places[at - 1], place):
+            side, pieces = lexicon.relation_of(place.preposition), solid_things(stage, place.things)
+            found.extend((roles.places[at - 1].things[0], side, piece) for piece in pieces if side)
             continue
         for thing in moved:
             kind = _kind(stage, place, thing)
@@ -73,8 +77,11 @@ def put(stage: Stage, roles: Roles) -> list[Stated]:
 
 def _describes_anchor(stage: Stage, before: Place, place: Place) -> bool:
     """``clips it to the board above the desk``: it is the board that is above it."""
-    side = lexicon.relation_of(place.preposition) in ("over", "under", "behind", "in_front_of")
-    return side and not place.people and any(stage.inventory.class_of(thing) == "set_piece" for thing in before.things)
+    kind = lexicon.relation_of(place.preposition)
+    pegs = any(stage.inventory.head(thing) in PEGS for thing in before.things)
+    side = kind in ("over", "under", "behind", "in_front_of") or (pegs and kind in ("next_to", "on"))
+    fixed = pegs or any(stage.inventory.class_of(thing) == "set_piece" for thing in before.things)
+    return side and not place.people and fixed
 
 
 def _is_solid(stage: Stage, thing: str) -> bool:

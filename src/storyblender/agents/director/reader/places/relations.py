@@ -31,6 +31,7 @@ from storyblender.memory.vocabulary import RelationKind
 _BOARDING = frozenset(
     {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
 )
+_PASSING = frozenset({"walk", "sneak"})
 _SIDES = frozenset({"to the left of", "to the right of"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their) (left|right)\b|\bto the (left|right) of\b")
 _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
@@ -53,16 +54,16 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     ]
     found: list[Stated] = []
     if located:
-        for place in telling_places(stage, clause, roles, motion):
+        telling = telling_places(stage, clause, roles, motion)
+        for place in telling:
             found += state_place(stage, clause, place, located, motion)
         if is_still(stage, clause, roles, motion):
             found += relate_supports(stage, roles)
-        if is_still(stage, clause, roles, motion) or (motion in ("walk", "sneak") and not roles.things):
-            _between(stage, roles, located)
+        if not roles.subjects or is_still(stage, clause, roles, motion) or (motion in _PASSING and not roles.things):
+            _between(stage, roles.places if roles.subjects else telling, located)
         if clause.verb == "face":
-            found.extend(
-                (s, "facing", o) for s in located for o in [p.id for p in roles.people] + solid_things(stage, roles)
-            )
+            faced = [person.id for person in roles.people] + solid_things(stage, roles.things)
+            found.extend((subject, "facing", other) for subject in located for other in faced)
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
     if first and roles.subjects and not any(place.preposition in _SIDES and place.things for place in roles.places):
@@ -110,9 +111,9 @@ def _aboard(stage: Stage, roles: Roles, located: list[str]) -> list[Stated]:
     return found
 
 
-def _between(stage: Stage, roles: Roles, located: list[str]) -> None:
+def _between(stage: Stage, places: list[Place], located: list[str]) -> None:
     """Between two anchors; a group counts as its members."""
-    for place in roles.places:
+    for place in places:
         anchors = [person.id for person in place.people] + place.things
         if place.preposition == "between" and len(anchors) > 1:
             for subject in located:

@@ -58,7 +58,7 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
     openings = any(stage.inventory.head(thing) in OPENINGS for thing in place.things)
     if kind == "on" and openings and stage.person(located[0]):
         return []  # with his hand upon the gate
-    if kind == "over" and clause.verb in BENT - {"hunch"} and not clause.passive:
+    if kind == "over" and clause.verb in BENT - {"hunch"} | {"lean"} and not clause.passive:
         return []  # stoops over the book, and is up again
     if kind == "in" and stage.person(located[0]) and _wraps(stage, place):
         return []  # in a blanket: that is what somebody wears

@@ -8,8 +8,12 @@ from storyblender.agents.director.reader.places.anchors import FLOOR, SURFACES, 
 from storyblender.agents.director.reader.stage import Stage
 
 _HELD_UP = frozenset({"on", "in"})
+_SOURCES = frozenset({"from", "off", "out of"})
+_BESIDE = frozenset({"at", "in_front_of", "next_to"})
+"""``kneels in front of the cabinet beside the desk``: it is the cabinet that is beside it."""
 _ASIDE = frozenset({"next_to", "behind", "in_front_of", "under", "over", "against", "left_of", "right_of"})
-_PEGS = frozenset({"hook", "nail", "peg"})
+PEGS = frozenset({"hook", "nail", "peg"})
+"""What things hang on; it is fixed somewhere itself."""
 
 
 def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
@@ -26,9 +30,13 @@ def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
     side = lexicon.relation_of(place.preposition)
     if roles.subjects and side == "behind":
         return False  # on a crate behind the counter: that is where the person is
+    held = lexicon.relation_of(before.preposition)
     return (
-        lexicon.relation_of(before.preposition) in _HELD_UP
-        and side in _ASIDE
+        (
+            (held in _HELD_UP and side in _ASIDE)
+            or (before.preposition in _SOURCES and side in _ASIDE)
+            or (held in _BESIDE and side == "next_to" and bool(roles.subjects))
+        )
         and len(before.things) == len(place.things) == 1
         and not before.people + place.people
         and before.nouns[0].index < place.nouns[0].index
@@ -56,4 +64,4 @@ def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
 def _stands(stage: Stage, place: Place) -> bool:
     """Whether it is a piece of furniture, or a hook in the wall: no floor, nothing that is carried about."""
     head, kind = stage.inventory.head(place.things[0]), stage.inventory.class_of(place.things[0])
-    return head not in FLOOR | SURFACES and (kind == "set_piece" or (head in _PEGS and kind in THINGS))
+    return head not in FLOOR | SURFACES and (kind == "set_piece" or (head in PEGS and kind in THINGS))

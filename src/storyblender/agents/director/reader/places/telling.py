@@ -45,6 +45,10 @@ _SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
 """``takes her place at the window``."""
 _MOVING = lexicon.words("moving")
 """Verbs after which a thing is somewhere else than the words say."""
+_WITH_IT = frozenset(
+    {"on", "over", "under", "across", "on top of", "underneath", "beneath", "inside", "below", "above"}
+)
+"""``with her feet on the desk``."""
 _STATIC = frozenset(
     {"on", "upon", "atop", "in", "inside", "under", "underneath", "beneath", "above", "over", "behind", "beside", "by",
      "next to", "near", "in front of", "on top of", "between", "among"}
@@ -108,7 +112,8 @@ def telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | Non
         own = [at for at in range(len(roles.places)) if not describes_support(stage, roles, at)]
         return [roles.places[at] for at in own if not (at and _goes_with(stage, roles, at))]
     if clause.opening:
-        return roles.places[-clause.opening :]
+        first = max(0, len(roles.places) - clause.opening)
+        return [roles.places[at] for at in range(first, len(roles.places)) if not describes_support(stage, roles, at)]
     if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
         return [place for place in roles.places if place.preposition in _WHERE]
     if not roles.subjects:
@@ -145,7 +150,7 @@ def _only_body(stage: Stage, roles: Roles) -> bool:
 
 def _is_beside(stage: Stage, roles: Roles, place: Place) -> bool:
     """``runs alongside him``; ``pulls a chair up beside him`` tells where the chair is."""
-    return not (roles.things + roles.people) or (bool(place.people) and not solid_things(stage, roles))
+    return not (roles.things + roles.people) or (bool(place.people) and not solid_things(stage, roles.things))
 
 
 def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
@@ -160,10 +165,12 @@ def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
 def _goes_with(stage: Stage, roles: Roles, at: int) -> bool:
     """``sits with her feet on the desk``: the feet are on it; ``lies on the sofa behind them``: the sofa is there."""
     before, place = roles.places[at - 1], roles.places[at]
+    if before.preposition == "of" and at > 1:
+        before = roles.places[at - 2]  # with a basket of bread on the handlebars
     if place.nouns[0].index < before.nouns[0].index:
         return False
     if before.preposition == "with":
-        return bool(before.things) and place.preposition in ("on", "over", "under", "across")
+        return bool(before.things) and place.preposition in _WITH_IT
     pieces = any(stage.inventory.class_of(thing) == "set_piece" for thing in place.things)
     supported = lexicon.relation_of(before.preposition) in ("on", "in") and any(
         stage.inventory.class_of(thing) == "set_piece" for thing in before.things

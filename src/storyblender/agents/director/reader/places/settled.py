@@ -1,0 +1,114 @@
+"""What ``them`` and a place without a noun mean, settled before the clauses of a sentence are read."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.bare_places import THERE
+from storyblender.agents.director.reader.language.phrases import Phrase
+from storyblender.agents.director.reader.people.coreference import Referents, remember
+from storyblender.agents.director.reader.places.anchors import CONTAINERS
+from storyblender.agents.director.reader.stage import Stage
+
+_OF_THINGS = frozenset(
+    {"on", "upon", "on top of", "in", "inside", "into", "under", "underneath", "beneath", "below", "above", "among",
+     "onto", "atop", "amid"}
+)  # fmt: skip
+"""What is there is rather with things than with people."""
+_UPON = frozenset({"on", "onto", "upon", "in", "into"})
+_SITTING = frozenset({"sit", "lie_down", "climb", "kneel", "stand"})
+_SOLID = ("prop", "set_piece", "worn")
+
+
+def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
+    """Decide which things ``them`` and ``there`` mean after words of place.
+
+    Args:
+        stage: The nouns of the sentence are noticed, its clauses not read yet.
+        phrases: Of the sentence.
+    """
+    plural: str | None = None
+    told: str | None = None
+    people = 0
+    for index, phrase in enumerate(phrases):
+        noun, left = phrase.noun, phrases[index - 1] if index else None
+        if noun is None:
+            continue
+        if noun.kind == "thing":
+            thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+            solid = stage.inventory.class_of(thing) in _SOLID
+            plural = thing if solid and (noun.plural or _is_listed(phrases, index)) else plural
+            told = thing if solid and (left is None or left.kind != "preposition") else told
+        elif noun.head == THERE and left is not None:
+            there = _there(stage, _start_of_with(phrases, index), left.text)
+            stage.sentence.pronouns[noun.index] = ([], there)
+        elif noun.head == "it" and left is not None and left.text in _UPON:
+            seat = _seat_brought(stage, phrases, index)
+            if seat:
+                remember(stage, noun.index, Referents([], seat))
+        elif noun.head == "it" and told and not people and _leads(phrases, index):
+            remember(stage, noun.index, Referents([], told))
+        elif noun.head == "them" and left is not None and left.kind == "preposition":
+            inverted = plural is not None and _is_after(stage, plural, noun.index)
+            meant = _lately(stage) if inverted or plural is None else plural
+            if meant and (left.text in _OF_THINGS or (plural and people < 2)):
+                remember(stage, noun.index, Referents([], meant))
+        elif noun.head != "it":
+            people += 1 if noun.kind == "person" and noun.mention and noun.mention.kind != "group" else 2
+    if plural:
+        stage.discourse.last_plural = (plural, stage.discourse.sentence)
+
+
+def _start_of_with(phrases: list[Phrase], index: int) -> int:
+    """Position among the words before which the whole is named: ``a wardrobe with a suitcase on top``."""
+    had = index > 2 and phrases[index - 3].text == "with"
+    return phrases[index - 3 if had else index - 1].first
+
+
+def _is_listed(phrases: list[Phrase], index: int) -> bool:
+    """Whether a noun goes on with a list of things: ``a tin, a clamp``, but not ``on the table, his hat on it``."""
+    if index < 2 or phrases[index - 1].text not in (",", "and"):
+        return False
+    before = phrases[index - 2].noun
+    placed = index > 2 and phrases[index - 3].kind == "preposition"
+    return before is not None and before.kind == "thing" and not placed
+
+
+def _leads(phrases: list[Phrase], index: int) -> bool:
+    """``A caravan stands by the fence; behind it``: whether the place opens a clause of its own."""
+    return index > 1 and phrases[index - 1].kind == "preposition" and phrases[index - 2].text in (";", ",", "and")
+
+
+def _is_after(stage: Stage, thing: str, index: int) -> bool:
+    """Whether a thing is only named after a pronoun: ``Below them, a row of boots``."""
+    words = stage.sentence.words
+    return all(words[at].start > words[index].start for at, named in stage.sentence.things if named == thing)
+
+
+def _seat_brought(stage: Stage, phrases: list[Phrase], index: int) -> str | None:
+    """``pulls a stool up to the desk and sits on it``: what somebody sits down on is the seat that was brought."""
+    verb = next((at for at in range(index - 1, -1, -1) if phrases[at].verb), 0)
+    sits = phrases[verb].verb
+    if sits is None or lexicon.MOTION_OF_VERB.get(sits.lemma) not in _SITTING:
+        return None
+    for at in range(verb - 1, 0, -1):
+        noun, left = phrases[at].noun, phrases[at - 1]
+        if noun and noun.kind == "thing" and noun.head in lexicon.SEATS and left.kind == "verb":
+            return stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+    return None
+
+
+def _lately(stage: Stage) -> str | None:
+    """The things in the plural that the sentence before named."""
+    plural = stage.discourse.last_plural
+    return plural[0] if plural and plural[1] == stage.discourse.sentence - 1 else None
+
+
+def _there(stage: Stage, index: int, preposition: str) -> str | None:
+    """The thing named last, before the word of place; inside, the last that holds things."""
+    before = [thing for at, thing in reversed(stage.sentence.things) if at < index]
+    here = {thing for _, thing in stage.sentence.things}
+    before += [thing for thing in stage.discourse.recent_things if thing not in here]
+    solid = [thing for thing in before if stage.inventory.class_of(thing) in ("prop", "set_piece")]
+    if preposition == "inside":
+        solid = [thing for thing in solid[:3] if stage.inventory.head(thing) in CONTAINERS]
+    return next(iter(solid), None)
