@@ -206,3 +206,12 @@ def test_a_picture_of_hair_shows_the_head_only(tmp_path):
         pixels = np.array(bpy.data.images.load(str(path)).pixels).reshape(64, 64, 4)[..., :3]
         widths.append((np.abs(pixels - pixels[0, 0]).max(axis=2) > 0.05).any(axis=0).sum())
     assert widths[1] > 2 * widths[0], "its top is nearer"
+
+
+@pytest.mark.parametrize("key", [key for key, entry in PROPS.items() if "asleep" in entry.params])
+def test_an_animal_that_sleeps_lies_low_with_its_head_on_the_floor(key):
+    awake, asleep = build_prop(key), build_prop(key, {"asleep": True})
+    assert asleep.dimensions[2] < 0.85 * awake.dimensions[2]
+    points = np.array([vertex.co[:] for vertex in asleep.mesh.vertices])
+    front = points[points[:, 1] < points[:, 1].min() + 0.15 * np.ptp(points[:, 1])]
+    assert front[:, 2].min() < 0.2 * asleep.dimensions[2]

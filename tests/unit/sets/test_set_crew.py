@@ -270,3 +270,9 @@ def test_the_scripts_fountain_is_the_one_on_the_square() -> None:
     view = DressingView(setup, plan_of(Environment(kit="square", seed=1)), (asset("fountain"),))
     dressing = RulesSetDresser().propose(view)
     assert [item.node_id for item in dressing.objects if "fountain" in item.node_id] == ["fountain"]
+
+
+def test_what_the_set_has_takes_nothing_elses_place() -> None:
+    plan = plan_of(Environment(kit="courtroom"))
+    dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="COURT"), plan, (asset("bench"),)))
+    assert "bench" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}

@@ -51,14 +51,18 @@ class Assembly:
         return Asset(
             asset_id=person.id,
             asset_type="character" if character else "object",
-            description=describe(person)
-            if character
-            else one_line(f"{' '.join(person.build)} {person.role or person.name}"),
+            description=describe(person) if character else self._animal(person),
             name=self.company.names[person.id],
             tags=tuple(tags),
             look=cast(person, introduction(person, self.text), self.era) if character else None,
             reference_character=person.variant_of if person.variant_of in self.company.actors else None,
         )
+
+    def _animal(self, person: Person) -> str:
+        """An animal that does nothing but lie and sleep is one that sleeps."""
+        told = [unit.posture[person.id][0] for unit in self.reading.units if person.id in unit.posture]
+        sleeping = "sleeping " if told and {*told} <= {"asleep", "lie"} else ""
+        return one_line(f"{sleeping}{' '.join(person.build)} {person.role or person.name}")
 
     def _thing(self, thing: Thing) -> Asset:
         return Asset(

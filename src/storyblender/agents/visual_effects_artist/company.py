@@ -290,8 +290,8 @@ class Company:
             prop, person = self.prop_of(action), self.people.get(action.asset_id)
             if prop is None or person is None or not person.present or prop in self.lying or self.holder(prop):
                 continue
-            if prop in brought_out:
-                continue
+            if prop in brought_out or (clip_of(action.motion).key == "idle" and action.prop_id != prop):
+                continue  # what one only is at, one does not hold
             if clip_of(action.motion).key in ("pick_up", "take", "catch"):
                 if self.bag_for(person, prop):
                     continue

@@ -170,7 +170,7 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
         if relation.kind in ("on", "in", "inside", "under", "over")
     }
     ids = {asset.asset_id for asset in view.objects}
-    waiting = [asset for asset in view.objects if asset.asset_id not in floating]
+    waiting = [asset for asset in view.objects if asset.asset_id not in floating and not _is_the_place(asset, view)]
     waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: what others stand next to goes first
     for asset in waiting:
         anchor = anchors.get(asset.asset_id)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.asleep import curled_cat
 from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat
 from storyblender.blender.props.tableware import around, under
 
@@ -107,8 +108,11 @@ def dog(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("cat")
 def cat(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a sitting cat."""
+    """Build a sitting cat, or one curled up ``asleep``."""
     coat, nose = spec.material("coat"), spec.material("nose")
+    if spec.flag("asleep"):
+        curled_cat(b, coat, nose)
+        return ()
     scale = np.array(spec.size) / (0.2, 0.5, 0.42)
     with b.at(scale=scale):
         limb(

@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.asleep import lie_down
 from storyblender.blender.props.registry import Anchors, PropSpec, builders
 from storyblender.catalog.props import PROPS
 from storyblender.errors import InputError
@@ -58,7 +59,10 @@ def build_prop(
     spec = PropSpec(entry, (size[0], size[1], size[2]), entry.params | given, np.random.default_rng(seed))
     builder = MeshBuilder(key)
     anchors = builders()[key](builder, spec)
-    return settle(builder.mesh(), anchors, dimension)
+    mesh = builder.mesh()
+    if spec.params.get("asleep") and key != "cat":
+        lie_down(mesh)
+    return settle(mesh, anchors, dimension)
 
 
 def settle(mesh: bpy.types.Mesh, anchors: Anchors, dimension: AssetDimension | None = None) -> PropBuild:

@@ -6,11 +6,15 @@ from storyblender.catalog.props.entry import PropEntry, entry
 from storyblender.look.surface import Surface
 from storyblender.memory.base import Vec3
 
+SLEEPERS = frozenset(["wolf", "fox", "bear", "lion", "tiger", "pig", "sheep"])
+"""Beasts that can be built lying down; ``asleep`` asks for it."""
+
 
 def _beast(
     key: str, words: str, size: Vec3, materials: dict[str, str], description: str, color: str = "", **flags: bool
 ) -> PropEntry:
-    params = {**({"color": color} if color else {}), **flags}
+    sleeps = {"asleep": False} if key in SLEEPERS else {}
+    params = {**({"color": color} if color else {}), **flags, **sleeps}
     return entry("animal", key, words, size, materials, description, params=params, surface=Surface.HAIR)
 
 

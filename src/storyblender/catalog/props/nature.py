@@ -129,6 +129,7 @@ ANIMALS: tuple[PropEntry, ...] = (
         (0.26, 0.95, 0.68),
         {"coat": "leather", "nose": "plastic_black"},
         "A standing dog.",
+        params={"asleep": False},
         surface=Surface.HAIR,
     ),
     entry(
@@ -138,6 +139,7 @@ ANIMALS: tuple[PropEntry, ...] = (
         (0.2, 0.5, 0.42),
         {"coat": "fabric", "nose": "plastic_black"},
         "A sitting cat.",
+        params={"asleep": False},
         surface=Surface.HAIR,
     ),
     entry(
@@ -156,6 +158,7 @@ ANIMALS: tuple[PropEntry, ...] = (
         (0.75, 2.3, 1.5),
         {"coat": "leather", "patch": "linen", "horn": "wax"},
         "A standing cow.",
+        params={"asleep": False},
         surface=Surface.HAIR,
     ),
     entry(

@@ -248,6 +248,7 @@ _PERIODS = {
 }
 _YES: dict[str, tuple[str, ...]] = {
     "open": ("open", "opened"),
+    "asleep": ("sleeping", "asleep", "dozing"),
     "up": ("open", "opened", "unfurled", "rain", "storm", "snow"),
     "lit": ("lit", "burning", "blazing"),
     "on": ("flickering", "blaring"),

@@ -321,3 +321,14 @@ ANA hugs BEN. CAL throws his hat into the fire. DEE picks up the ring.
     board = storyboard(read_script(read(script, "fountain")), DirectorSettings(shots_per_scene=1))
     lines = [[line.text for line in shot.lines] for shot in board.storyboard_outline[0].shots]
     assert lines == [["ANA hugs BEN."], ["CAL throws his hat into the fire."], ["DEE picks up the ring."]]
+
+
+def test_an_animal_that_only_sleeps_is_built_asleep() -> None:
+    script = "INT. ROOM - DAY\n\nANA sits at the table. A cat sleeps on the rug.\n\nANA\nQuiet.\n"
+    asleep = next(
+        asset for asset in storyboard(read_script(read(script, "fountain"))).asset_sheet if "cat" in asset.name
+    )
+    awake_script = script.replace("sleeps on", "sits on")
+    awake = next(a for a in storyboard(read_script(read(awake_script, "fountain"))).asset_sheet if "cat" in a.name)
+    assert "sleeping" in asleep.description
+    assert "sleeping" not in awake.description

@@ -568,3 +568,10 @@ def test_the_critic_finds_a_seat_that_is_not_there_and_a_way_that_is_none() -> N
 def test_who_sits_in_a_part_of_the_set_has_a_seat_of_the_set() -> None:
     (shot,) = _stage(_shot(1, states=(BodyState(asset_id="rick", posture="sit", support_id="jury_box"),)))
     assert _start(shot, "rick").support_id in ("chair_l", "chair_r")
+
+
+def test_what_somebody_only_is_at_is_not_in_their_hand() -> None:
+    at_it, with_it = _do("rick", "idle", target_id="letter"), _do("rick", "idle", prop_id="letter")
+    (there,), (holding,) = _stage(_shot(1, at_it)), _stage(_shot(1, with_it))
+    assert "letter" not in dict(_start(there, "rick").held).values()
+    assert "letter" in dict(_start(holding, "rick").held).values()
