@@ -77,11 +77,11 @@ def write_board(
         for index, panel in enumerate(page):
             x, y, width, height = _cell(index, layout, graph.format.aspect)
             if index == 0 or panel.scene is not page[index - 1].scene:
-                _line(canvas, panel.heading, x, y + 4, 9, width, color=GREY)
+                _line(canvas, panel.scene.numbered_title, x, y + 4, 9, width, color=GREY)
             if panel.scene.scene_id not in listed:
                 listed.add(panel.scene.scene_id)
                 canvas.bookmarkPage(panel.name)
-                canvas.addOutlineEntry(panel.heading, panel.name)
+                canvas.addOutlineEntry(panel.scene.numbered_title, panel.name)
             _panel(canvas, panel, frames.get(panel.name), graph.format.aspect, x, y, width, height, layout)
         canvas.showPage()
     canvas.save()

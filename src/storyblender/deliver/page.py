@@ -14,11 +14,14 @@ from string import Template
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.deliver.speech import subtitles
+from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 FILES = (
     ("story.blend", "Blender file"),
     ("board.pdf", "Board (PDF)"),
+    ("board_single.pdf", "One shot a page (PDF)"),
+    ("contact_sheet.jpg", "Contact sheet"),
     ("shots.csv", "Shot list"),
     ("timeline.otio", "Timeline"),
     ("animatic.mp4", "Animatic"),
@@ -39,11 +42,13 @@ def write_page(
     folder = out.parent
     shots = panels(graph)
     counts = Counter(check.shot for check in checks)
-    scenes = []
+    film = (folder / "animatic.mp4").exists()
+    scenes, headings = [], []
     for scene in graph.outline:
         shown = [panel for panel in shots if panel.scene is scene]
-        cards = "\n".join(_card(panel, frames.get(panel.name), folder, counts[panel.name]) for panel in shown)
-        scenes.append(f'<h2>{escape(scene.title)}</h2>\n<div class="grid">\n{cards}\n</div>')
+        cards = "\n".join(_card(panel, frames.get(panel.name), folder, counts[panel.name], film) for panel in shown)
+        headings.append((scene_name(scene.scene_id), escape(scene.numbered_title)))
+        scenes.append(f'<h2 id="{headings[-1][0]}">{headings[-1][1]}</h2>\n<div class="grid">\n{cards}\n</div>')
     counted = length_of(shots)
     summary = f"{escape(graph.story_summary)} <br>{counted}" if graph.story_summary else counted
     page = Template((files("storyblender.deliver") / "page.html").read_text(encoding="utf-8"))
@@ -54,6 +59,7 @@ def write_page(
             aspect=f"{graph.format.aspect:.4f}",
             files=_links(folder, len(checks)),
             video=_video(folder, shots, frames),
+            contents=_contents(headings),
             scenes="\n".join(scenes),
             checks=_checks(checks),
         ),
@@ -68,6 +74,12 @@ def _links(folder: Path, to_check: int) -> str:
     return "".join(f'<a href="{name}">{label}</a>' for name, label in links)
 
 
+def _contents(headings: Sequence[tuple[str, str]]) -> str:
+    """Where the scenes are on the page, if there is more than one."""
+    links = "".join(f'<a href="#{name}">{heading}</a>' for name, heading in headings)
+    return f'<nav class="links" aria-label="Scenes">{links}</nav>' if len(headings) > 1 else ""
+
+
 def _source(path: Path, folder: Path) -> str:
     return escape(path.relative_to(folder).as_posix(), quote=True)
 
@@ -76,18 +88,23 @@ def _video(folder: Path, shots: Sequence[Panel], frames: Mapping[str, Path]) -> 
     """The film with its subtitles written into the page: a browser reads no neighbouring file without a server."""
     if not (folder / "animatic.mp4").exists():
         return ""
-    cues = [[round(piece.start, 3), round(piece.end, 3), piece.text] for piece in subtitles(shots)]
+    cues = [[round(piece.start, 3), round(piece.end, 3), escape(piece.text, quote=False)] for piece in subtitles(shots)]
     data = escape(json.dumps(cues, ensure_ascii=False), quote=True)
     first = next((frames[panel.name] for panel in shots if panel.name in frames), None)
     poster = f' poster="{_source(first, folder)}"' if first else ""
     return f'<video controls preload="metadata" src="animatic.mp4"{poster} data-subtitles="{data}"></video>'
 
 
-def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int) -> str:
-    picture = ""
+def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int, film: bool) -> str:
+    """One shot; where there is a film, its length is the button that plays it from there."""
+    picture, length = "", f"{panel.seconds:.1f} s"
     if frame is not None:
         alt = escape(panel.outline.shot_description, quote=True)
-        picture = f'<img loading="lazy" src="{_source(frame, folder)}" alt="{alt}">'
+        image = f'<img loading="lazy" src="{_source(frame, folder)}" alt="{alt}">'
+        picture = f'<button class="picture" aria-label="Enlarge {panel.name}">{image}</button>'
+    if film:
+        told = f'data-start="{panel.start / panel.fps:.3f}" data-seconds="{length}" title="Play the film from here"'
+        length = f'<button class="play" {told}>{length} ▶</button>'
     words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
     for line in panel.dialogue:
         words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
@@ -95,7 +112,7 @@ def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int) -> str:
         words.append(f'<p class="mark"><a href="#check-{panel.name}">{to_check} to check</a></p>')
     return (
         f'<article id="{panel.name}">{picture}<div class="text">'
-        f'<div class="slate"><span>{panel.name}</span><span>{panel.seconds:.1f} s</span></div>'
+        f'<div class="slate"><span>{panel.name}</span><span>{length}</span></div>'
         f'<div class="facts">{escape(panel.facts)}</div>{"".join(words)}</div></article>'
     )
 

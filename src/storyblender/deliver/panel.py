@@ -76,11 +76,6 @@ class Panel:
         return " · ".join(filter(None, said))
 
     @property
-    def heading(self) -> str:
-        """The scene's heading, after its number in the script where it has one."""
-        return f"{self.scene.script_number}  {self.scene.title}" if self.scene.script_number else self.scene.title
-
-    @property
     def closes_to(self) -> float:
         """Share of the wider picture that a camera going in or out sees at its narrowest, at the pivot."""
         camera = self.shot.camera

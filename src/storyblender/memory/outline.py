@@ -57,3 +57,8 @@ class SceneOutline(Frozen):
     def title(self) -> str:
         """The heading; where the script has none, where and when it is and how it begins, in one line."""
         return self.heading or textwrap.shorten(self.scene_description, LINE, placeholder=" …")
+
+    @property
+    def numbered_title(self) -> str:
+        """The title after the scene's number in the script, where it has one."""
+        return f"{self.script_number}  {self.title}" if self.script_number else self.title
