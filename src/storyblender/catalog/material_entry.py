@@ -50,6 +50,8 @@ class MaterialEntry(Frozen):
     """Puddles: roughness varies over the world."""
     grain: bool = False
     """The pattern runs along a direction: boards and bars turn it to their length."""
+    patchy: float = 0.0
+    """How much ground of it varies over metres, 0 to 1: damp, worn and grown places."""
 
     @property
     def repeat(self) -> float:

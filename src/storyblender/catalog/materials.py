@@ -123,7 +123,16 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             tile=1.5,
             roughness=0.35,
         ),
-        painted("paving", "#8a867e", "#4c4945", "street square pavement", pattern="paving", tile=1.6, roughness=0.8),
+        painted(
+            "paving",
+            "#8a867e",
+            "#4c4945",
+            "street square pavement",
+            pattern="paving",
+            tile=1.6,
+            patchy=0.2,
+            roughness=0.8,
+        ),
         painted(
             "cobbles",
             "#66625d",
@@ -132,6 +141,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="paving",
             params={"count": 9, "jitter": 0.35},
             tile=1.4,
+            patchy=0.25,
             roughness=0.7,
         ),
         painted(
@@ -141,6 +151,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="speckle",
             params={"amount": 0.5, "roughness": 0.6},
             tile=2.0,
+            patchy=0.3,
             roughness=0.9,
         ),
         painted(
@@ -150,6 +161,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="speckle",
             params={"amount": 0.5, "roughness": 0.6},
             tile=2.0,
+            patchy=0.3,
             roughness=0.3,
             wet=True,
         ),
@@ -161,6 +173,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="slabs",
             tile=5.0,
             pixels=512,
+            patchy=0.22,
             roughness=0.85,
         ),
         painted(
@@ -170,6 +183,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="speckle",
             params={"amount": 0.55, "roughness": 1.1},
             tile=3.0,
+            patchy=0.35,
             roughness=1.0,
         ),
         painted(
@@ -179,6 +193,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="speckle",
             params={"amount": 0.22, "roughness": 1.0},
             tile=2.5,
+            patchy=0.3,
             roughness=1.0,
         ),
         painted(
@@ -188,10 +203,22 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             pattern="speckle",
             params={"amount": 0.1, "roughness": 1.7},
             tile=3.0,
+            patchy=0.12,
             roughness=0.8,
         ),
-        painted("grass", "#4c5a28", "#6a5a38", "ground lawn meadow", pattern="grass", tile=3.0, roughness=1.0),
-        painted("forest_floor", "#4a4327", "#33401f", "ground leaves moss", pattern="grass", tile=3.0, roughness=1.0),
+        painted(
+            "grass", "#4c5a28", "#6a5a38", "ground lawn meadow", pattern="grass", tile=3.0, patchy=0.35, roughness=1.0
+        ),
+        painted(
+            "forest_floor",
+            "#4a4327",
+            "#33401f",
+            "ground leaves moss",
+            pattern="grass",
+            tile=3.0,
+            patchy=0.4,
+            roughness=1.0,
+        ),
         painted("water", "#1f3b45", "#4d7480", "lake river sea pool", pattern="water", tile=4.0, roughness=0.08),
         painted("bark", "#5a4632", "#2a2018", "tree trunk", pattern="bark", tile=1.0, roughness=0.95, grain=True),
         painted(

@@ -141,6 +141,7 @@ class GBuffer:
         glow_color: float32 (materials, 3) light a material gives off, by ``material``.
         glow_gain: float32 (materials,) the same as a multiple of its albedo, for textured screens and cards.
         roughness: float32 (materials,) 0 mirror to 1 matt.
+        patchy: float32 (materials,) how much ground of this material varies over metres, 0 to 1.
     """
 
     view: View
@@ -153,6 +154,7 @@ class GBuffer:
     glow_color: NDArray[np.float32]
     glow_gain: NDArray[np.float32]
     roughness: NDArray[np.float32]
+    patchy: NDArray[np.float32]
 
     def reduced(self, step: int) -> GBuffer:
         """Return a point sample of every ``step``-th pixel, for light at low resolution."""
@@ -169,6 +171,7 @@ class GBuffer:
             self.glow_color,
             self.glow_gain,
             self.roughness,
+            self.patchy,
         )
 
     @property

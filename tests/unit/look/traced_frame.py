@@ -42,7 +42,5 @@ def gbuffer(width: int = 96, height: int = 54, floor: Surface = Surface.SET) -> 
     offset = at_person - np.array(HEAD)
     face = (offset**2).sum(axis=2) < 0.14**2
     paint(face, 4.0, PERSON, Surface.SKIN, (0, -1, 0), (0.6, 0.4, 0.3))
-    glow = np.zeros((4, 3), np.float32)
-    return GBuffer(
-        camera, ids, surface, material, depth, normal, albedo, glow, np.zeros(4, np.float32), np.ones(4, np.float32)
-    )
+    glow, none, all_of = np.zeros((4, 3), np.float32), np.zeros(4, np.float32), np.ones(4, np.float32)
+    return GBuffer(camera, ids, surface, material, depth, normal, albedo, glow, none, all_of, 0.3 * all_of)

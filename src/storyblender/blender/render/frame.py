@@ -188,7 +188,7 @@ def _relit(
     """
     sky = sky_light(shot.plan.sky, gbuffer.view.reduced(step).rays())
     if look.light == "numpy":
-        light = upsample(shot.illumination(), gbuffer, look.light_step)
+        light = upsample(shot.illumination() * shot.patches, gbuffer, look.light_step)
         share = shrink(gbuffer.sky.astype(np.float32), step)[..., None]
         return mean_albedo(gbuffer, step) * light + gbuffer.emission(step) + sky * share
     cast = [obj for obj in session.visible_objects() if obj.get("kind") == "character"]
@@ -208,7 +208,7 @@ def _relit(
     low_sky = sky_light(shot.plan.sky, gbuffer.view.reduced(coarse).rays())
     # What glows by itself is not light on a surface: left in, a lamp would ring what is behind it.
     reflected = np.maximum(traced - gbuffer.emission(coarse), 0)
-    light = demodulate(reflected, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light
+    light = (demodulate(reflected, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light) * shot.patches
     picture = remodulate(upsample(light, gbuffer, look.light_step), mean_albedo(gbuffer, step, sky))
     return picture + gbuffer.emission(step)
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from storyblender.blender.render.exr import Channels, color
 from storyblender.blender.render.session import RenderSession, changed
 from storyblender.blender.render.turning import told_in_blue, turned_and_made, turning_matcap
-from storyblender.catalog.materials import MATERIALS
+from storyblender.catalog.materials import MATERIALS, MaterialEntry
 from storyblender.look.fading import fade_repeats
 from storyblender.look.gbuffer import FAR, GBuffer
 from storyblender.look.raster import Window
@@ -83,10 +83,13 @@ def render_passes(session: RenderSession, width: int, height: int) -> Passes:
     material[ids == 0] = 0
     normal[ids == 0] = 0
     albedo[ids == 0] = 0
-    fade_repeats(albedo, material, depth, normal, view, *_patterns_of(materials))
+    entries = [MATERIALS.get(str(made.get("key", ""))) for made in materials]
+    fade_repeats(albedo, material, depth, normal, view, *_patterns_of(materials, entries))
     glow_color, glow_gain = glow_of(materials)
     roughness = np.array([1.0, *(m.roughness for m in materials)], np.float32)
-    return Passes(GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness), nodes)
+    patchy = np.array([0.0, *(entry.patchy if entry else 0.0 for entry in entries)], np.float32)
+    gbuffer = GBuffer(view, ids, surface, material, depth, normal, albedo, glow_color, glow_gain, roughness, patchy)
+    return Passes(gbuffer, nodes)
 
 
 def has_painted_skin(obj: bpy.types.Object) -> bool:
@@ -189,11 +192,12 @@ def _number(low: NDArray[np.uint8], high: NDArray[np.uint8]) -> NDArray[np.uint1
     return low.astype(np.uint16) | (high.astype(np.uint16) << np.uint16(8))
 
 
-def _patterns_of(materials: Sequence[bpy.types.Material]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def _patterns_of(
+    materials: Sequence[bpy.types.Material], entries: Sequence[MaterialEntry | None]
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the repeat of each material's pattern in metres, 0 for none, and its mean colour."""
     repeats, means = np.zeros(len(materials) + 1, np.float32), np.zeros((len(materials) + 1, 3), np.float32)
-    for index, material in enumerate(materials, 1):
-        entry = MATERIALS.get(str(material.get("key", "")))
+    for index, (material, entry) in enumerate(zip(materials, entries, strict=True), 1):
         if entry is not None and entry.repeat > 0:
             repeats[index] = entry.repeat
             means[index] = material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value[:3]

@@ -27,6 +27,7 @@ from storyblender.look.illumination import (
     total,
 )
 from storyblender.look.occlusion import ambient_occlusion
+from storyblender.look.patches import ground_patches
 from storyblender.look.raster import Image, Mask, blur
 from storyblender.look.relight import mean_albedo
 from storyblender.look.surface import Surface
@@ -87,6 +88,7 @@ class ShotLight:
         self.plan = set_light.plan
         self.albedo = mean_albedo(passes.gbuffer, step)
         self._positions = self.gbuffer.positions()
+        self.patches = ground_patches(self.gbuffer, self._positions)
         self._normal = soft_foliage(self.gbuffer.normal.astype(np.float32), self.gbuffer)
         self._openness = ambient_occlusion(self.gbuffer.depth, self.gbuffer.view, self._normal)
         ambient = ambient_light(self.plan, set_light.roofed, self._normal, self._openness)
