@@ -53,6 +53,23 @@ def test_same_pieces_share_a_mesh(scene: bpy.types.Scene) -> None:
     assert len({obj.data.name for obj in objects}) < len(objects) / 4
 
 
+def test_something_stands_before_the_light_of_a_train_window(scene: bpy.types.Scene) -> None:
+    mesh, _ = piece_mesh(Piece(node_id="train", part="train", location=(0, 0, 0), params={"carriages": 1}), scene)
+    made = [material.name for material in mesh.materials]
+    places = {"pane": [], "fabric": []}
+    for face in mesh.polygons:
+        for kind, found in places.items():
+            if kind in made[face.material_index]:
+                found.append((face.center.x, face.center.z, face.center.y))
+    pane, cloth = (np.array(places[kind]) for kind in ("pane", "fabric"))
+    # Outside is -Y: before most panes, and within a window's width of them, there is a curtain or a seat.
+    near = (np.abs(pane[:, None, :2] - cloth[None, :, :2]) < (0.55, 0.4)).all(2) & (
+        cloth[None, :, 2] < pane[:, None, 2]
+    )
+    outer = pane[:, 2] < np.median(pane[:, 2]) + 1e-3
+    assert near.any(axis=1)[outer].mean() > 0.5
+
+
 def test_two_builds_are_equal(scene: bpy.types.Scene) -> None:
     def points() -> np.ndarray:
         _, objects = built("cottage", scene)

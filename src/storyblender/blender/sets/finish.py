@@ -14,7 +14,7 @@ PANES: dict[str, tuple[Color, float]] = {
     "pane_warm": (hex_color("#ffc173"), 0.75),
     "pane_amber": (hex_color("#ffb05c"), 0.5),
     "pane_pale": (hex_color("#ffdca8"), 0.95),
-    "pane_far": (hex_color("#ffca7a"), 0.4),
+    "pane_far": (hex_color("#ffca7a"), 0.26),
 }
 """Windows with somebody home: colour and emission at night."""
 

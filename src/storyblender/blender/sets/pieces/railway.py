@@ -180,7 +180,22 @@ def _carriage(builder: MeshBuilder, spec: PieceSpec, body: MaterialRef, modern: 
     for x in np.arange(-length / 2 + 2.1, length / 2 - 1.6, 1.55):
         if all(abs(x - door) > 1.25 for door in doors):
             builder.box(trim, (float(x), face, 1.65), (1.22, 0.02, 0.92))
-            builder.box(spec.pane("pane_far"), (float(x), face - 0.012, 1.65), (1.1, 0.01, 0.8))
+            with builder.at((float(x), face - 0.012, 1.65)):
+                _compartment(builder, spec)
+
+
+def _compartment(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Add the window of a compartment round the origin, -Y outside: what stands before the light gives it depth."""
+    width, height = 1.1, 0.8
+    builder.box(spec.pane("pane_far"), (0, 0, 0), (width, 0.01, height))
+    builder.box(finish("wood_dark"), (0, -0.008, 0.2), (width, 0.006, 0.03))
+    builder.box(finish("brass"), (0, -0.008, 0.3), (width, 0.006, 0.012))
+    for side in (-1, 1):
+        for fold in range(3):
+            wide = 0.075 - 0.012 * fold
+            x = side * (width / 2 - 0.035 - 0.062 * fold)
+            builder.box(finish("cloth_red"), (x, -0.010 - 0.002 * fold, 0), (wide, 0.006, height - 0.06 * fold))
+        builder.box(finish("cloth_green"), (side * 0.19, -0.008, -0.28), (0.3, 0.006, 0.24))
 
 
 @piece("tunnel")
