@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from string import capwords
 
-from storyblender.agents.director.casting import cast, describe, introduction
+from storyblender.agents.director.casting import called, cast, describe, introduction
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.left_behind import left_behind
@@ -15,7 +16,8 @@ from storyblender.agents.director.reading import Person, Reading, SceneReading, 
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.catalog.costumes import Age, age_of
-from storyblender.memory.asset_sheet import Asset
+from storyblender.catalog.homelands import homeland_of
+from storyblender.memory.asset_sheet import Asset, CharacterLook
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
 
@@ -54,9 +56,17 @@ class Assembly:
             description=describe(person) if character else self._animal(person),
             name=self.company.names[person.id],
             tags=tuple(tags),
-            look=cast(person, introduction(person, self.text), self.era) if character else None,
+            look=self._look(person) if character else None,
             reference_character=person.variant_of if person.variant_of in self.company.actors else None,
         )
+
+    def _look(self, person: Person) -> CharacterLook:
+        """How somebody looks where the story has come to when they are first named, or else begins."""
+        headings = [scene.heading for scene in self.reading.scenes]
+        reached = [scene.heading for scene in self.reading.scenes if scene.start <= person.first]
+        homeland = homeland_of(" / ".join(reached)) or homeland_of(" / ".join(reversed(headings)))
+        aged = person if person.age else replace(person, age=called(person, self.text))
+        return cast(aged, introduction(person, self.text), self.era, homeland)
 
     def _animal(self, person: Person) -> str:
         """An animal that does nothing but lie and sleep is one that sleeps."""

@@ -9,6 +9,7 @@ from typing import Final, Literal, TypeVar
 from storyblender.agents.director.palette import cloth_color, hair_color
 from storyblender.agents.director.reading import Person
 from storyblender.catalog.costumes import Age, costume
+from storyblender.catalog.homelands import Homeland
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
 
@@ -36,8 +37,11 @@ _GARMENTS: Final = {
     "blouse": "blouse",
     "shirt": "dress shirt|shirt sleeves|shirtsleeves|work shirt|shirt",
     "shirt trousers:same": "pyjamas|pajamas|scrubs|overalls|coveralls|boiler suit|jumpsuit|dungarees|tracksuit",
-    "tunic": "tunic|kaftan|caftan|armou?r|chain ?mail|kurta|toga|habit|cassock|jerkin",
-    "gown": "(?:evening|ball|wedding|long|floor-length) (?:gown|dress(?:es)?)|nightgown|gown|sari|kimono",
+    "tunic": "tunic|kaftan|caftan|armou?r|chain ?mail|kurta|toga|habit|cassock|jerkin"
+    "|agbada|boubou|dashiki|thobe|djellaba",
+    "gown": "(?:evening|ball|wedding|long|floor-length) (?:gown|dress(?:es)?)|nightgown|gown|sari",
+    "gown socks": "kimono|yukata|hanbok|cheongsam",
+    "uniform:white trousers:same boots:white": "space ?suit|pressure suit|hazmat suit",
     "dress": "nightdress(?:es)?|sundress(?:es)?|frock|dress(?:es)?",
     "long_skirt": "(?:long|maxi|ankle-length|floor-length) skirt",
     "skirt": "skirt|kilt",
@@ -53,7 +57,7 @@ _GARMENTS: Final = {
     "straw_hat": "straw hat|sun hat|panama(?: hat)?|boater|bonnet",
     "hat": "fedora|top hat|bowler|stetson|trilby|homburg|turban|crown|hat",
     "flat_cap": "flat cap|newsboy cap|cloth cap|beret",
-    "beanie": "beanie|watch cap|(?:woolly|wool|knitted) (?:hat|cap)|headscarf",
+    "beanie": "beanie|watch cap|(?:woolly|wool|knitted) (?:hat|cap)|headscarf|head ?wrap|head ?tie|gele|hijab",
     "cap": "baseball cap|peaked cap|helmet|hood|kepi|headphones|cap",
     "boots": "wellingtons|riding boots|boots",
     "heels": "(?:high )?heels|stilettos|court shoes|pumps",
@@ -130,6 +134,19 @@ _DEFAULT_HAIR: Final = {
     "male": ("short", "crop", "messy"),
     "unknown": ("short",),
 }
+_FOREIGN: Final = (
+    "foreigner|tourist|expatriate|expat|colonial|missionary|american|english(?:man|woman)?|british|brit|european|french"
+    "|german|dutch|italian|russian|australian|swede|swedish|irish|scottish|white (?:man|woman)"
+)
+"""Words that say somebody is not from where the story is set."""
+_GREYING: Final = 50.0
+"""Years from which hair keeps the colour of its age."""
+
+
+def called(person: Person, text: str) -> str:
+    """Return the word of age that stands before a name where it is first told: ``Baby TOM``, ``little Ann``."""
+    before = re.search(r"([^\W\d_]+)\s+$", text[max(0, person.first - 20) : person.first])
+    return before[1].lower() if before and before[1].lower() in _AGES else ""
 
 
 def introduction(person: Person, text: str) -> str:
@@ -143,7 +160,7 @@ def introduction(person: Person, text: str) -> str:
     return " ".join((match["brackets"] or match["apposition"] or match["worn"]).split()) if match else ""
 
 
-def cast(person: Person, introduced: str = "", era: Age = "today") -> CharacterLook:
+def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Homeland | None = None) -> CharacterLook:
     """Return the look of a person from the words of the script.
 
     Args:
@@ -151,7 +168,10 @@ def cast(person: Person, introduced: str = "", era: Age = "today") -> CharacterL
             so the same person always looks the same.
         introduced: The words of the introduction, for what the reader did not sort (skin, glasses, a beard).
         era: Of the story; with what they are, it dresses whom the script does not.
+        homeland: What is usual where the story is set; who is said to be a foreigner is not from there.
     """
+    if re.search(rf"\b(?:{_FOREIGN})\b", f"{person.role} {person.name} {introduced}".lower()):
+        homeland = None
     seed = int(content_hash(person.id)[:8], 16)
     age = years(person, seed)
     hair = ", ".join(person.hair) or _hair_words(introduced)
@@ -163,9 +183,9 @@ def cast(person: Person, introduced: str = "", era: Age = "today") -> CharacterL
         age=age,
         stature=_stature(person, age),
         build=_first(_BUILD, ", ".join(person.build) or introduced) or "average",
-        skin=_first(_SKIN, everything) or "light",
-        hair=_hair(person, hair, age, seed),
-        hair_color=hair_color(_without_beard(hair)),
+        skin=_first(_SKIN, everything) or (homeland.skin if homeland else "light"),
+        hair=_hair(person, hair, age, seed, homeland),
+        hair_color=hair_color(_without_beard(hair)) or (hair_color("black") if homeland and age < _GREYING else None),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
         garments=_shod(worn, person.gender, age),
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
@@ -253,7 +273,7 @@ def _first(table: Mapping[_Key, str], words: str) -> _Key | None:
     return next((key for key, pattern in table.items() if re.search(rf"\b(?:{pattern})\b", words.lower())), None)
 
 
-def _hair(person: Person, hair: str, age: float, seed: int) -> str:
+def _hair(person: Person, hair: str, age: float, seed: int, homeland: Homeland | None) -> str:
     words = _without_beard(", ".join((hair, *(face for face in person.face if "bald" in face))))
     style = _first(_HAIR, words)
     if style:
@@ -261,6 +281,8 @@ def _hair(person: Person, hair: str, age: float, seed: int) -> str:
     if age >= 65 and person.gender == "female":
         return "bun"
     choices = _DEFAULT_HAIR[person.gender]
+    if homeland is not None and person.gender != "unknown":
+        choices = homeland.women if person.gender == "female" else homeland.men
     return choices[seed % len(choices)]
 
 

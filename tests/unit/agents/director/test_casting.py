@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.casting import cast, describe, garments, introduction, years
+from storyblender.agents.director.casting import called, cast, describe, garments, introduction, years
 from storyblender.agents.director.reading import Person
+from storyblender.catalog.homelands import homeland_of
 
 
 @pytest.mark.parametrize(
@@ -38,6 +39,8 @@ def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
         ("jeans, white t-shirt, sneakers", "tee trousers shoes"),
         ("yellow oilskins and boots", "coat boots"),
         ("waistcoat", "vest"),
+        ("a grey kimono", "socks gown"),
+        ("a white spacesuit", "trousers uniform boots"),
         ("nothing at all", ""),
     ],
 )
@@ -126,3 +129,31 @@ def test_who_is_not_dressed_by_the_script_is_dressed_by_trade_and_age() -> None:
     assert "hat" in {garment.key for garment in cast(sheriff, era="west").garments}
     in_red = Person(id="cole", name="Cole", role="sheriff", gender="male", outfit=("red sweater",))
     assert {garment.key for garment in cast(in_red, era="west").garments} == {"sweater"}
+
+
+@pytest.mark.parametrize(
+    ("heading", "skin"),
+    [
+        ("EXT. BALOGUN MARKET, LAGOS - DAY", "dark"),
+        ("INT. TEA HOUSE, KYOTO - AFTERNOON", "light"),
+        ("EXT. GHATS, VARANASI - DAWN", "brown"),
+        ("EXT. LONDON / EXT. PORT OF DAR ES SALAAM", "dark"),
+    ],
+)
+def test_people_look_as_most_do_where_the_story_is_set(heading: str, skin: str) -> None:
+    look = cast(Person("ade", "ADE", gender="male", age="30"), homeland=homeland_of(heading))
+    assert look.skin == skin
+    assert look.hair_color is not None and max(look.hair_color) < 0.05
+
+
+def test_the_script_and_foreigners_go_before_the_place() -> None:
+    lagos = homeland_of("LAGOS")
+    assert cast(Person("ann", "ANN", build=("pale",)), homeland=lagos).skin == "pale"
+    assert cast(Person("bob", "BOB", role="tourist"), homeland=lagos).skin == "light"
+    assert homeland_of("INT. KITCHEN - NIGHT") is None
+
+
+def test_a_word_of_age_before_the_name_is_its_age() -> None:
+    text = "Baby TOM sleeps. Inspector RAO waits."
+    assert called(Person("tom", "TOM", first=5), text) == "baby"
+    assert called(Person("rao", "RAO", first=text.index("RAO")), text) == ""

@@ -1,0 +1,58 @@
+"""Homelands: how most people look where a story says it is set, for those of whom the script says nothing.
+
+Only the names of countries, cities and their districts count, as headings give them; what a script says of a person
+always goes before. To know another place, add its name to a line of ``_PLACES``.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final, Literal, NamedTuple
+
+Skin = Literal["pale", "light", "tan", "brown", "dark"]
+Styles = tuple[str, ...]
+
+
+class Homeland(NamedTuple):
+    """What is usual among the people of a place.
+
+    Attributes:
+        skin: Complexion.
+        women: Hair styles of women.
+        men: Hair styles of men.
+    """
+
+    skin: Skin
+    women: Styles
+    men: Styles
+
+
+_AFRICAN = Homeland("dark", ("braid", "afro", "crop", "bun"), ("crop", "crop", "shaved"))
+_SOUTH_ASIAN = Homeland("brown", ("braid", "long", "bun"), ("short", "slick", "short"))
+_EAST_ASIAN = Homeland("light", ("bun", "bob", "long"), ("short", "crop", "messy"))
+_OLIVE = Homeland("tan", ("long", "wavy", "bun", "ponytail"), ("short", "curly", "crop"))
+
+_PLACES: Final[dict[str, Homeland]] = {
+    "lagos nigeria abuja ibadan kano accra ghana kumasi nairobi kenya mombasa kisumu kampala uganda kigali rwanda dakar "
+    "senegal bamako mali timbuktu abidjan addis_ababa ethiopia dar_es_salaam tanzania zanzibar lusaka zambia harare "
+    "zimbabwe soweto kinshasa congo luanda angola maputo mozambique botswana namibia cameroon sierra_leone liberia "
+    "port-au-prince haiti kingston jamaica sudan khartoum mogadishu somalia": _AFRICAN,
+    "mumbai bombay delhi india kolkata calcutta chennai madras bangalore hyderabad varanasi jaipur kerala punjab goa "
+    "dhaka bangladesh karachi lahore islamabad pakistan colombo sri_lanka kathmandu nepal": _SOUTH_ASIAN,
+    "tokyo kyoto osaka nara hiroshima nagasaki hokkaido okinawa japan edo seoul busan korea beijing peking shanghai "
+    "guangzhou canton nanjing china hong_kong taipei taiwan mongolia ulaanbaatar": _EAST_ASIAN,
+    "cairo alexandria egypt marrakech fez morocco tunis tunisia algiers algeria beirut lebanon damascus syria baghdad "
+    "iraq tehran iran isfahan amman jordan riyadh yemen mexico_city mexico oaxaca guadalajara tijuana veracruz bogota "
+    "medellin lima cusco peru quito ecuador la_paz bolivia guatemala honduras havana cuba manila philippines cebu "
+    "bangkok thailand chiang_mai hanoi saigon vietnam cambodia jakarta indonesia bali kuala_lumpur malaysia "
+    "hawaii samoa tahiti": _OLIVE,
+}  # fmt: skip
+_NAMED: Final = {name.replace("_", " "): homeland for names, homeland in _PLACES.items() for name in names.split()}
+
+
+def homeland_of(words: str) -> Homeland | None:
+    """Return what is usual in the last place of the world that the words name, or None where they name none."""
+    lowered = words.lower()
+    named = {name: [*re.finditer(rf"(?<!\w){re.escape(name)}(?!\w)", lowered)] for name in _NAMED}
+    found = [(matches[-1].start(), name) for name, matches in named.items() if matches]
+    return _NAMED[max(found)[1]] if found else None
