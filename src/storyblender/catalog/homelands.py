@@ -35,11 +35,11 @@ _OLIVE = Homeland("tan", ("long", "wavy", "bun", "ponytail"), ("short", "curly",
 _PLACES: Final[dict[str, Homeland]] = {
     "lagos nigeria abuja ibadan kano accra ghana kumasi nairobi kenya mombasa kisumu kampala uganda kigali rwanda dakar "
     "senegal bamako mali timbuktu abidjan addis_ababa ethiopia dar_es_salaam tanzania zanzibar lusaka zambia harare "
-    "zimbabwe soweto kinshasa congo luanda angola maputo mozambique botswana namibia cameroon sierra_leone liberia "
+    "zimbabwe soweto kinshasa congo luanda angola maputo mozambique namibia cameroon liberia "
     "port-au-prince haiti kingston jamaica sudan khartoum mogadishu somalia": _AFRICAN,
     "mumbai bombay delhi india kolkata calcutta chennai madras bangalore hyderabad varanasi jaipur kerala punjab goa "
-    "dhaka bangladesh karachi lahore islamabad pakistan colombo sri_lanka kathmandu nepal": _SOUTH_ASIAN,
-    "tokyo kyoto osaka nara hiroshima nagasaki hokkaido okinawa japan edo seoul busan korea beijing peking shanghai "
+    "dhaka bangladesh karachi lahore islamabad pakistan colombo sri_lanka nepal": _SOUTH_ASIAN,
+    "tokyo kyoto osaka hiroshima nagasaki hokkaido okinawa japan edo seoul busan korea beijing peking shanghai "
     "guangzhou canton nanjing china hong_kong taipei taiwan mongolia ulaanbaatar": _EAST_ASIAN,
     "cairo alexandria egypt marrakech fez morocco tunis tunisia algiers algeria beirut lebanon damascus syria baghdad "
     "iraq tehran iran isfahan amman jordan riyadh yemen mexico_city mexico oaxaca guadalajara tijuana veracruz bogota "

@@ -276,3 +276,15 @@ def test_what_the_set_has_takes_nothing_elses_place() -> None:
     plan = plan_of(Environment(kit="courtroom"))
     dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="COURT"), plan, (asset("bench"),)))
     assert "bench" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
+
+
+def test_a_street_of_the_frontier_is_dust_between_wooden_fronts() -> None:
+    story = "A dusty frontier street. The marshal faces the outlaw before the saloon."
+    street = RulesEnvironmentDesigner().propose(
+        EnvironmentView(SceneSetup(place="main street", scene_type="outdoor"), story=story)
+    )
+    assert street.params["frontier"] is True
+    parts = {piece.part for piece in plan_of(street).pieces}
+    assert "false_front" in parts and "facade" not in parts
+    town = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="main street", scene_type="outdoor")))
+    assert "frontier" not in town.params

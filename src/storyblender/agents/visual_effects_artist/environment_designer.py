@@ -61,7 +61,8 @@ class RulesEnvironmentDesigner:
         if period != kit.period:
             params["period"] = period
         words = f"{setup.place} {setup.layout_description} {setup.ground_description} {setup.wall_description or ''}"
-        params |= _options(kit, words.lower(), setup.weather == "snow")
+        told = f"{words} {view.story}" if period == "past" else words
+        params |= _options(kit, words.lower(), told.lower(), setup.weather == "snow")
         seed = int(content_hash(setup.place.upper(), key), 16) % 100_000
         return _enlarged(Environment(kit=key, params=params, seed=seed), *_wanted(view, kit))
 
@@ -116,9 +117,9 @@ def _enlarged(environment: Environment, width: float, depth: float) -> Environme
 
 _PERIOD_WORDS: dict[Period, str] = {
     "past": "medieval knight king queen prince princess castle viking victorian sword samurai pirate sheriff saloon "
-    "cowboy western frontier gunslinger outlaw stagecoach ancient roman wizard peasant monk inn",
+    "cowboy western frontier gunslinger outlaw stagecoach ancient roman wizard peasant monk inn marshal gunfight",
     "modern": "laptop smartphone cellphone iphone computer monitor internet drone wifi tablet robot spaceship future "
-    "email selfie hoodie sneakers cctv app video",
+    "email selfie hoodie sneakers cctv app video trawler winch",
     "classic": "fedora typewriter radio gramophone telephone noir wartime trolley jukebox",
 }
 _PERIOD_YEARS: dict[Period, str] = {
@@ -148,6 +149,7 @@ _OPTION_WORDS = {
     "lighthouse": r"light ?house",
     "cranes": r"\bcranes?\b",
     "space": r"\bspace|star ?ship|\bstars\b|orbit|shuttle|galax|planet",
+    "frontier": r"frontier|western town|cowboy|gunslinger|sheriff|marshal|saloon|stagecoach|gold rush",
     "railway": r"station|rail|\btrains?\b|ticket|depot",
     "train": r"\btrain (stands|waits|stops|is standing|has stopped|at the platform)",
     "air": r"\bplane|air ?plane|aero ?plane|aircraft|airliner|\bjet\b|flight",
@@ -156,9 +158,10 @@ _OPTION_WORDS = {
 }
 
 
-def _options(kit: SetKit, words: str, snow: bool) -> dict[str, ParamValue]:
+def _options(kit: SetKit, words: str, story: str, snow: bool) -> dict[str, ParamValue]:
+    """Return what a kit is told: by the words of the place, or what the story is for a street of its age."""
     options: dict[str, ParamValue] = {}
     for name in kit.options:
-        if re.search(_OPTION_WORDS[name], words) or (name == "snow" and snow):
+        if re.search(_OPTION_WORDS[name], story if name == "frontier" else words) or (name == "snow" and snow):
             options[name] = True
     return options

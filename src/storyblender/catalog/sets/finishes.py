@@ -63,6 +63,7 @@ paving_light       paving     #a29b8c
 tarmac             concrete   #5d6063
 grass_dry          grass      #8f8548
 grass_lush         grass      #5b6c36
+dust               sand       #a98a62
 gravel             dirt       #8c8478
 mud                dirt       #55442f
 sand_desert        sand       #c79a63

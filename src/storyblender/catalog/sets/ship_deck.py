@@ -46,7 +46,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     ship.mark("cabin_door", -x + 0.45, 0.0, 90, "door", "enter", "exit", "left")
     ship.piece("mast" if old else "funnel", x * 0.62, y * 0.35, footprint=(0.6, 0.6), height=13.0)
     ship.piece("hatch", x * 0.75, -y * 0.45, footprint=(1.6, 1.2))
-    ship.piece("ships_wheel" if old else "vent", -x + 1.2, y * 0.35, yaw=90, footprint=(0.9, 0.5))
+    ship.piece("ships_wheel", -x + 1.2, y * 0.35, yaw=90, footprint=(0.9, 0.5))
+    ship.mark("helm", -x + 0.55, y * 0.35, 90, "wheel", "helm", "helmsman", "skipper", "captain", "wheelhouse")
     for px, py in ((-x + 0.4, y - 0.1), (-x + 1.15, y - 0.1), (x - 0.2, y - 0.2)):
         ship.furnish("barrel" if old else "crate", px, py, required=False)
     ship.mark("rail", 0, y - 0.15, 180, "window", "railing", "bar")

@@ -66,6 +66,8 @@ def lay_road(drawing: Ground, *, old: bool) -> None:
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw both rows of houses, the road between, and the things of a street."""
     street = Ground("street", params, rng)
+    if params.option("frontier"):
+        return _frontier(street)
     x, old = street.half_x, params.period == "past"
     lay_road(street, old=old)
     floors = (2, 3, 3) if old else (3, 4, 4, 5)
@@ -94,6 +96,32 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     return street.finish()
 
 
+def _frontier(street: Ground) -> SetPlan:
+    """Draw the main street of a frontier town: dust between two rows of wooden fronts with their boardwalks."""
+    street.slab("ground", rectangle(-REACH, -REACH, REACH, REACH), "dust")
+    for y, yaw, walk in ((PAVEMENT[1] + 2.2, 0, (2.6, 5.0)), (FAR_PAVEMENT[0] - 1.0, 180, (-14.4, -12.0))):
+        street.slab("patch", rectangle(-STREET_LENGTH, walk[0], STREET_LENGTH, walk[1]), "planks_gray", z=0.02)
+        for index in range(-4, 5):
+            at = index * 9.2 + (0.0 if yaw else 2.4)
+            street.piece("false_front", at, y, yaw=yaw, footprint=(9.0, 0.3), width=9.0, seed=float(index % 4),
+                         height=(5.4, 6.6, 4.9, 5.9)[index % 4], doors=index % 3 == 0,
+                         material=("planks_gray", "wall_planks", "boards", "limewash")[index % 4])  # fmt: skip
+    street.ring("hills", 80, 14)
+    x = street.half_x
+    street.piece("hitching_rail", -x * 0.45, 2.1, length=3.0, footprint=(3.0, 0.2))
+    for prop, px, py, yaw in (
+        ("horse", -x * 0.45 - 0.8, 0.9, 180), ("trough", x * 0.5, 2.2, 0), ("barrel", x - 0.6, 2.4, 0),
+        ("barrel", x - 1.3, 2.45, 0), ("wagon_wheel", -x + 0.5, 2.5, 20), ("cart", 9.5, -8.5, 80),
+        ("crate", -7.5, -11.5, 8),
+    ):  # fmt: skip
+        street.furnish(prop, px, py, yaw=yaw, required=False)
+    street.entrances(back=False)
+    street.mark("house_door", 0, PAVEMENT[1] - 0.7, 0, "enter", "exit", "door", "back", "saloon")
+    street.mark("rail", -x * 0.45 + 1.9, 1.4, 180, "rail", "window", "kerb")
+    street.mark("road", 0, -5.0, 180, "road")
+    return street.finish()
+
+
 KIT = SetKit(
     key="street",
     name="Street",
@@ -104,4 +132,6 @@ KIT = SetKit(
     draw=draw,
     width=Span(10.0, 14.0, 24.0),
     depth=Span(5.0, 5.2, 5.6),
+    options={"frontier": False},
+    has=("shutter", "porch", "hitching rail", "boardwalk", "kerb", "rail"),
 )  # fmt: skip
