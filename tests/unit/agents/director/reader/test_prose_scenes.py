@@ -61,3 +61,34 @@ def test_a_first_paragraph_that_comes_into_a_room_plays_there() -> None:
 def test_the_place_somebody_owns_comes_before_the_river_beyond() -> None:
     opening = "It was hardly morning in the ferryman's hut when somebody rang on the far side of the river. Ben got up."
     assert places(opening) == ["ferryman's hut"]
+
+
+@pytest.mark.parametrize(
+    ("told", "time"),
+    [
+        ("It was long past dark when Henrik pushed open the door of the inn.", "night"),
+        ("It was past nine when a girl came up the lane.", "night"),
+        ("Long before dawn the only light in the street came from the bakery.", "dawn"),
+        ("An hour before midnight Hester led the mule down to the cove.", "night"),
+        ("Since noon it had rained. Hester sat in the kitchen.", "day"),
+        ("Last night the wind had risen. Hester sat in the kitchen.", "day"),
+        ("The kitchen was full of candlelight. Hester sat by the stove.", "night"),
+        ("At ten in the morning Hester went down to the kitchen.", "morning"),
+    ],
+)
+def test_a_story_tells_its_time_in_other_words(told: str, time: str) -> None:
+    assert read_script(read(told, "prose")).scenes[0].time == time
+
+
+@pytest.mark.parametrize(
+    ("told", "rooms"),
+    [
+        (("Henrik pushed open the door of the inn.", "The taproom was low and brown. He sat down."), ["inn"]),
+        (("Lund climbed to the corridor.", "He unlocked the door. The room was dark."), ["corridor", "room"]),
+        (("Lund sat in the room.", "By the time he got down to the lobby, Anna was there."), ["room", "lobby"]),
+        (("Bess sat in the kitchen.", "They walked through the field. At the mill the wheel stood still."),
+         ["kitchen", "mill"]),
+    ],
+)  # fmt: skip
+def test_a_room_is_told_of_or_come_to(told: tuple[str, ...], rooms: list[str]) -> None:
+    assert places(*told) == rooms

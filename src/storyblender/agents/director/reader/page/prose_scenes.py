@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
 from storyblender.agents.director.reader.page.scenes import same_place, time_of, weather_of
 from storyblender.agents.director.reader.page.story_places import (
+    WHOLE,
     any_place,
     place_gone_to,
     place_of,
@@ -15,6 +16,7 @@ from storyblender.agents.director.reader.page.story_places import (
     room_within,
     scene_type_of,
 )
+from storyblender.agents.director.reader.page.story_times import story_time
 from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import TimeOfDay
 
@@ -34,8 +36,16 @@ _YONDER = re.compile(r"(?:on|from|at|across) the (?:far|other|opposite) (?:side|
 """``On the far side of the river somebody rang``: the story stays on this side."""
 _ARRIVAL = re.compile(
     r"\b(?:reach(?:ed|es)|arrive[ds]|enter(?:ed|s)|return(?:ed|s)|sail(?:ed|s)|c[ao]mes? back|pulled into|pulls into"
-    r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides) to)\b"
+    r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides|(?:got|gets?|came|comes) (?:up|down|back|out|over|in))"
+    r" to)\b"
 )
+_TRAVELLING = re.compile(
+    r"\b(?:went|walked|drove|rode|climbed|ran|hurried|marched|sailed|rowed|go|walk|drive|ride)s?\b"
+)
+_UNLOCKED = re.compile(r"\b(?:open|unlock|push)(?:ed|s)? (?:open )?the (?:\w+ )?door\b")
+"""``I unlocked the door. The room was dark``."""
+_A_PARAGRAPH = 500
+"""Characters."""
 _CLOCK = re.compile(
     r"(?:at|by|towards?|just before|just after) (?:about )?"
     rf"(?:(?:a )?(?:quarter|half|{_COUNT}) (?:past|to|before|after) )?(?:{_COUNT}|\d+)\b(?! \w+s\b)"
@@ -76,7 +86,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
         whole = " ".join(told)
         place = place_of(told[0]) or place_of(whole) or any_place(whole) or place_of(whole, " ".join(raw))
         place = room_within(place, told)
-        time = time_of(told[0]) or time_of(whole) or time_of(title)
+        time = story_time(told, title)
     scene_type = scene_type_of(place)
     return SceneReading(
         id=len(scenes) + 1,
@@ -105,18 +115,25 @@ def _moved(told: list[str], raw: list[str], scenes: list[SceneReading]) -> tuple
         start = 0 if later or arrival is None else arrival.start()
         place = place_of(opening[start:], raw[0][start:], home=scenes[0].place)
         place = place or (place_of(second, raw[1], home=scenes[0].place) if later and second else "")
-    place = place or place_gone_to(told) or place_told_of(opening, last.place)
+    place = place or place_gone_to(told) or (place_told_of(opening, last.place) if not _just_came_in(last) else "")
     if not place and _later(second):
         place = place_of(second, raw[1]) or any_place(opening)
     elif not place and _PLACE_FIRST.match(second) and not _YONDER.match(second):
         place = place_of(second)
-        place = place if place in lexicon.PLACE_KINDS else ""
+        place = place if place in lexicon.PLACE_KINDS or (_TRAVELLING.search(opening) and place) else ""
+    if not place and _UNLOCKED.search(opening) and second.startswith("the room "):
+        place = "room"
     next_day = _NEXT_DAY.match(opening) is not None
     hour = time_of(opening) if later else None
     elapsed = hour is not None and hour != last.time and _OTHER_TIME.match(opening) is not None
     if not (next_day or elapsed) and place in ("", last.place):
         return None
     return place or last.place, time_of(opening)
+
+
+def _just_came_in(last: SceneReading) -> bool:
+    """Whether a story has only just come to an inn: the taproom told of next is where it is."""
+    return last.place in WHOLE and last.end - last.start < _A_PARAGRAPH
 
 
 def _later(sentence: str) -> bool:

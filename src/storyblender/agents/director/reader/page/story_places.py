@@ -63,7 +63,7 @@ _OWNED = {
     "forge",
 }
 """``the ferryman's hut``."""
-_WHOLE = {
+WHOLE = {
     *("house", "cottage", "castle", "hotel", "inn", "motel", "palace", "mansion", "school", "schoolhouse", "church"),
     *("cathedral", "ship", "hospital", "prison", "jail", "monastery", "temple", "theatre", "theater", "museum"),
     *("station", "train", "plane", "factory", "mill", "farmhouse", "submarine", "spaceship", "lighthouse"),
@@ -89,9 +89,7 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
         for match in _PLACE_PHRASE.finditer(opening)
     ]
     named = [place for place in places if place and place != "room"]
-    named += [
-        (before + last).lower() for before, last in _NAMED.findall(raw) if last.lower() in lexicon.PLACES - _WHOLE
-    ]
+    named += [(before + last).lower() for before, last in _NAMED.findall(raw) if last.lower() in lexicon.PLACES - WHOLE]
     known = [place for place in named if place in lexicon.PLACE_KINDS or place.rpartition("'s ")[2] in _OWNED]
     return (known or named or [""])[0]
 
@@ -119,14 +117,14 @@ def place_told_of(opening: str, current: str) -> str:
     """
     being = _BEING.match(opening)
     place = leading_place(being.group(1).split()) if being else ""
-    if place and "indoor" in (scene_type_of(place), scene_type_of(current)) and place not in _WHOLE | {"room"}:
+    if place and "indoor" in (scene_type_of(place), scene_type_of(current)) and place not in WHOLE | {"room"}:
         return place
     numbered = _NUMBERED.match(opening)
     if numbered and _TELLING.match(opening[numbered.end() :]):
         return numbered.group(1)
     subject = _SUBJECT.match(opening)
     place = leading_place(subject.group(1).split()) if subject else ""
-    known = place not in _WHOLE | {"room", ""} and place.rsplit(" ", 1)[-1] not in _WHOLE
+    known = place not in WHOLE | {"room", ""} and place.rsplit(" ", 1)[-1] not in WHOLE
     at = opening.find(place) + len(place)
     return place if known and scene_type_of(place) == "indoor" and _TELLING.match(opening[at:]) else ""
 
@@ -156,10 +154,10 @@ def leading_place(words: list[str]) -> str:
 
 def room_within(place: str, told: list[str]) -> str:
     """The room of a building that the first paragraph comes into, else the place itself."""
-    for sentence in told if place in _WHOLE else ():
+    for sentence in told if place in WHOLE else ():
         for match in re.finditer(rf"\b(?:into|in)\s+{_DETERMINED}{_WORDS}", sentence):
             room = leading_place(match.group(1).split())
-            if room not in _WHOLE | {"", "room"} and scene_type_of(room) == "indoor":
+            if room not in WHOLE | {"", "room"} and scene_type_of(room) == "indoor":
                 return room
     return place
 
