@@ -69,8 +69,12 @@ class ExportName(StrEnum):
     FCPXML = "fcpxml"
 
 
-Script = Annotated[Path, typer.Argument(help="A .fountain, .fdx, .txt or .md file.", show_default=False)]
-Folder = Annotated[Path, typer.Argument(help="A project folder, NAME.storyboard.", show_default=False)]
+Script = Annotated[
+    Path, typer.Argument(metavar="SCRIPT", help="A .fountain, .fdx, .txt or .md file.", show_default=False)
+]
+Folder = Annotated[
+    Path, typer.Argument(metavar="FOLDER", help="A project folder, NAME.storyboard.", show_default=False)
+]
 Out = Annotated[
     Path | None, typer.Option("--out", "-o", help="The project folder; NAME.storyboard beside the script if not given.")
 ]
@@ -82,7 +86,7 @@ Seed = Annotated[int | None, typer.Option(help="Same script, seed and settings: 
 Shots = Annotated[
     int | None, typer.Option("--shots-per-scene", help="About how many shots a scene may have (default 4).")
 ]
-Aspect = Annotated[float | None, typer.Option(help="Width over height of the picture, e.g. 2.39 or 1.85.")]
+Aspect = Annotated[str | None, typer.Option(help="Width over height of the picture: 2.39, 1.85, 16:9, 9:16 ...")]
 Width = Annotated[int | None, typer.Option(help="Pixels across (default 960).")]
 Fps = Annotated[int | None, typer.Option(help="Frames a second (default 24).")]
 Crew = Annotated[str | None, typer.Option(help="Who plays the roles: rules (needs no key).")]
@@ -148,7 +152,7 @@ def render(
     size: Annotated[str | None, typer.Option(help="Reframe the shot: EWS WS FS MWS MS MCU CU ECU.")] = None,
     angle: Annotated[str | None, typer.Option(help="eye-level, high angle, low angle, bird's-eye, dutch ...")] = None,
     lens: Annotated[float | None, typer.Option(help="Change the lens, in mm.")] = None,
-    move: Annotated[str | None, typer.Option(help="Camera move: static, pan, tilt, orbit, push in ...")] = None,
+    move: Annotated[str | None, typer.Option(help="Camera move: static, pan left, tilt up, push in ...")] = None,
     animatic: Annotated[bool, typer.Option(help="Render the moving film again where it changed.")] = False,
     jobs: Jobs = None,
     quiet: Quiet = False,
@@ -219,7 +223,10 @@ def examine(json_lines: Json = False) -> None:
 @app.command()
 def catalog(
     kind: Annotated[
-        str, typer.Argument(help="props, sets, garments, hair, materials, motions or looks; all if not given.")
+        str,
+        typer.Argument(
+            metavar="KIND", help="props, sets, garments, hair, materials, motions or looks; all if not given."
+        ),
     ] = "",
     picture: Annotated[str | None, typer.Option(help="Render a picture of this prop, garment or hair style.")] = None,
     out: Annotated[Path, typer.Option("--out", "-o", help="Where the picture goes.")] = Path("catalog.png"),

@@ -11,7 +11,7 @@ from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, shot_name
 from storyblender.memory.history import Commit
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.memory.vocabulary import DISTANCE_OF_SIZE, Angle, Movement, ShotSize
+from storyblender.memory.vocabulary import DISTANCE_OF_SIZE, Angle, CameraDirection, Movement, ShotSize
 from storyblender.pipeline.run import Run
 from storyblender.project import Project
 
@@ -26,18 +26,24 @@ class CameraEdit(Frozen):
     size: ShotSize | None = None
     angle: Angle | None = None
     movement: Movement | None = None
+    direction: CameraDirection | None = None
+    """Where a move goes; it is said with the move, as in ``pan left``."""
     lens: float | None = Field(default=None, ge=4, le=1200)
     """mm."""
 
     @classmethod
     def from_words(cls, words: Mapping[str, str | float]) -> CameraEdit:
-        """Read an edit.
+        """Read an edit; ``movement`` may end in its direction.
 
         Raises:
             InputError: A word is not in the vocabulary.
         """
+        said = dict(words)
+        move, _, way = str(words.get("movement", "")).rpartition(" ")
+        if way in get_args(CameraDirection):
+            said |= {"movement": move, "direction": way}
         try:
-            return cls.model_validate(dict(words))
+            return cls.model_validate(said)
         except ValidationError as error:
             name = str(error.errors()[0]["loc"][0])
             mend = f"it is one of: {', '.join(CHOICES[name])}" if name in CHOICES else "it is a number of mm, 4 to 1200"
@@ -58,6 +64,8 @@ def apply_camera_edit(run: Run, shot: ShotContext, edit: CameraEdit) -> None:
         changes |= {"distance": DISTANCE_OF_SIZE[edit.size]}
         if edit.lens is None:
             changes |= {"lens": None}
+    if edit.movement is not None:
+        changes |= {"direction": edit.direction}
     instruction = CameraInstruction.model_validate(
         {**shot.camera_instruction.model_dump(), **changes, "explicit": True}
     )

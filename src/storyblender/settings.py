@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, ValidationError
+from pydantic import BeforeValidator, Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from storyblender.errors import InputError
@@ -25,6 +25,17 @@ Role = Literal[
 """Who reflects as it is told here."""
 Lens = Annotated[float, Field(ge=4, le=1200)]
 """mm."""
+
+
+def _ratio(value: Any) -> Any:
+    """Return a ratio written as people write it, ``16:9`` or ``2.39:1``, as the number that it is."""
+    wide, colon, high = value.partition(":") if isinstance(value, str) else (value, "", "")
+    try:
+        return float(wide) / float(high) if colon else value
+    except (ValueError, ZeroDivisionError):
+        return value
+
+
 REMEMBERED = "settings.json"
 """In the project folder."""
 
@@ -35,7 +46,7 @@ class Settings(Frozen):
     look: Look = "board"
     crew: Literal["rules"] = "rules"
     """Policy of every role; language models plug in here."""
-    aspect: float = Field(default=16 / 9, ge=0.4, le=4)
+    aspect: Annotated[float, BeforeValidator(_ratio)] = Field(default=16 / 9, ge=0.4, le=4)
     width: int = Field(default=960, ge=160, le=7680, multiple_of=4)
     """Pixels of a frame; the height follows the aspect ratio."""
     fps: int = Field(default=24, ge=6, le=120)

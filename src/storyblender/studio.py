@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -252,7 +253,12 @@ class Studio:
             for scene in run.graph.scenes
         ]
         waiting = [run.engine.export_scene(job) for job in jobs]
-        return [future.result() for future in waiting]
+        files: list[str] = []
+        run.progress("export", 0, len(jobs), kind)
+        for step, future in enumerate(waiting, start=1):
+            files.append(future.result())
+            run.progress("export", step, len(jobs), files[-1])
+        return files
 
 
 def _refuse_unmade(run: Run) -> None:
@@ -264,10 +270,15 @@ def _refuse_unmade(run: Run) -> None:
 
 def _named_shots(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
     known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-    for name in names:
+    wanted = [name.upper() for name in names]
+    for name, written in zip(wanted, names, strict=True):
         if name not in known:
-            raise InputError(f"there is no shot {name!r}", mend=f"the first is {next(iter(known), 'none')}")
-    return [known[name] for name in names] if names else list(graph.shots)
+            near = get_close_matches(name, known, n=1, cutoff=0.8)
+            mend = (
+                f"did you mean {near[0]}?" if near else f"they go from {next(iter(known))} to {next(reversed(known))}"
+            )
+            raise InputError(f"there is no shot {written!r}", mend=mend)
+    return [known[name] for name in wanted] if names else list(graph.shots)
 
 
 def _sample(key: str) -> Asset:

@@ -35,6 +35,7 @@ LABELS = {
     "frames": "Drawing the frames",
     "motion": "Shooting the animatic",
     "deliver": "Binding the board",
+    "export": "Writing the scenes",
 }
 PLAIN_WIDTH = 240
 """Columns of a table that goes to a file or a pipe: enough that nothing is cut."""

@@ -66,3 +66,10 @@ def test_nothing_to_redo_after_another_change(project: Project) -> None:
 def test_a_camera_that_cannot_be_is_refused_with_what_can(words: dict[str, str | float]) -> None:
     with pytest.raises(InputError, match=r"it is (one of|a number)"):
         CameraEdit.from_words(words)
+
+
+def test_a_move_may_say_where_it_goes() -> None:
+    assert CameraEdit.from_words({"movement": "pan left"}) == CameraEdit(movement="pan", direction="left")
+    assert CameraEdit.from_words({"movement": "push in"}) == CameraEdit(movement="push in")
+    with pytest.raises(InputError, match="movement cannot be 'spin left'; it is one of: static"):
+        CameraEdit.from_words({"movement": "spin left"})

@@ -55,3 +55,16 @@ def test_an_error_names_the_file_and_what_may_stand_there(tmp_path: Path, text: 
         Settings.load(tmp_path / "a.fountain")
     with pytest.raises(InputError, match=r"^setting 'fps' cannot be 0"):
         Settings.load(tmp_path / "b" / "a.fountain", fps=0)
+
+
+@pytest.mark.parametrize(("said", "ratio"), [("16:9", 16 / 9), ("9:16", 9 / 16), ("2.39:1", 2.39), ("1.85", 1.85)])
+def test_an_aspect_is_read_as_people_write_it(tmp_path: Path, said: str, ratio: float) -> None:
+    assert Settings.load(aspect=said).aspect == pytest.approx(ratio)
+    (tmp_path / "storyblender.toml").write_text(f'aspect = "{said}"')
+    assert Settings.load(tmp_path / "a.fountain").aspect == pytest.approx(ratio)
+
+
+@pytest.mark.parametrize("said", ["16:0", "wide", "16:", "9:1:2"])
+def test_an_aspect_that_is_none_is_refused(said: str) -> None:
+    with pytest.raises(InputError, match="'aspect' cannot be"):
+        Settings.load(aspect=said)
