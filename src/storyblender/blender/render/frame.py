@@ -24,6 +24,7 @@ from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
 from storyblender.look.ink import apply_ink, draw_ink, people_nearby
 from storyblender.look.looks import LOOKS, Look
+from storyblender.look.modelling import model_flesh
 from storyblender.look.pencil import draw_pencil, level_ground
 from storyblender.look.raster import Image, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
@@ -209,8 +210,9 @@ def _relit(
     # What glows by itself is not light on a surface: left in, a lamp would ring what is behind it.
     reflected = np.maximum(traced - gbuffer.emission(coarse), 0)
     light = (demodulate(reflected, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light) * shot.patches
-    picture = remodulate(upsample(light, gbuffer, look.light_step), mean_albedo(gbuffer, step, sky))
-    return picture + gbuffer.emission(step)
+    light = upsample(light, gbuffer, look.light_step)
+    model_flesh(light, gbuffer, shot.lights)
+    return remodulate(light, mean_albedo(gbuffer, step, sky)) + gbuffer.emission(step)
 
 
 def _statistics(passes: Passes, picture: Image, display: Image, faces: Sequence[Face], stops: float) -> FrameStatistics:
