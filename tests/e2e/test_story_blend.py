@@ -118,3 +118,13 @@ def test_a_scene_put_in_anew_is_as_in_a_whole_file(project: Path) -> None:
             patched = read(project)
             (project / "build" / "story.json").unlink()
     assert read(project) == patched
+
+
+def test_a_scene_goes_to_gltf_with_its_cameras_people_and_motion(project: Path) -> None:
+    assert storyblender("export", project, "--to", "glb", "--quiet").returncode == 0
+    data = (project / "export" / "SC010.glb").read_bytes()
+    held = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
+    nodes = {node["name"] for node in held["nodes"]}
+    assert {row["shot"] for row in rows(project)} <= nodes
+    assert len(held["skins"]) >= 2 and held["animations"], "people are rigs that move"
+    assert all(mesh["primitives"][0]["attributes"].get("POSITION") is not None for mesh in held["meshes"])

@@ -28,6 +28,7 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out:
         raise EngineError(f"{story.name} has no scene {scene_name}")
     bpy.context.window.scene = scene
     if kind == "glb":
+        _lighten(scene)
         bpy.ops.export_scene.gltf(
             filepath=str(out),
             export_format="GLB",
@@ -40,3 +41,10 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out:
         )
     else:
         bpy.ops.wm.usd_export(filepath=str(out), export_animation=True, export_armatures=True, export_lights=True)
+
+
+def _lighten(scene: bpy.types.Scene) -> None:
+    """Switch off what shapes meshes in the view: glTF takes them as they are, but each frame would reckon them anew."""
+    for obj in scene.objects:
+        for modifier in obj.modifiers:
+            modifier.show_viewport = False
