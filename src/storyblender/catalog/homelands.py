@@ -33,7 +33,7 @@ _EAST_ASIAN = Homeland("light", ("bun", "bob", "long"), ("short", "crop", "messy
 _OLIVE = Homeland("tan", ("long", "wavy", "bun", "ponytail"), ("short", "curly", "crop"))
 
 _PLACES: Final[dict[str, Homeland]] = {
-    "lagos nigeria abuja ibadan kano accra ghana kumasi nairobi kenya mombasa kisumu kampala uganda kigali rwanda dakar "
+    "lagos nigeria abuja ibadan kano accra ghana kumasi nairobi kenya mombasa kampala uganda kigali rwanda dakar "
     "senegal bamako mali timbuktu abidjan addis_ababa ethiopia dar_es_salaam tanzania zanzibar lusaka zambia harare "
     "zimbabwe soweto kinshasa congo luanda angola maputo mozambique namibia cameroon liberia "
     "port-au-prince haiti kingston jamaica sudan khartoum mogadishu somalia": _AFRICAN,

@@ -41,6 +41,7 @@ _GARMENTS: Final = {
     "|agbada|boubou|dashiki|thobe|djellaba",
     "gown": "(?:evening|ball|wedding|long|floor-length) (?:gown|dress(?:es)?)|nightgown|gown|sari",
     "gown socks": "kimono|yukata|hanbok|cheongsam",
+    "tee shorts:same socks shoes": "(?:football |soccer |sports |rugby )?(?:kits?|strip)|football shirt",
     "uniform:white trousers:same boots:white": "space ?suit|pressure suit|hazmat suit",
     "dress": "nightdress(?:es)?|sundress(?:es)?|frock|dress(?:es)?",
     "long_skirt": "(?:long|maxi|ankle-length|floor-length) skirt",

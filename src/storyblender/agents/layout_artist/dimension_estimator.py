@@ -14,6 +14,7 @@ from typing import Literal
 from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import TOY_WORDS
+from storyblender.look.surface import Surface
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
 from storyblender.memory.base import Vec3
 from storyblender.reflection import Critique, Fault
@@ -70,6 +71,12 @@ _STRETCH = 4.0
 """How many times larger or smaller than usual a stand-in of a class may be."""
 _TOY = 0.3
 """Metres: the longest side of a toy car, a plush bear, a model ship."""
+_IN_HAND = 0.45
+"""Metres: the longest side of what nobody knows and somebody holds."""
+_IN_ARMS = 0.55
+"""Metres: the height of a plant that somebody carries."""
+_CARRIED_BEAST = 1.2
+"""Metres: a longer beast in somebody's hands is a toy."""
 _PLAUSIBLE = (0.003, 60.0)
 
 
@@ -127,12 +134,18 @@ def estimate(asset: Asset) -> AssetDimension:
     if asset.canonical is not None and asset.canonical.source == "catalog":
         side, value = _largest(asset.canonical.dimensions)
         entry = PROPS[asset.canonical.key]
-        if entry.life_size and any(_says(word, text) for word in TOY_WORDS):
+        carried = asset.tags[:1] == ("prop",) and "handled" in asset.tags
+        too_large = carried and entry.category == "animal" and value > _CARRIED_BEAST
+        if too_large or (entry.life_size and any(_says(word, text) for word in TOY_WORDS)):
             value = _TOY
+        elif carried and entry.surface is Surface.FOLIAGE:
+            value = min(value, _IN_ARMS)
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":
         side, value = _of_stand_in(_head(asset), asset.canonical.dimensions)
+        if "handled" in asset.tags and max(asset.canonical.dimensions) <= _IN_HAND:
+            value = min(value, _IN_HAND)
     else:
         side, value = _usual(asset, text)
     return AssetDimension(**{side: round(value * scale, 3 if value < 0.1 else 2)})

@@ -178,6 +178,25 @@ def whiteboard(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return ()
 
 
+@prop("fishing_net")
+def fishing_net(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a heap of net: strands over a mound, and floats along its edge."""
+    (w, d, h), cord = spec.size, spec.material("cord")
+    b.cushion("leather_black", (0, 0, h * 0.32), (w * 0.8, d * 0.8, h * 0.66), softness=0.9)
+    for k in range(22):
+        turn, lean = math.pi * k / 11, 0.35 * math.sin(2.3 * k)
+        across = np.linspace(-1, 1, 11)
+        rise = h * (0.72 + 0.2 * math.sin(1.7 * k)) * np.sqrt(np.clip(1 - across**2, 0, 1)) + 0.012
+        x = 0.48 * w * (across * math.cos(turn) - lean * (1 - across**2) * math.sin(turn))
+        y = 0.48 * d * (across * math.sin(turn) + lean * (1 - across**2) * math.cos(turn))
+        b.tube(cord, np.c_[x, y, rise], 0.009, segments=5)
+    for k in range(9):
+        turn = math.tau * k / 9 + 0.3
+        at = (0.44 * w * math.cos(turn), 0.44 * d * math.sin(turn), 0.045)
+        b.sphere(spec.material("float"), at, 0.045, scale=(1.3, 1, 1), segments=10, rings=7)
+    return ()
+
+
 @prop("brazier")
 def brazier(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build an iron bowl on three feet, full of coals."""

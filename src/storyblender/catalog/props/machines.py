@@ -217,7 +217,7 @@ MACHINES: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "potted_plant",
-        "house plant, pot plant, palm, ficus, fern",
+        "house plant, pot plant, plant, sapling, seedling, lemon tree, orange tree, bonsai, palm, ficus, fern",
         (0.8, 0.8, 1.3),
         {"leaf": "leaves", "pot": "clay"},
         "A plant in a pot.",

@@ -78,6 +78,14 @@ ROOMS: tuple[PropEntry, ...] = (
         placement="wall",
     ),
     entry(
+        "street",
+        "fishing_net",
+        "net, fish net, trawl net, heap of nets, cargo net",
+        (1.1, 0.9, 0.34),
+        {"cord": "canvas", "float": "clay"},
+        "A heap of net with its floats.",
+    ),
+    entry(
         "furniture",
         "brazier",
         "charcoal burner, hibachi, fire bowl, fire basket, coal fire, fire pit",

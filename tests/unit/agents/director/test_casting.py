@@ -40,6 +40,7 @@ def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
         ("yellow oilskins and boots", "coat boots"),
         ("waistcoat", "vest"),
         ("a grey kimono", "socks gown"),
+        ("muddy red kits", "socks tee shorts shoes"),
         ("a white spacesuit", "trousers uniform boots"),
         ("nothing at all", ""),
     ],

@@ -92,3 +92,19 @@ def test_the_critic_wants_exactly_one_value_and_the_rules_repair_it() -> None:
     assert {fault.subject for fault in critique.faults} == {"apple", "someone"}
     repaired = DimensionRules().refine(draft, critique, assets)
     assert DimensionCritic().judge(repaired, assets).score == 10
+
+
+def made_of(key: str, name: str, *tags: str, source: Literal["catalog", "stand_in"] = "catalog") -> Asset:
+    asset = Asset(asset_id="it", asset_type="object", name=name, description=name, tags=tags)
+    recipe = Recipe(source=source, key=key, score=9.0)
+    return asset.model_copy(update={"canonical": recipe.canonical()})
+
+
+def test_what_somebody_carries_is_no_larger_than_arms_can_hold() -> None:
+    carried = ("prop", "handled")
+    assert only(estimate(made_of("potted_plant", "plant", *carried)))[1] < 0.6
+    assert only(estimate(made_of("potted_plant", "plant", "prop")))[1] > 1.0
+    assert only(estimate(made_of("bear", "bear", *carried)))[1] < 0.4
+    assert only(estimate(made_of("bear", "bear", "animal")))[1] > 1.2
+    assert only(estimate(made_of("wheelchair", "wheelchair", *carried)))[1] > 0.8
+    assert only(estimate(made_of("round_thing", "plant", *carried, source="stand_in")))[1] < 0.5
