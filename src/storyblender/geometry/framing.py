@@ -170,9 +170,13 @@ def placed(camera: Orbit, point: ArrayLike, x: float, y: float) -> Orbit:
 
 
 def lead_room(camera: Orbit, figure: Figure) -> float:
-    """Return the screen x for a lone figure: looking across the picture, it gets room before its face."""
+    """Return the screen x for a lone figure: looking across the picture, it gets room before its face.
+
+    A large head takes that room itself: behind its face are hair and neck, and they stay in the picture.
+    """
     across = float(np.dot(figure.forward, camera.axes[:, 0]))
-    return 0.5 - THIRD * 0.85 * max(-1.0, min(1.0, 1.4 * across)) if abs(across) > 0.2 else 0.5
+    room = THIRD * 0.85 * (1 - 1.5 * max(0.0, head_share(camera, figure) - 0.25))
+    return 0.5 - max(room, 0.0) * max(-1.0, min(1.0, 1.4 * across)) if abs(across) > 0.2 else 0.5
 
 
 def face_height(size: str) -> float:

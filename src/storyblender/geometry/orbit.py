@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,12 +43,12 @@ class Orbit:
     sensor_width: float = 36.0
     aspect: float = 16 / 9
 
-    @property
+    @cached_property
     def axes(self) -> Floats:
         """Columns: right, up and backward of the camera in the world (R(r))."""
         return matrix(self.rotation)
 
-    @property
+    @cached_property
     def position(self) -> Floats:
         """Optical centre: p_cam = c_piv + R(r) (0, 0, d)."""
         return np.asarray(self.pivot) + self.axes[:, 2] * self.distance

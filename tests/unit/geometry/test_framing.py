@@ -62,6 +62,14 @@ def test_lead_room_is_on_the_side_the_face_looks_to() -> None:
     assert project(frontal, ANNA.face)[0][0, 0] == pytest.approx(0.5, abs=0.01)
 
 
+def test_a_large_head_is_nearer_to_the_middle_and_its_hair_stays_in_the_picture() -> None:
+    off = {
+        size: abs(float(project(single(FILM, ANNA, size, 160, 2, 85), ANNA.face)[0][0, 0]) - 0.5)
+        for size in ("MS", "CU")
+    }
+    assert 0.06 < off["CU"] < 0.8 * off["MS"]
+
+
 def test_a_two_shot_holds_both_and_centres_them() -> None:
     camera = group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
     xs = project(camera, [ANNA.face, TOM.face])[0][:, 0]

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
+from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.framing import Figure, Film
@@ -98,7 +100,7 @@ class CameraBrief:
         """Return the node that shows an asset."""
         return self.nodes.get(asset_id, asset_id)
 
-    @property
+    @cached_property
     def focus(self) -> tuple[str, ...]:
         """node_ids the shot is about; a tight shot or a single is about the first person only, others may be cut.
 
@@ -114,22 +116,22 @@ class CameraBrief:
         lead = next((node for node in nodes if node in faces), None)
         return tuple(node for node in nodes if node == lead or node not in faces)
 
-    @property
+    @cached_property
     def drawn(self) -> Moment:
         """The moment that the board shows."""
         return self.moments[len(self.moments) // 2]
 
-    @property
+    @cached_property
     def named(self) -> tuple[str, ...]:
         """node_ids of all that the Director's instruction is about."""
         return tuple(self.node(asset_id) for asset_id in self.instruction.focus_on_ids)
 
-    @property
+    @cached_property
     def people(self) -> tuple[Figure, ...]:
         """The focus people when the shot is drawn."""
         return tuple(figure for node in self.focus if (figure := self.drawn.figure(node)) is not None)
 
-    @property
+    @cached_property
     def things(self) -> tuple[Box, ...]:
         """Boxes of the focus things."""
         if self.detail is not None:
@@ -153,7 +155,7 @@ class CameraBrief:
         alone = sum(node in faces for node in self.focus) < 2
         return alone and float(np.hypot(*self.travel[:2])) > TRAVEL
 
-    @property
+    @cached_property
     def in_stride(self) -> bool:
         """Whether a lone subject who walks is still on the way when the shot is drawn."""
         if not (self.walks and self.people):
@@ -181,7 +183,7 @@ class CameraBrief:
                     found.append(there)
         return tuple(found)
 
-    @property
+    @cached_property
     def strangers(self) -> tuple[str, ...]:
         """node_ids of the people on stage who have no part in this shot; whoever holds what it shows has one."""
         instruction = self.instruction
@@ -189,6 +191,25 @@ class CameraBrief:
         own |= {self.node(asset_id or "") for asset_id in (instruction.over_id, instruction.pov_id)}
         own |= {*self.named, *(who for who, things in self.carried.items() if {*things} & {*self.named})}
         return tuple(figure.node_id for figure in self.drawn.figures if figure.node_id not in own)
+
+    @cached_property
+    def loose(self) -> dict[str, Box]:
+        """Boxes of what may go for a picture: it is not about that, and nobody uses, holds or sits on it."""
+        kept = {*self.focus, *self.used, *(node for things in self.carried.values() for node in things)}
+        return {node: box for node, box in self.props.items() if node not in kept and not self._bears(box)}
+
+    @cached_property
+    def vessels(self) -> tuple[str, ...]:
+        """node_ids of the boats and carriages that people of the picture are in: those do not stand before them."""
+        return tuple(node for node, box in self.props.items() if aboard([box], self.people))
+
+    def _bears(self, box: Box) -> bool:
+        """Return whether somebody sits or lies on a thing: it never goes, or they would float."""
+        for figure in (figure for moment in self.moments for figure in moment.figures):
+            across, along = box.to_local(figure.face[0], figure.face[1])
+            if abs(across) < box.width / 2 and abs(along) < box.depth / 2 and figure.face[2] > box.z:
+                return True
+        return False
 
     @property
     def axis(self) -> tuple[Figure, Figure] | None:

@@ -16,6 +16,8 @@ from storyblender.geometry.orbit import Orbit
 
 _SMALLEST = 0.6
 """How small heads may get, of what the size wants, so that the picture holds all of a group's walks."""
+_OFF_MIDDLE = 0.1
+"""Share of the width that a group may be off the middle when it is drawn."""
 _EDGE = 0.03
 """Share of the picture at its edges in which a face is not held."""
 
@@ -24,7 +26,7 @@ def grouped(brief: CameraBrief, lens: float, azimuth: float, elevation: float) -
     """Return the camera that holds the focus people wherever they go, or where they are if that is too far."""
     size = brief.instruction.size
     whole = framing.group(brief.film, brief.stages, size, azimuth, elevation, lens)
-    if brief.people[0].head / whole.frame_height > _SMALLEST * framing.SCALES[size].head:
+    if brief.people[0].head / whole.frame_height > _SMALLEST * framing.SCALES[size].head and _centred(brief, whole):
         return whole
     return framing.group(brief.film, brief.people, size, azimuth, elevation, lens)
 
@@ -53,9 +55,15 @@ def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -
     screen, depth = framing.project(whole, [figure.face for figure in brief.stages])
     framed = depth.min() > 0 and screen[:, 0].min() > _EDGE and screen[:, 0].max() < 1 - _EDGE
     nearest = max(framing.head_share(whole, figure) for figure in brief.people)
-    if framed and nearest > _SMALLEST * framing.SCALES[size].head:
+    if framed and nearest > _SMALLEST * framing.SCALES[size].head and _centred(brief, whole):
         return whole
     return framing.group_from(film, brief.people, size, place, camera.lens, widest)
+
+
+def _centred(brief: CameraBrief, camera: Orbit) -> bool:
+    """Return whether the people are about the middle of the picture when it is drawn, whatever their walks need."""
+    across = framing.project(camera, [figure.face for figure in brief.people])[0][:, 0]
+    return abs(float(across.min() + across.max()) / 2 - 0.5) < _OFF_MIDDLE
 
 
 def group_azimuth(brief: CameraBrief) -> float:

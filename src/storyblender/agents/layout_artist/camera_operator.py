@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
 from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
-from storyblender.agents.layout_artist.camera_scout import belongings, cost, scouted, without
+from storyblender.agents.layout_artist.camera_scout import cost, scouted, without
 from storyblender.agents.layout_artist.camera_start import F_NUMBER, take
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
@@ -67,7 +67,8 @@ class CameraRules:
     def refine(self, draft: Take, critique: Critique, view: CameraBrief) -> Take:
         """Return the best of the fixed takes, of the scout's next places if no fix helps, or the draft itself."""
         known = self.critic.judged(view)
-        cleared = [node for node in draft.hidden if node in belongings(view, view.strangers)]
+        needed = take(view, draft.camera).hidden
+        cleared = [node for node in draft.hidden if node not in needed]
         fixed = [without(take(view, camera), cleared) for camera in _fixed(draft, critique)]
         fixed = sorted((other for other in fixed if other not in known), key=lambda other: cost(view, other))
         best, score = self._best(fixed[:_FIXES], view)

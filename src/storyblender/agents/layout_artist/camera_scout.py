@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
+from storyblender.agents.layout_artist.camera_furniture import GRID, backs, in_the_way
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, shoulder, start
@@ -54,12 +55,16 @@ _LOOMING = 1.2
 """Points for a head that is e times as large as the size wants: nobody fills the foreground of a group."""
 _LEAVES, _COMES = 1.5, 0.2
 """Points for a moment at which the first person is out of the picture: who is alone in it, and one of several."""
-_GRID = (15, 8)
-"""Columns and rows of the rays that look for what stands before everybody."""
 _FRONT = 0.08
 """Share of the picture that a table or a counter may take before them."""
 _STANDS, _TAKEN = 0.3, 0.3
 """Metres below which a thing stands on the floor; points for taking it away with a wall, and half a point a m3."""
+_COMPANY, _BACK = 1.7, 2.0
+"""Metres from the first person within which who is seen takes part in the picture; points for such a one's back."""
+_FROM_BEHIND = 100.0
+"""Degrees from full face from which somebody is seen from behind."""
+_BACKSIDE = 0.06
+"""Share of the picture that backs of furniture may take."""
 CLEARED = 0.3
 """Points for sending somebody out of the picture who has no part in it: continuity minds a little."""
 
@@ -67,7 +72,8 @@ CLEARED = 0.3
 def scouted(brief: CameraBrief) -> list[Take]:
     """Return compositions from all around, the most promising first; a point of view has only one.
 
-    Where people show who have no part in a shot that is not about the place, the same take without them competes.
+    Where people show who have no part in a shot that is not about the place, the same take without them competes; so
+    it does without the furniture that stands before the people.
     """
     if brief.instruction.kind == "pov":
         return [start(brief)]
@@ -80,8 +86,9 @@ def scouted(brief: CameraBrief) -> list[Take]:
             take = start(brief, turn, rise)
             away = abs(turn) / 240 + rise / 45
             takes.setdefault(take, cost(brief, take) + away)
-            if (cleared := _cleared(brief, take)) != take:
-                takes.setdefault(cleared, cost(brief, cleared) + away)
+            for other in (cleared := _cleared(brief, take), without(cleared, in_the_way(brief, take.camera))):
+                if other not in takes:
+                    takes[other] = cost(brief, other) + away
     return sorted(takes, key=lambda take: takes[take])
 
 
@@ -122,17 +129,21 @@ def cost(brief: CameraBrief, take: Take) -> float:
 
 
 def _before(brief: CameraBrief, take: Take) -> float:
-    """Weigh what stands in the picture nearer than its people are; the middle third counts twice."""
+    """Weigh what stands in the picture nearer than its people are; the middle third counts twice.
+
+    What the shot is about counts as well, as the back of a piano does, unless they are in it.
+    """
     faces = [figure.face for figure in brief.people]
     if not faces or brief.instruction.kind in ("ots", "pov", "insert"):
         return 0.0
-    camera, (columns, rows) = take.camera, _GRID
+    camera, (columns, rows) = take.camera, GRID
     deep = max(float(project(camera, faces)[1].mean()), 0.5) - _OWN
     spots = camera.position + rays(camera, columns, rows) * deep
-    taken = hidden(_solids(brief, take.hidden), camera.position, spots).reshape(rows, columns).mean(0)
+    boxes = solids(dict(brief.props), brief.plan, (*take.hidden, *brief.vessels))
+    taken = hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
-    return 8.0 * max(0.0, float(share) - _FRONT)
+    return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, backs(brief, take, deep + 2 * _OWN) - _BACKSIDE))
 
 
 def _kept(brief: CameraBrief, take: Take) -> float:
@@ -212,17 +223,29 @@ def _people(brief: CameraBrief, take: Take) -> float:
         elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
             whole = _framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
+            points += _cut_off(camera, figure) * (instruction.kind == "establishing")
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
+        elif figure.node_id in brief.strangers and instruction.kind not in ("establishing", "insert"):
+            points += _back(brief, camera, figure)
     return points
+
+
+def _back(brief: CameraBrief, camera: Orbit, figure: Figure) -> float:
+    """Weigh the back of somebody beside the first person: who is that near takes part, and has a face."""
+    near = brief.people and math.dist(figure.base[:2], brief.people[0].base[:2]) < _COMPANY
+    if not near or not _inside(camera, figure):
+        return 0.0
+    return _BACK * max(0.0, figure.turned_from(camera.position) - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
 
 
 def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
     """Weigh one of the people whom the shot is about."""
     lead = figure.node_id == brief.people[0].node_id if brief.people else True
     weight = 1.0 if lead else 0.6
-    limit = min(face_limit(brief), 75.0)
+    # Who walks off from the one over whose shoulder they are seen may show their back.
+    limit = min(face_limit(brief), math.inf if looks_after(brief) is not None and brief.in_stride else 75.0)
     points = weight * 2.0 * max(0.0, (figure.turned_from(camera.position) - limit) / 60)
     if not _framed(camera, figure):
         return points + 3.0
@@ -230,12 +253,16 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     points += len(brief.people) > 1 and not AT_SIDE < x < 1 - AT_SIDE
     share = hidden_share(camera, figure, boxes)
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
-    if brief.instruction.size in WHOLE:
-        (_, top), (_, bottom) = project(camera, [figure.crown, figure.base])[0]
-        cut = (max(float(bottom) - 1, 0.0) + max(-float(top), 0.0)) / max(float(bottom - top), 1e-3)
-        points += (0.5 + 2 * cut) * (cut > _CUT)
+    points += _cut_off(camera, figure) * (brief.instruction.size in WHOLE)
     off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)
     return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
+
+
+def _cut_off(camera: Orbit, figure: Figure) -> float:
+    """Weigh what the frame takes off a body that should be whole."""
+    (_, top), (_, bottom) = project(camera, [figure.crown, figure.base])[0]
+    cut = (max(float(bottom) - 1, 0.0) + max(-float(top), 0.0)) / max(float(bottom - top), 1e-3)
+    return (0.5 + 2 * cut) * (cut > _CUT)
 
 
 def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:

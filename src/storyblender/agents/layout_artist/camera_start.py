@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Moment, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of, share_of
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
-from storyblender.geometry.boxes import Box, corners
+from storyblender.geometry.boxes import corners
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import eased, followed, moved
@@ -24,13 +23,16 @@ _OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
 _WIDE_OFF = 40.0
 _MASTER_ELEVATION, _INSERT_ELEVATION = 5.0, 30.0
 _MASTER_AZIMUTH = 14.0
-_SHORTEST = {"EWS": 0.1}
+_SHORTEST = {"EWS": 0.22}
 """Least height of the tallest of an establishing shot's people in the picture; other sizes take ``_SHORT``."""
-_SHORT, _TALL = 0.19, 0.38
+_SHORT, _TALL = 0.26, 0.4
+_HELD = 0.8
+"""Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
 _TALKS = 80.0
 """Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
-_SHOULDER_TURN = 45.0
-"""Degrees to go round to where two are beside each other, and no longer one before the other's shoulder."""
+_SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
+"""Degrees to go round to where two are beside each other, and no longer one before the other's shoulder; sooner where
+one of them walks off: they are far apart."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
@@ -79,24 +81,10 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
         first, last = (moved(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
     hidden: list[str] = []
     if brief.plan is not None:
-        loose = {
-            node: box
-            for node, box in brief.props.items()
-            if node not in (*brief.focus, *brief.used) and not _bears(box, brief.moments)
-        }
-        hidden = taken_away(brief.plan, loose, dict.fromkeys((first, camera, last)), _targets(brief))
+        hidden = taken_away(brief.plan, brief.loose, dict.fromkeys((first, camera, last)), _targets(brief))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(brief.node(instruction.pov_id))
     return Take(camera, first, last, tuple(hidden))
-
-
-def _bears(box: Box, moments: Iterable[Moment]) -> bool:
-    """Return whether somebody sits or lies on a thing: it never goes, or they would float."""
-    for figure in (figure for moment in moments for figure in moment.figures):
-        across, along = box.to_local(figure.face[0], figure.face[1])
-        if abs(across) < box.width / 2 and abs(along) < box.depth / 2 and figure.face[2] > box.z:
-            return True
-    return False
 
 
 def _targets(brief: CameraBrief) -> list[np.ndarray]:
@@ -145,7 +133,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if over is not None:
         side = line_side(brief, lead, over)
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
-        if abs(turn) > _SHOULDER_TURN:
+        if abs(turn) > (_LEAVING_TURN if brief.in_stride and looks_after(brief) is not None else _SHOULDER_TURN):
             return framing.group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
@@ -199,6 +187,10 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
         return replace(camera, distance=camera.distance + least - nearest)
     if nearest <= most:
         return camera
+    points = [point for figure in people for point in (figure.base, figure.crown)]
+    held = framing.master(brief.film, points, camera.azimuth, camera.elevation, camera.lens, _HELD)
+    if held.distance >= most:
+        return held
     middle = np.mean([(*figure.face[:2], (figure.face[2] + figure.base[2]) / 2) for figure in people], axis=0)
     near = brief.film.look(middle, camera.azimuth, camera.elevation, max(most, 2.0), camera.lens)
     return framing.placed(near, middle, 0.5, 0.6)

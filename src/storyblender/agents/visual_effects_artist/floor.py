@@ -209,7 +209,7 @@ class Floor:
             for spot, free in zip(around, room, strict=True)
             if free > BODY * k + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
         ]
-        fitting.sort(key=lambda s: math.dist(s, start) + 2.0 * math.dist(s, point) + BACK * _back_turned(s, point))
+        fitting.sort(key=lambda s: math.dist(s, start) + 3.0 * math.dist(s, point) + BACK * _back_turned(s, point))
         best: tuple[float, Vec2] | None = None
         for spot in fitting[:24]:
             way = self.path(start, spot, k)

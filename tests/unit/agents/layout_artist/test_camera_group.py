@@ -175,6 +175,15 @@ def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
     assert start(view, 0, 9).camera.elevation - start(view).camera.elevation == pytest.approx(9, abs=1.5)
 
 
+def test_a_group_is_about_the_middle_when_it_is_drawn_whatever_its_walks_need() -> None:
+    tom = person("tom", 0.3, 0.0, -90)
+    steps = [Moment(20 * n, (person("anna", x, 0.1, 90), tom)) for n, x in enumerate((-2.4, -0.3, -0.3))]
+    view = replace(brief(*steps[1].figures, kind="two_shot", size="FS", focus_on_ids=("anna", "tom")), plan=None)
+    camera = start(replace(view, moments=tuple(steps))).camera
+    across = project(camera, [each.face for each in steps[1].figures])[0][:, 0]
+    assert abs(float(across.mean()) - 0.5) < 0.1
+
+
 def test_air_above_small_heads_is_no_fault() -> None:
     far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
     wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna", "tom")}

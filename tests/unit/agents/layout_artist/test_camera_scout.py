@@ -132,6 +132,18 @@ def test_who_is_looked_after_is_no_back_where_a_side_shows_more() -> None:
     assert "face_away" in back
 
 
+def test_who_walks_off_is_seen_from_behind_past_who_looks_after_them() -> None:
+    steps = tuple(Moment(20 * n, (TOM, figure("anna", -0.6 - 1.2 * n, 0.1, -90, 1.65))) for n in range(3))
+    wish = {"kind": "ots", "size": "MS", "focus_on_ids": ("anna",), "over_id": "tom", "explicit": True}
+    view = replace(brief(moments=steps, **wish), duration=41)
+    assert view.in_stride
+    camera = scouted(view)[0].camera
+    walker = view.people[0]
+    assert walker.turned_from(camera.position) > 120
+    screen, depth = project(camera, [walker.face, TOM.face])
+    assert ((screen > 0) & (screen < 1)).all() and depth[1] < depth[0], "past him"
+
+
 def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
     rower, friend = figure("anna", 0.4, 0, -90, 1.3), figure("tom", -0.4, 0, 90, 1.3)
     view = brief([rower, friend], kind="action", size="MWS", focus_on_ids=("anna", "tom"))
