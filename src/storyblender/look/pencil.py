@@ -15,8 +15,8 @@ from storyblender.look.surface import PERSON
 
 _PAPER = np.array([0.985, 0.965, 0.925], np.float32)
 _TONE_IN = (0.0, 0.10, 0.20, 0.32, 0.42, 0.60, 0.74, 0.95)
-_TONE_OUT = (0.26, 0.33, 0.46, 0.55, 0.69, 0.80, 0.93, 1.0)
-"""Soft steps: flat, rise, flat, rise."""
+_TONE_OUT = (0.34, 0.41, 0.51, 0.58, 0.69, 0.80, 0.93, 1.0)
+"""Soft steps: flat, rise, flat, rise. The darkest tone leaves room for a line: a sleeve is seen before a black coat."""
 _SKIN_IN = (0.0, 0.08, 0.24, 0.42, 0.62, 0.85)
 _SKIN_OUT = (0.40, 0.51, 0.72, 0.86, 0.97, 1.0)
 """Display luminance of skin to its tone: lighter than things as bright, so that a face is read by its features."""

@@ -139,6 +139,15 @@ def test_pencil_night_is_darker_than_day():
     assert draw_pencil(GREY, none, none, none, 0.86).mean() < 0.8 * draw_pencil(GREY * 3, none, none, none, 0.86).mean()
 
 
+def test_a_pencil_line_is_seen_on_a_black_coat():
+    ink = np.zeros((540, 960), np.float32)
+    ink[270:274] = 1
+    display = np.full((540, 960, 3), 0.03, np.float32)
+    display[:, 600:] = 0.5
+    drawn = draw_pencil(display, ink, ink * 0, ink * 0, 0.86)[:, 100:500, 0]
+    assert drawn[271:273].mean() < drawn[300:].mean() - 0.18
+
+
 def test_pencil_lines_waver_but_stay_where_they_are():
     ink = np.zeros((540, 960), np.float32)
     ink[270:273] = 1
