@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 
+from storyblender.blender.appending import append
 from storyblender.blender.measure.hashing import geometry_hash
 from storyblender.blender.measure.surfaces import find_tops
 from storyblender.blender.people.body import Body
@@ -93,10 +94,7 @@ class AssetStore:
         return Body.load(self._folder / f"{digest}.npz")
 
     def _append(self, digest: str) -> list[bpy.types.Object]:
-        path = self._folder / f"{digest}.blend"
-        with bpy.data.libraries.load(str(path), link=False) as (source, target):
-            target.collections = list(source.collections)
-        collection = target.collections[0]
+        (collection,) = append(self._folder / f"{digest}.blend", "collections")
         objects = sorted(collection.objects, key=lambda obj: obj.name)
         bpy.data.collections.remove(collection)
         return objects

@@ -3,35 +3,61 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import bpy
 
 _COPY = re.compile(r"\.\d{3,}$")
 
+Copies = dict[bpy.types.ID, bpy.types.ID]
+
 
 def merge_duplicates() -> None:
     """Point every user of a numbered copy at the original and remove the copy.
 
-    Images and materials are named by what they are made of, so equal names mean equal content; meshes and
-    armatures also carry the digest of their recipe. A mesh with shape keys stays single: its face is animated.
+    Images and materials are named by what they are made of, so equal names mean equal content; meshes also carry
+    the digest of their recipe. A mesh with shape keys stays single: its face is animated.
     """
-    for block in (bpy.data.images, bpy.data.node_groups, bpy.data.materials):
-        _merge(block, same=lambda copy, original: True)
-    meshes = [mesh for mesh in bpy.data.meshes if mesh.shape_keys is None]
-    _merge(bpy.data.meshes, same=_same_digest, among=meshes)
+    images = _copies(bpy.data.images)
+    for tree in _node_trees():
+        for node in tree.nodes:
+            if getattr(node, "image", None) in images:
+                node.image = images[node.image]
+    _remove(images)
+    materials = _copies(bpy.data.materials)
+    for mesh in bpy.data.meshes:
+        _replace_materials(mesh.materials, materials)
+    _remove(materials)
+    meshes = _copies([mesh for mesh in bpy.data.meshes if mesh.shape_keys is None], same=_same_digest)
+    for obj in bpy.data.objects:
+        if obj.data in meshes:
+            obj.data = meshes[obj.data]
+    _remove(meshes)
 
 
-def _merge(block, same, among: Iterable[bpy.types.ID] | None = None) -> None:
-    for copy in sorted(block if among is None else among, key=lambda item: item.name):
-        base = _COPY.sub("", copy.name)
-        original = block.get(base)
-        if base == copy.name or original is None or original == copy or not same(copy, original):
-            continue
-        copy.user_remap(original)
-        if copy.users == 0 or (copy.users == 1 and copy.use_fake_user):
-            block.remove(copy)
+def _copies(
+    blocks: Iterable[bpy.types.ID], same: Callable[[bpy.types.ID, bpy.types.ID], bool] = lambda copy, original: True
+) -> Copies:
+    named = {block.name: block for block in blocks}
+    pairs = ((block, named.get(_COPY.sub("", name))) for name, block in named.items())
+    return {copy: original for copy, original in pairs if original not in (None, copy) and same(copy, original)}
 
 
 def _same_digest(copy: bpy.types.ID, original: bpy.types.ID) -> bool:
     return copy.get("digest") is not None and copy.get("digest") == original.get("digest")
+
+
+def _node_trees() -> list[bpy.types.NodeTree]:
+    users = (*bpy.data.materials, *bpy.data.worlds, *bpy.data.lights)
+    return [user.node_tree for user in users if user.node_tree is not None]
+
+
+def _replace_materials(slots: bpy.types.IDMaterials, copies: Copies) -> None:
+    for index, material in enumerate(slots):
+        if material in copies:
+            slots[index] = copies[material]
+
+
+def _remove(copies: Copies) -> None:
+    """Remove copies that nobody uses any more, all in one go: each removal goes through the whole file."""
+    bpy.data.batch_remove([copy for copy in copies if copy.users == int(copy.use_fake_user)])

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import bpy
 
+from storyblender.blender.appending import append
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.cameras import make_camera
 from storyblender.blender.light import make_lights
@@ -69,9 +70,7 @@ def _take_out(names: list[str]) -> None:
 
 def _add_scene(job: StoryJob, pack: PackRef, context: SceneContext, shots: tuple[ShotContext, ...], root: Path) -> None:
     name = scene_name(pack.scene_id)
-    with bpy.data.libraries.load(str(root / pack.path), link=False) as (_, target):
-        target.scenes = [name]
-    scene = bpy.data.scenes[name]
+    (scene,) = append(root / pack.path, "scenes", [name])
     bpy.context.window.scene = scene
     scene.render.resolution_x, scene.render.resolution_y = job.format.width, job.format.height
     scene.render.resolution_percentage = 100

@@ -55,7 +55,8 @@ class Paint:
 def material(paint: Paint) -> bpy.types.Material:
     """Return the Principled material of ``paint``; equal paints share one."""
     red, green, blue = (round(channel, 4) for channel in paint.color)
-    name = f"{paint.finish} {red} {green} {blue}" + (" painted" if paint.vertex_colors else "")
+    how = "painted" if paint.vertex_colors else f"alpha {paint.alpha:g}"
+    name = f"{paint.finish} {red} {green} {blue} ({how})"  # a number at its end Blender would take for a copy's
     if name in bpy.data.materials:
         return bpy.data.materials[name]
     made = bpy.data.materials.new(name)
