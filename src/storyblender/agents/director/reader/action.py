@@ -65,6 +65,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     entrances.named_enter(stage, words, clauses)
     subjects = stage.sentence.subjects
     distances.relate_apart(stage, words, subjects, previous)
+    distances.relate_side_by_side(stage, sentence.words, subjects)
     _leftover_pronouns(stage, subjects, previous)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
     contents.relate_filled(stage, words, phrases)

@@ -176,7 +176,8 @@ def _complete_fragment(words: list[Word]) -> list[Word]:
     """Put ``was`` into a sentence without a verb: ``MAN #2 on the bed``, ``Behind her, JO``."""
     if not words:
         return words
-    if words[0].low in lexicon.PREPOSITIONS and words[0].mention is None:
+    compound = any(_starts_with(words, each) for each in lexicon.COMPOUND_PREPOSITIONS.get(words[0].low, ()))
+    if (words[0].low in lexicon.PREPOSITIONS or compound) and words[0].mention is None:
         return _turn_around(words)
     at = next((index for index, word in enumerate(words) if index and _starts_predicate(word)), None)
     if at is None or not (words[at - 1].solid or words[at - 1].text == ","):
@@ -187,6 +188,10 @@ def _complete_fragment(words: list[Word]) -> list[Word]:
         comma = next(index for index, word in enumerate(words) if word.text == ",")
         words, at = words[:comma] + words[at:], comma
     return [*words[:at], was(words[at].start), *words[at:]]
+
+
+def _starts_with(words: list[Word], phrase: tuple[str, ...]) -> bool:
+    return tuple(word.low for word in words[: len(phrase)]) == phrase
 
 
 def _starts_predicate(word: Word) -> bool:

@@ -231,7 +231,8 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
         return _continues(form, left, right, row) and not listed
     if not third and form.lemma in lexicon.MOTION_OF_VERB and _several_described(row):
         return singular(word.low) not in _NOUNS
-    return left.text.isalpha() and (not row.verb_seen or _new_clause(row)) and _after_noun(word, form, left, right)
+    new = not row.verb_seen or _new_clause(row) or (form.lemma in _POSED | {"lean"} and _after_comma(row))
+    return left.text.isalpha() and new and _after_noun(word, form, left, right)
 
 
 def _is_relative(left: Word, right: str, row: Row) -> bool:
@@ -270,13 +271,21 @@ def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
 
 def _new_clause(row: Row) -> bool:
     """Whether the noun before opens a clause of its own: ``Doyle falls and the lantern rolls off``."""
-    for index in range(len(row.words) - 2, max(len(row.words) - 5, -1), -1):
+    measured = any(word.low == "of" for word in row.words[-5:])
+    for index in range(len(row.words) - 2, max(len(row.words) - (8 if measured else 5), -1), -1):
         if row.words[index].low in OPENERS:
             before = row.words[index - 1].low if index else ""
             if index > 1 and before in lexicon.PRONOUNS and row.words[index - 2].low in lexicon.PREPOSITIONS:
                 return True  # and behind it a map hangs
             return before in _CLAUSE_LINKS or (before == "," and row.words[0].low in _SUBORDINATORS)
     return False
+
+
+def _after_comma(row: Row) -> bool:
+    """``The boots stand on the mat, the umbrella leans in the corner``."""
+    start = max((at for at, word in enumerate(row.words) if word.text == ","), default=len(row.words))
+    inside = row.words[start + 1 :]
+    return bool(inside) and inside[0].low in OPENERS and not any(w.low in lexicon.PREPOSITIONS for w in inside)
 
 
 def _reads_as_noun(word: Word, right: str, row: Row) -> bool:

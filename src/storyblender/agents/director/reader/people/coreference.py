@@ -22,6 +22,7 @@ _GROUP_MEMORY = 15
 """Sentences for which ``they`` can mean people who acted together; four for ``them``."""
 _LIVING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lexicon.words("living")
 """Verbs for animals more than for things."""
+_PARTS = lexicon.words("parts")
 _SIDES = frozenset({"edge", "end"})
 """``perches on the edge``: of the table named last."""
 
@@ -167,6 +168,10 @@ def resolve(
         whole = next((t for t in stage.discourse.recent_things if stage.inventory.class_of(t) == "set_piece"), None)
         if whole:
             return Referents([], whole)
+    if noun.kind == "thing" and noun.head in _PARTS and noun.possessor is not None and noun.owner is None:
+        whole = stage.sentence.pronouns.get(noun.possessor, ([], None))[1]
+        if whole:
+            return Referents([], whole)  # on its lid
     if noun.kind == "thing":
         return Referents([], stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start))
     if noun.head == "":
@@ -228,9 +233,8 @@ def _it_there(stage: Stage, index: int) -> str | None:
     last = _it(stage)
     if last != moved:
         return last
-    return next(
-        (t for t in stage.discourse.recent_things if t != moved and stage.inventory.class_of(t) == "set_piece"), last
-    )
+    pieces = [t for t in stage.discourse.recent_things if t != moved and stage.inventory.class_of(t) == "set_piece"]
+    return next(iter(pieces or solid[-1:]), last)
 
 
 def remember(stage: Stage, index: int, referents: Referents) -> Referents:

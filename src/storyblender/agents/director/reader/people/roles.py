@@ -28,6 +28,8 @@ _INVERTED = lexicon.INVERTING | {"live", "be"}
 _CONTACT = frozenset({"hold", "touch", "take", "kiss", "squeeze", "stroke", "pat", "grab", "wipe", "hit", "slap"})
 _SHUTTING = frozenset({"close", "shut", "lock", "slam", "bolt", "bar", "pull", "drag"})
 """``locks the door behind her``: behind herself."""
+_HAVING = frozenset({"have", "keep", "trail", "drag", "tow"})
+"""``has a plate in front of him``: before himself."""
 _SIDES = frozenset({"left", "right", "side"})
 
 
@@ -116,7 +118,9 @@ def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequen
     roles.people, roles.things = _resolve_all(stage, clause, clause.object, roles.subjects, previous)
     for preposition, nouns in clause.places:
         placed = preposition in lexicon.RELATION_OF_PREPOSITION
-        role: Role = "possessor" if preposition == "behind" and clause.verb in _SHUTTING else "object"
+        had = clause.verb in _HAVING and placed and bool(clause.object)
+        own = had or (preposition == "behind" and clause.verb in _SHUTTING)
+        role: Role = "possessor" if own else "object"
         people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed, role)
         roles.places.append(Place(preposition, people, things, nouns))
     _resolve_all(stage, clause, clause.complement, roles.subjects, previous)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve_pronoun
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+
+_SIDES = frozenset({"side", "shoulder", "elbow", "hip", "cheek", "knee"})
 
 
 def settle_apart(stage: Stage, words: list[Word]) -> None:
@@ -37,6 +41,20 @@ def relate_apart(stage: Stage, words: list[Word], subjects: list[Person], previo
         for other in _person_at(stage, words, after, [p for p in subjects if p not in people], previous):
             for person in people:
                 stage.relate(person.id, kind, other.id)
+
+
+def relate_side_by_side(stage: Stage, words: list[Word], subjects: list[Person]) -> None:
+    """``They sit side by side``, ``stand shoulder to shoulder``: each next to the one named before.
+
+    Args:
+        stage: The state after the clauses.
+        words: The sentence as it is written.
+        subjects: Of the sentence.
+    """
+    low = [word.low for word in words]
+    if any(low[i] == low[i + 2] in _SIDES and low[i + 1] in ("by", "to") for i in range(len(low) - 2)):
+        for before, person in pairwise(subjects):
+            stage.relate(before.id, "next_to", person.id)
 
 
 def _preposition_at(words: list[Word], at: int) -> tuple[str, int]:

@@ -228,6 +228,8 @@ def _anchors(
     if anchor.kind == "thing" and (anchor.head in lexicon.BODY or dress or beside):
         resolve_owner(stage, anchor, "possessor", subjects, previous)
         return [anchor.owner] if anchor.owner else []
+    if anchor.possessor is not None and stage.sentence.words[anchor.possessor].low == "its":
+        resolve_owner(stage, anchor, "possessor", subjects, previous)
     there = anchor.kind == "pronoun" and lexicon.PRONOUNS.get(anchor.head) == "thing"
     role = "possessor" if anchor.kind == "pronoun" and not there else "object"
     known = stage.sentence.pronouns.get(anchor.index) if there else None

@@ -7,6 +7,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
     CLOTHS,
+    CONTAINERS,
     FLOOR,
     Stated,
     at_body,
@@ -32,6 +33,9 @@ _KINDS = frozenset({"on", "in", "under", "next_to", "behind", "against", "in_fro
 _THROWING = frozenset({"throw", "toss", "fling", "hurl", "lob", "chuck", "pass"})
 _TO_THERE = frozenset({"up to", "to", "over to"})
 _NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
+_STOVES = frozenset({"stove", "fireplace", "furnace", "incinerator", "grate", "dumpster", "well"})
+_LATELY = 4
+"""Things back to what something is thrown in."""
 _EMPTYING = frozenset({"empty", "drain", "wring", "squirt"})
 """``empties the mug into the sink``: the mug stays in the hand."""
 _BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
@@ -49,19 +53,20 @@ def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
     return (bool(roles.things) and (carried or drawn)) or (bool(roles.people) and bool(roles.subjects) and seated)
 
 
-def put(stage: Stage, roles: Roles) -> list[Stated]:
+def put(stage: Stage, clause: Clause, roles: Roles) -> list[Stated]:
     """Puts the tray on the table, the ring into the pocket, the bag over one shoulder.
 
     Args:
         stage: The state before.
-        roles: People and things of a clause that ``puts_something``.
+        clause: It ``puts_something``.
+        roles: Its people and things.
     """
-    found: list[Stated] = []
     moved = [thing for thing in roles.things if _is_solid(stage, thing)]
+    found: list[Stated] = _dropped_in(stage, clause, roles, moved)
     moved += [person.id for person in roles.people]
     for at, place in enumerate(roles.places):
         if place.preposition == "between":
-            _between(stage, place, moved)
+            relate_between(stage, place, moved)
             continue
         if at and _describes_anchor(stage, roles.places[at - 1], place):
             side, pieces = lexicon.relation_of(place.preposition), solid_things(stage, place.things)
@@ -73,6 +78,15 @@ def put(stage: Stage, roles: Roles) -> list[Stated]:
                 anchors = _anchors(stage, roles, place, thing, kind)
                 found.extend((thing, exact_kind(stage, kind, anchor, "put"), anchor) for anchor in anchors)
     return _furniture_beside(stage, roles, found)
+
+
+def _dropped_in(stage: Stage, clause: Clause, roles: Roles, moved: list[str]) -> list[Stated]:
+    """``opens the stove and throws the letter in``: into what was named last that holds things."""
+    if clause.particle != "in" or any(place.things or place.people for place in roles.places):
+        return []
+    lately = [thing for thing in stage.discourse.recent_things[:_LATELY] if thing not in moved]
+    holder = next((thing for thing in lately if stage.inventory.head(thing) in CONTAINERS | _STOVES), None)
+    return [(thing, "in", holder) for thing in moved if holder and stage.inventory.class_of(thing) in ("prop", "worn")]
 
 
 def _describes_anchor(stage: Stage, before: Place, place: Place) -> bool:
@@ -138,11 +152,19 @@ def _anchors(stage: Stage, roles: Roles, place: Place, thing: str, kind: Relatio
     return [anchor for anchor in anchors if anchor != thing]
 
 
-def _between(stage: Stage, place: Place, moved: list[str]) -> None:
+def relate_between(stage: Stage, place: Place, located: list[str]) -> None:
+    """``between Joe and the door``, ``between the beds``.
+
+    Args:
+        stage: The state before.
+        place: After ``between``.
+        located: Ids of who or what is there.
+    """
     anchors = [person.id for person in place.people] + place.things
-    if len(anchors) > 1:
-        for thing in moved:
-            stage.relate(thing, "between", anchors[0], anchors[1])
+    several = len(anchors) == 1 and bool(place.things) and place.nouns[0].plural
+    if len(anchors) > 1 or (several and stage.inventory.class_of(anchors[0]) in ("prop", "set_piece")):
+        for thing in located:
+            stage.relate(thing, "between", anchors[0], anchors[1] if len(anchors) > 1 else None)
 
 
 def _furniture_beside(stage: Stage, roles: Roles, found: list[Stated]) -> list[Stated]:

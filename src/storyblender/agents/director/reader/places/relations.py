@@ -20,7 +20,7 @@ from storyblender.agents.director.reader.places.anchors import (
 )
 from storyblender.agents.director.reader.places.contents import relate_contents
 from storyblender.agents.director.reader.places.place_verbs import BENT, STATIVE
-from storyblender.agents.director.reader.places.put_places import put, puts_something
+from storyblender.agents.director.reader.places.put_places import put, puts_something, relate_between
 from storyblender.agents.director.reader.places.stated import state_place
 from storyblender.agents.director.reader.places.supports import relate_supports
 from storyblender.agents.director.reader.places.telling import is_still, telling_places
@@ -59,8 +59,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             found += state_place(stage, clause, place, located, motion)
         if is_still(stage, clause, roles, motion):
             found += relate_supports(stage, roles)
-        if not roles.subjects or is_still(stage, clause, roles, motion) or (motion in _PASSING and not roles.things):
-            _between(stage, roles.places if roles.subjects else telling, located)
+        _between(stage, clause, roles, telling, motion, located)
         if clause.verb == "face":
             faced = [person.id for person in roles.people] + solid_things(stage, roles.things)
             found.extend((subject, "facing", other) for subject in located for other in faced)
@@ -69,7 +68,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     if first and roles.subjects and not any(place.preposition in _SIDES and place.things for place in roles.places):
         _left_or_right(stage, roles.subjects)
     if puts_something(clause, roles, motion):
-        found += put(stage, roles)
+        found += put(stage, clause, roles)
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
     relate_contents(stage, clause, roles)
@@ -111,13 +110,15 @@ def _aboard(stage: Stage, roles: Roles, located: list[str]) -> list[Stated]:
     return found
 
 
-def _between(stage: Stage, places: list[Place], located: list[str]) -> None:
-    """Between two anchors; a group counts as its members."""
-    for place in places:
-        anchors = [person.id for person in place.people] + place.things
-        if place.preposition == "between" and len(anchors) > 1:
-            for subject in located:
-                stage.relate(subject, "between", anchors[0], anchors[1])
+def _between(
+    stage: Stage, clause: Clause, roles: Roles, telling: list[Place], motion: str | None, located: list[str]
+) -> None:
+    """Who stands, or walks, between two; ``weaves between the stalls`` is between no two of them."""
+    still = not roles.subjects or is_still(stage, clause, roles, motion)
+    walks = motion in _PASSING and not roles.things
+    for place in roles.places if roles.subjects else telling:
+        if place.preposition == "between" and (still or (walks and len(place.nouns) > 1)):
+            relate_between(stage, place, located)
 
 
 def _left_or_right(stage: Stage, subjects: list[Person]) -> None:

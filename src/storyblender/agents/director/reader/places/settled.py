@@ -15,6 +15,7 @@ _OF_THINGS = frozenset(
 )  # fmt: skip
 """What is there is rather with things than with people."""
 _UPON = frozenset({"on", "onto", "upon", "in", "into"})
+_LANDMARKS = frozenset({"against", "beside", "next to", "near", "by", "behind", "in front of", "alongside"})
 _SITTING = frozenset({"sit", "lie_down", "climb", "kneel", "stand"})
 _SOLID = ("prop", "set_piece", "worn")
 
@@ -34,19 +35,18 @@ def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
         if noun is None:
             continue
         if noun.kind == "thing":
-            thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+            thing = _thing(stage, phrase)
             solid = stage.inventory.class_of(thing) in _SOLID
             plural = thing if solid and (noun.plural or _is_listed(phrases, index)) else plural
             told = thing if solid and (left is None or left.kind != "preposition") else told
         elif noun.head == THERE and left is not None:
             there = _there(stage, _start_of_with(phrases, index), left.text)
             stage.sentence.pronouns[noun.index] = ([], there)
-        elif noun.head == "it" and left is not None and left.text in _UPON:
-            seat = _seat_brought(stage, phrases, index)
-            if seat:
-                remember(stage, noun.index, Referents([], seat))
-        elif noun.head == "it" and told and not people and _leads(phrases, index):
-            remember(stage, noun.index, Referents([], told))
+        elif noun.head == "it" and left is not None and left.kind == "preposition":
+            at = _seat_brought(phrases, index) or _moved_to_landmark(phrases, index)
+            meant = _thing(stage, phrases[at]) if at else told if not people and _leads(phrases, index) else None
+            if meant:
+                remember(stage, noun.index, Referents([], meant))
         elif noun.head == "them" and left is not None and left.kind == "preposition":
             inverted = plural is not None and _is_after(stage, plural, noun.index)
             meant = _lately(stage) if inverted or plural is None else plural
@@ -56,6 +56,11 @@ def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
             people += 1 if noun.kind == "person" and noun.mention and noun.mention.kind != "group" else 2
     if plural:
         stage.discourse.last_plural = (plural, stage.discourse.sentence)
+
+
+def _thing(stage: Stage, phrase: Phrase) -> str | None:
+    noun = phrase.noun
+    return stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start) if noun else None
 
 
 def _start_of_with(phrases: list[Phrase], index: int) -> int:
@@ -84,17 +89,27 @@ def _is_after(stage: Stage, thing: str, index: int) -> bool:
     return all(words[at].start > words[index].start for at, named in stage.sentence.things if named == thing)
 
 
-def _seat_brought(stage: Stage, phrases: list[Phrase], index: int) -> str | None:
-    """``pulls a stool up to the desk and sits on it``: what somebody sits down on is the seat that was brought."""
+def _seat_brought(phrases: list[Phrase], index: int) -> int:
+    """``pulls a stool up to the desk and sits on it``: where the seat is named that was brought; 0 for none."""
     verb = next((at for at in range(index - 1, -1, -1) if phrases[at].verb), 0)
     sits = phrases[verb].verb
-    if sits is None or lexicon.MOTION_OF_VERB.get(sits.lemma) not in _SITTING:
-        return None
+    if sits is None or lexicon.MOTION_OF_VERB.get(sits.lemma) not in _SITTING or phrases[index - 1].text not in _UPON:
+        return 0
     for at in range(verb - 1, 0, -1):
-        noun, left = phrases[at].noun, phrases[at - 1]
-        if noun and noun.kind == "thing" and noun.head in lexicon.SEATS and left.kind == "verb":
-            return stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
-    return None
+        noun = phrases[at].noun
+        if noun and noun.kind == "thing" and noun.head in lexicon.SEATS and phrases[at - 1].kind == "verb":
+            return at
+    return 0
+
+
+def _moved_to_landmark(phrases: list[Phrase], index: int) -> int:
+    """``shoves the table against the door and piles chairs on it``: the table, the door is but where it stands."""
+    for at in range(index - 3, 2, -1):
+        noun, thing = phrases[at].noun, phrases[at - 2].noun
+        if noun and phrases[at - 1].kind == "preposition":
+            moved = thing is not None and thing.kind == "thing" and phrases[at - 3].kind == "verb"
+            return at - 2 if moved and phrases[at - 1].text in _LANDMARKS else 0
+    return 0
 
 
 def _lately(stage: Stage) -> str | None:

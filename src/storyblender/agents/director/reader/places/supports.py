@@ -41,7 +41,7 @@ def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
         and not before.people + place.people
         and before.nouns[0].index < place.nouns[0].index
         and _stands(stage, before)
-        and stage.inventory.class_of(place.things[0]) == "set_piece"
+        and (stage.inventory.class_of(place.things[0]) == "set_piece" or stage.inventory.head(before.things[0]) in PEGS)
         and before.things != place.things
     )
 
