@@ -387,6 +387,13 @@ def test_nobody_goes_all_round_a_long_table_for_a_better_place_at_it(monkeypatch
     assert spot is not None and spot[1] < 1.0, "on the near side, though back to the audience"
 
 
+def test_who_is_nearly_there_still_comes_close_and_need_not_bow_to_reach() -> None:
+    floor = Floor(LAYOUT.model_copy(update={"objects": ()}), (), PLAN)
+    point, reach = (0.0, 0.0), 0.62
+    spot = floor.spot_at(point, (1.2, 0.0), 1.0, (), reach)
+    assert spot is not None and math.dist(spot, point) < 0.8 * reach
+
+
 def test_nothing_is_put_before_the_hand_that_holds_something() -> None:
     states = (
         BodyState(asset_id="rick", held=("letter",)),
