@@ -49,3 +49,10 @@ def test_who_has_no_trade_wears_the_age() -> None:
 def test_every_outfit_is_in_the_wardrobe(outfit: str) -> None:
     areas = {area for garment in _sewn(outfit) for area in GARMENTS[garment.key].covers}
     assert not outfit or {"upper", "lower", "feet"} <= areas
+
+
+def test_court_sport_and_cabin_are_seen_in_the_clothes() -> None:
+    assert "coat" in worn(name="Judge Halloran") and "coat" in worn(name="Dr. Weiss")
+    assert worn("goalkeeper", gender="female") >= {"shorts", "tee"}
+    assert "sweater" in worn(name="Coach Brennan")
+    assert "scarf" in worn(name="Flight Attendant", gender="female")

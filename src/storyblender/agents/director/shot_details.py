@@ -51,8 +51,8 @@ class ShotDetails:
         self.text = reading.screenplay.text
         start, end = min((unit.start for unit in units), default=0), max((unit.end for unit in units), default=0)
         self.flags = [flag for flag in reading.flags if start <= flag.start <= end]
-        kit = find_kit(scene.place_kind, scene.place, scene.scene_type)
-        self.staging = Staging(units, company.assets, seated=SETS[kit].seated)
+        kit = SETS[find_kit(scene.place_kind, scene.place, scene.scene_type)]
+        self.staging = Staging(units, company.assets, seated=kit.seated, on_foot=kit.on_foot)
         self.told: set[int] = set()
         """Starts of the units that a shot has played."""
         self.seen: set[str] = set()

@@ -31,11 +31,15 @@ class Staging:
         units: The scene's units.
         assets: Ids on the asset sheet; nothing else can support, be held or be looked at.
         seated: The place is one where everybody sits unless they come in: a car.
+        on_foot: Trades that do not sit there.
     """
 
-    def __init__(self, units: Sequence[Unit], assets: Collection[str], *, seated: bool = False) -> None:
+    def __init__(
+        self, units: Sequence[Unit], assets: Collection[str], *, seated: bool = False, on_foot: Sequence[str] = ()
+    ) -> None:
         self.assets = assets
         self.seated = seated
+        self.on_foot = {*on_foot}
         self.bodies: dict[str, _Body] = {}
         self.first: dict[str, Unit] = {}
         for unit in units:
@@ -88,7 +92,8 @@ class Staging:
     def _found(self, person: str) -> _Body:
         """How a person is seen for the first time in the scene."""
         unit = self.first.get(person)
-        usual: Posture = "sit" if self.seated and person in self.opening else "stand"
+        sits = self.seated and person in self.opening and not self.on_foot & {*person.split("_")}
+        usual: Posture = "sit" if sits else "stand"
         if unit is None:
             return _Body()
         mine = [deed for deed in unit.deeds if deed.actor == person]

@@ -65,4 +65,5 @@ KIT = SetKit(
     options={"air": False},
     has=("window", "aisle", "wheel", "rail", "door", "bus", "plane", "overhead bin"),
     seated=True,
+    on_foot=("steward", "stewardess", "attendant", "attendants", "conductor", "hostess", "inspector"),
 )  # fmt: skip

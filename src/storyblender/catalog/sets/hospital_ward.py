@@ -22,6 +22,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     for index, at in enumerate(beds):
         room.against("back", "hospital_bed", at, 1.15, required=index == 0)
         room.against("back", "nightstand", at + 0.85, 0.3, required=False)
+        if modern:
+            stand = "heart_monitor" if index else "drip_stand"
+            room.against("back", stand, at - 0.8, 0.35, required=False)
         room.piece("bed_rail_light", at, y - 0.05, 1.75)
         room.lamp("bed_light", (at, y - 0.3, 1.85), 5, WARM, kind="AREA", size=0.5, target=(at, y - 1.0, 0.6))
         room.mark(f"bedside_{index + 1}", at + 0.95, y - 1.5, 270, "bed")
@@ -48,5 +51,5 @@ KIT = SetKit(
     depth=Span(6.8, 7.2, 9.0),
     height=Span(2.7, 3.0, 3.6),
     period="modern",
-    means={"bed": "hospital_bed"},
+    means={"bed": "hospital_bed", "monitor": "heart_monitor", "screen": "folding_screen"},
 )  # fmt: skip

@@ -43,6 +43,7 @@ class SetKit:
         means: What plain words mean here, prop for prop: a bed in a ward is a hospital bed.
         has: Words for what its pieces are already, such as the mirror of a car: nothing else is put there for them.
         seated: Everybody who is found here sits unless the script says otherwise.
+        on_foot: Trades that stand here all the same: the steward of a cabin.
     """
 
     key: str
@@ -58,3 +59,4 @@ class SetKit:
     means: Mapping[str, str] = field(default_factory=dict)
     has: tuple[str, ...] = ()
     seated: bool = False
+    on_foot: tuple[str, ...] = ()

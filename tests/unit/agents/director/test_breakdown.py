@@ -332,3 +332,16 @@ def test_an_animal_that_only_sleeps_is_built_asleep() -> None:
     awake = next(a for a in storyboard(read_script(read(awake_script, "fountain"))).asset_sheet if "cat" in a.name)
     assert "sleeping" in asleep.description
     assert "sleeping" not in awake.description
+
+
+def test_in_a_cabin_passengers_sit_and_those_who_serve_them_stand() -> None:
+    script = """INT. AIRPLANE CABIN - NIGHT
+
+The FLIGHT ATTENDANT pours coffee. ANA reads a letter.
+
+ANA
+Thank you.
+"""
+    shots = storyboard(read_script(read(script, "fountain"))).shot_details
+    states = next(shot.states for shot in shots if len(shot.on_stage) == 2)
+    assert {state.asset_id: state.posture for state in states} == {"flight_attendant": "stand", "ana": "sit"}
