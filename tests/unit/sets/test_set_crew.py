@@ -288,3 +288,10 @@ def test_a_street_of_the_frontier_is_dust_between_wooden_fronts() -> None:
     assert "false_front" in parts and "facade" not in parts
     town = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="main street", scene_type="outdoor")))
     assert "frontier" not in town.params
+
+
+def test_the_bar_and_the_counter_of_a_saloon_are_one() -> None:
+    plan = plan_of(Environment(kit="bar"))
+    both = DressingView(SceneSetup(place="SALOON"), plan, (asset("bar"), asset("counter")))
+    dressing = RulesSetDresser().propose(both)
+    assert {"bar", "counter"} & {*dressing.pending, *(item.node_id for item in dressing.objects)} == {"bar"}

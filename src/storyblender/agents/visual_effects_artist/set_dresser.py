@@ -66,6 +66,8 @@ _FAMILIES: tuple[frozenset[str], ...] = tuple(
     )
 )
 """Props that stand for each other: the script's table takes the place of whatever table the kit has."""
+_COUNTERS = frozenset({"bar_counter", "counter"})
+"""Of these a place has one, whatever the script calls it: she walks to the bar and puts her glass on the counter."""
 
 
 @dataclass(frozen=True)
@@ -110,13 +112,16 @@ class RulesSetDresser:
         kept, dropped = without_clutter(standing, view.people)
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
         placed = {asset.asset_id for asset in taken.values()}
+        served = _serves(taken)
         return Dressing(
             assets=tuple(assets.values()),
             objects=tuple(item.placed() for item in kept),
             pending=tuple(
                 asset.asset_id
                 for asset in view.objects
-                if asset.asset_id not in placed and not _is_the_place(asset, view)
+                if asset.asset_id not in placed
+                and not _is_the_place(asset, view)
+                and not (served and prop_of(asset) in _COUNTERS)
             ),
             dropped=tuple(dropped),
         )
@@ -174,7 +179,7 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
     waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: what others stand next to goes first
     for asset in waiting:
         anchor = anchors.get(asset.asset_id)
-        if anchor in ids and anchor not in where:
+        if (anchor in ids and anchor not in where) or (prop_of(asset) in _COUNTERS and _serves(taken)):
             continue
         near = where.get(anchor, _STAGE) if anchor else _STAGE
         found = _best_place(view.plan, prop_of(asset), near, taken)
@@ -182,6 +187,11 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
             taken[found.node_id] = asset
             where[asset.asset_id] = found.location[:2]
     return taken
+
+
+def _serves(taken: dict[str, Asset]) -> bool:
+    """Return whether one of the script's things is the counter of the place."""
+    return any(prop_of(asset) in _COUNTERS for asset in taken.values())
 
 
 def _is_the_place(asset: Asset, view: DressingView) -> bool:
