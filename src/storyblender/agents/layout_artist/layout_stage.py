@@ -39,10 +39,25 @@ class Stage:
         self.assets: dict[str, str] = {}
         for item in brief.dressed:
             self.put(item, fixed=True)
-        for item in brief.reference.objects if brief.reference is not None else ():
-            asked = item.asset_id in brief.pending or item.asset_id in brief.setup.asset_ids
-            if asked and item.node_id not in self.things and self.measure(item.asset_id).asset_type == "object":
-                self.put(item, fixed=True)
+        for item in self._left():
+            self.put(item, fixed=True)
+
+    def _left(self) -> list[LayoutObject]:
+        """Return what this scene asks for and an earlier one left here, with what it lay on still under it."""
+        objects = self.brief.reference.objects if self.brief.reference is not None else ()
+        wanted = {*self.brief.pending, *self.brief.setup.asset_ids}
+        asked = [
+            item
+            for item in objects
+            if item.asset_id in wanted
+            and item.node_id not in self.things
+            and self.measure(item.asset_id).asset_type == "object"
+        ]
+        names = {*self.things, *(item.node_id for item in asked)}
+        while lost := [item for item in asked if item.anchor_asset_id not in {None, *names}]:
+            asked = [item for item in asked if item not in lost]
+            names -= {item.node_id for item in lost}
+        return asked
 
     def put(self, item: LayoutObject, fixed: bool) -> None:
         """Stand a thing where the graph has it."""

@@ -171,6 +171,18 @@ def test_an_earlier_scenes_furniture_stays_where_it_was() -> None:
             assert again[item.node_id].location == pytest.approx(item.location, abs=1e-3)
 
 
+def test_what_lay_on_a_table_that_is_gone_is_laid_anew() -> None:
+    first = plan_layout(brief(["table", "jewel_box"], people=["ana"])).draft
+    on_table = [
+        item.model_copy(update={"anchor_asset_id": "table"}) if item.asset_id == "jewel_box" else item
+        for item in first.objects
+    ]
+    first = first.model_copy(update={"objects": tuple(on_table)})
+    again = solved(brief(["jewel_box"], people=["ana"], reference=first))
+    assert again["jewel_box"].anchor_asset_id != "table"
+    assert {item.anchor_asset_id for item in again.values()} <= {None, *again}
+
+
 def test_the_same_brief_gives_the_same_layout() -> None:
     view = brief(["table", "jewel_box", "wardrobe"], people=["ana", "ben", "cal"], groups=(("ana", "cal"),))
     assert plan_layout(view).draft == plan_layout(view).draft
