@@ -45,13 +45,13 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         return found + _thing(brief, camera, [subjects[node] for node in brief.focus if node in subjects])
     if not heads or kind in ("establishing", "pov"):
         return found
-    found += _size(brief, [subject for _, subject in heads])
     over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
     after = looks_after(brief)
     if over is not None and over.face is not None and after is not None:
         # Who looks after somebody and who goes are a group.
         heads.append((after, over))
         over = None
+    found += _size(brief, [subject for _, subject in heads])
     if len(heads) == 1 or over is not None:
         figure, subject = heads[0]
         assert figure is not None and subject.face is not None

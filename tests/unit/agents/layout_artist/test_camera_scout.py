@@ -142,6 +142,8 @@ def test_who_walks_off_is_seen_from_behind_past_who_looks_after_them() -> None:
     assert walker.turned_from(camera.position) > 120
     screen, depth = project(camera, [walker.face, TOM.face])
     assert ((screen > 0) & (screen < 1)).all() and depth[1] < depth[0], "past him"
+    faults = CameraCritic(NumberFinder(steps, {})).judge(scouted(view)[0], view).faults
+    assert "size" not in [each.kind for each in faults], "who goes may be small beside who stays"
 
 
 def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
