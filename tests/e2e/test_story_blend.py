@@ -124,7 +124,14 @@ def test_a_scene_goes_to_gltf_with_its_cameras_people_and_motion(project: Path) 
     assert storyblender("export", project, "--to", "glb", "--quiet").returncode == 0
     data = (project / "export" / "SC010.glb").read_bytes()
     held = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
-    nodes = {node["name"] for node in held["nodes"]}
-    assert {row["shot"] for row in rows(project)} <= nodes
-    assert len(held["skins"]) >= 2 and held["animations"], "people are rigs that move"
-    assert all(mesh["primitives"][0]["attributes"].get("POSITION") is not None for mesh in held["meshes"])
+    nodes = {node["name"]: node for node in held["nodes"]}
+    shots = {row["shot"] for row in rows(project)}
+    assert shots <= set(nodes) and len(held["skins"]) >= 2
+    motions = {animation["name"]: animation for animation in held["animations"]}
+    assert shots <= set(motions)
+    for person in ("SC010.ada", "SC010.tom"):
+        assert any(nodes[person]["translation"]), "without motion people stand where the scene begins"
+        for shot in shots:
+            targets = [channel["target"] for channel in motions[shot]["channels"]]
+            moved = {(held["nodes"][target["node"]]["name"], target["path"]) for target in targets}
+            assert (person, "translation") in moved, f"{person} stands somewhere in {shot}"

@@ -9,6 +9,9 @@ import bpy
 
 from storyblender.errors import EngineError
 
+_PLACED = ("location", "rotation_quaternion", "rotation_euler", "scale")
+"""What of an object glTF can move."""
+
 
 def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out: Path) -> None:
     """Write one scene of the story's file.
@@ -29,6 +32,7 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out:
     bpy.context.window.scene = scene
     if kind == "glb":
         _lighten(scene)
+        _string(scene)
         bpy.ops.export_scene.gltf(
             filepath=str(out),
             export_format="GLB",
@@ -38,6 +42,8 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out:
             export_extras=True,
             export_animation_mode="NLA_TRACKS",
             export_force_sampling=False,
+            export_current_frame=True,  # without motion people stand where the scene begins
+            export_optimize_animation_keep_anim_object=True,  # who stands still in a shot stands there
         )
     else:
         bpy.ops.wm.usd_export(filepath=str(out), export_animation=True, export_armatures=True, export_lights=True)
@@ -48,3 +54,17 @@ def _lighten(scene: bpy.types.Scene) -> None:
     for obj in scene.objects:
         for modifier in obj.modifiers:
             modifier.show_viewport = False
+
+
+def _string(scene: bpy.types.Scene) -> None:
+    """Make a strip of what moves by an action of its own, cameras and doors: glTF gets an animation a strip's track."""
+    for obj in scene.objects:
+        data = obj.animation_data
+        if data is None or data.action is None or data.nla_tracks:
+            continue
+        if any(curve.data_path in _PLACED for curve in data.action.fcurves):
+            action, slot, track = data.action, data.action_slot, data.nla_tracks.new()
+            track.name = obj.name if obj.type == "CAMERA" else scene.name
+            strip = track.strips.new(track.name, int(action.frame_range[0]), action)
+            strip.action_slot = slot
+            data.action = None
