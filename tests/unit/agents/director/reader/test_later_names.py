@@ -144,6 +144,14 @@ def test_a_surname_may_be_a_trade() -> None:
         (("Father Ambrose put down a bucket.", "The priest pulled the curtain."), {"Father Ambrose"}),
         (("The nurse was a big man. He hung up a bag.", '"No," said Dee.'), {"nurse", "Dee"}),
         (("The kid looked behind him.", '"Mouse," said Tom. "You are in."', "Mouse stood up."), {"Tom", "Mouse"}),
+        (("Emil stood at the door.", "Emil's mother went on hanging up sheets."), {"Emil", "mother"}),
+        (
+            ("A knight came in.", '"Sir Dunstan," said the knight. "I am late."', "Sir Dunstan sat down."),
+            {"Sir Dunstan"},
+        ),
+        (("Vera rode as far as Linz. The train stood still.",), {"Vera"}),
+        (("Ada waited. Then, in row F, a child gets up.",), {"Ada", "child"}),
+        (("The tuner was blind. Greta stared.", '"Stop that," said Mr. Lux.'), {"Mr. Lux", "Greta"}),
         (("Tom sat down. The butler bowed.", '"Inspector Gale?" said Tom.'), {"Tom", "butler"}),
     ],
 )

@@ -28,6 +28,8 @@ _PASSING = frozenset(
     | {"receptionist", "steward", "customer", "passenger", "guest", "neighbour", "neighbor", "stranger", "passer-by"}
 )
 """They may come and go without a name: only what is said gives them one."""
+GENTLE = frozenset({"mr", "mrs", "ms", "miss", "sir", "lord", "lady", "madame", "monsieur", "herr", "frau", "master"})
+"""Titles that tell no trade."""
 _BABIES = frozenset({"baby", "infant", "newborn"})
 _ARRIVING = re.compile(
     r"(?:\w+ly )?(?:came|comes|entered|enters|arrived|arrives|appeared|appears|burst|bursts|strode|strides|returned"
@@ -85,6 +87,9 @@ def _name(roster: Roster, told: str, naming: Naming) -> None:
     if spoken_only and naming.way != "told" and (naming.way == "called" or not _is_a_name(naming.name)):
         return
     fitting = [each for each in roster.people if _can_be_called(roster, each, named, told, naming)]
+    if not fitting and naming.alone:
+        naming = naming._replace(way="own")  # "Sir Dunstan," said the knight
+        fitting = [each for each in roster.people if _can_be_called(roster, each, named, told, naming)]
     if not fitting:
         return
     nameless = min(
@@ -137,7 +142,9 @@ def _may_bear(person: Person, name: str) -> bool:
     title = bare(name).split()[0].strip(".")
     if person.kind == "animal":
         return title not in lexicon.TITLES or " " not in name
-    office = " " in name and is_person_noun(lexicon.TITLE_SYNONYMS.get(title, title)) and title not in lexicon.KIN
+    office = (
+        " " in name and is_person_noun(lexicon.TITLE_SYNONYMS.get(title, title)) and title not in lexicon.KIN | GENTLE
+    )
     ranks = lexicon.RANKS.get(person.role, frozenset()) | {person.role}
     return not office or person.role in GENERIC | _YOUNG | lexicon.KIN or title in ranks
 
@@ -145,7 +152,8 @@ def _may_bear(person: Person, name: str) -> bool:
 def _speaks(tag: str, person: Person) -> bool:
     """``said the mole``."""
     return (
-        re.search(rf"\b(?:the|her|his|my) (?:[\w-]+ )?{re.escape(person.role)}\b", tag[:40], re.IGNORECASE) is not None
+        re.search(rf"\b(?:an?|the|her|his|my) (?:[\w-]+ )?{re.escape(person.role)}\b", tag[:40], re.IGNORECASE)
+        is not None
     )
 
 
@@ -161,7 +169,8 @@ def _leads(told: str, person: Person, naming: Naming) -> bool:
     if paragraph.endswith("\n") and _tag_gender(naming.tag) == "unknown":
         return False
     sentence = re.split(r"[.!?\n]\s+", paragraph.rstrip().rstrip(".!?:,"))[-1]
-    return re.match(rf"\s*(?:The|An?) (?:[\w-]+ )?{re.escape(person.role)}\b", sentence) is not None
+    opening = rf"\s*(?:(?:said|says|asked|asks|cried) )?(?:the|an?) (?:[\w-]+ )?{re.escape(person.role)}\b"
+    return re.match(opening, sentence, re.IGNORECASE) is not None
 
 
 def _tag_gender(tag: str) -> str:
@@ -219,11 +228,13 @@ def _may_be(nameless: Person, named: Person, told: str, alone: bool) -> bool:
         return True
     since = named.first - max((at for at in _mentions(told, nameless) if at < named.first), default=-_LATER)
     title, noun = bare(named.name).split()[0].strip("."), nameless.role
-    if title in lexicon.TITLES and " " in named.name:
+    if (title in lexicon.TITLES - GENTLE and " " in named.name) or (title in GENTLE and noun in _SOMEBODY):
         ranked = title in lexicon.RANKS.get(noun, ())
         plain = noun in _SOMEBODY and title not in lexicon.KIN
         indefinite = _INDEFINITE.match(told, nameless.first) is not None
         return (ranked or plain) and named.first - nameless.first < _SOON and indefinite
+    if title in GENTLE and noun in _YOUNG | lexicon.KIN:
+        return False
     if noun in lexicon.KIN and _POSSESSED.match(told, nameless.first) is None:
         return False
     if (

@@ -44,6 +44,8 @@ class Naming(NamedTuple):
     """What the story says around the words in its paragraph: ``said the mole``."""
     gender: str = "unknown"
     """Of the pronoun in ``his name was``."""
+    alone: bool = False
+    """Whether nothing else is said."""
 
 
 def told_text(script: Manuscript) -> str:
@@ -78,5 +80,7 @@ def namings(script: Manuscript) -> list[Naming]:
             for match in _CALLED.finditer(said):
                 group = next(index for index in (1, 2, 3) if match.group(index))
                 if (match.start(group), match.group(group)) not in own:
-                    found.append(Naming(at + match.start(group), match.group(group), "called", tag))
+                    found.append(
+                        Naming(at + match.start(group), match.group(group), "called", tag, alone=alone is not None)
+                    )
     return sorted(found)

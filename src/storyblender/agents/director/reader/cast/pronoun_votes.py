@@ -15,7 +15,9 @@ def gender_told(told: str, called: str) -> str:
         called: A pattern for the name or noun, a group.
     """
     votes = {"male": 0, "female": 0}
-    for match in re.finditer(rf"(?:^|[.!?\n]\s*){called}\s([a-z][^.!?\n]*)(?:[.!?] {{1,2}}(He|She)\b|[.!?\n]|$)", told):
+    for match in re.finditer(
+        rf"(?:^|[.!?\n]\s*){called}\s([a-z][^.!?\nA-Z]*)(?:[.!?] {{1,2}}(He|She)\b|[.!?\n]|$)", told
+    ):
         words = [*re.findall(r"\w+", match.group(1).lower())[:12], (match.group(2) or "").lower()]
         kind = next((lexicon.PRONOUNS[word] for word in words if word in ("he", "she")), "")
         if kind in votes:

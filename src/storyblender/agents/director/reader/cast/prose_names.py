@@ -25,7 +25,8 @@ _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _WHERE = re.compile(
-    r"(?:\b(?:in|at|to|from|of|near|since|into|via|across|outside|inside|towards?|beyond|reach(?:ed|es)?|entered)|&)\s$"
+    r"(?:\b(?:in|at|to|from|of|near|since|into|via|across|outside|inside|towards?|beyond|far as"
+    r"|reach(?:ed|es)?|entered)|&)\s$"
 )
 _OWNED = re.compile(r"\b(?:an?|his|her|their|my|our)\s((?:[a-z-]+\s){0,2})$")
 """``a silver Volvo``: a thing has a name too."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.cast.later_names import GENERIC, is_nameless, join
+from storyblender.agents.director.reader.cast.later_names import GENERIC, GENTLE, is_nameless, join
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
@@ -28,8 +28,6 @@ _ATTENDANTS = frozenset(
     | {"bosun", "pilot", "teacher", "headmaster", "king", "queen", "prisoner", "receptionist", "steward", "pianist"}
 )
 """``the waiter`` comes with the place, nobody has to introduce him."""
-_GENTLE = frozenset({"mr", "mrs", "ms", "miss", "sir", "lord", "lady", "madame", "monsieur", "herr", "frau", "master"})
-"""Titles that tell no trade."""
 _COMING = "came|comes|enter(?:ed|s)|arrive[ds]|appear(?:ed|s)|walk(?:ed|s) in|ran|runs|burst|bursts"
 _SPEAKING = re.compile(r"\b(?:said|says|asked|asks|cried|cries|shouted|shouts|replied|answered|whispered) $")
 _STILL_NEAR, _JUST_NAMED = 1500, 160
@@ -84,7 +82,7 @@ def _just_named(roster: Roster, nameless: Person, told: str, speaks: bool) -> Pe
         title = bare(other.name).split()[0].strip(".")
         near = told.rfind(other.name, max(0, nameless.first - _JUST_NAMED), nameless.first)
         between = told[near : nameless.first].strip()
-        fits = title in _GENTLE and not other.role and _agree(nameless, other)
+        fits = title in GENTLE and not other.role and _agree(nameless, other)
         if fits and near >= 0 and (speaks or "\n\n" not in between):
             return other
     return None

@@ -10,7 +10,8 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
 
 _DETERMINER = re.compile(
-    r"\b(the|a|an|his|her|their|my|our|two|three|four|five|one)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))", re.IGNORECASE
+    r"\b(the|a|an|his|her|their|my|our|two|three|four|five|one|(?<=[a-z])['’]s)\s+(?=((?:[a-z’'-]+,?\s+){0,3}[a-z-]+))",
+    re.IGNORECASE,
 )
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY | lexicon.PLACES
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES

@@ -36,8 +36,8 @@ _YONDER = re.compile(r"(?:on|from|at|across) the (?:far|other|opposite) (?:side|
 """``On the far side of the river somebody rang``: the story stays on this side."""
 _ARRIVAL = re.compile(
     r"\b(?:reach(?:ed|es)|arrive[ds]|enter(?:ed|s)|return(?:ed|s)|sail(?:ed|s)|c[ao]mes? back|pulled into|pulls into"
-    r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides|(?:got|gets?|came|comes) (?:up|down|back|out|over|in))"
-    r" to)\b"
+    r"|(?:came|got|went|comes|gets|goes) home|(?:came|went|drove|rode|comes|goes|drives|rides) to"
+    r"|(?:got|gets?|came|comes) (?:up|down|back|out|over|in) to)\b"
 )
 _TRAVELLING = re.compile(
     r"\b(?:went|walked|drove|rode|climbed|ran|hurried|marched|sailed|rowed|go|walk|drive|ride)s?\b"

@@ -40,7 +40,7 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
         if length:
             run = words[at : at + length]
             role = people[0].role if people[0].role == run[-1].low else ""
-            if run[0].text[0].isupper() or _after_determiner(marked):
+            if run[0].text[0].isupper() or _after_determiner(marked) or _is_named_ones(marked, words, at + length):
                 start = _phrase_start(marked, run[0].start) if role else run[0].start
                 mention = Mention("role" if role else "name", people, run[-1].low, start=start)
                 name = " ".join(word.text for word in run)
@@ -108,6 +108,12 @@ def _after_determiner(words: list[Word]) -> bool:
     ):
         at -= 1
     return at >= 0 and words[at].low in _OPENERS
+
+
+def _is_named_ones(marked: list[Word], words: list[Word], end: int) -> bool:
+    """``Emil's mother``, but not ``Tobin's sister, LARK,``, who has a name."""
+    named = len(marked) > 1 and marked[-1].low == "'s" and marked[-2].named
+    return named and not (end < len(words) and words[end].text == ",")
 
 
 def _is_compound(words: list[Word], at: int) -> bool:
