@@ -52,8 +52,9 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
     if noun.kind == "person" and left and left.text == "," and has_own_place(builder.phrases, index):
         builder.aside = True
         return
-    goes_on = listed and bool(clause.object) and not clause.places and list_ends(builder.phrases, index)
-    apart = (left is not None and left.text == ",") or bool(listed and clause.object and clause.places)
+    told = [preposition for preposition, _ in clause.places if preposition != "of"]
+    goes_on = listed and bool(clause.object) and not told and list_ends(builder.phrases, index)
+    apart = (left is not None and left.text == ",") or bool(listed and clause.object and told)
     builder.aside = noun.kind == "thing" and apart and not goes_on
     if builder.aside and not clause.object:
         clause.asides.append(noun)
@@ -74,8 +75,9 @@ def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
     if not clause.places:
         return None
     (before, one), (preposition, nouns) = clause.places[-2:] if len(clause.places) > 1 else [("", []), *clause.places]
-    of_both = preposition == "between" or (preposition == "of" and nouns[-1].kind == noun.kind)
-    if of_both and before == "between" and len(one) == 1:
+    same = nouns[-1].kind == noun.kind and noun.determiner not in ("a", "an")  # a jar of brushes and a lamp
+    of_both = preposition == "between" or (preposition == "of" and same)
+    if preposition == "of" and before == "between" and len(one) == 1:
         return one
     return nouns if of_both or not clause.object else None
 

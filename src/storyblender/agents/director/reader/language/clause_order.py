@@ -82,6 +82,8 @@ def list_ends(phrases: list[Phrase], index: int) -> bool:
     while index > 0 and index < len(phrases) and phrases[index].kind == "noun":
         if phrases[index - 1].text == "and":
             return True
+        measured = index + 2 < len(phrases) and phrases[index + 1].text == "of" and phrases[index + 2].kind == "noun"
+        index += 2 if measured else 0  # a jar of brushes
         after = [phrase.text for phrase in phrases[index + 1 : index + 3]]
         if not after or after[0] not in (",", "and"):
             return False

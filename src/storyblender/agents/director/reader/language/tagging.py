@@ -191,6 +191,9 @@ def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
     right = following.low if following else "."
     if word.low in _STAGE_ORDERS and following and following.mention:
         return True
+    posed = FORMS.get(right)
+    if posed and posed.kind == "base" and posed.lemma in _POSED and singular(word.low) in _NOUNS:
+        return False  # Chisels hang from a board
     if form.kind != "3sg" or (right == "." and form.lemma not in lexicon.MOTION_OF_VERB) or right == "of":
         return False
     return word.low not in _FRAGMENT_NOUNS or not (right in ("up", "raised", "drawn", ".", ",") or right in FORMS)

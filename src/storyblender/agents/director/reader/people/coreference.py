@@ -22,6 +22,7 @@ _GROUP_MEMORY = 15
 """Sentences for which ``they`` can mean people who acted together; four for ``them``."""
 _LIVING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lexicon.words("living")
 """Verbs for animals more than for things."""
+_OF_VEHICLES = lexicon.words("vehicle_parts") - {"door", "wheel", "boot", "trunk", "bow", "stern", "wing"} | {"bumper"}
 _PARTS = lexicon.words("parts")
 _SIDES = frozenset({"edge", "end"})
 """``perches on the edge``: of the table named last."""
@@ -168,6 +169,10 @@ def resolve(
         whole = next((t for t in stage.discourse.recent_things if stage.inventory.class_of(t) == "set_piece"), None)
         if whole:
             return Referents([], whole)
+    if noun.kind == "thing" and noun.head in _OF_VEHICLES and noun.determiner == "the":
+        vehicle = next((t for t in stage.discourse.recent_things if stage.inventory.head(t) in lexicon.VEHICLES), None)
+        if vehicle:
+            return Referents([], vehicle)  # strapped to the roof
     if noun.kind == "thing" and noun.head in _PARTS and noun.possessor is not None and noun.owner is None:
         whole = stage.sentence.pronouns.get(noun.possessor, ([], None))[1]
         if whole:

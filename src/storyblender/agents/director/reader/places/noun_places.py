@@ -52,6 +52,7 @@ _STATIVE, _PLACING = lexicon.words("stative"), lexicon.words("placing")
 _BOARDS = frozenset(
     {"table", "desk", "counter", "shelf", "tray", "bench", "mantelpiece", "mantel", "sideboard", "dresser", "bar"}
 )
+_SITTING = frozenset({"sit", "perch", "squat", "crouch", "kneel", "slump"})
 _OPEN = frozenset({"open", "shut", "up", "down", "out", "back", "over"})
 """``a book open on her lap``."""
 _OF_THE_NOUN: frozenset[RelationKind] = frozenset(
@@ -164,6 +165,10 @@ def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: R
         return left is not None and left.text in (",", "and")
     if preposition in ("across", "over", "around", "round", "against") and verb in _PASSING:
         return False
+    anchor = phrases[index + 2].noun if index + 2 < len(phrases) else None
+    seat = kind == "on" and anchor is not None and anchor.head in lexicon.SEATS
+    if seat and verb in _SITTING and left is not None and left.kind == "preposition":
+        return False  # sits in front of the stove on a crate
     if left is None or left.kind != "preposition" or left.text == "with" or kind == "on":
         return True
     if verb in _PLACING - _STATIVE and kind in ("over", "under", "behind", "in_front_of"):

@@ -48,7 +48,7 @@ def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
         return False
     aimed = bool(roles.prepositions & {"into", "onto", "on to"})
     carried = motion in _MOVED or clause.verb in _PLACING | _ATTACHING | _RETURNING or aimed
-    drawn = clause.verb in _DRAWN_UP and bool(roles.prepositions & (_TO_THERE | _NEAR))
+    drawn = clause.verb in _DRAWN_UP and bool(roles.prepositions & (_TO_THERE | _NEAR | {"across"}))
     seated = clause.verb in _SEATING | _PLACING | _ATTACHING or motion in _MOVED | _BRINGING or aimed
     return (bool(roles.things) and (carried or drawn)) or (bool(roles.people) and bool(roles.subjects) and seated)
 
@@ -73,7 +73,7 @@ def put(stage: Stage, clause: Clause, roles: Roles) -> list[Stated]:
             found.extend((roles.places[at - 1].things[0], side, piece) for piece in pieces if side)
             continue
         for thing in moved:
-            kind = _kind(stage, place, thing)
+            kind = _kind(stage, place, thing, bool(roles.people_after("to", "toward", "towards")))
             if kind:
                 anchors = _anchors(stage, roles, place, thing, kind)
                 found.extend((thing, exact_kind(stage, kind, anchor, "put"), anchor) for anchor in anchors)
@@ -108,7 +108,7 @@ def _puts_on(stage: Stage, roles: Roles, thing: str, owner: str) -> bool:
     return stage.inventory.class_of(thing) == "worn" and owner in [person.id for person in roles.subjects]
 
 
-def _kind(stage: Stage, place: Place, thing: str) -> RelationKind | None:
+def _kind(stage: Stage, place: Place, thing: str, passed_on: bool) -> RelationKind | None:
     """What a preposition says of where a thing is put."""
     verb, kind = stage.sentence.verb, lexicon.relation_of(place.preposition)
     body = at_body(place)
@@ -121,8 +121,8 @@ def _kind(stage: Stage, place: Place, thing: str) -> RelationKind | None:
             if stage.inventory.head(thing) in lexicon.LIQUIDS
             else kind_at_body(place.preposition, body[0], attached)
         )
-    if place.preposition == "across" and verb in _DRAWN_UP:
-        return None  # slides it across the desk: it does not stay there
+    if place.preposition == "across" and verb in _DRAWN_UP and passed_on:
+        return None  # slides it across the desk to Kate: it does not stay there
     if place.preposition in _TO_THERE and verb in _DRAWN_UP:
         return "next_to" if stage.inventory.class_of(thing) == "set_piece" else None
     if place.preposition == "to" and verb in _ATTACHING:

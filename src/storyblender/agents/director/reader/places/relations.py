@@ -141,7 +141,7 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[Sta
     if motion not in ("sit", "lie_down", "sleep"):
         return found
     seats = [
-        place.things[0]
+        place
         for place in roles.places
         if place.things
         and lexicon.relation_of(place.preposition) in ("on", "in", "at")
@@ -160,9 +160,11 @@ def _seat_beside(stage: Stage, roles: Roles, motion: str | None, found: list[Sta
     at_table = any(kind == "at" for _, kind, _ in found)
     if not seats or not beside or (at_table and beside[0].preposition == "in front of"):
         return found
-    if stage.inventory.head(seats[0]) in FLOOR or seats[0] == beside[0].things[0]:
+    seat, window = seats[0].things[0], beside[0].things[0]
+    if stage.inventory.head(seat) in FLOOR or seat == window:
         return found
-    window = beside[0].things[0]
+    if beside[0].nouns[0].index < seats[0].nouns[0].index:
+        return found  # in front of the stove on a crate
     kind = lexicon.relation_of(beside[0].preposition)
     moved = [relation for relation in found if relation[2] != window]
-    return [*moved, (seats[0], kind, window)] if kind else moved
+    return [*moved, (seat, kind, window)] if kind else moved
