@@ -11,6 +11,7 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
+from storyblender.screenplay.fountain import strip_emphasis
 
 Way = Literal["left", "right", "up", "down", "in", "out"]
 """Where a camera goes or turns, as its picture shows it."""
@@ -120,8 +121,9 @@ class Panel:
 
     @property
     def dialogue(self) -> tuple[ScriptLine, ...]:
-        """The speeches, verbatim."""
-        return tuple(line for line in self.outline.lines if line.kind == "dialogue")
+        """The speeches in the script's own words, without the marks of emphasis."""
+        spoken = (line for line in self.outline.lines if line.kind == "dialogue")
+        return tuple(line.model_copy(update={"text": strip_emphasis(line.text)}) for line in spoken)
 
 
 def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
@@ -161,7 +163,7 @@ def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
     """
     texts: list[str] = []
     for index in range(first, end):
-        text = lines[index].text.strip()
+        text = strip_emphasis(lines[index].text).strip()
         if lines[index].kind != "action" or not text:
             continue
         if text[0].islower() and not (index and _goes_on(lines[index - 1])):

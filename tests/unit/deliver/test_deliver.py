@@ -287,6 +287,15 @@ def test_subtitles_end_where_sentences_do_and_break_near_the_middle(graph: Conti
     ]
 
 
+def test_marks_of_emphasis_are_not_shown(graph: ContinuityMemoryGraph) -> None:
+    outline = graph.outline[0]
+    lines = [shot.lines[0].model_copy(update={"text": "I *never* **saw** _it_ 2 * 2."}) for shot in outline.shots]
+    shots = tuple(s.model_copy(update={"lines": (line,)}) for s, line in zip(outline.shots, lines, strict=True))
+    marked = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": shots}),)})
+    first, second = panels(marked)
+    assert first.action == second.dialogue[0].text == "I never saw it 2 * 2."
+
+
 def test_a_cue_has_its_parenthetical(graph: ContinuityMemoryGraph) -> None:
     line = graph.outline[0].shots[1].lines[0].model_copy(update={"parenthetical": "softly", "off_screen": True})
     assert cue_of(line) == "ÉLODIE (O.S.) (softly)"
