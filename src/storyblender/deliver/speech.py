@@ -14,6 +14,7 @@ SPOKEN = ("talk", "whisper", "shout")
 """Clips during which a mouth moves."""
 SUBTITLE = 84
 """Characters that are read at a glance: two lines of 42."""
+_QUOTED = re.compile(r"[\"“„«]([^\"“”„«»]+)[\"”“»]")
 _SENTENCE_END = re.compile(r"(?<=[.!?…][\"'”’)]) |(?<=[.!?…]) ")
 
 
@@ -65,7 +66,7 @@ def subtitles(shots: Sequence[Panel]) -> list[Subtitle]:
     pieces: list[Subtitle] = []
     for panel in shots:
         for speech in speeches(panel):
-            texts = _pieces(f"{speech.line.speaker_name}: {speech.line.text}")
+            texts = _pieces(f"{speech.line.speaker_name}: {_said(panel, speech.line.text)}")
             total, done = sum(map(len, texts)), 0
             start, length = panel.start + speech.start, speech.end - speech.start
             for text in texts:
@@ -73,6 +74,12 @@ def subtitles(shots: Sequence[Panel]) -> list[Subtitle]:
                 pieces.append(Subtitle(times[0], times[1], text))
                 done += len(text)
     return pieces
+
+
+def _said(panel: Panel, text: str) -> str:
+    """Return what is heard: in prose, whose scenes have no heading, the words in quotation marks."""
+    quoted = [] if panel.scene.heading else [piece.strip() for piece in _QUOTED.findall(text)]
+    return " ".join(quoted).rstrip(",") or text
 
 
 def _pieces(text: str) -> list[str]:

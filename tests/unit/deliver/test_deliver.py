@@ -287,6 +287,25 @@ def test_subtitles_end_where_sentences_do_and_break_near_the_middle(graph: Conti
     ]
 
 
+@pytest.mark.parametrize(
+    ("heading", "text", "heard"),
+    [
+        ("", "“The train,” she said, “stopped at Brno,” and sat.", "Élodie: The train, stopped at Brno"),
+        ("", '"You are late," said Jan.', "Élodie: You are late"),
+        ("", "She whispered that it was late.", "Élodie: She whispered that it was late."),
+        ("INT. BAR", 'He told me "never again" and left.', 'Élodie: He told me "never again" and left.'),
+    ],
+)
+def test_subtitles_of_prose_are_what_is_heard(
+    graph: ContinuityMemoryGraph, heading: str, text: str, heard: str
+) -> None:
+    outline = graph.outline[0]
+    line = outline.shots[1].lines[0].model_copy(update={"text": text})
+    shots = (outline.shots[0], outline.shots[1].model_copy(update={"lines": (line,)}))
+    told = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": shots, "heading": heading}),)})
+    assert " ".join(subtitles(panels(told))[0].text.split()) == heard
+
+
 def test_marks_of_emphasis_are_not_shown(graph: ContinuityMemoryGraph) -> None:
     outline = graph.outline[0]
     lines = [shot.lines[0].model_copy(update={"text": "I *never* **saw** _it_ 2 * 2."}) for shot in outline.shots]
