@@ -28,6 +28,8 @@ _SHORTEST = {"EWS": 0.22}
 _SHORT, _TALL = 0.26, 0.4
 _HELD = 0.8
 """Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
+_SQUATS = 0.6
+"""Metres that a face is lower than upright where a picture that cuts the body would lose it."""
 _TALKS = 80.0
 """Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
@@ -142,6 +144,8 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
     shown = brief.upright(lead) if brief.walks and not _tight(brief) else lead
+    if instruction.size not in framing.WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
+        shown = lead
     return framing.single(film, shown, instruction.size, azimuth, elevation, lens)
 
 

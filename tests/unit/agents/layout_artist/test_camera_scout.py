@@ -146,6 +146,15 @@ def test_who_walks_off_is_seen_from_behind_past_who_looks_after_them() -> None:
     assert "size" not in [each.kind for each in faults], "who goes may be small beside who stays"
 
 
+@pytest.mark.parametrize(("stature", "low"), [(0.85, False), (1.4, True)])
+def test_who_squats_after_a_walk_is_in_a_medium_shot_and_who_bends_is_low_in_it(stature: float, low: bool) -> None:
+    steps = tuple(Moment(20 * n, (figure("tom", x, 0, 90, tall),)) for n, (x, tall) in enumerate(
+        ((-2.0, 1.75), (0.0, stature), (0.0, stature))))  # fmt: skip
+    view = replace(brief(moments=steps, kind="action", size="MS", focus_on_ids=("tom",)), duration=41)
+    (_, y), *_ = project(start(view).camera, [view.people[0].face])[0]
+    assert (y > 0.35) == low and y < 0.8
+
+
 def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
     rower, friend = figure("anna", 0.4, 0, -90, 1.3), figure("tom", -0.4, 0, 90, 1.3)
     view = brief([rower, friend], kind="action", size="MWS", focus_on_ids=("anna", "tom"))
