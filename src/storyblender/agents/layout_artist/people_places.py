@@ -18,6 +18,8 @@ from storyblender.memory.shot_context import BodyState
 
 TALK = 1.15
 """Metres between people who talk."""
+_SEAT_FOOT = 0.32
+"""Metres: what begins higher lies on something, and nobody sits on it."""
 _SHOULDERS = 0.8
 """Metres between people who stand side by side."""
 _CHEAT = math.radians(16)
@@ -98,7 +100,9 @@ def _sit(stage: Stage, state: BodyState, relation: Relation | None) -> None:
     """
     kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
     support = stage.find(state.support_id)
-    asked = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
+    named = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
+    asked = [name for name in named if stage.things[name].box.z < _SEAT_FOOT]
+    support = support if asked or not named else None
     found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
     if not found:
         station = relation.anchor_asset_id if relation is not None and relation.kind not in _OPPOSITE else None

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.belongings import brought_along, players_of
-from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, TOPS, Floor, SeatPlace, Thing, facing
 from storyblender.agents.visual_effects_artist.person import SEATED, Person, stature_of
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
@@ -228,8 +228,9 @@ class Company:
             if free:
                 return min(free, key=lambda seat: math.dist(seat.edge, beside.place))
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
-        if name and self.floor.thing(name) is None:
-            name = None  # a part of the set: what one sits on there is a seat of the set
+        thing = self.floor.thing(name)
+        if name and (thing is None or (thing.location[2] > TOPS[0] and not thing.of_kind("seat", "bed"))):
+            name = None  # a part of the set, or what lies on a table: who sits there has a seat of the set
         names = [name] if name else [thing.node_id for thing in self.floor.things.values()]
         same = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name]
         seats = [seat for each in same or names for seat in self.floor.seats(each)]

@@ -577,6 +577,11 @@ def test_who_sits_in_a_part_of_the_set_has_a_seat_of_the_set() -> None:
     assert _start(shot, "rick").support_id in ("chair_l", "chair_r")
 
 
+def test_nobody_sits_on_what_lies_on_a_table() -> None:
+    (shot,) = _stage(_shot(1, states=(BodyState(asset_id="rick", posture="sit", support_id="cup"),)))
+    assert _start(shot, "rick").support_id in ("chair_l", "chair_r")
+
+
 def test_what_somebody_only_is_at_is_not_in_their_hand() -> None:
     at_it, with_it = _do("rick", "idle", target_id="letter"), _do("rick", "idle", prop_id="letter")
     (there,), (holding,) = _stage(_shot(1, at_it)), _stage(_shot(1, with_it))
