@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS, singular
@@ -14,6 +15,7 @@ _BEING = frozenset({"sit", "stand", "lie", "come", "run", "go", "live", "trot", 
 """Verbs an animal may follow: ``on the step sat a cat``."""
 
 
+@lru_cache(maxsize=256)
 def does_something(animal: str, told: str) -> bool:
     """Whether an animal is once the subject of something it does, also as ``the bird`` or ``the animal``.
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.cast.namings import Naming
@@ -132,7 +133,7 @@ def _can_be_called(roster: Roster, person: Person, named: Person | None, told: s
         naming.way != "called" and not _agree(_tag_gender(naming.tag), person.gender)
     ):
         return False
-    if not _may_bear(person, naming.name):
+    if not _may_bear(person, naming.name) or _distance(told, person, naming) > _NEAR:
         return False
     return named is None or (_may_have(named, person, told) and not are_two(told, person, named))
 
@@ -194,12 +195,17 @@ def _opens(told: str, at: int) -> bool:
     return re.search(r"\n\s*The (?:[\w-]+ )?[\w-]+$", told[max(0, at - 40) : at]) is not None
 
 
-def _mentions(told: str, person: Person) -> Iterable[int]:
+def _mentions(told: str, person: Person) -> tuple[int, ...]:
     plain = {"man", "boy"} if person.role == "stranger" else set[str]()
     called = "|".join(
         map(re.escape, sorted({person.role, *person.aliases, *plain}, key=lambda name: (-len(name), name)))
     )
-    return (match.end() for match in re.finditer(rf"\b(?:{called})\b", told, re.IGNORECASE))
+    return _places(told, rf"\b(?:{called})\b")
+
+
+@lru_cache(maxsize=1024)
+def _places(told: str, pattern: str) -> tuple[int, ...]:
+    return tuple(match.end() for match in re.finditer(pattern, told, re.IGNORECASE))
 
 
 # -- names that turn up ------------------------------------------------------------------------------------------
@@ -222,11 +228,12 @@ def _may_be(nameless: Person, named: Person, told: str, alone: bool) -> bool:
 
     ``alone``: nobody else is without a name.
     """
-    if not _may_have(named, nameless, told):
+    last = max((at for at in _mentions(told, nameless) if at < named.first), default=-_LATER)
+    since = named.first - last
+    if since > _LATER or not _may_have(named, nameless, told):
         return False
     if _is_told_after_all(nameless, named, told):
         return True
-    since = named.first - max((at for at in _mentions(told, nameless) if at < named.first), default=-_LATER)
     title, noun = bare(named.name).split()[0].strip("."), nameless.role
     if (title in lexicon.TITLES - GENTLE and " " in named.name) or (title in GENTLE and noun in _SOMEBODY):
         ranked = title in lexicon.RANKS.get(noun, ())
@@ -270,6 +277,11 @@ def _is_told_after_all(nameless: Person, named: Person, told: str) -> bool:
 # -- one or two --------------------------------------------------------------------------------------------------
 
 
+@lru_cache(maxsize=2)
+def _sentences(told: str) -> tuple[str, ...]:
+    return tuple(re.split(r"(?<!\bMr)(?<!\bMrs)(?<!\bDr)[.!?\n]", told))
+
+
 def are_two(told: str, nameless: Person, named: Person) -> bool:
     """Whether a sentence tells of both: ``Bess looked at the old woman``."""
     names = "|".join(re.escape(alias) for alias in sorted(named.aliases, key=len, reverse=True))
@@ -279,7 +291,9 @@ def are_two(told: str, nameless: Person, named: Person) -> bool:
         rf"\b(?:an?|the|his|her|their|my) (?:[\w-]+,? ){{0,3}}(?:{re.escape(nameless.role)})\b", re.IGNORECASE
     )
     name = re.compile(rf"\b(?:{names})\b(?!['’]s)", re.IGNORECASE)
-    for sentence in re.split(r"(?<!\bMr)(?<!\bMrs)(?<!\bDr)[.!?\n]", told[nameless.first :]):
+    for sentence in _sentences(told):
+        if nameless.role not in sentence.lower():
+            continue
         one, other = noun.search(sentence), name.search(sentence)
         if one and other and not re.match(r",? (?:named |called )?$", sentence[one.end() : other.start()]):
             return True

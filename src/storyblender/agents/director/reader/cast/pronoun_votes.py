@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 
 
+@lru_cache(maxsize=1024)
 def gender_told(told: str, called: str) -> str:
     """The gender of ``he`` or ``she`` in a sentence that somebody opens, or at the start of the one after it.
 
