@@ -63,6 +63,8 @@ _COMPANY, _BACK = 1.7, 2.0
 """Metres from the first person within which who is seen takes part in the picture; points for such a one's back."""
 _FROM_BEHIND = 100.0
 """Degrees from full face from which somebody is seen from behind."""
+_LOOKS_DOWN = -0.5
+"""Height of the way a face looks, of one, under which its owner bends over something."""
 _BACKSIDE = 0.06
 """Share of the picture that backs of furniture may take."""
 CLEARED = 0.3
@@ -247,6 +249,7 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     # Who walks off from the one over whose shoulder they are seen may show their back.
     limit = min(face_limit(brief), math.inf if looks_after(brief) is not None and brief.in_stride else 75.0)
     points = weight * 2.0 * max(0.0, (figure.turned_from(camera.position) - limit) / 60)
+    points += weight * _bent_from_behind(camera, figure)
     if not _framed(camera, figure):
         return points + 3.0
     x = float(project(camera, [figure.face])[0][0, 0])
@@ -256,6 +259,14 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     points += _cut_off(camera, figure) * (brief.instruction.size in WHOLE)
     off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)
     return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
+
+
+def _bent_from_behind(camera: Orbit, figure: Figure) -> float:
+    """Weigh the seat of somebody who bends: a face that looks down is as far away from behind as from before."""
+    if figure.forward[2] > _LOOKS_DOWN:
+        return 0.0
+    around = abs(math.remainder(camera.azimuth - figure.yaw, 360.0))
+    return _BACK * max(0.0, around - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
 
 
 def _cut_off(camera: Orbit, figure: Figure) -> float:

@@ -155,6 +155,14 @@ def test_who_squats_after_a_walk_is_in_a_medium_shot_and_who_bends_is_low_in_it(
     assert (y > 0.35) == low and y < 0.8
 
 
+def test_who_bends_is_not_taken_from_behind() -> None:
+    bent = replace(figure("tom", 0, 0, 0, 1.1), forward=(0.0, -0.5, -0.85))
+    view = brief([bent], kind="action", size="MS", focus_on_ids=("tom",))
+    assert abs(scouted(view)[0].camera.azimuth) < 110
+    before, behind = (start(view, turn - start(view).camera.azimuth) for turn in (0.0, 180.0))
+    assert cost(view, behind) > cost(view, before) + 1.0
+
+
 def test_whoever_is_in_a_boat_may_be_looked_down_on() -> None:
     rower, friend = figure("anna", 0.4, 0, -90, 1.3), figure("tom", -0.4, 0, 90, 1.3)
     view = brief([rower, friend], kind="action", size="MWS", focus_on_ids=("anna", "tom"))
