@@ -80,9 +80,11 @@ def test_a_changed_camera_draws_one_frame(project: Path) -> None:
 
 
 @pytest.mark.slow
-def test_twice_the_same_is_the_same(project: Path, script: Path, tmp_path: Path) -> None:
-    made([script, "--out", tmp_path / "a", *SMALL, "--no-animatic"])
-    made([script, "--out", tmp_path / "b", *SMALL, "--no-animatic", "--jobs", "1"])
+@pytest.mark.parametrize("look", ["fast", "board", "pencil"])
+def test_twice_the_same_is_the_same(look: str, script: Path, tmp_path: Path) -> None:
+    small = ("--look", look, "--width", "320", "--quiet", "--no-animatic")
+    made([script, "--out", tmp_path / "a", *small])
+    made([script, "--out", tmp_path / "b", *small, "--jobs", "1"])
     first, second = read_project_graph(tmp_path / "a"), read_project_graph(tmp_path / "b")
     assert first == second
     frames = sorted((tmp_path / "a" / "frames").glob("SC*.png"))
