@@ -80,3 +80,54 @@ def test_a_place_on_both_sides_of_a_wall_is_where_its_name_is(heading: str, side
 def test_an_animal_that_moves_about_is_there(action: str, cast: list[str]) -> None:
     reading = read_script(read(f"INT. ROOM - DAY\n\nJOE (40) sits. {action}\n", "fountain"))
     assert [person.name for person in reading.people] == cast
+
+
+def _deeds(action: str, before: str = "") -> list[tuple[str, str]]:
+    reading = read_script(read(f"INT. ROOM - DAY\n\nDOUGLAS (50) and PEEL (60) sit.\n\n{before}{action}\n", "fountain"))
+    return [(deed.actor, deed.motion) for deed in reading.units[-1].deeds]
+
+
+@pytest.mark.parametrize(
+    ("intro", "cast"),
+    [
+        ("Two WIDOWS, EDNA MOLE (78) and MARGUERITE MOLE (70), wave.", ["EDNA MOLE", "MARGUERITE MOLE"]),
+        ("TWO COPS -- BAILEY and COOK -- wave.", ["BAILEY", "COOK"]),
+        ("Two GUARDS, bored, wave. EMIL and PABLO enter.", ["GUARD", "EMIL", "PABLO"]),
+    ],
+)
+def test_a_group_whose_members_are_named_is_those_members(intro: str, cast: list[str]) -> None:
+    assert [person.name for person in read_script(read(f"INT. ROOM - DAY\n\n{intro}\n", "fountain")).people] == cast
+
+
+def test_the_noun_of_a_named_group_means_all_of_it() -> None:
+    before = "Two WIDOWS, EDNA MOLE (78) and MARGUERITE MOLE (70), wave.\n\n"
+    assert _deeds("The widows stand up.", before) == [("edna_mole", "stand_up"), ("marguerite_mole", "stand_up")]
+
+
+def test_a_group_has_as_many_as_are_counted_in_small_letters() -> None:
+    reading = read_script(read("INT. ROOM - DAY\n\nTwo elderly WIDOWS wave. Some SAILORS sing.\n", "fountain"))
+    assert [(person.name, person.count) for person in reading.people] == [("WIDOW", 2), ("SAILOR", 3)]
+
+
+@pytest.mark.parametrize("worn", ["", " in a coat", " in cycling shorts", " with a cane"])
+def test_somebody_told_of_and_then_named_between_commas_is_one(worn: str) -> None:
+    """``An old man, GRAHAM (75), waves``: not the old man who is there already."""
+    assert _deeds(f"An old man{worn}, GRAHAM (75), waves.") == [("graham", "wave")]
+
+
+@pytest.mark.parametrize(
+    ("action", "deed"),
+    [
+        ("In one of the chairs Peel sits shivering.", ("peel", "sit")),
+        ("Peel drops onto his stomach.", ("peel", "lie_down")),
+        ("Douglas throws up one hand.", ("douglas", "wave")),
+        ("Douglas gets Peel by the collar.", ("douglas", "hold")),
+    ],
+)
+def test_who_does_it(action: str, deed: tuple[str, str]) -> None:
+    assert _deeds(action) == [deed]
+
+
+def test_a_surname_without_a_title_is_whoever_has_none() -> None:
+    before = "MRS. REYES (60) sits. DANIEL REYES (30) stands.\n\n"
+    assert _deeds("Reyes waves.", before) == [("daniel_reyes", "wave")]

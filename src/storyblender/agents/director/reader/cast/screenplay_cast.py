@@ -9,6 +9,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.cast.by_names import nicknamed, tagged_name, worn_name
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
+from storyblender.agents.director.reader.cast.named_groups import name_groups
 from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
@@ -30,6 +31,8 @@ _TITLED = re.compile(
 _CAPITALISED_ROLE = re.compile(r"\b[Tt]he ((?:[A-Z][a-z]+ ){1,2}[A-Z][a-z]*)\b")
 _ARTICLE_OR_COUNT = re.compile(r"^(THE|A|AN|TWO|THREE|FOUR|FIVE|SIX) ")
 _COUNT = re.compile(r"^(TWO|THREE|FOUR|FIVE|SIX) ")
+_NUMBERS = "|".join(word for word, number in lexicon.NUMBERS.items() if number > 1)
+_COUNTED_BEFORE = re.compile(rf"\b({_NUMBERS}) (?:[a-z-]+ ){{0,2}}$", re.IGNORECASE)
 _YEARS = r"(?:eigh|nine|seven|six|fif|four|thir|twen|for)(?:teen|ty|ties)\b|"
 _YEARS += r"(?:four|five|six|seven|eight|nine|ten|eleven|twelve)\b"
 _INTRODUCED = re.compile(
@@ -43,8 +46,8 @@ _LOOK = re.compile(
     rf"(?=,?\s+(?:is|was|(?!(?:{_WORN})\b)[a-z]+s)\b(?! of)|[.;])",
     re.DOTALL,
 )
-_SOME = 3
-"""Members of a group whose number is not told."""
+_SOME, _MOST = 3, 6
+"""Members of a group whose number is not told, and of one that is a crowd."""
 _NAMING = re.compile(
     r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
     r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
@@ -95,6 +98,7 @@ def find_cast(script: Manuscript) -> Roster:
     full_names = {_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles}
     for sighting in sorted(singles):
         _admit(roster, sighting, full_names, script.text)
+    name_groups(roster, script.text)
     speaking = {bare(cue) for cue in cues}
     for person in roster.people:
         person.speaks = any(alias in speaking for alias in person.aliases)
@@ -214,13 +218,14 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     other = None if known else _apposed(roster, sighting, name, text) or worn_name(roster, name)
     if other:
         roster.call(other, bare(name))
-    person = known[0] if known else other or _newcomer(roster, sighting, base)
+    before = text[max(0, sighting.at - 40) : sighting.at]
+    person = known[0] if known else other or _newcomer(roster, sighting, base, before)
     if sighting.nickname:
         roster.call(person, bare(sighting.nickname))
     looks = _looks(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else []
     if not known:
         _seen_before(roster, person, text, sighting.at)
-    _kin_before(roster, person, text[max(0, sighting.at - 40) : sighting.at])
+    _kin_before(roster, person, before)
     for said in looks:
         describe(person, said)
         if person.role and (tag := tagged_name(said, full_names)):
@@ -316,13 +321,13 @@ def _moves_about(animal: PersonNoun, text: str) -> bool:
     return moves and animal.determiner in ("a", "an") and animal.noun not in _TINY
 
 
-def _newcomer(roster: Roster, sighting: _Sighting, name: str) -> Person:
-    """A new person, or a group for TWO GUARDS and SAILORS."""
+def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Person:
+    """A new person, or a group for TWO GUARDS, ``two elderly WIDOWS`` and SAILORS."""
     words = name.split()
     head = singular(words[-1])
     plural = head != words[-1].lower() and is_person_noun(head)
-    counted = _COUNT.match(sighting.name)
-    count = lexicon.NUMBERS[counted.group(1).lower()] if counted else _SOME if plural else 1
+    counted = _COUNT.match(sighting.name) or (_COUNTED_BEFORE.search(before) if plural else None)
+    count = min(lexicon.NUMBERS[counted.group(1).lower()], _MOST) if counted else _SOME if plural else 1
     if count > 1:
         name = " ".join([*words[:-1], head.upper()])
     person = roster.add(name, sighting.at)

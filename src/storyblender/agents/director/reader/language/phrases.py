@@ -114,7 +114,9 @@ def _pronoun(words: list[Word], at: int) -> Phrase | None:
         ahead = range(at + 2, min(at + 6, len(words)))
         inner = next((i for i in ahead if words[i].mention or words[i].verb or words[i].low in lexicon.PRONOUNS), None)
         mention = words[inner].mention if inner else None
-        if inner and mention:
+        several = _noun_phrase(words, at + 2)
+        of_things = several is not None and inner is not None and several.last < inner
+        if inner and mention and not of_things:  # "one of the chairs Peel sits" tells of a chair
             return Phrase("noun", at, inner, noun=NounPhrase("person", inner, mention.head, mention=mention))
     if word.inserted:
         return Phrase("noun", at, at, noun=NounPhrase("pronoun", at, ""))

@@ -16,7 +16,7 @@ from storyblender.agents.director.reader.language.tagging import (
     may_be_verb,
     tag_verb,
 )
-from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.language.words import Mention, Word
 from storyblender.agents.director.reader.language.written_verbs import is_outcome, written_verb
 
 _PREDICATES = frozenset({"asleep", "awake", "alone", "unconscious", "dead", "naked", "up", "seated", "ready"})
@@ -127,20 +127,36 @@ def _renames(before: list[Word], words: list[Word], at: int) -> bool:
 
 
 def _named_kin(words: list[Word]) -> list[Word]:
-    """``his companion, Dr. Fell, read``, ``the vicar, Mr. Pym, dozed``: told by name between commas."""
+    """``his companion, Dr. Fell, read``, ``An old man in a cap, GRAHAM, sits``: told by name between commas."""
     kept: list[Word] = []
     at = 0
     while at < len(words):
-        left, right = kept[-1].mention if kept else None, words[at + 1 : at + 3]
+        right = words[at + 1 : at + 3]
         name = right[0].mention if len(right) > 1 and words[at].text == right[1].text == "," else None
-        named = left and left.kind != "name" and name and name.kind == "name"
-        if named and left and name and (left.head in _RELATED or name.candidates[0] in left.candidates):
-            kept[-1].mention = name
-            at += 3
-        else:
+        somebody = _told_before(kept, name, words[at + 3 : at + 4]) if name and name.kind == "name" else None
+        if somebody is None:
             kept.append(words[at])
             at += 1
+        else:
+            somebody.mention = name
+            at += 3
     return kept
+
+
+def _told_before(kept: list[Word], name: Mention, following: list[Word]) -> Word | None:
+    """The noun right before a name between commas, if both are one person."""
+    last = kept[-1].mention if kept else None
+    if last and last.kind != "name" and (last.head in _RELATED or name.candidates[0] in last.candidates):
+        return kept[-1]
+    at = next((at for at in range(len(kept) - 1, -1, -1) if kept[at].mention or kept[at].text in ",;"), -1)
+    told = kept[at].mention if at >= 0 else None
+    worn = kept[at + 1 : at + 2]
+    if told is None or told.kind != "generic" or told.determiner not in ("a", "an"):
+        return None
+    listed = [word.low for word in following] == ["and"]
+    dressed = not worn or worn[0].low in ("in", "with")
+    genders = {lexicon.gender_of_word(told.head), name.candidates[0].gender} - {"unknown"}
+    return kept[at] if dressed and not listed and len(genders) < 2 else None
 
 
 def _apposition_end(words: list[Word], comma: int) -> int | None:

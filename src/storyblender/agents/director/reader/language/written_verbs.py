@@ -24,7 +24,7 @@ _BEFORE_INFINITIVE = frozenset(
     {"to", "n't", "not", "never", "would", "will", "should", "might", "may", "must", "can", "could", "cannot", "let"}
 )
 _FORCING = lexicon.words("forcing")
-_SOLID = lexicon.SET_PIECES | lexicon.PROPS
+_SOLID = lexicon.SET_PIECES | lexicon.PROPS | lexicon.WORN
 _THINGS = _SOLID | lexicon.BODY
 
 

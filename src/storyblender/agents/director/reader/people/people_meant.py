@@ -40,8 +40,14 @@ def resolve_mention(stage: Stage, mention: Mention) -> list[Person]:
         elif mention.kind == "generic":
             mention.people = _generic(stage, mention)
         else:
-            mention.people = [max(mention.candidates, key=stage.presence)]
+            mention.people = [max(_without_title(mention.candidates), key=stage.presence)]
     return mention.people
+
+
+def _without_title(people: list[Person]) -> list[Person]:
+    """``Reyes`` is Daniel Reyes, whose mother is always Mrs. Reyes."""
+    plain = [person for person in people if person.name.lower().split()[0].strip(".") not in lexicon.TITLES]
+    return plain if len(people) > 1 and plain else people
 
 
 def _generic(stage: Stage, mention: Mention) -> list[Person]:
