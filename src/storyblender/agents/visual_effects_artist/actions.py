@@ -255,7 +255,7 @@ class Actions:
         start = self.sheet.start_of(person)
         t, thing = start, self.company.floor.thing(action.target_id)
         if thing is not None and person.upright:
-            point = self.company.rail(person, thing)
+            point = thing.rim(person.place)
             handle = next(iter(thing.of_kind("handle")), None)
             if handle is not None:
                 point = thing.world(handle.location)[:2]

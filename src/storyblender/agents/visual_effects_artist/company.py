@@ -116,7 +116,7 @@ class Company:
     def _wait_by(self, person: Person, thing: Thing, place: Vec2) -> None:
         """Stand by a thing from the beginning, one's back to it."""
         person.place = place
-        person.place = self.floor.free_near(self.rail(person, thing), person.k, self.others(person))
+        person.place = self.floor.free_near(thing.rim(person.place), person.k, self.others(person))
         person.yaw = facing(thing.location[:2], person.place)
 
     def opens_a_door(self, action: CharacterAction) -> bool:
@@ -263,20 +263,11 @@ class Company:
 
     def go_to_rail(self, person: Person, thing: Thing) -> None:
         """Stand close before a bar, a rail or a wall."""
-        point = self.rail(person, thing)
+        point = thing.rim(person.place)
         away = facing(point, person.place)
         gap = 0.16 * person.k + 0.12
         person.place = (point[0] + gap * math.sin(away), point[1] - gap * math.cos(away))
         person.yaw, person.support = facing(person.place, point), thing.node_id
-
-    def rail(self, person: Person, thing: Thing) -> Vec2:
-        """Return the point of a thing's outline that is nearest to a person."""
-        lx, ly = thing.local(person.place)
-        half = thing.size[0] / 2, thing.size[1] / 2
-        x, y = max(-half[0], min(half[0], lx)), max(-half[1], min(half[1], ly))
-        if abs(x) < half[0] and abs(y) < half[1]:
-            y = -half[1]
-        return thing.world((x, y, 0.0))[:2]
 
     def place_loose_props(self, shot: ShotContext) -> None:
         """Props that somebody is about to take and that the layout forgot lie on the nearest table, or are in hand.

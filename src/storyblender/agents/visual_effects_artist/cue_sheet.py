@@ -266,7 +266,7 @@ class CueSheet:
             return self.beside(person, partner, TALK_DISTANCE)
         leaves = person.asset_id in self.leaving and bool(self.company.exit_marks())
         thing = self.company.floor.thing(action.target_id)
-        point = self.company.rail(person, thing) if thing is not None else person.place
+        point = thing.rim(person.place) if thing is not None else person.place
         if leaves and not self.company.floor.inside(point):  # to a plane on the field: out, on its side
             return self._out_towards(person, point, others), None
         if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):

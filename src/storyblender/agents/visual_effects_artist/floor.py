@@ -65,6 +65,15 @@ class Thing:
         """Its outline on the floor."""
         return Footprint(self.location[:2], self.size[:2], self.yaw, name=self.node_id)
 
+    def rim(self, place: Vec2) -> Vec2:
+        """Return the point of the outline that is nearest to a place, in metres in the set."""
+        lx, ly = self.local(place)
+        half = self.size[0] / 2, self.size[1] / 2
+        x, y = max(-half[0], min(half[0], lx)), max(-half[1], min(half[1], ly))
+        if abs(x) < half[0] and abs(y) < half[1]:
+            y = -half[1]
+        return self.world((x, y, 0.0))[:2]
+
     def world(self, point: Vec3) -> Vec3:
         """Return a point of its own frame in the world."""
         cos, sin = math.cos(self.yaw), math.sin(self.yaw)
