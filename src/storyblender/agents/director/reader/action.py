@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader import noticing
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
 from storyblender.agents.director.reader.language.bare_places import say_bare_places
 from storyblender.agents.director.reader.language.body_parts import motion_of_part
 from storyblender.agents.director.reader.language.clauses import Clause, find_clauses
-from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import Phrase, find_phrases
 from storyblender.agents.director.reader.language.rewrite import regularise
 from storyblender.agents.director.reader.language.words import joined
@@ -29,21 +29,15 @@ _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 """``walks out, followed by Mia``: it is Mia who follows."""
 _STATIVE = lexicon.words("stative")
 _SPOKEN = frozenset({"call", "shout", "yell"})
-_WITH = frozenset({"with", "off"})
 _TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
-_TROPHIES = lexicon.words("trophies")
-"""Parts of animals that may be things: the paw, where the story has no animal."""
 _OPENING = 2
 """Words in which the subject of a sentence without a known verb stands: ``Her husband interposed.``"""
-_RECENT = 7
-"""Things ``it`` can mean."""
 _BEFORE_LOOK = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _ADJECTIVES = 4
 """Words before a garment that may describe it."""
 _POSE_ON = {"knee": "kneel", "knees": "kneel", "back": "lie_down", "stomach": "lie_down", "belly": "lie_down"}
 """``is on her knees``, ``is flat on his back``."""
 _FROM = frozenset({"off", "from", "out of"})
-_USING = frozenset({"on", "with", "into", "at", "through"})
 
 
 def read_action(stage: Stage, sentence: Sentence) -> None:
@@ -53,7 +47,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     clauses = find_clauses(words, phrases)
     previous = stage.discourse.subjects
     stage.sentence = SentenceState(words, pictured=sentence.pictured or _tells_of_elsewhere(stage, joined(words)))
-    _notice_nouns(stage, phrases)
+    noticing.notice_nouns(stage, phrases)
     distances.settle_apart(stage, words)
     settle_things(stage, phrases)
     if not clauses:
@@ -79,32 +73,6 @@ def _tells_of_elsewhere(stage: Stage, text: str) -> bool:
     """Whether those a sentence names are not there: gone, or in a picture."""
     lately = [stage.inventory.head(thing) for thing in stage.discourse.recent_things]
     return entrances.is_about_absence(text) or entrances.is_in_a_picture(text, lately)
-
-
-def _notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
-    """Every noun that names a thing is seen; in capitals it is shown."""
-    for index, phrase in enumerate(phrases):
-        noun = phrase.noun
-        if noun is None or noun.kind != "thing" or lexicon.noun_class(noun.key) == "abstract":
-            continue
-        word = stage.sentence.words[noun.index]
-        if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
-            _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
-        thing = stage.inventory.id_of(noun.key, word.start, noun.determiner == "the")
-        if noun.head in _TROPHIES and noun.determiner and not any(p.kind == "animal" for p in stage.roster.people):
-            stage.inventory.detach(thing)
-        stage.sentence.things.append((noun.index, thing))
-        loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
-        stage.inventory.seen(thing, "shown" if loud else "seen")
-        stage.discourse.recent_things = [thing, *stage.discourse.recent_things[:_RECENT]]
-        if stage.inventory.class_of(thing) in _OBJECTLIKE and thing not in stage.unit.things:
-            stage.unit.things.append(thing)
-
-
-def _notice_weather(stage: Stage, word: str, left: Phrase | None) -> None:
-    """Rain hammers the windows; somebody walks through the fog. ``like thunder`` is no weather."""
-    if left is None or left.kind in ("mark", "link") or left.text in ("in", "through", "into", "under", "of"):
-        stage.place.weather = lexicon.WEATHER_WORDS[word]
 
 
 def _name_people(stage: Stage) -> None:
@@ -167,7 +135,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         return
     motion = part or _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
-    _notice_things(stage, clause, roles, motion)
+    noticing.notice_things(stage, clause, roles, motion)
+    _remember_things(stage, roles, motion)
     entrances.objects_enter(stage, clause, roles, motion)
     changes.note_faces(stage, clause, roles.subjects)
     motion = motion or _pose(stage, clause, roles)
@@ -240,28 +209,6 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         if place.things and lexicon.relation_of(place.preposition) in ("on", "in")
     )
     return "sit" if seated else "stand" if kinds & {"next_to", "at", "in", "behind"} else None
-
-
-def _notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
-    """Note how the things of a clause come up."""
-    inventory = stage.inventory
-    if motion in lexicon.HANDLING and roles.subjects:
-        how = "held" if motion in lexicon.GRIPPING else "handled"
-        nouns = [noun for noun in clause.object if noun.kind == "thing"]
-        for thing in roles.things:
-            noun = next((noun for noun in nouns if noun.head == inventory.head(thing)), None)
-            inventory.seen(thing, how, noun is None or bool(noun.determiner) or noun.possessor is not None)
-    for place in roles.places:
-        used = motion in lexicon.HANDLING and not roles.things and place.preposition in _USING
-        for thing in place.things:
-            if roles.subjects and used and inventory.class_of(thing) == "prop":
-                inventory.seen(thing, "handled")
-            elif roles.subjects and place.preposition in _WITH:
-                inventory.seen(thing, "with")
-    for thing in roles.subject_things:
-        if inventory.class_of(thing) == "prop":
-            inventory.seen(thing, "related")
-    _remember_things(stage, roles, motion)
 
 
 def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
