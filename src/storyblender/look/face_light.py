@@ -43,13 +43,13 @@ def face_lights(head: Vec3, face_yaw: float, camera: Vec3, lighting: Lighting, n
             "color": color,
             "size": 0.25 if role != "fill" else 0.7,
             "cone": cone,
-            "blend": 0.7,
+            "blend": 1.0 if role == "key" else 0.7,
             "for_asset": name,
         })  # fmt: skip
 
     side = 1 if turn >= 0 else -1
     return (
-        lamp("key", face_yaw + _KEY_TURN * turn, _KEY_ELEVATION, _KEY_DISTANCE, 1.0, lighting.key_color, 36),
+        lamp("key", face_yaw + _KEY_TURN * turn, _KEY_ELEVATION, _KEY_DISTANCE, 1.0, lighting.key_color, 60),
         lamp("fill", toward_camera + 12 * side, 8, 2.6, 1 / lighting.key_fill_ratio, lighting.fill_color, 50),
         lamp("rim", toward_camera + 180 - 35 * side, _RIM_ELEVATION, 2.4, _RIM_STRENGTH, lighting.rim_color, 34),
     )

@@ -1,18 +1,20 @@
-"""The form of faces and hands at the size of the picture: light at a quarter of it, denoised, loses noses and lips.
+"""The light on faces and hands: the form that coarse light loses, and hands no darker than one person's skin can be.
 
-What key, fill and rim make of a place is known without tracing. Over its surroundings it says how much lighter or
-darker the place is than the coarse light has it.
+Light at a quarter of the picture, denoised, loses noses and lips. What key, fill and rim make of a place is known
+without tracing; over its surroundings it says how much lighter or darker the place is than the coarse light has it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
+from storyblender.look.exposure import bright_half
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.illumination import light_field
-from storyblender.look.raster import LUMA, Image, blur, every
+from storyblender.look.raster import LUMA, Image, Mask, blur, every, luminance
 from storyblender.look.surface import Surface
 from storyblender.memory.scene_context import Light
 
@@ -21,6 +23,39 @@ _ROWS, _REACH = 540, 7
 _AROUND = 0.5
 """Light from all other sides, as a share of what these lamps give on average; it softens the form."""
 _DARKEST, _LIGHTEST = 0.6, 1.35
+_SHADED, _LIFT, _MOST = 0.55, 0.8, 3.0
+"""Skin with less than this share of its face's light is lifted by this share of the stops it lacks, up to a factor."""
+
+
+@dataclass(frozen=True)
+class Flesh:
+    """The visible skin of a person.
+
+    Attributes:
+        skin: (h, w) all of it.
+        face: (h, w) its face; nothing where that is turned away.
+    """
+
+    skin: Mask
+    face: Mask
+
+
+def lift_hands(light: Image, people: Sequence[Flesh]) -> None:
+    """Lighten hands and arms that get much less light than faces do, in place: else they look like another's skin.
+
+    A person's key and fill are solved for the face alone, which is a stop or two above what the hands get.
+
+    Args:
+        light: (h, w, 3) illumination.
+        people: Whose face is turned away is measured by the others'.
+    """
+    levels = [bright_half(luminance(light[flesh.face])) if flesh.face.any() else None for flesh in people]
+    known = [level for level in levels if level is not None]
+    for flesh, level in zip(people, levels, strict=True):
+        if known:
+            enough = _SHADED * (float(np.mean(known)) if level is None else level)
+            given = np.maximum(luminance(light[flesh.skin]), 1e-6)
+            light[flesh.skin] *= np.clip((enough / given) ** _LIFT, 1, _MOST)[:, None]
 
 
 def model_flesh(light: Image, gbuffer: GBuffer, lamps: Sequence[Light]) -> None:

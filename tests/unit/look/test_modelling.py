@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from traced_frame import HEAD, gbuffer
 
-from storyblender.look.modelling import model_flesh
+from storyblender.look.modelling import Flesh, lift_hands, model_flesh
 from storyblender.look.surface import Surface
 from storyblender.memory.scene_context import Light
 
@@ -43,3 +44,29 @@ def test_an_even_face_keeps_its_light_and_all_else_too():
     assert abs(face[SKIN].mean() - 0.5) < 0.03
     assert (face[~SKIN] == 0.5).all()
     assert (lit(FRAME, []) == 0.5).all()
+
+
+def people_lit(**shares):
+    """Return light of 1 on a face and the given share of it on hands, after hands were lifted."""
+    light = np.ones((4, 6, 3), np.float32)
+    masks = {name: np.zeros((4, 6), bool) for name in ("face", "hand", "other_hand", "nobody")}
+    masks["face"][0, :4], masks["hand"][2], masks["other_hand"][3] = True, True, True
+    for name, share in shares.items():
+        light[masks[name]] = share
+    one, other = Flesh(masks["face"] | masks["hand"], masks["face"]), Flesh(masks["other_hand"], masks["nobody"])
+    lift_hands(light, (one, other))
+    return {name: float(light[mask].mean()) for name, mask in masks.items() if mask.any()}
+
+
+def test_a_hand_in_the_dark_is_lifted_towards_its_face_and_no_further():
+    after = people_lit(hand=0.2, other_hand=0.8)
+    assert 0.35 < after["hand"] < 0.55
+    assert (after["face"], after["other_hand"]) == (1.0, pytest.approx(0.8)), "what has light enough keeps its light"
+    assert people_lit(hand=0.001)["hand"] < 0.01, "night stays night"
+
+
+def test_who_is_turned_away_is_measured_by_the_faces_that_are_seen():
+    assert people_lit(other_hand=0.2)["other_hand"] > 0.35
+    dark = np.full((4, 6, 3), 0.1, np.float32)
+    lift_hands(dark, (Flesh(np.ones((4, 6), bool), np.zeros((4, 6), bool)),))
+    assert (dark == np.float32(0.1)).all(), "no face, nothing to measure by"

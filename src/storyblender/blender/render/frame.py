@@ -24,7 +24,7 @@ from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
 from storyblender.look.ink import apply_ink, draw_ink, people_nearby
 from storyblender.look.looks import LOOKS, Look
-from storyblender.look.modelling import model_flesh
+from storyblender.look.modelling import lift_hands, model_flesh
 from storyblender.look.pencil import draw_pencil, level_ground
 from storyblender.look.raster import Image, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
@@ -189,7 +189,9 @@ def _relit(
     """
     sky = sky_light(shot.plan.sky, gbuffer.view.reduced(step).rays())
     if look.light == "numpy":
-        light = upsample(shot.illumination() * shot.patches, gbuffer, look.light_step)
+        light = shot.illumination() * shot.patches
+        lift_hands(light, shot.flesh)
+        light = upsample(light, gbuffer, look.light_step)
         share = shrink(gbuffer.sky.astype(np.float32), step)[..., None]
         return mean_albedo(gbuffer, step) * light + gbuffer.emission(step) + sky * share
     cast = [obj for obj in session.visible_objects() if obj.get("kind") == "character"]
@@ -210,6 +212,7 @@ def _relit(
     # What glows by itself is not light on a surface: left in, a lamp would ring what is behind it.
     reflected = np.maximum(traced - gbuffer.emission(coarse), 0)
     light = (demodulate(reflected, mean_albedo(gbuffer, coarse, low_sky)) + shot.roof_light) * shot.patches
+    lift_hands(light, shot.flesh)
     light = upsample(light, gbuffer, look.light_step)
     model_flesh(light, gbuffer, shot.lights)
     return remodulate(light, mean_albedo(gbuffer, step, sky)) + gbuffer.emission(step)

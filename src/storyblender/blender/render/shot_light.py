@@ -13,7 +13,7 @@ from storyblender.blender.render.meter import SetLight, reach_of
 from storyblender.blender.render.passes import Passes
 from storyblender.blender.render.session import RenderSession
 from storyblender.blender.render.shadow_maps import render_shadow_map
-from storyblender.look.exposure import dim_set_lamps, find_faces, solve_faces
+from storyblender.look.exposure import Face, dim_set_lamps, find_faces, solve_faces
 from storyblender.look.face_light import face_lights
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.illumination import (
@@ -26,6 +26,7 @@ from storyblender.look.illumination import (
     strength,
     total,
 )
+from storyblender.look.modelling import Flesh
 from storyblender.look.occlusion import ambient_occlusion
 from storyblender.look.patches import ground_patches
 from storyblender.look.raster import Image, Mask, blur
@@ -105,6 +106,7 @@ class ShotLight:
         target = self.plan.face_luminance
         fields = dim_set_lamps(fields, self._around, self.albedo, faces, target)
         self.fields = solve_faces(fields, self._around, self.albedo, faces, target)
+        self.flesh = _flesh_of(self.gbuffer, bodies, faces)
 
     @property
     def set_lights(self) -> tuple[Light, ...]:
@@ -174,6 +176,12 @@ def _pixels_of(people: Sequence[PersonHead], passes: Passes, gbuffer: GBuffer) -
     owners = np.array(["", *(node.node_id for node in passes.nodes)])
     bodies = [(head, (owners == head.asset_id)[gbuffer.ids]) for head in people]
     return [(head, body) for head, body in bodies if body.any()]
+
+
+def _flesh_of(gbuffer: GBuffer, bodies: Sequence[tuple[PersonHead, Mask]], faces: Sequence[Face]) -> tuple[Flesh, ...]:
+    skin: Mask = gbuffer.surface == Surface.SKIN
+    shown, unseen = {face.asset_id: face.mask for face in faces}, np.zeros_like(skin)
+    return tuple(Flesh(body & skin, body & shown.get(head.asset_id, unseen)) for head, body in bodies)
 
 
 def _round_face(head: PersonHead) -> list[Vec3]:
