@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, key_of
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.props import Inventory
@@ -19,6 +20,8 @@ from storyblender.memory.vocabulary import Posture, RelationKind
 _FADING = 0.45
 """What salience keeps from one sentence to the next."""
 _SCENE_FADING = 0.3
+_FLOORING = lexicon.words("flooring")
+"""What is on it is on the floor."""
 
 
 @dataclass
@@ -106,6 +109,8 @@ class SentenceState:
     object_thing: str | None = None
     """The last thing in object position."""
     pictured: bool = False
+    goal: tuple[list[str], str] | None = None
+    """Who has walked to what in the clause before."""
 
 
 @dataclass
@@ -171,6 +176,8 @@ class Stage:
 
     def relate(self, subject: str, kind: RelationKind, anchor: str, second: str | None = None) -> None:
         """State a spatial relation, once a scene."""
+        if kind == "on" and self.inventory.head(anchor) in _FLOORING:
+            anchor = self.inventory.id_of("floor", self.unit.start)
         if subject == anchor or (kind in ("in", "at") and self.person(anchor)):
             return
         stated = (

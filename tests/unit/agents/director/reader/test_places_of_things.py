@@ -20,6 +20,11 @@ def relations(reading: Reading) -> set[tuple[str, str, str]]:
     [
         ("On the desk lies a letter, and on the letter a pair of spectacles.", ("spectacles", "on", "letter")),
         ("On the stove a kettle steams; under the table stands a bucket.", ("kettle", "on", "stove")),
+        ("On the sledge, under a sheet, are crates and a tent.", ("tent", "under", "sheet")),
+        ("Under the lamp is a saucer full of coins.", ("coin", "on", "saucer")),
+        ("Between the chair and the stove a parrot sleeps in a basket.", ("basket", "between", "chair")),
+        ("There is an armchair with a shawl lying on its arm and a book lying open, face down, on the seat.",
+         ("book", "on", "armchair")),
         ("Against the wall stands a wardrobe with a suitcase on top.", ("suitcase", "on", "wardrobe")),
         ("A row of lockers lines the wall. Below them, a bench.", ("bench", "under", "locker")),
         ("The lockers stand open. Below them, a row of boots.", ("boot", "under", "locker")),

@@ -69,6 +69,18 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Kate stands behind the counter, Joe in front of it.", ("joe", "in_front_of", "counter")),
         ("Joe picks up the cup, the plate and the spoon and puts them in the sink.", ("cup", "in", "sink")),
         ("Kate enters with a tray, sets it on the counter and sits.", ("tray", "on", "counter")),
+        ("Joe sits on the concrete.", ("joe", "on", "floor")),
+        ("A key drops out onto the tiles.", ("key", "on", "floor")),
+        ("Joe stands on the top rung of a ladder.", ("joe", "on", "ladder")),
+        ("Joe and Kate face each other.", ("kate", "facing", "joe")),
+        ("Joe sets the desk down against the opposite wall.", ("desk", "against", "wall")),
+        ("An open coffin rests on a trolley.", ("coffin", "on", "trolley")),
+        ("Joe lays the book face down on the desk.", ("book", "on", "desk")),
+        ("Joe hooks his helmet over an umbrella.", ("helmet", "on", "umbrella")),
+        ("Joe crosses to the counter and bends over the case.", ("joe", "at", "counter")),
+        ("Joe walks to the bed and sits.", ("joe", "on", "bed")),
+        ("Joe puts a basket on the table, takes off a glove and lays a coin beside it.", ("coin", "next_to", "basket")),
+        ("Kate sits on a crate, a cat on her lap.", ("cat", "on", "kate")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
@@ -88,6 +100,7 @@ def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[
         ("Joe waits, wrapped in a quilt.", "joe"),
         ("Kate empties the mug into the sink.", "mug"),
         ("Joe jumps off the table onto the floor.", "table"),
+        ("Joe sits across the room.", "joe"),
     ],
 )
 def test_what_does_not_stay_there_has_no_place(read_scene: Read, action: str, thing: str) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 
@@ -24,6 +26,11 @@ def say_bare_places(phrases: list[Phrase]) -> list[Phrase]:
     """
     said: list[Phrase] = []
     for index, phrase in enumerate(phrases):
+        if phrase.text == "which" and len(said) > 1 and said[-1].kind == "preposition":
+            whole = next((p for p in reversed(said[-3:-1]) if p.noun), None)
+            if whole and whole.noun and said[-1].text in lexicon.RELATION_OF_PREPOSITION:
+                said[-1:] = [Phrase("mark", phrase.first, phrase.first, ";"), said[-1], replace(whole, noun=whole.noun)]
+                continue
         if phrase.kind == "noun" and said and _is_top(said[-1], phrase, phrases[index + 1 : index + 2]):
             said[-1] = Phrase("preposition", said[-1].first, phrase.last, "on top of")
             said.append(_there(said[-1]))

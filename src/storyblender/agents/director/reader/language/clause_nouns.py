@@ -35,6 +35,7 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
         or noun.head in _SUBJECT_ONLY
         or builder.fronted is not None
         or (linked and (verb_follows(builder.phrases, index) or is_absolute(builder.phrases, index)))
+        or (clause is not None and clause.absolute and linked and _participle_follows(builder, index))
     )
     if starts_clause:
         _start_clause(builder, left.text if left is not None else "", noun, listed)
@@ -68,6 +69,12 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
         clause.recipient, clause.object = clause.object, [noun]
     elif not clause.object and len(clause.places) == clause.opening:
         clause.object = [noun]
+
+
+def _participle_follows(builder: ClauseBuilder, index: int) -> bool:
+    """``with a blanket folded over its arm and a book lying on the seat``: the book lies there."""
+    after = builder.phrases[index + 1] if index + 1 < len(builder.phrases) else None
+    return after is not None and after.verb is not None and after.verb.kind in ("ing", "pp")
 
 
 def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:

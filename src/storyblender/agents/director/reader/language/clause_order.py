@@ -68,7 +68,8 @@ def is_absolute(phrases: list[Phrase], index: int) -> bool:
         index: Of who or what does it; a phrase stands before it.
     """
     left, following = phrases[index - 1], phrases[index + 1] if index + 1 < len(phrases) else None
-    participle = following is not None and following.verb is not None and following.verb.kind in ("ing", "pp")
+    kinds = ("ing", "pp", "past") if left.text == "with" else ("ing", "pp")
+    participle = following is not None and following.verb is not None and following.verb.kind in kinds
     return left.text in (",", "while", "with", "as") and participle
 
 

@@ -43,6 +43,10 @@ _VEHICLE_PARTS = lexicon.words("vehicle_parts")
 """``on the hood of a car`` is on the car, ``the roof of the house`` is a roof."""
 _SUBORDINATING = frozenset({"as", "before", "after", "until", "till"})
 _SOME_OF = frozenset({"one", "some", "both", "each", "all", "none", "most", "another", "two", "half"})
+_FITTING = frozenset({"open", "shut", "opposite", "near", "inside", "outside"})
+"""``an open coffin``, ``the opposite wall``: no prepositions after an article."""
+_FACES_OF_THINGS = frozenset({"face", "crown", "belly", "bottom", "nose", "wheels", "spine", "rim", "mouth"})
+"""``lays the book face down``: how it lies, no face."""
 _NOBODY = frozenset({"we", "i", "you"})
 """``We see``: the audience."""
 _INDEFINITE = frozenset(
@@ -89,7 +93,8 @@ def find_phrases(words: list[Word]) -> list[Phrase]:
     phrases: list[Phrase] = []
     at = 0
     while at < len(words):
-        phrase = _mention_or_verb(words, at) or _pronoun(words, at) or _small_word(words, at)
+        phrase = _mention_or_verb(words, at) or _pronoun(words, at)
+        phrase = phrase or (None if _skipped(words, at) else _small_word(words, at))
         if phrase is None and not _skipped(words, at):
             phrase = _noun_phrase(words, at)
         if phrase:
@@ -178,14 +183,23 @@ def _subject_follows(words: list[Word], at: int) -> bool:
 
 
 def _skipped(words: list[Word], at: int) -> bool:
-    """Adverbs, and ``each other``."""
+    """Adverbs, ``each other``, ``face down``."""
     word = words[at]
     right = words[at + 1].low if at + 1 < len(words) else ""
+    if _tells_how_it_lies(words, at) or (at and _tells_how_it_lies(words, at - 1)):
+        return True
     if word.low in ("each", "one") and right in ("other", "another"):
         return True
     if word.low in ("other", "another") and at and words[at - 1].low in ("each", "one"):
         return True
     return word.low.endswith("ly") or word.low in lexicon.ADVERBS
+
+
+def _tells_how_it_lies(words: list[Word], at: int) -> bool:
+    """``face down``, but not ``her face up to the light``."""
+    left, right = words[at - 1].low if at else "", words[at + 1].low if at + 1 < len(words) else ""
+    owned = left in lexicon.DETERMINERS or left in lexicon.POSSESSIVES or left == "'s"
+    return words[at].low in _FACES_OF_THINGS and right in ("down", "up") and not owned
 
 
 def _genitive(words: list[Word], at: int) -> int | None:
@@ -206,10 +220,10 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
     end = first
     while (
         end < len(words)
-        and (_in_noun_phrase(words[end]) or (end == first > at and _is_superlative(words[end])))
+        and (_in_noun_phrase(words[end]) or (end == first > at and (_is_superlative(words[end]) or _fits(words, end))))
         and not (end > at and words[end].low in _INDEFINITE)
         and not (end > first and _compound_preposition(words, end))
-        and not (end > first and words[end].low in lexicon.PARTICLES)
+        and not (end > first and (words[end].low in lexicon.PARTICLES or _tells_how_it_lies(words, end)))
     ):
         end += 1
     name = end < len(words) and words[end].mention is not None and words[end].named and words[end].text[0].isupper()
@@ -278,6 +292,12 @@ def _whole(words: list[Word], end: int) -> Phrase | None:
 def _is_superlative(word: Word) -> bool:
     """``the nearest door``: no preposition; ``the guest`` is somebody."""
     return word.low.endswith("est") and word.mention is None and word.verb is None
+
+
+def _fits(words: list[Word], at: int) -> bool:
+    """``an open coffin``: a word that is no preposition here, because a noun follows it."""
+    word, right = words[at], words[at + 1] if at + 1 < len(words) else None
+    return word.low in _FITTING and word.verb is None and right is not None and _in_noun_phrase(right)
 
 
 def _in_noun_phrase(word: Word) -> bool:

@@ -27,6 +27,11 @@ _PARTS = lexicon.words("parts")
 _SIDES = frozenset({"edge", "end"})
 """``perches on the edge``: of the table named last."""
 
+_ASIDE = frozenset({"beside", "to", "of", "behind", "by", "near"})
+_OF_SEATS = frozenset({"seat", "arm"})
+_CHAIRS = frozenset({"chair", "armchair", "sofa", "couch", "settee", "rocking chair"})
+"""``a book on the seat``: of the armchair named before."""
+
 
 class Referents(NamedTuple):
     """What a noun phrase means: people, or a thing (its id)."""
@@ -165,18 +170,9 @@ def resolve(
     settled = noun.index in stage.sentence.pronouns
     if place and noun.head == "it" and not settled and not any(is_neuter(person) for person in previous):
         return remember(stage, noun.index, Referents([], _it_there(stage, noun.index)))
-    if noun.kind == "thing" and noun.head in _SIDES and noun.determiner == "the" and noun.owner is None:
-        whole = next((t for t in stage.discourse.recent_things if stage.inventory.class_of(t) == "set_piece"), None)
-        if whole:
-            return Referents([], whole)
-    if noun.kind == "thing" and noun.head in _OF_VEHICLES and noun.determiner == "the":
-        vehicle = next((t for t in stage.discourse.recent_things if stage.inventory.head(t) in lexicon.VEHICLES), None)
-        if vehicle:
-            return Referents([], vehicle)  # strapped to the roof
-    if noun.kind == "thing" and noun.head in _PARTS and noun.possessor is not None and noun.owner is None:
-        whole = stage.sentence.pronouns.get(noun.possessor, ([], None))[1]
-        if whole:
-            return Referents([], whole)  # on its lid
+    whole = _whole(stage, noun) if noun.kind == "thing" and noun.owner is None else None
+    if whole:
+        return Referents([], whole)
     if noun.kind == "thing":
         return Referents([], stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start))
     if noun.head == "":
@@ -185,6 +181,21 @@ def resolve(
     if known:
         return Referents(*known)
     return remember(stage, noun.index, _resolve_pronoun_phrase(stage, noun.head, role, subjects, previous))
+
+
+def _whole(stage: Stage, noun: NounPhrase) -> str | None:
+    """What a part belongs to: ``on the edge``, ``strapped to the roof``, ``on the seat``, ``on its lid``."""
+    if noun.possessor is not None:
+        return stage.sentence.pronouns.get(noun.possessor, ([], None))[1] if noun.head in _PARTS else None
+    lately = [thing for thing in stage.discourse.recent_things if stage.inventory.head(thing) != noun.head]
+    wholes: list[str] = []
+    if noun.determiner == "the" and noun.head in _SIDES:
+        wholes = [thing for thing in lately if stage.inventory.class_of(thing) == "set_piece"]
+    elif noun.determiner == "the" and noun.head in _OF_SEATS:
+        wholes = [thing for thing in lately if stage.inventory.head(thing) in _CHAIRS]
+    elif noun.determiner == "the" and noun.head in _OF_VEHICLES:
+        wholes = [thing for thing in lately if stage.inventory.head(thing) in lexicon.VEHICLES]
+    return next(iter(wholes), None)
 
 
 def _resolve_pronoun_phrase(
@@ -228,6 +239,9 @@ def _it(stage: Stage) -> str | None:
 def _it_there(stage: Stage, index: int) -> str | None:
     """``crosses to the desk and drops an envelope on it``: the last thing before, but not what is put there."""
     moved = stage.sentence.object_thing
+    placed = _placed_here(stage) if stage.sentence.words[index - 1].low in _ASIDE else None
+    if placed and placed != moved:
+        return placed
     before = [thing for at, thing in stage.sentence.things if at < index and thing != moved]
     if len(before) > 1 and (index - 2, before[-1]) in stage.sentence.things:
         before.pop()  # a table with a lamp on it
@@ -240,6 +254,13 @@ def _it_there(stage: Stage, index: int) -> str | None:
         return last
     pieces = [t for t in stage.discourse.recent_things if t != moved and stage.inventory.class_of(t) == "set_piece"]
     return next(iter(pieces or solid[-1:]), last)
+
+
+def _placed_here(stage: Stage) -> str | None:
+    """``puts the hat on the table and lays a coin beside it``: beside the hat."""
+    last = stage.scene.relations[-1][1].asset_id if stage.scene.relations else None
+    here = {thing for _, thing in stage.sentence.things} | {it for _, it in stage.sentence.pronouns.values() if it}
+    return last if last in here and stage.inventory.class_of(last) == "prop" else None
 
 
 def remember(stage: Stage, index: int, referents: Referents) -> Referents:

@@ -11,7 +11,8 @@ Stated = tuple[str, RelationKind, str]
 """Who or what, the relation, to whom or what."""
 
 THINGS = frozenset({"prop", "set_piece", "worn", "unknown"})
-SURFACES = lexicon.words("surfaces")
+FLOORING = lexicon.words("flooring")
+SURFACES = lexicon.words("surfaces") | FLOORING
 """What things lie on or in without being an asset: the floor, a corner."""
 FLOOR = frozenset({"rug", "carpet", "floor", "ground"})
 OPENINGS = frozenset({"door", "window", "gate"})

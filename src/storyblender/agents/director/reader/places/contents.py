@@ -96,6 +96,9 @@ def listed(phrases: list[Phrase], index: int) -> list[NounPhrase]:
 
 def _whole(phrases: list[Phrase], index: int) -> NounPhrase | None:
     """What is full: the noun before; where ``is`` stands between, its subject."""
+    left = phrases[index - 1].noun if index else None
+    if left and left.head != "full" and phrases[index].text == "of":
+        return left if left.kind == "thing" else None  # a saucer full of pegs
     verb = next((at for at in range(index - 1, max(-1, index - 3), -1) if phrases[at].kind == "verb"), None)
     passive = verb is not None and phrases[verb].verb is not None and verb > 0
     start = verb if passive and verb is not None else index

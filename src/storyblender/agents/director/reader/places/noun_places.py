@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.deeds.states import hold
@@ -29,6 +30,8 @@ _CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
 _HOLDING = frozenset({"hold", "raise", "lift", "wave", "swing"})
 _GRIPS = frozenset({"hand", "fist", "arm", "paw", "grip"})
 """What is in a hand or under an arm is held."""
+_BEARING = frozenset({"lap", "knee", "shoulder", "thigh"})
+"""What is on them is a thing, whatever it is called."""
 _PASSING = frozenset(
     {
         "slide",
@@ -126,6 +129,9 @@ def _relate(
         return
     _settle_it(stage, phrases[:index], first)
     left = phrases[index - 1] if index else None
+    nobody = noun.mention is not None and not resolve_mention(stage, noun.mention)
+    if nobody:  # a bolt cutter, a cat that nobody knows
+        noun = replace(noun, kind="thing", key=noun.head, mention=None)
     if noun.mention:
         if first.head in _GRIPS and preposition in ("in", "under"):
             return
@@ -186,10 +192,11 @@ def _relate_thing(
     previous: list[Person],
 ) -> None:
     anchor = anchors[0]
-    kinds = ("prop", "set_piece") if anchor.head in BODY_OR_DRESS else ("prop", "set_piece", "worn")
-    if lexicon.noun_class(noun.key) not in kinds or noun.head in lexicon.LIQUIDS | {"seat", "place"}:
+    if not _can_lie(noun, anchor):
         return
     thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+    if lexicon.noun_class(noun.key) == "unknown":
+        stage.inventory.seen(thing, "held", determined=True)
     if anchor.head in _GRIPS and preposition in ("in", "under"):
         for holder in _anchors(stage, anchor, "in", subjects, previous):
             hold(stage, holder, thing)
@@ -205,9 +212,7 @@ def _relate_thing(
             return
         kind = told
     kind = "on" if kind == "over" and noun.head in CLOTHS else kind
-    if kind is None:
-        return
-    if noun.head in OPENINGS and kind == "behind" and anchor.kind != "thing":
+    if kind is None or (noun.head in OPENINGS and kind == "behind" and anchor.kind != "thing"):
         return
     consumed = lexicon.MOTION_OF_VERB.get(stage.sentence.verb) in _CONSUMING
     if consumed and thing == stage.sentence.object_thing and kind in ("on", "in"):
@@ -223,6 +228,15 @@ def _relate_thing(
             stage.inventory.seen(thing, "related")
         elif not around:
             stage.relate(thing, exact_kind(stage, kind, target, ""), target)
+
+
+def _can_lie(noun: NounPhrase, anchor: NounPhrase) -> bool:
+    """Whether a noun names a thing that has a place of its own; a garment on somebody is worn."""
+    kind = lexicon.noun_class(noun.key)
+    if kind == "unknown":
+        return anchor.head in _BEARING and anchor.possessor is not None and noun.determiner != ""
+    solid = kind in ("prop", "set_piece") or (kind == "worn" and anchor.head not in BODY_OR_DRESS)
+    return solid and noun.head not in lexicon.LIQUIDS | {"seat", "place"}
 
 
 def _anchors(

@@ -24,13 +24,14 @@ _PLACING, _ATTACHING, _SEATING = (lexicon.words(rule) for rule in ("placing", "a
 _MOVED = frozenset({"put_down", "drop", "throw"})
 _BRINGING = frozenset({"pull", "push", "carry"})
 _DRAWN_UP = frozenset(
-    {"pull", "draw", "drag", "bring", "push", "roll", "wheel", "shove", "carry", "haul", "move", "slide"}
+    {"pull", "draw", "drag", "bring", "push", "roll", "wheel", "shove", "carry", "haul", "move", "slide", "kick"}
 )
 """``pulls a chair up to the table``, ``drags a crate in front of the door``."""
 _RETURNING = frozenset({"return", "restore", "add", "replace"})
 """``returns the book to the shelf``."""
 _KINDS = frozenset({"on", "in", "under", "next_to", "behind", "against", "in_front_of", "over", "between"})
 _THROWING = frozenset({"throw", "toss", "fling", "hurl", "lob", "chuck", "pass"})
+_LOOPING = frozenset({"hook", "loop", "sling", "drape"})
 _TO_THERE = frozenset({"up to", "to", "over to"})
 _NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
 _STOVES = frozenset({"stove", "fireplace", "furnace", "incinerator", "grate", "dumpster", "well"})
@@ -133,7 +134,9 @@ def _kind(stage: Stage, place: Place, thing: str, passed_on: bool) -> RelationKi
     if place.preposition == "to" and (verb in _RETURNING or floor):
         return "on"
     if kind == "over":
-        return "on" if stage.inventory.head(thing) in CLOTHS else None if verb in _THROWING else kind
+        return (
+            "on" if stage.inventory.head(thing) in CLOTHS or verb in _LOOPING else None if verb in _THROWING else kind
+        )
     return kind if kind in _KINDS else None
 
 
@@ -164,7 +167,8 @@ def relate_between(stage: Stage, place: Place, located: list[str]) -> None:
     several = len(anchors) == 1 and bool(place.things) and place.nouns[0].plural
     if len(anchors) > 1 or (several and stage.inventory.class_of(anchors[0]) in ("prop", "set_piece")):
         for thing in located:
-            stage.relate(thing, "between", anchors[0], anchors[1] if len(anchors) > 1 else None)
+            if thing not in anchors:
+                stage.relate(thing, "between", anchors[0], anchors[1] if len(anchors) > 1 else None)
 
 
 def _furniture_beside(stage: Stage, roles: Roles, found: list[Stated]) -> list[Stated]:

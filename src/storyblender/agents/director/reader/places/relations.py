@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
+    CONTAINERS,
     FLOOR,
     SURFACES,
     THINGS,
@@ -19,7 +20,7 @@ from storyblender.agents.director.reader.places.anchors import (
     solid_things,
 )
 from storyblender.agents.director.reader.places.contents import relate_contents
-from storyblender.agents.director.reader.places.place_verbs import BENT, STATIVE
+from storyblender.agents.director.reader.places.place_verbs import BENT, HALTING, STATIVE
 from storyblender.agents.director.reader.places.put_places import put, puts_something, relate_between
 from storyblender.agents.director.reader.places.stated import state_place
 from storyblender.agents.director.reader.places.supports import relate_supports
@@ -31,6 +32,8 @@ from storyblender.memory.vocabulary import RelationKind
 _BOARDING = frozenset(
     {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
 )
+_GOING = frozenset({"walk", "run", "sneak", "stagger", "crawl"})
+_UP_TO = frozenset({"to", "over to", "up to"})
 _PASSING = frozenset({"walk", "sneak"})
 _SIDES = frozenset({"to the left of", "to the right of"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their) (left|right)\b|\bto the (left|right) of\b")
@@ -62,9 +65,12 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         _between(stage, clause, roles, telling, motion, located)
         if clause.verb == "face":
             faced = [person.id for person in roles.people] + solid_things(stage, roles.things)
-            found.extend((subject, "facing", other) for subject in located for other in faced)
+            faced = faced or located  # each other
+            found.extend((subject, "facing", other) for subject in located for other in faced if other != subject)
+        found += _arrived(stage, clause, motion, located, bool(found))
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
+    stage.sentence.goal = _goal(stage, roles, motion)
     if first and roles.subjects and not any(place.preposition in _SIDES and place.things for place in roles.places):
         _left_or_right(stage, roles.subjects)
     if puts_something(clause, roles, motion):
@@ -72,6 +78,27 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
     relate_contents(stage, clause, roles)
+
+
+def _arrived(stage: Stage, clause: Clause, motion: str | None, located: list[str], told: bool) -> list[Stated]:
+    """``crosses to the counter and bends over the case``, ``goes to the window and stands looking out``."""
+    goal = stage.sentence.goal
+    if goal is None or goal[0] != located or told or clause.opening:
+        return []
+    if motion in ("sit", "lie_down"):
+        return [(person, "on", goal[1]) for person in located if stage.inventory.head(goal[1]) in lexicon.SEATS]
+    stays = clause.verb in BENT | HALTING | {"stand", "wait", "lean", "stay", "linger"}
+    return [(person, "at", goal[1]) for person in located if stays]
+
+
+def _goal(stage: Stage, roles: Roles, motion: str | None) -> tuple[list[str], str] | None:
+    """Who walks to what: ``crosses to the counter``."""
+    if motion not in _GOING or roles.things + roles.people or not roles.subjects:
+        return None
+    to = next((place for place in roles.places if place.preposition in _UP_TO and place.things), None)
+    if to is None or stage.inventory.class_of(to.things[0]) != "set_piece":
+        return None
+    return [person.id for person in roles.subjects], to.things[0]
 
 
 def _at_particle(clause: Clause, roles: Roles) -> Roles:
@@ -115,6 +142,13 @@ def _between(
 ) -> None:
     """Who stands, or walks, between two; ``weaves between the stalls`` is between no two of them."""
     still = not roles.subjects or is_still(stage, clause, roles, motion)
+    boxes = [
+        thing
+        for place in roles.places
+        for thing in place.things
+        if place.preposition == "in" and stage.inventory.head(thing) in CONTAINERS
+    ]
+    located = boxes[:1] or located  # sleeps in a basket between the stove and the door
     walks = motion in _PASSING and not roles.things
     for place in roles.places if roles.subjects else telling:
         if place.preposition == "between" and (still or (walks and len(place.nouns) > 1)):

@@ -8,6 +8,7 @@ from storyblender.agents.director.reader.people.roles import Place
 from storyblender.agents.director.reader.places.anchors import (
     CLOTHS,
     FLOOR,
+    FLOORING,
     OPENINGS,
     SURFACES,
     THINGS,
@@ -33,6 +34,8 @@ from storyblender.memory.vocabulary import RelationKind
 
 _ANCHORS = THINGS | {"scenery"}
 _GAZE = lexicon.words("gaze")
+_LYING = frozenset({"lie_down", "fall", "sleep"})
+"""``sprawls across the bed`` is on it, who sits across the room is not."""
 _SINKING = frozenset({"fall", "collapse", "sink", "slump", "crumple", "tumble", "crash", "topple"})
 _IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "screen", "monitor", "reflection"})
 
@@ -50,7 +53,12 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
     kind = _kind(stage, clause, place, located)
     if kind is None or kind == "between" or place.preposition == "down":
         return []
-    past_it = place.preposition == "across" and clause.verb == "be" and stage.person(located[0]) is not None
+    past_it = (
+        place.preposition == "across"
+        and motion not in _LYING
+        and not clause.passive
+        and stage.person(located[0]) is not None
+    )
     if past_it or _is_an_image(stage, kind, place):
         return []
     if kind == "behind" and clause.verb not in STATIVE and stage.inventory.head(located[0]) in OPENINGS:
@@ -70,11 +78,7 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
     if arriving and not (beside or doorway or clause.passive):
         return []
     anchors = [person.id for person in place.people]
-    anchors += [thing for thing in place.things if stage.inventory.class_of(thing) in _ANCHORS]
-    if kind in ("in", "at") and place.things and stage.inventory.class_of(place.things[0]) == "scenery":
-        anchors = [person.id for person in place.people]
-        surfaces = kind == "in" or place.preposition in ("on", "onto", "upon")
-        anchors += [thing for thing in place.things if surfaces and stage.inventory.head(thing) in SURFACES]
+    anchors += [thing for thing in place.things if _is_anchor(stage, kind, thing)]
     body = at_body(place)
     if body:
         if kind == "under":
@@ -83,6 +87,8 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
         anchors = [body[1]]
     if kind is None:
         return []
+    if kind == "over" and stage.inventory.head(located[0]) in CLOTHS and not body:
+        kind = "on"
     return [
         (subject, exact_kind(stage, kind, anchor, clause.verb), anchor)
         for anchor in anchors
@@ -106,6 +112,15 @@ def _kind(stage: Stage, clause: Clause, place: Place, located: list[str]) -> Rel
     if place.preposition in ("around", "round") and _ring(stage, place):
         return "at" if stage.person(located[0]) else "next_to"
     return lexicon.relation_of(place.preposition)
+
+
+def _is_anchor(stage: Stage, kind: RelationKind, thing: str) -> bool:
+    """Whether something is in, on or beside a thing; scenery is no place to be at."""
+    if stage.inventory.head(thing) in FLOORING and kind == "on":
+        return True
+    surface = stage.inventory.head(thing) in SURFACES and kind in ("on", "in")
+    at_large = kind in ("in", "at") and stage.inventory.class_of(thing) == "scenery" and not surface
+    return stage.inventory.class_of(thing) in _ANCHORS and not at_large
 
 
 def _ring(stage: Stage, place: Place) -> bool:

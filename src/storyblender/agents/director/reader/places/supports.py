@@ -40,10 +40,17 @@ def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
         and len(before.things) == len(place.things) == 1
         and not before.people + place.people
         and before.nouns[0].index < place.nouns[0].index
+        and not _apart(stage, before, place)
         and _stands(stage, before)
         and (stage.inventory.class_of(place.things[0]) == "set_piece" or stage.inventory.head(before.things[0]) in PEGS)
         and before.things != place.things
     )
+
+
+def _apart(stage: Stage, before: Place, place: Place) -> bool:
+    """``On the sledge, under a canvas, are crates``: both places are theirs."""
+    between = stage.sentence.words[before.nouns[0].index : place.nouns[0].index]
+    return any(word.text == "," for word in between)
 
 
 def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
