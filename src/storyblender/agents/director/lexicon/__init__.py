@@ -128,9 +128,15 @@ COMPOUNDS = frozenset(noun for noun in PROPS | WORN | SET_PIECES if "-" in noun)
 SEATS, VEHICLES = frozenset(_nouns["seat"]), frozenset(_nouns["vehicle"])
 PORTABLE = frozenset(_nouns["portable"])
 """Nouns that are both set piece and prop, and rather a prop when they stand alone."""
+MOVABLE = frozenset(_nouns["movable"])
+"""Set pieces that are props where somebody handles them or where they are on something: a stool, a lamp, a tent."""
+PARTS = frozenset(_nouns["part"])
+"""Parts of other things, which are things only where somebody handles them: a page, a switch."""
 CARRIERS = frozenset(_nouns["carrier"])
 """First words of a compound that name a kind of the second: ``coffee cup``, ``birthday card``."""
-MEASURES, LIQUIDS, WEATHER_NOUNS = (frozenset(_nouns[key]) for key in ("measure", "liquid", "weather"))
+MEASURES, LIQUIDS, SHAPELESS, WEATHER_NOUNS = (
+    frozenset(_nouns[key]) for key in ("measure", "liquid", "shapeless", "weather")
+)
 OPENABLE = frozenset(_nouns["openable"])
 SUITING: dict[str, frozenset[str]] = {
     verb: frozenset(_nouns[kind])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause
 from storyblender.agents.director.reader.language.morphology import singular
@@ -16,6 +18,14 @@ _RECENT = 7
 """Things ``it`` can mean."""
 _WITH = frozenset({"with", "off"})
 _USING = frozenset({"on", "with", "into", "at", "through"})
+_APART = frozenset({"of", "like", "with", "without", "by", "off", "from", "out of"})
+"""They put nothing into a hand: ``a ring of hands``, ``like a fist``."""
+_TOWARDS = frozenset(
+    {"on", "onto", "upon", "with", "into", "at", "through", "over", "under", "around", "round", "for", "from"}
+)
+"""Where somebody does something: ``sips from a cup``, ``both hands around a mug``, ``reaches for the poker``."""
+_ONLY_WORN = frozenset({"touch", "cut", "open", "clean"})
+"""Motions that leave a garment on its wearer: ``straightens his tie``."""
 
 
 def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
@@ -39,8 +49,21 @@ def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
         loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
         stage.inventory.seen(thing, "shown" if loud else "seen")
         stage.discourse.recent_things = [thing, *stage.discourse.recent_things[:_RECENT]]
+        if noun.head not in lexicon.BODY and _is_at_a_part(phrases, index):
+            stage.inventory.seen(thing, "met")
         if stage.inventory.class_of(thing) in _OBJECTLIKE and thing not in stage.unit.things:
             stage.unit.things.append(thing)
+
+
+def _is_at_a_part(phrases: list[Phrase], index: int) -> bool:
+    """Whether a noun is at a part of a body: ``phone to his ear``, ``both hands around a tin mug``."""
+    for preposition, other in ((index + 1, index + 2), (index - 1, index - 2)):
+        if min(preposition, other) >= 0 and max(preposition, other) < len(phrases):
+            noun = phrases[other].noun
+            told = phrases[preposition].kind == "preposition" and phrases[preposition].text not in _APART
+            if told and noun and noun.kind == "thing" and noun.head in lexicon.BODY:
+                return True
+    return False
 
 
 def _notice_weather(stage: Stage, word: str, left: Phrase | None) -> None:
@@ -59,23 +82,26 @@ def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         motion: What its people do; None where they do nothing to see.
     """
     inventory = stage.inventory
-    if motion in lexicon.HANDLING and roles.subjects:
-        how = "held" if motion in lexicon.GRIPPING else "handled"
-        for thing in roles.things:
-            inventory.seen(thing, how, _is_determined(clause, inventory.head(thing)))
-    for place in roles.places:
-        used = motion in lexicon.HANDLING and not roles.things and place.preposition in _USING
+    how = "held" if motion in lexicon.GRIPPING else "handled" if motion in lexicon.HANDLING else "met"
+    for thing in roles.things if roles.subjects else ():
+        determined = _is_determined(clause.object, inventory.head(thing))
+        if how == "held" or not (motion in _ONLY_WORN and inventory.class_of(thing) == "worn"):
+            inventory.seen(thing, how if how != "met" or determined else "seen", determined)
+    for place in roles.places if roles.subjects else ():
+        used = how != "met" and not roles.things and place.preposition in _USING
         for thing in place.things:
-            if roles.subjects and used and inventory.class_of(thing) == "prop":
+            if used and inventory.class_of(thing) == "prop":
                 inventory.seen(thing, "handled")
-            elif roles.subjects and place.preposition in _WITH:
+            elif place.preposition in _WITH:
                 inventory.seen(thing, "with")
+            elif place.preposition in _TOWARDS and _is_determined(place.nouns, inventory.head(thing)):
+                inventory.seen(thing, "met")
     for thing in roles.subject_things:
         if inventory.class_of(thing) == "prop":
             inventory.seen(thing, "related")
 
 
-def _is_determined(clause: Clause, head: str) -> bool:
-    """Whether the object with this head is a thing for sure: it has a determiner or an owner."""
-    noun: NounPhrase | None = next((n for n in clause.object if n.kind == "thing" and n.head == head), None)
-    return noun is None or bool(noun.determiner) or noun.possessor is not None
+def _is_determined(nouns: Sequence[NounPhrase], head: str) -> bool:
+    """Whether a noun with this head is a thing for sure: it has a determiner or an owner."""
+    noun = next((n for n in nouns if n.kind == "thing" and n.head == head), None)
+    return noun is None or (noun.determiner not in ("", "no")) or noun.possessor is not None

@@ -4,16 +4,28 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from storyblender.agents.director.lexicon import LIQUIDS, SEATS, VEHICLES, WORN, NounClass, noun_class
+from storyblender.agents.director.lexicon import (
+    LIQUIDS,
+    MOVABLE,
+    PARTS,
+    SEATS,
+    SHAPELESS,
+    VEHICLES,
+    WORN,
+    NounClass,
+    noun_class,
+)
 from storyblender.agents.director.naming import asset_id
 from storyblender.agents.director.reading import Thing
+from storyblender.memory.scene_context import Relation
 
-Notice = Literal["seen", "with", "related", "placed", "shown", "handled", "held"]
-"""How a thing comes up: mentioned, ``with X``, part of a relation, put somewhere, in capitals, used, taken in the
-hand."""
+Notice = Literal["seen", "with", "related", "placed", "shown", "met", "handled", "held"]
+"""How a thing comes up: mentioned, ``with X``, part of a relation, put somewhere, in capitals, looked at or what
+something is done at, used, taken in the hand."""
 
 _OFTEN = 4
 """A prop mentioned this often matters even if nobody touches it."""
@@ -97,30 +109,47 @@ class Inventory:
         """The ids of all nouns so far."""
         return list(self._by_id)
 
-    def story_things(self) -> list[tuple[Thing, bool]]:
-        """Everything for the asset sheet in order of appearance, and whether its noun is unknown."""
+    def story_things(self, relations: Sequence[Relation]) -> list[tuple[Thing, bool]]:
+        """Everything for the asset sheet in order of appearance, and whether its noun is unknown.
+
+        Args:
+            relations: Where things are; what hangs or lies somewhere is no garment that is only worn.
+        """
+        placed = [relation for relation in relations if relation.anchor_asset_id in self._by_id]
+        apart = {relation.asset_id for relation in placed}
+        borne = {relation.asset_id for relation in placed if relation.kind in ("on", "in")}
         things: list[tuple[Thing, bool]] = []
         for item in sorted(self._by_id.values(), key=lambda item: (item.first, item.id)):
             handled = bool(item.notices["handled"] + item.notices["held"])
             if item.noun_class == "set_piece":
-                kind = "vehicle" if item.key.rsplit(" ", 1)[-1] in VEHICLES else "set_piece"
+                head = item.key.rsplit(" ", 1)[-1]
+                kind = "vehicle" if head in VEHICLES else "set_piece"
+                kind = "prop" if head in MOVABLE and (handled or item.id in borne) else kind
                 things.append((Thing(item.id, item.key, kind, handled=handled, first=item.first), False))
-            elif _matters(item):
+            elif _matters(item, item.id in apart):
                 thing = Thing(item.id, item.key, "prop", handled=handled, first=item.first)
                 things.append((thing, item.noun_class == "unknown"))
         return things
 
 
-def _matters(item: Item) -> bool:
-    """Whether a prop, a garment or an unknown noun belongs on the asset sheet."""
+def _matters(item: Item, apart: bool) -> bool:
+    """Whether a prop, a garment or an unknown noun belongs on the asset sheet.
+
+    Args:
+        item: The noun.
+        apart: Whether it has a place of its own, not on somebody.
+    """
     notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
     used = notices["handled"] + notices["held"]
     if item.noun_class == "unknown":
         return notices["held"] > 0 and item.determined
     if item.noun_class == "worn" or (item.noun_class == "prop" and head in WORN):
-        return used + notices["placed"] > 0
+        return used > 0 or apart
     if item.noun_class != "prop":
         return False
+    if head in PARTS:
+        return used > 0
     if head in LIQUIDS:
-        return used > 1 or notices["related"] + notices["shown"] + notices["with"] > 0
-    return used + notices["related"] + notices["shown"] + notices["with"] > 0 or notices.total() >= _OFTEN
+        return used > (1 if head in SHAPELESS else 0)
+    named = notices["related"] + notices["shown"] + notices["with"] + notices["met"]
+    return used + named > 0 or notices.total() >= _OFTEN

@@ -215,7 +215,7 @@ def _of_whom_it_is_told(stage: Stage, people: list[str], gender: str) -> list[st
 def _close(stage: Stage) -> None:
     """Put the things on the sheet, drop targets that name nothing on it, flag unknown nouns."""
     reading = stage.reading
-    for thing, unknown in stage.inventory.story_things():
+    for thing, unknown in stage.inventory.story_things([relation for _, relation in reading.relations]):
         reading.things.append(thing)
         if unknown:
             end = thing.first + len(thing.name)

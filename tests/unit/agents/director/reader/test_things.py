@@ -20,3 +20,48 @@ Read = Callable[[str], Reading]
 )
 def test_two_words_may_name_one_kind_of_thing(read_scene: Read, action: str, name: str, kind: str) -> None:
     assert (name, kind) in [(thing.name, thing.kind) for thing in read_scene(action).things]
+
+
+@pytest.mark.parametrize(
+    ("action", "name"),
+    [
+        ("JOE (40, a man) sits by the door, both hands around a tin mug.", "tin mug"),
+        ("JOE (40, a man) reaches for the poker.", "poker"),
+        ("JOE (40, a man) studies the empty needles.", "needle"),
+        ("JOE (40, a man) sips coffee from a paper cup.", "paper cup"),
+        ("JOE (40, a man) straddles a crate.", "crate"),
+        ("JOE (40, a man) puts a thermos on the table.", "thermos"),
+        ("JOE (40, a man) slides a shovel under the loaves and draws them out.", "loaf"),
+        ("JOE (40, a man) straightens his hat and drops it.", "hat"),
+        ("JOE (40, a man) presses a button.", "button"),
+    ],
+)
+def test_what_somebody_has_to_do_with_is_a_prop(read_scene: Read, action: str, name: str) -> None:
+    assert (name, "prop") in [(thing.name, thing.kind) for thing in read_scene(action).things]
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "JOE (40, a man) straightens his tie.",
+        "JOE (40, a man) roars like a lion with a megaphone. Headlights sweep the wall.",
+        "JOE (40, a man) slides into the black water.",
+        "JOE (40, a man) sits down on the last rung.",
+        "JOE (40, a man) had no wool.",
+    ],
+)
+def test_parts_liquids_and_clothes_only_worn_are_no_props(read_scene: Read, action: str) -> None:
+    assert not {"tie", "headlight", "water", "rung", "wool"} & {thing.name for thing in read_scene(action).things}
+
+
+@pytest.mark.parametrize(
+    ("action", "kind"),
+    [
+        ("JOE (40, a man) sits on a stool.", "set_piece"),
+        ("JOE (40, a man) pushes a stool towards her.", "prop"),
+        ("JOE (40, a man) puts down the stool.", "prop"),
+        ("On the sledge, a stool. JOE (40, a man) sits on the floor. A stool stands on the table.", "prop"),
+    ],
+)
+def test_furniture_that_is_handled_or_borne_is_a_prop(read_scene: Read, action: str, kind: str) -> None:
+    assert ("stool", kind) in [(thing.name, thing.kind) for thing in read_scene(action).things]
