@@ -24,7 +24,8 @@ from storyblender.agents.director.reading import Person
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _POSED = frozenset({"seat", "slump", "sprawl", "curl", "perch", "huddle", "crouch", "settle"})
 """``is slumped over the bar``: a posture, done by nobody else."""
-_SOMEWHERE = frozenset({"prop", "set_piece", "scenery"})
+_OPENINGS = frozenset({"door", "doorway", "window", "threshold", "gate"})
+"""``JOANNA in the doorway``: there one stands."""
 _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 """``walks out, followed by Mia``: it is Mia who follows."""
 _STATIVE = lexicon.words("stative")
@@ -140,7 +141,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     entrances.objects_enter(stage, clause, roles, motion)
     changes.note_faces(stage, clause, roles.subjects)
     motion = motion or _pose(stage, clause, roles)
-    if roles.subjects and motion:
+    if roles.subjects and motion and not clause.earlier:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
         exits.leave(stage, clause, roles, motion)
 
@@ -201,14 +202,15 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         pose = _POSE_ON.get(next((noun.head for noun in place.nouns), "")) if place.preposition == "on" else None
         if pose:
             return pose
-    solid = [p for p in roles.places if p.people or any(stage.inventory.class_of(t) in _SOMEWHERE for t in p.things)]
-    kinds = {lexicon.relation_of(place.preposition) for place in solid}
     seated = any(
         stage.inventory.head(place.things[0]) in lexicon.SEATS
         for place in roles.places
         if place.things and lexicon.relation_of(place.preposition) in ("on", "in")
     )
-    return "sit" if seated else "stand" if kinds & {"next_to", "at", "in", "behind"} else None
+    if seated:
+        return "sit"
+    at_opening = any(p.preposition in ("at", "in") and any(n.head in _OPENINGS for n in p.nouns) for p in roles.places)
+    return "stand" if at_opening else None
 
 
 def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:

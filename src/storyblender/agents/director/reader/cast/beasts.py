@@ -10,7 +10,24 @@ from storyblender.agents.director.reader.language.morphology import FORMS, singu
 
 _CLAUSE = r"(?:,? (?:who|which|that) [^.;,]*,?|, [^.;,]*,| (?:in|on|with|of|at) [^.;,]*?)?"
 _ANY = frozenset({"animal", "creature", "beast"})
-_DOING = frozenset({"begin", "start", "stop", "bark", "growl", "howl", "purr", "bite", "lick", "sniff", "wag"})
+_DOING = frozenset(
+    {
+        "begin",
+        "start",
+        "stop",
+        "bark",
+        "growl",
+        "howl",
+        "purr",
+        "bite",
+        "lick",
+        "sniff",
+        "wag",
+        "sneeze",
+        "yawn",
+        "blink",
+    }
+)
 _BEING = frozenset({"sit", "stand", "lie", "come", "run", "go", "live", "trot", "hop", "sleep", "appear", "wait"})
 """Verbs an animal may follow: ``on the step sat a cat``."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
@@ -28,6 +29,10 @@ _TRAVEL = frozenset({"walk", "run", "sneak", "crawl", "stagger", "climb"})
 _LEADING = frozenset({"lead", "usher", "escort", "show", "see", "march", "guide", "shepherd", "walk"})
 _CAUSING = frozenset({"let", "help", "sit", "seat"})
 """``lets him in``, ``helps her up``, ``sits Mia on the stool``: who is helped does it."""
+_RAISING = frozenset({"pull", "haul", "drag", "heave", "yank", "hoist", "lift", "jerk", "tug"})
+"""``pulls Edna to her feet``: she gets up."""
+_BORNE = frozenset({"on", "in", "over", "under", "across"})
+"""``walks with Milo on her shoulders``: he does not walk."""
 _PORTIONS = frozenset({"bite", "sip", "swig", "gulp", "drag", "puff", "mouthful", "swallow", "stack", "go"})
 """``takes a bite of it``, ``lets go of the rope``."""
 _SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
@@ -51,7 +56,7 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
         roles: Its people and things.
         motion: What the subjects do.
     """
-    if motion in ("touch", "stand") and _only_a_pose(clause, roles, motion):
+    if motion in ("touch", "stand") and _only_a_pose(stage, clause, roles, motion):
         return []
     target, prop = find_target(stage, clause, roles, motion)
     distance = _distance(stage) if motion in _TRAVEL else None
@@ -73,18 +78,29 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
 def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
     """Who is led, and who goes along: ``ran down with her brother``."""
     along = roles.people_after("with") if motion in _TRAVEL and clause.verb != "leave" else []
+    carried = any(one.preposition == "with" and two.preposition in _BORNE for one, two in pairwise(roles.places))
+    along = [] if carried else along
     along += roles.people if clause.verb in _LEADING and motion == "walk" else []
     along += roles.people if clause.verb == "chase" and clause.places else []
-    return [Deed(person.id, motion, at=clause.at, verb=clause.verb) for person in along if person not in roles.subjects]
+    deeds = [
+        Deed(person.id, motion, at=clause.at, verb=clause.verb) for person in along if person not in roles.subjects
+    ]
+    raised = clause.verb in _RAISING and any(p.preposition == "to" and _is_feet(p) for p in roles.places)
+    return deeds + [Deed(p.id, "stand_up", at=clause.at, verb=clause.verb) for p in roles.people if raised]
+
+
+def _is_feet(place: Place) -> bool:
+    return any(noun.head in ("foot", "feet") for noun in place.nouns)
 
 
 def _repeats(stage: Stage, deed: Deed) -> bool:
     return any((d.actor, d.motion, d.at) == (deed.actor, deed.motion, deed.at) for d in stage.unit.deeds)
 
 
-def _only_a_pose(clause: Clause, roles: Roles, motion: str) -> bool:
+def _only_a_pose(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
     """Touching oneself; ``reads it, standing``."""
     own = bool(clause.object) and bool(roles.subjects) and clause.object[0].owner == roles.subjects[0].id
+    own = own and stage.inventory.class_of(next(iter(roles.things), None)) != "worn"
     own = own and not any(
         place.people or (place.things and place.preposition in _UPON) or any(n.owner for n in place.nouns)
         for place in roles.places

@@ -52,7 +52,14 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     if clause.verb in lexicon.SILENT_VERBS:
         return None
     noun = lexicon.MOTION_OF_VERB.get(object_head)
-    if noun and clause.verb in _LIGHT and _is_deed(clause.object[-1]) and clause.object[-1].head == object_head:
+    taken = clause.verb == "take" and "from" in prepositions  # a coil of rope from a nail
+    if (
+        noun
+        and clause.verb in _LIGHT
+        and not taken
+        and _is_deed(clause.object[-1])
+        and clause.object[-1].head == object_head
+    ):
         return noun
     if clause.verb in _COPULAS - {"stand"} and clause.object and _is_quality(clause.object[0]):
         return None

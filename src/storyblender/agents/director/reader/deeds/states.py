@@ -37,16 +37,22 @@ _NOT_WITH = frozenset({"look", "think", "read", "listen"})
 _WHERE = frozenset({"on", "over", "under", "around", "across", "before", "in front of", "at", "behind", "beside", "by"})
 """``with a hat on her head``: where what comes with somebody is, if not in the hand."""
 _HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
+_AROUND = frozenset({"around", "round", "about"})
+_REACH = 6
+"""Words from hands to what they are around."""
 _LONG = frozenset({"ladder", "stretcher", "plank"})
 """Furniture that people carry past."""
 _WHOSE = r"(?:(?:his|her|their|its|each|one|the other|both|either) )?"
 _GRIPPED = (
-    r"(?:gripped|clutched|clamped|held|clenched|tucked|cradled)(?: tight| tightly)? (?:in|under|between|against|to)"
+    r"(?:gripped|clutched|clasped|clamped|held|clenched|tucked|cradled|hugged)(?: tight| tightly)?"
+    r" (?:in|under|between|against|to)"
 )
 _READY = re.compile(
     rf"\b([a-z-]+) (drawn|raised|ready|at the ready|in {_WHOSE}hands?"
     rf"|{_GRIPPED} {_WHOSE}(?:arms?|hands?|fists?|teeth|elbow|fingers|chest)|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
 )
+_HAVING = re.compile(r"\b(?:has|had|have)(?: [a-z]+){0,3} $")
+"""``He has a mug in one hand``: no deed."""
 
 
 def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
@@ -131,8 +137,22 @@ def _release(stage: Stage, thing: str) -> None:
             things.remove(thing)
 
 
+def _gripped(stage: Stage, people: Sequence[Person]) -> None:
+    """``sits there, both hands around a tin mug``: it is in hand, though nothing is done with it."""
+    words = stage.sentence.words
+    for index, thing in stage.sentence.things:
+        before = [word.low for word in words[max(0, index - _REACH) : index]]
+        at = next(
+            (i for i in range(1, len(before)) if before[i] in _AROUND and before[i - 1] in ("hands", "fingers")), 0
+        )
+        if at and people and "," not in before[at:] and stage.inventory.class_of(thing) == "prop":
+            stage.inventory.seen(thing, "handled")
+            hold(stage, people[0].id, thing)
+
+
 def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
     """``Gun drawn``, ``notebook in hand``: the subject holds it."""
+    _gripped(stage, people)
     text = joined(stage.sentence.words)
     for match in _READY.finditer(text):
         noun = singular(match.group(1))
@@ -144,5 +164,6 @@ def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
         hold(stage, people[0].id, thing)
         own = [deed for deed in stage.unit.deeds if deed.actor == people[0].id]
         known = any(deed.motion == "hold" or (deed.motion == "carry" and deed.prop == thing) for deed in own)
-        if " " in match.group(2) and "ready" not in match.group(2) and not known:
+        has = _HAVING.search(text[: match.start()]) is not None
+        if " " in match.group(2) and "ready" not in match.group(2) and not known and not has:
             stage.unit.deeds.append(Deed(people[0].id, "hold", thing, thing, at, "hold"))

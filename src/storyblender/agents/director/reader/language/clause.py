@@ -37,6 +37,8 @@ class Clause:
     passive: bool = False
     """A past participle: somebody else does it."""
     negated: bool = False
+    earlier: bool = False
+    """It was done before: ``the gate he had locked``."""
     unreal: bool = False
     """It does not happen: would, if, without, wants to."""
     elided: bool = False

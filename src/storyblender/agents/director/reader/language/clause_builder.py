@@ -38,6 +38,8 @@ class ClauseBuilder:
     negated: bool = False
     unreal: bool = False
     passive: bool = False
+    earlier: bool = False
+    """``had locked``: done before."""
     perfect: bool = False
     """``has fallen``: somebody's own deed."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause
 from storyblender.agents.director.reader.language.clause_builder import ClauseBuilder
 from storyblender.agents.director.reader.language.clause_order import (
@@ -10,11 +11,13 @@ from storyblender.agents.director.reader.language.clause_order import (
     list_ends,
     verb_follows,
 )
-from storyblender.agents.director.reader.language.phrases import NounPhrase
+from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 
 _SUBJECT_ONLY = frozenset({"he", "she", "they", "i", "we"})
 """``At seven she pulls herself up``: no object of the preposition before."""
-_INSERTING = frozenset({"where", "when", "until", "because", "since"})
+_INSERTING = frozenset({"where", "when", "until", "because", "since", "if", "though", "although"})
+_OPENING = frozenset({"when", "as", "by", "while", "after", "before", "once", "until", "since", "because"})
+"""``By the time I got down to the lobby a policeman was kneeling``: after it another clause comes."""
 
 
 def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
@@ -36,6 +39,7 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
         or builder.fronted is not None
         or (linked and (verb_follows(builder.phrases, index) or is_absolute(builder.phrases, index)))
         or (clause is not None and clause.absolute and linked and _participle_follows(builder, index))
+        or (_is_main(builder, left) and verb_follows(builder.phrases, index))
     )
     if starts_clause:
         _start_clause(builder, left.text if left is not None else "", noun, listed)
@@ -89,6 +93,12 @@ def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
     return nouns if of_both or not clause.object else None
 
 
+def _is_main(builder: ClauseBuilder, left: Phrase | None) -> bool:
+    """``When it is over the barber sighs``: whether the clause that opens the sentence may end before a noun."""
+    opened = builder.words[0].low in _OPENING and len(builder.clauses) == 1 and not builder.closed
+    return opened and left is not None and (left.kind == "noun" or left.text in lexicon.PARTICLES)
+
+
 def _start_clause(builder: ClauseBuilder, left: str, noun: NounPhrase, listed: bool) -> None:
     """Keep a noun, or one more, until its verb comes."""
     if left == "with":
@@ -106,7 +116,8 @@ def is_other_side(builder: ClauseBuilder, index: int) -> bool:
         builder: What has been read.
         index: Position of the noun among the phrases.
     """
-    place = builder.leading[-1] if builder.leading else ("", [])
+    places = builder.leading if builder.fronted is None else builder.fronted
+    place = places[-1] if places else ("", [])
     return place[0] == "between" and len(place[1]) == 1 and builder.phrases[index - 1].text == "and"
 
 

@@ -43,8 +43,9 @@ def is_fronted(phrases: list[Phrase], at: int) -> bool:
     while at + 1 < len(phrases) and phrases[at].kind == "preposition" and phrases[at + 1].kind == "noun":
         if phrases[at].text not in lexicon.RELATION_OF_PREPOSITION:
             return False
-        at += 2
-    if at == start or at >= len(phrases):
+        both = phrases[at].text == "between" and [p.text for p in phrases[at + 2 : at + 3]] == ["and"]
+        at += 4 if both else 2
+    if at == start or at >= len(phrases) or phrases[at - 1].kind != "noun":
         return False
     at += phrases[at].text == "," and at + 1 < len(phrases)
     new, after = phrases[at].noun, phrases[at + 1].text if at + 1 < len(phrases) else "."

@@ -8,6 +8,10 @@ from storyblender.agents.director.reader.language.words import Word
 
 _NEAR = 4
 """Words between a comma and the subject it opens."""
+_BURSTING = frozenset({"laugh", "cry", "giggle", "weep", "sob", "chuckle", "cackle", "guffaw"})
+"""``bursts out laughing``, ``doubles up laughing``: one deed."""
+_BACK = frozenset({"go", "return", "get", "turn", "come"})
+"""``goes back to stirring``, ``goes back to sleep``: one deed."""
 _BESIDE = frozenset({"come", "go"})
 """``comes running``: one deed."""
 _ENDING = frozenset({"stop", "quit", "finish", "cease"})
@@ -27,16 +31,27 @@ def repair(clauses: list[Clause], words: list[Word]) -> None:
     _give_to_inverted(clauses)
     _give_to_following(clauses, words)
     following = [*clauses[1:], None]
-    joined = [clause for at, clause in enumerate(clauses) if not _joins(clause, following[at])]
+    joined = [clause for at, clause in enumerate(clauses) if not _joins(clause, following[at], words)]
     for clause in [clause for clause in joined if clause.verb == "let"]:
         _let(joined, clause)
     clauses[:] = joined
 
 
-def _joins(clause: Clause, following: Clause | None) -> bool:
-    """Whether a verb only leads over to the participle after it."""
-    if following is None or not following.participle or following.infinitive or clause.places:
+def _joins(clause: Clause, following: Clause | None, words: list[Word]) -> bool:
+    """Whether a verb only leads over to the verb after it."""
+    if following is None:
         return False
+    between = [word.low for word in words[clause.index + 1 : following.index]]
+    if (
+        clause.verb in _BACK
+        and between in (["back", "to"], ["to"])
+        and (following.participle or following.verb == "sleep")
+    ):
+        return True
+    if not following.participle or following.infinitive or clause.places:
+        return False
+    if following.verb in _BURSTING and between in (["out"], ["up"], ["over"], ["down"]):
+        return True
     if clause.verb in _FINDING and clause.object and following.subject == clause.object:
         return True
     touches = following.index == clause.index + 1

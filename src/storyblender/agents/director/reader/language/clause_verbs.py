@@ -38,7 +38,9 @@ def take_verb(builder: ClauseBuilder, index: int, phrase: Phrase) -> None:
     if verb.kind == "aux" and following and following.kind in ("verb", "negation"):
         past = following.verb if following.verb and following.verb.kind in ("past", "pp") else None
         builder.passive = past is not None and verb.lemma == "be"
-        builder.perfect = past is not None and verb.lemma == "have" and past.lemma in _ARRIVED
+        has = verb.lemma == "have" and following.verb is not None
+        builder.perfect = has and past is not None and past.lemma in _ARRIVED
+        builder.earlier = builder.earlier or (has and not builder.perfect)
         return
     left = builder.phrases[index - 1] if index else None
     rested = builder.current is not None and builder.current.verb in _RESTING
@@ -58,10 +60,11 @@ def take_verb(builder: ClauseBuilder, index: int, phrase: Phrase) -> None:
         infinitive=verb.kind == "inf",
         passive=(verb.kind == "pp" and not builder.perfect) or builder.passive,
         negated=builder.negated,
+        earlier=builder.earlier,
         unreal=builder.unreal or _is_unreal(builder, index),
         main=not builder.clauses or not participle,
     )
-    builder.negated = builder.unreal = builder.passive = builder.perfect = False
+    builder.negated = builder.unreal = builder.passive = builder.perfect = builder.earlier = False
     if builder.relative and not builder.pending:
         clause.subject = builder.relative
         clause.main = not builder.clauses

@@ -45,17 +45,20 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
         elif phrase.kind == "preposition":
             _take_preposition(builder, index, phrase)
         elif phrase.kind == "noun" and phrase.noun:
-            if not builder.clauses and is_other_side(builder, index):
-                builder.leading[-1][1].append(phrase.noun)
+            if (builder.fronted or not builder.clauses) and is_other_side(builder, index):
+                (builder.fronted or builder.leading)[-1][1].append(phrase.noun)
             else:
                 take_noun(builder, index, phrase.noun)
+            if phrase.noun.head == "what" and _verb_touches(builder, index):
+                builder.relative = [phrase.noun]  # lays what is in it on the lid
         elif phrase.text in ("and", "but", "then") or phrase.text in ".;:,":
             builder.preposition, builder.aside = "", False
             builder.closed = builder.closed or phrase.text == ","
         elif phrase.text in ("who", "that", "which"):
             _take_relative(builder, index, phrase.text)
-        elif phrase.text in _HYPOTHETICAL:
+        elif phrase.text in _HYPOTHETICAL or (phrase.text == "though" and phrases[index - 1].text == "as"):
             builder.unreal = True
+            _compare(builder, index)
     _finish(builder)
     return builder.clauses
 
@@ -71,6 +74,14 @@ def _take_relative(builder: ClauseBuilder, index: int, pronoun: str) -> None:
         builder.relative = [p.noun for p in builder.phrases[max(0, index - 2) : index] if p.noun][-1:]
 
 
+def _compare(builder: ClauseBuilder, index: int) -> None:
+    """``looks as if she had swallowed a wasp``: how she looks, at nothing."""
+    clause = builder.current
+    compares = clause is not None and clause.verb == "look" and builder.phrases[index - 1].text == "as"
+    if clause and compares and not (clause.object or clause.places):
+        clause.verb = "seem"
+
+
 def _finish(builder: ClauseBuilder) -> None:
     """What is left over when the sentence is over: a last place, places before the first verb, delayed subjects."""
     builder.close_fronted()
@@ -81,6 +92,8 @@ def _finish(builder: ClauseBuilder) -> None:
         builder.clauses[0].unreal = True
     repair(builder.clauses, builder.words)
     for clause in builder.clauses:
+        if any(noun.determiner == "no" or noun.head == "nothing" for noun in clause.object[:1]):
+            clause.negated = True  # offers no opinion
         if clause.verb == "be" or _is_posed(clause):
             clause.complement, clause.object = clause.object, []
 

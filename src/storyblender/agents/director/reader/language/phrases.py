@@ -25,7 +25,7 @@ _MODALS = frozenset(
 )
 _HYPOTHETICAL = frozenset({"should", "could", "would", "cannot", "shall"})
 _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
-_LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless"}
+_LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless", "though", "although", "because", "since"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
 _MANNER = lexicon.words("manner")
@@ -94,7 +94,7 @@ def find_phrases(words: list[Word]) -> list[Phrase]:
     at = 0
     while at < len(words):
         phrase = _mention_or_verb(words, at) or _pronoun(words, at)
-        phrase = phrase or (None if _skipped(words, at) else _small_word(words, at))
+        phrase = phrase or (None if at and _tells_how_it_lies(words, at - 1) else _small_word(words, at))
         if phrase is None and not _skipped(words, at):
             phrase = _noun_phrase(words, at)
         if phrase:

@@ -38,6 +38,10 @@ _BORNE = lexicon.BODY | lexicon.WORN | lexicon.PROPS
 """``skirts bunched in one fist``, ``boots on``: what somebody has about them, no verb."""
 _OUTCOMES = {"shut": "shut", "closed": "shut", "open": "open"}
 """What a door is after it was kicked or pulled."""
+_POSTURES = frozenset(
+    {"seated", "perched", "slumped", "hunched", "propped", "sprawled", "crouched", "curled", "huddled"}
+)
+"""``Olsen, seated by the fire, whittles``: a deed of its own."""
 _BESIDE = frozenset({"at", "by", "beside", "behind", "near", "under", "beneath", "next", "opposite", "atop", "across"})
 """``Magda, by the loft, lights a match``: where she is, not who."""
 _LOOK_AHEAD = 16
@@ -53,7 +57,7 @@ def regularise(words: list[Word]) -> list[Word]:
     Returns:
         The words in the order they are to be read; only inserted words are new.
     """
-    words = _named_kin(_without_all(_without_pairs(words)))
+    words = _named_kin(_without_all(_on_their_knees(_without_pairs(words))))
     row = Row()
     at = 0
     while at < len(words):
@@ -69,7 +73,7 @@ def regularise(words: list[Word]) -> list[Word]:
         if _renames(row.words, words, at):
             at += 1 if word.mention else 2
             continue
-        if word.text.isalpha() and word.mention is None:
+        if word.text.isalpha() and word.mention is None and word.verb is None:
             tag_verb(words, at, row)
         elif is_contracted(words, at):
             word.verb, row.verb_seen = VerbForm("be", "aux"), True
@@ -90,13 +94,26 @@ def regularise(words: list[Word]) -> list[Word]:
 
 
 def _without_pairs(words: list[Word]) -> list[Word]:
-    """``up and down``, ``back and forth`` are adverbs, no directions."""
+    """``up and down``, ``, side by side,`` are adverbs, no directions."""
     low = [word.low for word in words]
-    pairs = [i for i in range(len(low) - 2) if low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO]
-    pairs += [
-        i for i in range(len(low) - 2) if low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by", "in")
-    ]
-    return [word for i, word in enumerate(words) if not any(0 <= i - at < 3 for at in pairs)]
+    dropped: set[int] = set()
+    for i in range(len(low) - 2):
+        to_and_fro = low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO
+        if to_and_fro or (low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by", "in")):
+            between = low[i - 1 : i] == low[i + 3 : i + 4] == [","]
+            dropped |= set(range(i - between, i + 3 + between))
+    return [word for i, word in enumerate(words) if i not in dropped]
+
+
+def _on_their_knees(words: list[Word]) -> list[Word]:
+    """``Ruiz, on his knees, pumps the jack``: kneeling."""
+    low = [word.low for word in words]
+    for i in range(len(low) - 3):
+        apart = (i == 0 or low[i - 1] == ",") and low[i + 3] == ","
+        if apart and low[i] == "on" and low[i + 1] in lexicon.POSSESSIVES and low[i + 2] == "knees":
+            words[i + 2].verb = VerbForm("kneel", "ing")
+            return [*words[:i], *words[i + 2 :]]
+    return words
 
 
 def _without_all(words: list[Word]) -> list[Word]:
@@ -168,7 +185,7 @@ def _apposition_end(words: list[Word], comma: int) -> int | None:
             continue
         inside = words[comma + 1 : at]
         first = next((w for w in inside if w.low not in lexicon.ADVERBS), inside[0])
-        if form_kind(first.low) == "ing":
+        if form_kind(first.low) == "ing" or first.verb or first.low in _POSTURES:
             return None
         somebody = any(w.mention and w.text[0].isupper() for w in inside)
         verb = any(

@@ -48,6 +48,8 @@ _ANY_NOUNS = _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
 PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
 _COMPOUNDS = lexicon.words("gerund_compounds")
+_SPORTS = frozenset({"hike", "walk", "run", "ride", "climb", "swim", "dance", "work", "drive", "sail", "fish", "hunt"})
+"""``hiking boots``, ``driving gloves``: what they are for."""
 _RESTING = lexicon.words("stative")
 _CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
 _BARE_PLACES = frozenset({"inside", "underneath", "beneath", "below", "above", "outside", "opposite", "behind"})
@@ -72,7 +74,7 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
         return
     if form.kind == "base" and word.low in lexicon.PARTICLES:
         return
-    if form.kind == "past" and left is None and following and following.low in lexicon.PREPOSITIONS:
+    if form.kind == "past" and left is None and following and following.low in lexicon.PREPOSITIONS | {".", "!"}:
         word.verb = VerbForm(form.lemma, "pp")
     elif form.kind in ("base", "past") and word.low == form.lemma and _is_bare_infinitive(word, following, row):
         word.verb, row.last_kind = VerbForm(form.lemma, "inf"), "inf"
@@ -113,12 +115,20 @@ def is_contracted(words: list[Word], at: int) -> bool:
 def names_a_kind(word: Word, following: Word | None) -> bool:
     """``reading glasses``, ``a vending machine``, ``paint cans``: no reading, no painting."""
     noun = singular(following.low) if following else ""
+    if word.low.endswith("ing") and noun in lexicon.WORN and form_kind(word.low) == "ing":
+        return FORMS[word.low].lemma in _SPORTS
     return f"{word.low}_{noun}" in _COMPOUNDS or f"{word.low}-{noun}" in lexicon.COMPOUNDS
 
 
 def _ends_a_kind(word: Word, row: Row) -> bool:
-    """``a crate of juggling clubs``: no clubbing."""
-    return bool(row.words) and f"{row.words[-1].low}-{singular(word.low)}" in lexicon.COMPOUNDS
+    """``a crate of juggling clubs``, ``hiking boots``, ``both hands``: no clubbing, no booting."""
+    before = row.words[-1] if row.words else None
+    if before is not None and before.low == "both" and FORMS.get(word.low, ("", ""))[1] == "3sg":
+        return True
+    return before is not None and (
+        f"{before.low}-{singular(word.low)}" in lexicon.COMPOUNDS
+        or (before.verb is None and names_a_kind(before, word))
+    )
 
 
 def may_be_verb(word: Word, following: Word | None) -> bool:
@@ -332,6 +342,8 @@ def _continues(form: VerbForm, left: Word, right: str, row: Row) -> bool:
     if left.low in lexicon.CONJUNCTIONS:
         return left.low in ("and", "then", "but", "or") and (row.verb_seen or any(w.inserted for w in row.words))
     somebody = any(w.mention for w in row.words)
+    if right == "." and left.low == "," and row.words[0].named and form.lemma in lexicon.MOTION_OF_VERB:
+        return True  # BOB, in a suit, sits.
     return (row.verb_seen and right != "of") or (somebody and right in OPENERS | lexicon.PREPOSITIONS)
 
 
