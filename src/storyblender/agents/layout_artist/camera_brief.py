@@ -273,6 +273,8 @@ class Take:
     start: Orbit
     end: Orbit
     hidden: tuple[str, ...] = ()
+    span: tuple[float, float] = (0.0, 1.0)
+    """Shares of the shot's time between which it moves."""
 
     @property
     def moves(self) -> bool:
@@ -281,12 +283,13 @@ class Take:
 
     def at(self, share: float) -> Orbit:
         """Return the camera at a share of the shot's time."""
-        return in_between(self.start, self.end, eased(share)) if self.moves else self.start
+        begins, ends = self.span
+        return in_between(self.start, self.end, eased((share - begins) / (ends - begins))) if self.moves else self.start
 
     def state(self, duration: int, f_number: float, score: float, residual: tuple[Flaw, ...]) -> CameraState:
         """Return what goes into the graph."""
         cameras = (self.start, self.end) if self.moves else (self.start,)
-        frames = (0, max(duration - 1, 1))
+        frames = [round(share * max(duration - 1, 1)) for share in self.span]
         return CameraState(
             poses=tuple(pose_of(camera, frame) for camera, frame in zip(cameras, frames, strict=False)),
             sensor_width=self.camera.sensor_width,

@@ -27,6 +27,8 @@ _REST, _HEIGHT = 0.55, 0.5
 """Share of a shot in which nothing happens, and of what happens, at which it is drawn."""
 _ARRIVAL = 0.95
 """Share of a way to somebody, or of sitting down, at which it is drawn: where it leads, the face turned to them."""
+_UP_AGAIN = {"pick_up": 46, "put_down": 37}
+"""Frames, at 24 a second, after which who takes a thing from where it lies or lays it there shows a face again."""
 _SETTLED = ("sit", "lie")
 """Postures in which who goes into them is drawn."""
 _LEAVES = ("put_down", "drop", "throw")
@@ -53,6 +55,9 @@ def story_moment(shot: ShotContext) -> int:
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     motion = clip_of(cue.clip)
     arrives = (together and motion.speed is not None) or (motion.reach == "thing" and motion.after in _SETTLED)
+    if cue.clip in _UP_AGAIN and shot.camera_instruction.kind != "insert":
+        # An insert is of the hand at work; any other picture is of who did it.
+        return min(last, cue.start + min(length, _UP_AGAIN[cue.clip]))
     return min(last, cue.start + round(length * (_ARRIVAL if arrives else _HEIGHT)))
 
 

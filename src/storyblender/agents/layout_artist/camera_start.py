@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_brief import TIGHT, TRAVEL, CameraBrief, Take, orbit_of, share_of
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
@@ -71,11 +71,12 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
     """Return the take around a composition: its move, centred on it, and the walls it needs away."""
     instruction = brief.instruction
     first = last = camera
+    span = (0.0, 1.0)
     if _waits(brief):
         first = last = camera
     elif _follows(brief, camera):
         # What is drawn is composed; before it and after it the camera goes with the walk.
-        done, travel = eased(share_of(brief, brief.drawn.frame)), np.asarray(brief.travel)
+        span, done, travel = *_walk(brief), np.asarray(brief.travel)
         first = followed(camera, instruction.movement, tuple(-done * travel))
         last = followed(camera, instruction.movement, tuple((1 - done) * travel))
     elif instruction.movement != "static":
@@ -86,7 +87,7 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
         hidden = taken_away(brief.plan, brief.loose, dict.fromkeys((first, camera, last)), _targets(brief))
     if instruction.kind == "pov" and instruction.pov_id is not None:
         hidden.append(brief.node(instruction.pov_id))
-    return Take(camera, first, last, tuple(hidden))
+    return Take(camera, first, last, tuple(hidden), span)
 
 
 def _targets(brief: CameraBrief) -> list[np.ndarray]:
@@ -116,6 +117,23 @@ def _follows(brief: CameraBrief, camera: Orbit) -> bool:
     faces = [figure.face for moment in brief.moments if (figure := moment.figure(brief.focus[0])) is not None]
     screen, depth = framing.project(camera, faces)
     return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
+
+
+def _walk(brief: CameraBrief) -> tuple[tuple[float, float], float]:
+    """Return the shares of the shot's time in which the camera goes with a walk, and how much of it is done when drawn.
+
+    A walk that is over by then, or has not begun, is not followed any further than it goes.
+    """
+    first, drawn, last = (
+        moment.figure(brief.focus[0]) for moment in (brief.moments[0], brief.drawn, brief.moments[-1])
+    )
+    share = share_of(brief, brief.drawn.frame)
+    if first is not None and drawn is not None and last is not None:
+        if math.dist(drawn.base[:2], last.base[:2]) < TRAVEL / 2:
+            return (0.0, share), 1.0
+        if math.dist(drawn.base[:2], first.base[:2]) < TRAVEL / 2:
+            return (share, 1.0), 0.0
+    return (0.0, 1.0), eased(share)
 
 
 def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:

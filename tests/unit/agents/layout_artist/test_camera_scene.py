@@ -213,3 +213,15 @@ def test_a_lone_walk_is_drawn_on_the_way() -> None:
     walk = Cue(asset_id="anna", clip="walk", start=0)
     shot = ShotContext(scene_id=1, shot_id=1, on_stage=AXIS, camera_instruction=instruction, duration=100, cues=(walk,))
     assert 40 <= story_moment(shot) <= 60
+
+
+def test_who_takes_a_thing_from_the_floor_is_drawn_with_the_face_up_again_and_an_insert_shows_the_hand_at_work() -> (
+    None
+):
+    drawn = {}
+    for kind in ("action", "insert"):
+        instruction = CameraInstruction(focus_on_ids=("anna",), kind=kind, size="MS")
+        cues = (Cue(asset_id="anna", clip="pick_up", start=20),)
+        shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=instruction, duration=72, cues=cues)
+        drawn[kind] = story_moment(shot)
+    assert drawn["insert"] < 50 and 60 < drawn["action"] < 71

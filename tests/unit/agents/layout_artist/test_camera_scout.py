@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
 
-from storyblender.agents.layout_artist.camera_brief import Moment, pose_at
+from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of, pose_at
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_critic import CameraCritic
 from storyblender.agents.layout_artist.camera_operator import operate
@@ -208,3 +208,18 @@ def test_who_sits_beside_the_thing_of_an_insert_may_stand_aside_for_it(x: float,
     sitter = figure("tom", x, 0, 0, 1.3)
     view = brief([sitter], {"ring": ring}, kind="insert", size="CU", focus_on_ids=("ring",))
     assert any(take.hidden == ("tom",) for take in scouted(view)) == aside
+
+
+@pytest.mark.parametrize("steps", [(-3.0, 0.0, 0.0), (0.0, 0.0, 3.0), (-3.0, -1.5, 0.0)], ids=["over", "to come", "on"])
+def test_a_camera_goes_with_a_walk_when_it_is_walked(steps: tuple[float, ...]) -> None:
+    moments = tuple(Moment(24 * n, (figure("anna", x, 0, 90),)) for n, x in enumerate(steps))
+    view = brief(moments=moments, kind="action", size="FS", focus_on_ids=("anna",), movement="track")
+    view = replace(view, duration=49)
+    taken = start(view)
+    state = taken.state(view.duration, 5.6, 10.0, ())
+    at = [
+        project(orbit_of(pose_at(state, moment.frame, FILM), FILM), [moment.figures[0].face])[0][0]
+        for moment in moments
+    ]
+    assert np.ptp(np.array(at), axis=0).max() < 0.02, "she stays where she is in the picture"
+    assert np.allclose(at[1], project(taken.camera, [moments[1].figures[0].face])[0][0], atol=0.01), "as composed"
