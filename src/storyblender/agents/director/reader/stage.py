@@ -178,7 +178,7 @@ class Stage:
         """State a spatial relation, once a scene."""
         if kind == "on" and self.inventory.head(anchor) in _FLOORING:
             anchor = self.inventory.id_of("floor", self.unit.start)
-        if subject == anchor or (kind in ("in", "at") and self.person(anchor)):
+        if subject == anchor or (kind == "in" and self.person(anchor)):
             return
         stated = (
             self.unit.scene,

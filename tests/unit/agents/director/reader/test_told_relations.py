@@ -81,6 +81,17 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Joe walks to the bed and sits.", ("joe", "on", "bed")),
         ("Joe puts a basket on the table, takes off a glove and lays a coin beside it.", ("coin", "next_to", "basket")),
         ("Kate sits on a crate, a cat on her lap.", ("cat", "on", "kate")),
+        ("Joe sits on the crate, his back against the wall.", ("joe", "against", "wall")),
+        ("Kate stands guard at the door.", ("kate", "at", "door")),
+        ("Kate sits bolt upright in an armchair.", ("kate", "on", "armchair")),
+        ("Joe falls across the desk.", ("joe", "on", "desk")),
+        ("At his feet lies a bag.", ("bag", "at", "joe")),
+        ("A mug stands on the desk in front of Joe.", ("desk", "in_front_of", "joe")),
+        ("They have the table at the window.", ("table", "at", "window")),
+        ("Joe sits, with Kate on his left.", ("kate", "left_of", "joe")),
+        ("Joe stops the tractor and drops his hat on the seat.", ("hat", "on", "tractor")),
+        ("A plate of bacon in front of Joe.", ("plate", "in_front_of", "joe")),
+        ("In the wall behind the desk is a safe.", ("safe", "in", "wall")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
@@ -101,6 +112,14 @@ def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[
         ("Kate empties the mug into the sink.", "mug"),
         ("Joe jumps off the table onto the floor.", "table"),
         ("Joe sits across the room.", "joe"),
+        ("Joe sits in the corner.", "joe"),
+        ("Joe bangs his stick on the floor.", "stick"),
+        ("Joe throws the ball over his shoulder.", "ball"),
+        ("Joe puts the key in his pocket.", "key"),
+        ("Joe pours water into the cup.", "water"),
+        ("Joe crawls to the locker on his elbows.", "locker"),
+        ("Joe reads a message on his phone.", "joe"),
+        ("A photograph of a man in a straw hat hangs there.", "photograph"),
     ],
 )
 def test_what_does_not_stay_there_has_no_place(read_scene: Read, action: str, thing: str) -> None:

@@ -87,6 +87,8 @@ def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
         return None
     (before, one), (preposition, nouns) = clause.places[-2:] if len(clause.places) > 1 else [("", []), *clause.places]
     same = nouns[-1].kind == noun.kind and noun.determiner not in ("a", "an")  # a jar of brushes and a lamp
+    if nouns[-1].head in lexicon.BODY | {"left", "right"} and (noun.kind == "person" or noun.determiner in ("a", "an")):
+        return None  # with Luc on her left and Elise on her right
     of_both = preposition == "between" or (preposition == "of" and same)
     if preposition == "of" and before == "between" and len(one) == 1:
         return one

@@ -186,6 +186,9 @@ def _skipped(words: list[Word], at: int) -> bool:
     """Adverbs, ``each other``, ``face down``."""
     word = words[at]
     right = words[at + 1].low if at + 1 < len(words) else ""
+    left = words[at - 1] if at else None
+    if (word.low == "guard" and left and left.verb and left.verb.lemma in ("stand", "keep")) or _is_bolt(words, at):
+        return True
     if _tells_how_it_lies(words, at) or (at and _tells_how_it_lies(words, at - 1)):
         return True
     if word.low in ("each", "one") and right in ("other", "another"):
@@ -193,6 +196,11 @@ def _skipped(words: list[Word], at: int) -> bool:
     if word.low in ("other", "another") and at and words[at - 1].low in ("each", "one"):
         return True
     return word.low.endswith("ly") or word.low in lexicon.ADVERBS
+
+
+def _is_bolt(words: list[Word], at: int) -> bool:
+    """``sits bolt upright``."""
+    return words[at].low == "bolt" and [word.low for word in words[at + 1 : at + 2]] == ["upright"]
 
 
 def _tells_how_it_lies(words: list[Word], at: int) -> bool:

@@ -192,7 +192,7 @@ def _whole(stage: Stage, noun: NounPhrase) -> str | None:
     if noun.determiner == "the" and noun.head in _SIDES:
         wholes = [thing for thing in lately if stage.inventory.class_of(thing) == "set_piece"]
     elif noun.determiner == "the" and noun.head in _OF_SEATS:
-        wholes = [thing for thing in lately if stage.inventory.head(thing) in _CHAIRS]
+        wholes = [thing for thing in lately if stage.inventory.head(thing) in _CHAIRS | lexicon.VEHICLES]
     elif noun.determiner == "the" and noun.head in _OF_VEHICLES:
         wholes = [thing for thing in lately if stage.inventory.head(thing) in lexicon.VEHICLES]
     return next(iter(wholes), None)

@@ -36,7 +36,7 @@ def exact_kind(stage: Stage, kind: RelationKind, anchor: str, verb: str) -> Rela
     head = stage.inventory.head(anchor)
     if kind == "on" and verb in ("lean", "slouch"):
         return "against"
-    if kind == "in" and head in lexicon.SEATS and not (verb == "put" and head in _BOXES):
+    if kind == "in" and head in lexicon.SEATS - {"wall"} and not (verb == "put" and head in _BOXES):
         return "on"
     return kind
 
@@ -49,7 +49,7 @@ def is_the_place(stage: Stage, anchor: str) -> bool:
 
 def leans_on_a_stick(stage: Stage, subject: str, anchor: str) -> bool:
     """Somebody on a crutch, a dog on a leash: it goes with them and is no place."""
-    walks = stage.person(subject) is not None
+    walks = stage.person(subject) is not None or stage.inventory.class_of(subject) == "set_piece"
     return stage.inventory.head(anchor) in (_STICKS if walks else _LEADS)
 
 
@@ -70,7 +70,7 @@ def at_body(place: Place) -> tuple[str, str] | None:
 
 
 def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> RelationKind | None:
-    """``at his elbow`` is next to him, ``around her neck`` and ``behind his ear`` on him.
+    """``at his elbow`` is next to him, ``at his feet`` at him, ``around her neck`` and ``behind his ear`` on him.
 
     Args:
         preposition: Before the part of the body.
@@ -78,8 +78,9 @@ def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> Rela
         kind: What the preposition says of a thing.
     """
     if part in _SIDES and preposition in ("at", "by", "near", "beside"):
-        return "behind" if part in _HEELS else "next_to"
-    if preposition == "between" or (preposition == "to" and kind is None):
+        at_foot = part in _FEET and preposition == "at"
+        return "behind" if part in _HEELS else "at" if at_foot else "next_to"
+    if preposition == "between" or kind == "at" or (preposition == "to" and kind is None):
         return None
     if preposition in ("around", "round", "about", "across", "over", "through", "to", "onto"):
         return "on"
@@ -89,9 +90,10 @@ def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> Rela
 
 
 _SIDES = frozenset({"side", "elbow", "shoulder", "foot", "knee", "hand", "arm", "heel", "back"})
+_FEET = frozenset({"foot", "knee"})
 _HEELS = frozenset({"heel", "back"})
 _SMALL = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
 """What is behind or in them is on somebody."""
 _ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
-_STICKS = frozenset({"stick", "cane", "crutch", "staff", "leash", "lead", "chain", "string"})
+_STICKS = frozenset({"stick", "cane", "crutch", "staff", "umbrella", "leash", "lead", "chain", "string"})
 _LEADS = frozenset({"leash", "lead", "chain", "string"})

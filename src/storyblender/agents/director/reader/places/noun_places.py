@@ -22,6 +22,7 @@ from storyblender.agents.director.reader.places.anchors import (
     leans_on_a_stick,
 )
 from storyblender.agents.director.reader.places.contents import listed
+from storyblender.agents.director.reader.places.place_verbs import TOUCHING
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import RelationKind
@@ -32,6 +33,9 @@ _GRIPS = frozenset({"hand", "fist", "arm", "paw", "grip"})
 """What is in a hand or under an arm is held."""
 _BEARING = frozenset({"lap", "knee", "shoulder", "thigh"})
 """What is on them is a thing, whatever it is called."""
+_BACKS = frozenset({"back", "shoulder"})
+"""``his back against the wall``: he himself."""
+_PICTURES = frozenset({"photograph", "photo", "picture", "portrait", "painting", "drawing", "sketch", "statue"})
 _PASSING = frozenset(
     {
         "slide",
@@ -125,7 +129,10 @@ def _relate(
         kind = "left_of" if first.head == "left" else "right_of"
     anchors = listed(phrases, at + 1)[: 2 if kind == "between" else 1]
     at_side = first.head in lexicon.BODY and first.possessor is not None and preposition in ("at", "by")
-    if kind not in _OF_THE_NOUN and not at_side:
+    at_window = kind == "at" and first.head in OPENINGS and noun.kind == "thing" and noun.head in lexicon.SET_PIECES
+    if kind not in _OF_THE_NOUN and not at_side and not at_window:
+        return
+    if _is_shown(phrases, index):
         return
     _settle_it(stage, phrases[:index], first)
     left = phrases[index - 1] if index else None
@@ -138,13 +145,41 @@ def _relate(
         on_body = first.head in lexicon.BODY and left is not None and (left.text == "," or left.kind == "verb")
         apart = left is not None and left.text == "," and index > 1 and any(p.verb for p in phrases[:index])
         ends = at + 2 >= len(phrases) or phrases[at + 2].text in (".", ",", ";")
-        if left and (left.text == "with" or on_body or (apart and ends and not any(p.verb for p in phrases[at:]))):
+        if left and (
+            left.text == "with"
+            or _goes_on(phrases, index)
+            or on_body
+            or (apart and ends and not any(p.verb for p in phrases[at:]))
+        ):
             kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
             for person in resolve_mention(stage, noun.mention) if kind else []:
                 for target in _anchors(stage, first, kind or "on", subjects, previous):
                     stage.relate(person.id, kind or "on", target)
+    elif noun.head in _BACKS and noun.possessor is not None and kind == "against":
+        resolve_owner(stage, noun, "possessor", subjects, subjects or previous)
+        for target in _anchors(stage, first, kind, subjects, previous) if noun.owner else ():
+            stage.relate(noun.owner or "", kind, target)
     elif noun.kind == "thing" and _is_of_the_noun(phrases, index, preposition, kind):
+        noun = _holder(phrases, index) or noun
         _relate_thing(stage, noun, preposition, kind, anchors, subjects, previous)
+
+
+def _goes_on(phrases: list[Phrase], index: int) -> bool:
+    """``with Luc on her left and Elise on her right``: whether the list of those who are ``with`` goes on."""
+    before = phrases[max(0, index - 5) : index]
+    return len(before) > 4 and (before[0].text, before[2].kind, before[4].text) == ("with", "preposition", "and")
+
+
+def _holder(phrases: list[Phrase], index: int) -> NounPhrase | None:
+    """``a plate of bacon in front of him``: the plate."""
+    holder = phrases[index - 2].noun if index > 1 and phrases[index - 1].text == "of" else None
+    return holder if holder and holder.head in CONTAINERS | {"plate", "tray", "platter"} else None
+
+
+def _is_shown(phrases: list[Phrase], index: int) -> bool:
+    """``a portrait of a general on a horse``: nobody is there."""
+    picture = phrases[index - 2].noun if index > 1 and phrases[index - 1].text == "of" else None
+    return picture is not None and picture.head in _PICTURES
 
 
 def _settle_it(stage: Stage, before: list[Phrase], anchor: NounPhrase) -> None:
@@ -175,6 +210,8 @@ def _is_of_the_noun(phrases: list[Phrase], index: int, preposition: str, kind: R
     seat = kind == "on" and anchor is not None and anchor.head in lexicon.SEATS
     if seat and verb in _SITTING and left is not None and left.kind == "preposition":
         return False  # sits in front of the stove on a crate
+    if kind == "on" and verb in TOUCHING and left is not None and left.kind == "verb":
+        return False
     if left is None or left.kind != "preposition" or left.text == "with" or kind == "on":
         return True
     if verb in _PLACING - _STATIVE and kind in ("over", "under", "behind", "in_front_of"):
@@ -207,7 +244,8 @@ def _relate_thing(
         worn = around and noun.head not in CLOTHS  # a whistle round her neck, but a blanket round his shoulders
         held_over = kind == "over" and stage.sentence.verb in _HOLDING
         told = None if worn else kind if held_over else kind_at_body(preposition, anchor.head, kind)
-        if told is None or told == "against":
+        heavy = told == "on" and lexicon.noun_class(noun.key) == "set_piece" and noun.head not in lexicon.PORTABLE
+        if told is None or told == "against" or heavy:
             stage.inventory.seen(thing, "related")
             return
         kind = told

@@ -16,6 +16,7 @@ from storyblender.agents.director.reader.places.anchors import (
     kind_at_body,
     solid_things,
 )
+from storyblender.agents.director.reader.places.place_verbs import TOUCHING
 from storyblender.agents.director.reader.places.supports import PEGS
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.memory.vocabulary import RelationKind
@@ -32,6 +33,7 @@ _RETURNING = frozenset({"return", "restore", "add", "replace"})
 _KINDS = frozenset({"on", "in", "under", "next_to", "behind", "against", "in_front_of", "over", "between"})
 _THROWING = frozenset({"throw", "toss", "fling", "hurl", "lob", "chuck", "pass"})
 _LOOPING = frozenset({"hook", "loop", "sling", "drape"})
+_POCKETS = frozenset({"pocket", "belt", "waistband", "sleeve", "garter", "breast pocket"})
 _TO_THERE = frozenset({"up to", "to", "over to"})
 _NEAR = frozenset({"beside", "next to", "by", "near", "in front of", "against", "behind", "alongside", "under"})
 _STOVES = frozenset({"stove", "fireplace", "furnace", "incinerator", "grate", "dumpster", "well"})
@@ -45,7 +47,8 @@ _BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
 
 def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
     """Whether things, or people, end up somewhere else."""
-    if clause.passive or roles.people == roles.subjects != [] or clause.verb in _EMPTYING:
+    touches = clause.verb in TOUCHING and clause.particle != "down"
+    if clause.passive or roles.people == roles.subjects != [] or clause.verb in _EMPTYING or touches:
         return False
     aimed = bool(roles.prepositions & {"into", "onto", "on to"})
     carried = motion in _MOVED or clause.verb in _PLACING | _ATTACHING | _RETURNING or aimed
@@ -101,7 +104,8 @@ def _describes_anchor(stage: Stage, before: Place, place: Place) -> bool:
 
 def _is_solid(stage: Stage, thing: str) -> bool:
     """Whether it is a thing of its own, no arm."""
-    return stage.inventory.class_of(thing) not in ("body", "abstract")
+    liquid = stage.inventory.head(thing) in lexicon.LIQUIDS and stage.sentence.verb in ("pour", "splash", "fill")
+    return stage.inventory.class_of(thing) not in ("body", "abstract") and not liquid
 
 
 def _puts_on(stage: Stage, roles: Roles, thing: str, owner: str) -> bool:
@@ -112,6 +116,9 @@ def _puts_on(stage: Stage, roles: Roles, thing: str, owner: str) -> bool:
 def _kind(stage: Stage, place: Place, thing: str, passed_on: bool) -> RelationKind | None:
     """What a preposition says of where a thing is put."""
     verb, kind = stage.sentence.verb, lexicon.relation_of(place.preposition)
+    cloth = stage.inventory.head(thing) in CLOTHS
+    if (kind == "over" and verb in _THROWING and not cloth) or _is_kept(stage, place):
+        return None
     body = at_body(place)
     if body:
         if stage.person(thing):
@@ -138,6 +145,11 @@ def _kind(stage: Stage, place: Place, thing: str, passed_on: bool) -> RelationKi
             "on" if stage.inventory.head(thing) in CLOTHS or verb in _LOOPING else None if verb in _THROWING else kind
         )
     return kind if kind in _KINDS else None
+
+
+def _is_kept(stage: Stage, place: Place) -> bool:
+    """``puts the key in his pocket``: he has it with him."""
+    return any(noun.head in _POCKETS and noun.possessor is not None for noun in place.nouns)
 
 
 def _anchors(stage: Stage, roles: Roles, place: Place, thing: str, kind: RelationKind) -> list[str]:

@@ -59,7 +59,8 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
         and not clause.passive
         and stage.person(located[0]) is not None
     )
-    if past_it or _is_an_image(stage, kind, place):
+    earlier = place.preposition == "before" and clause.verb == "be" and bool(place.people)  # was there before her
+    if past_it or earlier or _is_an_image(stage, kind, place):
         return []
     if kind == "behind" and clause.verb not in STATIVE and stage.inventory.head(located[0]) in OPENINGS:
         return []  # behind her the door opens: it is somewhere in the room
@@ -68,16 +69,16 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
         return []  # with his hand upon the gate
     if kind == "over" and clause.verb in BENT - {"hunch"} | {"lean"} and not clause.passive:
         return []  # stoops over the book, and is up again
-    if kind == "in" and stage.person(located[0]) and _wraps(stage, place):
+    if kind == "in" and stage.person(located[0]) and (_wraps(stage, place) or _is_corner(stage, place)):
         return []  # in a blanket: that is what somebody wears
     doorway = any(stage.inventory.head(thing) == "doorway" for thing in place.things)
     doorway |= kind == "at" and clause.verb in TURNING and openings
     beside = kind in ("behind", "in_front_of", "next_to")
-    halts = clause.verb in HALTING and kind == "at" and not openings
+    halts = clause.verb in HALTING and kind == "at"
     arriving = clause.verb in ARRIVING and not halts and motion != "sit" and stage.person(located[0]) is not None
     if arriving and not (beside or doorway or clause.passive):
         return []
-    anchors = [person.id for person in place.people]
+    anchors = [person.id for person in place.people if kind != "at"]
     anchors += [thing for thing in place.things if _is_anchor(stage, kind, thing)]
     body = at_body(place)
     if body:
@@ -116,9 +117,11 @@ def _kind(stage: Stage, clause: Clause, place: Place, located: list[str]) -> Rel
 
 def _is_anchor(stage: Stage, kind: RelationKind, thing: str) -> bool:
     """Whether something is in, on or beside a thing; scenery is no place to be at."""
-    if stage.inventory.head(thing) in FLOORING and kind == "on":
+    if stage.inventory.head(thing) in FLOORING | {"step"} and kind == "on":
         return True
     surface = stage.inventory.head(thing) in SURFACES and kind in ("on", "in")
+    if stage.inventory.head(thing) == "water":
+        return False
     at_large = kind in ("in", "at") and stage.inventory.class_of(thing) == "scenery" and not surface
     return stage.inventory.class_of(thing) in _ANCHORS and not at_large
 
@@ -130,6 +133,10 @@ def _ring(stage: Stage, place: Place) -> bool:
 
 def _wraps(stage: Stage, place: Place) -> bool:
     return any(stage.inventory.head(thing) in CLOTHS | lexicon.WORN for thing in place.things)
+
+
+def _is_corner(stage: Stage, place: Place) -> bool:
+    return any(stage.inventory.head(thing) == "corner" for thing in place.things)
 
 
 def _is_an_image(stage: Stage, kind: RelationKind, place: Place) -> bool:

@@ -37,12 +37,12 @@ def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
             or (before.preposition in _SOURCES and side in _ASIDE)
             or (held in _BESIDE and side == "next_to" and bool(roles.subjects))
         )
-        and len(before.things) == len(place.things) == 1
-        and not before.people + place.people
+        and len(before.things) == len(place.things + place.people) == 1
+        and not before.people
         and before.nouns[0].index < place.nouns[0].index
         and not _apart(stage, before, place)
         and _stands(stage, before)
-        and (stage.inventory.class_of(place.things[0]) == "set_piece" or stage.inventory.head(before.things[0]) in PEGS)
+        and (_is_landmark(stage, roles, place) or stage.inventory.head(before.things[0]) in PEGS)
         and before.things != place.things
     )
 
@@ -64,8 +64,16 @@ def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
     for at, place in enumerate(roles.places):
         side = lexicon.relation_of(place.preposition)
         if side and describes_support(stage, roles, at):
-            found.append((roles.places[at - 1].things[0], side, place.things[0]))
+            sides = [*(person.id for person in place.people), *place.things]
+            found.extend((roles.places[at - 1].things[0], side, other) for other in sides)
     return found
+
+
+def _is_landmark(stage: Stage, roles: Roles, place: Place) -> bool:
+    """Furniture; somebody, where nobody but a thing is on it: ``On a table behind him lies a tray``."""
+    if place.people:
+        return not roles.subjects and lexicon.relation_of(place.preposition) in ("behind", "in_front_of")
+    return stage.inventory.class_of(place.things[0]) == "set_piece"
 
 
 def _stands(stage: Stage, place: Place) -> bool:

@@ -31,7 +31,7 @@ _BESIDE = frozenset(word.replace("_", " ") for word in lexicon.words("beside"))
 """Prepositions that tell where somebody is whatever they do: ``runs alongside him``."""
 _COMING_TO_REST, _WHERE = (
     lexicon.words("coming_to_rest"),
-    ("on", "to", "in", "into", "onto", "under", "behind", "beneath"),
+    ("on", "to", "in", "into", "onto", "under", "behind", "beneath", "across"),
 )
 _AT_WORK = frozenset({"cook", "eat", "drink", "read", "write", "type", "work", "cut", "clean", "pour", "play_music"})
 _CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
@@ -41,6 +41,9 @@ _BACKING = frozenset(
 )
 """``backs against the wall``."""
 _CREEPING = frozenset({"crawl", "creep", "scramble", "squeeze", "slide", "slip", "roll", "wriggle", "dive"})
+_SEEING = frozenset({"see", "look", "glance", "stare", "spot", "notice", "hear"})
+_SEATED = frozenset({"turn", "look_around", "laugh", "cry", "wear", "light", "play_music", "phone", "wake", "talk"})
+"""What somebody does without leaving the seat."""
 _SEATS_TAKEN = frozenset({"seat", "place", "chair", "post", "stand"})
 """``takes her place at the window``."""
 _MOVING = lexicon.words("moving")
@@ -111,7 +114,7 @@ def telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | Non
     if is_still(stage, clause, roles, motion):
         own = [at for at in range(len(roles.places)) if not describes_support(stage, roles, at)]
         return [roles.places[at] for at in own if not (at and _goes_with(stage, roles, at))]
-    if clause.opening:
+    if clause.opening and clause.verb not in _SEEING:
         first = max(0, len(roles.places) - clause.opening)
         return [roles.places[at] for at in range(first, len(roles.places)) if not describes_support(stage, roles, at)]
     if motion == "fall" or (roles.subject_things and clause.verb in _COMING_TO_REST):
@@ -125,7 +128,8 @@ def telling_places(stage: Stage, clause: Clause, roles: Roles, motion: str | Non
         place
         for place in roles.places
         if (place.preposition == "at" and motion in _AT_WORK and _has_furniture(stage, place))
-        or (place.preposition in ("on", "in") and motion in _CONSUMING and not place.people)
+        or (place.preposition in ("on", "in") and motion in _CONSUMING and _has_furniture(stage, place))
+        or (place.preposition == "on" and _is_seat(stage, place) and _only_body(stage, roles) and motion in _SEATED)
         or (
             place.preposition == "against"
             and clause.verb in _BACKING
@@ -142,6 +146,10 @@ def _gets_there(stage: Stage, clause: Clause, place: Place) -> bool:
     if place.preposition == "to":
         return clause.verb in GETTING_DOWN and any(stage.inventory.head(thing) in FLOOR for thing in place.things)
     return place.preposition in ("under", "underneath", "beneath") and clause.verb in _CREEPING
+
+
+def _is_seat(stage: Stage, place: Place) -> bool:
+    return any(stage.inventory.head(thing) in lexicon.SEATS for thing in place.things)
 
 
 def _only_body(stage: Stage, roles: Roles) -> bool:
