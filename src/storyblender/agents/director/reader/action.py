@@ -180,13 +180,13 @@ def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
     head = stage.inventory.head(roles.things[0]) if roles.things else "person" if roles.people else ""
     if roles.things and head in lexicon.BODY and stage.inventory.class_of(roles.things[0]) == "prop":
         head = ""
-    if any(noun.kind == "pronoun" and noun.head.endswith(("self", "selves")) for noun in clause.object):
+    if any(noun.head.endswith(("self", "selves")) for noun in clause.object):
         head = "self"
     elif not head and any(noun.head == "it" for noun in clause.object):
         head = "it"
     posture = stage.scene.posture.get(roles.subjects[0].id, ("stand", None))[0]
     motion = motion_of(clause, head, posture)
-    voiced = motion in ("shout", "talk", "whisper", "sing") and all(p.kind == "animal" for p in roles.subjects)
+    voiced = motion in ("shout", "talk", "whisper") and all(p.kind == "animal" for p in roles.subjects)
     return None if voiced else motion
 
 

@@ -92,8 +92,8 @@ def _applies(rule: lexicon.Override, doing: Doing) -> bool:
     return (
         _matches(rule.particles, doing.particle)
         and _matches(rule.objects, doing.object)
-        and (rule.prepositions == ("*",) or any(_matches(rule.prepositions, p) for p in doing.prepositions))
-        and (rule.nouns == ("*",) or any(_matches(rule.nouns, noun) for noun in doing.nouns))
+        and any(_matches(rule.prepositions, preposition) for preposition in doing.prepositions or ("",))
+        and any(_matches(rule.nouns, noun) for noun in doing.nouns or ("",))
     )
 
 

@@ -15,7 +15,7 @@ from storyblender.agents.director.reader.language.phrases import NounPhrase, Phr
 
 _SUBJECT_ONLY = frozenset({"he", "she", "they", "i", "we"})
 """``At seven she pulls herself up``: no object of the preposition before."""
-_INSERTING = frozenset({"where", "when", "until", "because", "since", "if", "though", "although"})
+_INSERTING = frozenset({"where", "when", "until", "because", "since", "if", "though", "although", "that"})
 _OPENING = frozenset({"when", "as", "by", "while", "after", "before", "once", "until", "since", "because"})
 """``By the time I got down to the lobby a policeman was kneeling``: after it another clause comes."""
 

@@ -68,7 +68,7 @@ def _let(clauses: list[Clause], clause: Clause) -> None:
         return
     if following is None or not following.infinitive or following.subject != clause.object or not clause.object:
         return
-    if clause.object[0].kind == "thing" and following.verb in _SLIPPING:
+    if (clause.object[0].kind == "thing" or clause.object[0].head == "it") and following.verb in _SLIPPING:
         clause.verb = "drop"
         clauses.remove(following)
     elif following.verb == "go" and not (following.places or following.particle):

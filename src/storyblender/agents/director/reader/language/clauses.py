@@ -126,6 +126,7 @@ def _take_preposition(builder: ClauseBuilder, index: int, phrase: Phrase) -> Non
         noun_follows = following is not None and following.kind == "noun"
         pair = f"{clause.verb} {phrase.text}"
         known = (pair in lexicon.MOTION_OF_VERB or pair in lexicon.OVERRIDDEN_PARTICLES) and not clause.object
+        known = known and builder.phrases[index - 1].kind != "preposition"  # turns round on the stool
         if not noun_follows or (known and phrase.text != "through"):
             clause.particle, builder.preposition = phrase.text, ""
             return

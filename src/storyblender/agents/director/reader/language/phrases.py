@@ -171,8 +171,10 @@ def _compound_preposition(words: list[Word], at: int) -> tuple[str, ...]:
 def _subject_follows(words: list[Word], at: int) -> bool:
     """``as she reads``, ``before you shoot``: the word links a clause."""
     right = words[at + 1 : at + 6]
-    if right and right[0].low in _SUBJECT_PRONOUNS:
-        return True
+    if right and right[0].low in _SUBJECT_PRONOUNS - {"it", "you"}:
+        return True  # but not: runs after it
+    if right and right[0].low in ("it", "you"):
+        return len(right) > 1 and right[1].verb is not None
     if right and right[0].low in ("the", *lexicon.POSSESSIVES):
         right = right[1:]
     noun = next((i for i, word in enumerate(right[:3]) if not _in_noun_phrase(word)), 3)

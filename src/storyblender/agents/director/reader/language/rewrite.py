@@ -97,7 +97,10 @@ def _without_pairs(words: list[Word]) -> list[Word]:
     """``up and down``, ``, side by side,`` are adverbs, no directions."""
     low = [word.low for word in words]
     dropped: set[int] = set()
+    dropped |= {i + at for i in range(len(low) - 1) if low[i : i + 2] == ["upside", "down"] for at in (0, 1)}
     for i in range(len(low) - 2):
+        if low[i : i + 3] == ["hands", "and", "knees"]:
+            dropped |= {i, i + 1}
         to_and_fro = low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO
         if to_and_fro or (low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by", "in")):
             between = low[i - 1 : i] == low[i + 3 : i + 4] == [","]
