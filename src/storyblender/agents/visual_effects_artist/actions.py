@@ -36,7 +36,8 @@ class Actions:
 
     def __init__(self, company: Company, sheet: CueSheet) -> None:
         self.company, self.sheet = company, sheet
-        self.hands, self.meetings = Handling(company, sheet), Meetings(company, sheet)
+        self.hands = Handling(company, sheet)
+        self.meetings = Meetings(company, sheet, self.hands)
 
     def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from storyblender.agents.visual_effects_artist.belongings import brought_along, players_of
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, TOPS, Floor, SeatPlace, Thing, facing
 from storyblender.agents.visual_effects_artist.person import SEATED, Person, stature_of
+from storyblender.catalog.carrying import two_handed
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
@@ -39,6 +40,7 @@ class Company:
         lying: Where every prop lies that nobody holds.
         touched: Props that left their places, in order.
         jumps: Places people are cut to before the next shot, because nobody can walk there.
+        aside: What people put aside because they needed their hands; it stays there until somebody takes it.
         players: Who holds an instrument from the first frame on, and which.
     """
 
@@ -58,6 +60,7 @@ class Company:
         }
         self.touched: dict[str, None] = {}
         self.jumps: dict[str, tuple[Vec2, float]] = {}
+        self.aside: set[str] = set()
         self.players: dict[str, str] = {}
 
     def find_players(self, shots: Sequence[ShotContext]) -> None:
@@ -163,7 +166,7 @@ class Company:
                 if prop not in in_hand:
                     del person.held[hand]
             for prop in in_hand:
-                if self._carriable(prop) and (state.asset_id, prop) not in taken:
+                if self._carriable(prop) and (state.asset_id, prop) not in taken and prop not in self.aside:
                     self.hand_over(person, prop)
 
     def _carriable(self, prop: str) -> bool:
@@ -226,7 +229,7 @@ class Company:
             seats = [seat for seat in self.floor.seats(beside.support) if math.dist(seat.edge, beside.place) > 0.4]
             free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in self.others(person))]
             if free:
-                return min(free, key=lambda seat: math.dist(seat.edge, beside.place))
+                return self._best(free, beside.place)
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
         thing = self.floor.thing(name)
         if name and (thing is None or (thing.location[2] > TOPS[0] and not thing.of_kind("seat", "bed"))):
@@ -237,7 +240,15 @@ class Company:
         free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
         if not name:
             free = [seat for seat in free if math.dist(seat.edge, person.place) < 4.0]
-        return min(free or (seats if name else []), key=lambda seat: math.dist(seat.edge, person.place), default=None)
+        return self._best(free or (seats if name else []), person.place)
+
+    def _best(self, seats: Sequence[SeatPlace], near: Vec2) -> SeatPlace | None:
+        """Return the seat nearest to a place on which nothing lies, else the nearest; None where there is none."""
+
+        def covered(seat: SeatPlace) -> bool:
+            return any(seat.takes(spot) and self._carriable(prop) for prop, spot in self.lying.items())
+
+        return min(seats, key=lambda seat: (covered(seat), math.dist(seat.edge, near)), default=None)
 
     def take_seat(self, person: Person, seat: SeatPlace) -> None:
         """Sit on a seat by a cut."""
@@ -327,6 +338,11 @@ class Company:
         asset = self.assets.get(prop)
         return sorted(asset.canonical.dimensions) if asset is not None and asset.canonical is not None else None
 
+    def full_handed(self, person: Person) -> bool:
+        """Tell whether somebody can take nothing more: something in each hand, or one thing in both."""
+        held = [self.assets[prop].canonical for prop in person.held.values() if prop in self.assets]
+        return person.free_hand() is None or any(one and two_handed(one.dimensions, one.anchors) for one in held)
+
     def hand_over(self, person: Person, prop: str, wish: Hand = "R") -> Hand | None:
         """Let a person hold a prop, in the wished hand if it is free; whoever held it does not any more."""
         already = person.hand_of(prop)
@@ -340,17 +356,9 @@ class Company:
         self.players = {name: held for name, held in self.players.items() if held != prop or name == person.asset_id}
         person.held[hand] = prop
         self.lying.pop(prop, None)
+        self.aside.discard(prop)
         self.touched[prop] = None
         return hand
-
-    def clear_of_props(self, spot: Vec3) -> Vec3:
-        """Move a place on a top aside until nothing stands there."""
-        taken = [place for place in self.lying.values() if abs(place[2] - spot[2]) < 0.1]
-        for dx, dy in ((0.0, 0.0), (0.18, 0.0), (-0.18, 0.0), (0.0, 0.16), (0.0, -0.16), (0.3, 0.1), (-0.3, 0.1)):
-            moved = (spot[0] + dx, spot[1] + dy, spot[2])
-            if all(math.dist(moved[:2], place[:2]) > 0.15 for place in taken):
-                return moved
-        return spot
 
     def lay(self, person: Person, prop: str, place: Vec3) -> None:
         """Let a prop lie somewhere; nobody holds it any more."""

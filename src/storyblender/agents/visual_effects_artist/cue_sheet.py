@@ -23,6 +23,8 @@ PROFILE = math.radians(48)
 """Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
 STRETCH, EXTRA = 1.5, 9.0
 """A shot may grow to so many times the Director's length, or by so many seconds, before ways are cut short."""
+LAST = 8.0
+"""Seconds beyond that in which the last thing meant for a shot may still be done, or nobody would ever see it."""
 HURRY = 1.5
 """Who is short of time walks up to this many times as fast."""
 SLIDE = 0.75
@@ -68,8 +70,13 @@ class CueSheet:
 
     @property
     def limit(self) -> float:
-        """Seconds to which the shot may grow."""
+        """Seconds to which the shot may grow before ways are cut short."""
         return max(STRETCH * self.length, self.length + EXTRA)
+
+    @property
+    def latest(self) -> float:
+        """Seconds to which the shot may grow at all."""
+        return self.limit + LAST
 
     def cue(self, person: Person, clip: str, start: float, length: float, **fields: object) -> float:
         """Write a cue and keep the body busy with it; return its end."""
@@ -223,6 +230,19 @@ class CueSheet:
             self.starts[person.asset_id] = start.model_copy(update={"held": (*start.held, (hand, prop))})
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id, hand=hand))
+
+    def change_hands(self, person: Person) -> None:
+        """Let a person hold in the left hand from the shot's first frame on what they hold in the right one."""
+        prop = person.held.get("R")
+        start = self.starts[person.asset_id]
+        if prop is None or "L" in person.held or any(cue.prop_id == prop for cue in self.cues):
+            return
+        person.held = {"L": prop}
+        held = tuple(("L", name) if name == prop else (hand, name) for hand, name in start.held)
+        self.starts[person.asset_id] = start.model_copy(update={"held": held})
+        self.start_props = tuple(
+            state.model_copy(update={"hand": "L"}) if state.asset_id == prop else state for state in self.start_props
+        )
 
     def found_in_clothes(self, person: Person, prop: str) -> None:
         """Let a person have a prop on them, in no hand, from the shot's first frame on."""

@@ -31,6 +31,8 @@ BACK = 0.6
 """Metres that somebody goes round a thing to work at it in profile."""
 PERSONAL = 0.55
 """Metres between two people who have nothing to do with each other."""
+SAT_ON = (0.26, 0.48)
+"""Metres to the side of the middle of a seat's edge, and behind it, that are sat on."""
 WAY_OUT, OFF_STAGE = 4.0, 0.3
 """Metres that somebody walks on towards what stands off stage, in the open and under a roof."""
 
@@ -111,6 +113,13 @@ class SeatPlace:
     def before(self, k: float) -> Vec2:
         """Return where one stands before sitting down."""
         return self.edge[0] + 0.18 * k * math.sin(self.yaw), self.edge[1] - 0.18 * k * math.cos(self.yaw)
+
+    def takes(self, spot: Vec3) -> bool:
+        """Tell whether who sits here sits on what lies there."""
+        sin, cos = math.sin(self.yaw), math.cos(self.yaw)
+        x, y = spot[0] - self.edge[0], spot[1] - self.edge[1]
+        aside, behind = abs(x * cos + y * sin), y * cos - x * sin
+        return TOPS[0] < spot[2] < TOPS[1] and aside < SAT_ON[0] and 0 < behind < SAT_ON[1]
 
 
 class Floor:

@@ -17,8 +17,9 @@ from storyblender.memory.vocabulary import Hand
 
 GETTING = frozenset({"pick_up", "take", "hold", "catch"})
 """Motions after which one has something in hand."""
-FETCH, AT_HAND = 5.0, 3.0
-"""Metres one goes to get a thing, and to use one; what is used and lies farther off is in hand from the start."""
+FETCH, AT_HAND, ACROSS = 5.0, 3.0, 12.0
+"""Metres one goes to get a thing, to use one, and to open one that stands; what is used and lies farther off is in hand
+from the start."""
 BOX = 0.18
 """Metres of the second largest extent."""
 LEFT = 0.2
@@ -34,8 +35,8 @@ INWARD, HIPS = 0.2, 0.18
 """Metres: how far behind the edge of a seat a thing is put on it, and half of who sits there."""
 FROM_SEAT = 0.9
 """Metres within which who sits puts something down."""
-BAG, RING, BESIDE_FOOT = 0.4, 0.06, 0.34
-"""Metres: a bag is longer, a ring smaller; how far beside one a bag is put down."""
+BAG, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.06, 0.34, 0.6
+"""Metres: a bag is longer, a ring smaller; how far beside one a bag is put down, and how far from others."""
 ASIDE = math.radians(60)
 """What is farther aside than this is turned to before it is handled."""
 
@@ -59,10 +60,11 @@ class Handling:
         if getting and person.hand_of(prop):
             return
         t = self._hands_freed(person, prop, start) if motion.hands == 2 else start
-        t = self._gone_to(person, prop, FETCH if getting else AT_HAND, t)
+        where_it_is = motion.key in ("open", "close") and self._stands(prop)
+        t = self._gone_to(person, prop, ACROSS if where_it_is else FETCH if getting else AT_HAND, t)
         lies = self._within_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None
-        if lies is not None and motion.key in ("open", "close") and self._stands(prop):
+        if lies is not None and where_it_is:
             self._open_where_it_stands(person, motion, prop, start, self.turn_to(person, lies, t))
             return
         if lies is not None:
@@ -96,18 +98,39 @@ class Handling:
 
     def _hands_freed(self, person: Person, prop: str, t: float) -> float:
         """Put a bag on the floor beside one before both hands do something; return the end."""
-        for hand, held in list(person.held.items()):
-            size = self.company.size_of(held)
-            if held == prop or size is None or size[2] < BAG or not person.upright:
+        sizes = {held: self.company.size_of(held) for held in person.held.values() if held != prop}
+        return self.put_aside(person, [held for held, size in sizes.items() if size is not None and size[2] >= BAG], t)
+
+    def put_aside(self, person: Person, props: Sequence[str], t: float) -> float:
+        """Put what is in somebody's hands on the floor beside them, if they stand; return the end.
+
+        They do not have it in hand again because the script has not said that they put it down.
+        """
+        for prop in props:
+            hand = person.hand_of(prop)
+            spot = self._free_beside(person, prop, hand) if person.upright else None
+            if spot is None:
                 continue
-            side = BESIDE_FOOT * person.k * (1 if hand == "L" else -1)
-            x, y = person.place
-            spot = (x + side * math.cos(person.yaw), y + side * math.sin(person.yaw), 0.0)
             length = natural_seconds(MOTIONS["put_down"])
-            mark = _mark_of(person, held, spot)
-            t = self.sheet.cue(person, "put_down", t, length, prop_id=held, hand=hand, mark=mark)
-            self.company.lay(person, held, spot)
+            mark = _mark_of(person, prop, spot)
+            t = self.sheet.cue(person, "put_down", t, length, prop_id=prop, hand=hand, mark=mark)
+            self.company.lay(person, prop, spot)
+            self.company.aside.add(prop)
         return t
+
+    def _free_beside(self, person: Person, prop: str, hand: Hand | None) -> Vec3 | None:
+        """Return where on the floor beside somebody a thing has room, on the side of the hand first."""
+        half = (self.company.size_of(prop) or [0.2])[1] / 2
+        away = BESIDE_FOOT * person.k + max(0.0, half - 0.1)
+        side = 1 if hand == "L" else -1
+        others = self.company.others(person)
+        for turn in (90, 50, 130, -90, -50, -130):
+            yaw = person.yaw + side * math.radians(turn)
+            spot = (person.place[0] + away * math.sin(yaw), person.place[1] - away * math.cos(yaw))
+            clear = all(math.dist(spot, place) > AT_FEET for place in others)
+            if clear and self.company.floor.room_at(spot) > half and self._clear_of_props((*spot, 0.0)) == (*spot, 0.0):
+                return (*spot, 0.0)
+        return None
 
     def _gone_to(self, person: Person, prop: str, farthest: float, t: float) -> float:
         """Go to where a prop lies, if that is no farther; return the end."""
@@ -246,8 +269,8 @@ class Handling:
             ahead = (x + BEFORE * math.sin(yaw), y - BEFORE * math.cos(yaw))
             spot = floor.on_top(thing, (ahead[0] + aside * math.cos(yaw), ahead[1] + aside * math.sin(yaw)))
             if spot is not None and math.dist(spot[:2], person.place) < AT_TABLE:
-                return self.company.clear_of_props(spot)
-        return self.company.clear_of_props(floor.top_of(thing, person.place))
+                return self._clear_of_props(spot)
+        return self._clear_of_props(floor.top_of(thing, person.place))
 
     def _beside_sitters(self, thing: Thing, person: Person, prop: str, sitters: Sequence[Person]) -> Vec3 | None:
         """Return the free place on a seat: between two who sit there, else beside the one; None if nobody does."""
@@ -267,9 +290,18 @@ class Handling:
                 thing, (x + s * left[0] - INWARD * math.sin(yaw), y + s * left[1] + INWARD * math.cos(yaw))
             )
             clear = all(abs(s - at) > HIPS * each.k + half for at, each in zip(along, there, strict=True))
-            if spot is not None and clear and self.company.clear_of_props(spot) == spot:
+            if spot is not None and clear and self._clear_of_props(spot) == spot:
                 free.append((abs(s - wish), spot))
         return min(free)[1] if free else None
+
+    def _clear_of_props(self, spot: Vec3) -> Vec3:
+        """Move a place on a top aside until nothing stands there."""
+        taken = [place for place in self.company.lying.values() if abs(place[2] - spot[2]) < 0.1]
+        for dx, dy in ((0.0, 0.0), (0.18, 0.0), (-0.18, 0.0), (0.0, 0.16), (0.0, -0.16), (0.3, 0.1), (-0.3, 0.1)):
+            moved = (spot[0] + dx, spot[1] + dy, spot[2])
+            if all(math.dist(moved[:2], place[:2]) > 0.15 for place in taken):
+                return moved
+        return spot
 
     def turn_to(self, person: Person, spot: Vec3, t: float) -> float:
         """Face what the hands are about to work on; return the end."""

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import BODY, facing
+from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.paths import Vec2
@@ -18,6 +19,8 @@ HELD_ON = TOGETHER | {"dance"}
 """What goes on until the shot ends, where nothing comes after it."""
 MUTUAL = HELD_ON | {"shake_hands"}
 """Who does this with somebody who does it with them does it once."""
+EMPTY_HANDED = frozenset({"hug", "dance", "lift"})
+"""What both do with both hands."""
 QUIET = frozenset({"idle", "listen", "look"})
 LOW = frozenset({"kneel", "crouch"})
 BY_KNEES = 1.1
@@ -38,10 +41,11 @@ class Meetings:
     Args:
         company: People and props.
         sheet: Where the cues go.
+        hands: Puts aside what is in the way.
     """
 
-    def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet = company, sheet
+    def __init__(self, company: Company, sheet: CueSheet, hands: Handling) -> None:
+        self.company, self.sheet, self.hands = company, sheet, hands
 
     def already(self, motion: Motion, person: Person, partner: Person | None) -> bool:
         """Tell whether this is the other half of what the partner has just begun: ``they kiss``."""
@@ -66,12 +70,13 @@ class Meetings:
         giving = motion.key == "give"
         if giving and prop is not None and not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
-        t = self._gone_to(motion, person, partner, start)
+        t = self._hands_ready(motion, person, partner, prop, start)
+        t = self._gone_to(motion, person, partner, t)
         t = self._face_each_other(person, partner, max(t, partner.busy))
         hand = person.hand_of(prop) if prop else None
         about = {"target_id": partner.asset_id, "prop_id": prop, "hand": hand, "mood": action.mood}
         if motion.key in HELD_ON and not self._goes_on(motion, person, partner, later):
-            about["duration"] = round(self.sheet.limit * self.sheet.fps)
+            about["duration"] = round(self.sheet.latest * self.sheet.fps)
             parted = self._parted(motion, person, partner)
             if parted is not None:
                 self.company.jumps[person.asset_id] = (parted, person.yaw)
@@ -85,6 +90,20 @@ class Meetings:
             self.company.hand_over(person, prop)
         partner.busy = max(partner.busy, end)
         self.sheet.done(person, start, end, holds=True)
+
+    def _hands_ready(self, motion: Motion, person: Person, partner: Person, prop: str | None, t: float) -> float:
+        """Put aside or take over into the left hand what the hands hold that are wanted; return the end."""
+        ends = [t]
+        for one in (person, partner):
+            if motion.key == "shake_hands":
+                self.sheet.change_hands(one)
+                continue
+            held = [name for name in dict.fromkeys(one.held.values()) if name != prop]
+            takes = one is (partner if motion.key == "give" else person) and motion.key in ("give", "take")
+            if motion.key in EMPTY_HANDED or (takes and self.company.full_handed(one)):
+                largest = sorted(held, key=lambda name: self.company.size_of(name) or [], reverse=True)
+                ends.append(self.hands.put_aside(one, largest[:1] if takes else largest, max(t, one.busy)))
+        return max(ends)
 
     def _gone_to(self, motion: Motion, person: Person, partner: Person, t: float) -> float:
         """Go to where the two can do it, and kneel to who lies on the floor; return the end."""

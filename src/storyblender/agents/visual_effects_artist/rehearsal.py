@@ -82,7 +82,7 @@ class Rehearsal:
         duration = shot.duration
         if "duration" not in shot.locked:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
-            duration = min(max(duration, needed), math.ceil(sheet.limit * self.fps))
+            duration = min(max(duration, needed), math.ceil(sheet.latest * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         company.leave(stay)
         cues = tuple(sorted((_within(cue, duration) for cue in sheet.cues), key=lambda cue: cue.start))

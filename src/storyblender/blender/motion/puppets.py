@@ -14,11 +14,10 @@ from storyblender.blender.motion.hands import Triple, chest_yaw, fixed, hand, sh
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import StageProp
 from storyblender.blender.motion.skeleton import frame, sign
+from storyblender.catalog.carrying import two_handed
 from storyblender.memory.asset_sheet import Anchor
 
 MatrixOf = Callable[[float], Matrix]
-TWO_HANDED = 0.36
-"""Metres; things wider and deeper than this are carried with both hands."""
 HANGING = 0.25
 """Metres; things taller than this with a grip near the top hang from a straight arm."""
 STAFF, SLENDER, STAFF_GRIP = 0.7, 0.16, 1.0
@@ -89,9 +88,7 @@ class PropPuppet:
     @property
     def two_handed(self) -> bool:
         """Carried with both hands."""
-        return min(self.size.x, self.size.y) > TWO_HANDED or (
-            max(self.size.x, self.size.y) > 1.4 * TWO_HANDED and not self.anchors
-        )
+        return two_handed(tuple(self.size), tuple(self.anchors.values()))
 
     @property
     def hangs(self) -> bool:

@@ -11,7 +11,7 @@ from storyblender.agents.visual_effects_artist import cue_sheet
 from storyblender.agents.visual_effects_artist import floor as floor_module
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
-from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA
+from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA, LAST
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
@@ -173,7 +173,7 @@ def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short(m
 def test_what_is_done_on_the_spot_ends_with_the_shot() -> None:
     talks = tuple(_do(who, "talk", target_id="ilsa" if who == "rick" else "rick") for who in ("rick", "ilsa") * 4)
     (shot,) = _stage(_shot(1, *talks, seconds=2))
-    assert shot.duration <= 2 * 24 + 24 * EXTRA
+    assert shot.duration <= 2 * 24 + 24 * (EXTRA + LAST)
     assert max(cue.start + (cue.duration or 0) for cue in shot.cues if cue.start < shot.duration) <= shot.duration
 
 
@@ -521,7 +521,7 @@ def test_every_cue_is_a_clip_and_every_motion_can_be_staged() -> None:
             view = _view(_shot(1, _do("rick", word, target_id=target)))
             (shot,) = AnimatorRules().propose(view).shots
             assert all(cue.clip in MOTIONS for cue in shot.cues), word
-            assert shot.duration <= 96 + 24 * EXTRA
+            assert shot.duration <= 96 + 24 * (EXTRA + LAST)
 
 
 def test_same_scene_same_staging() -> None:
@@ -587,3 +587,30 @@ def test_what_somebody_only_is_at_is_not_in_their_hand() -> None:
     (there,), (holding,) = _stage(_shot(1, at_it)), _stage(_shot(1, with_it))
     assert "letter" not in dict(_start(there, "rick").held).values()
     assert "letter" in dict(_start(holding, "rick").held).values()
+
+
+@pytest.mark.parametrize(("letter", "place"), [(0.0, 0.6), (0.6, 0.0)])
+def test_nobody_sits_on_what_lies_on_a_seat(letter: float, place: float) -> None:
+    objects = (_at("bench", 0, 3.0), _at("letter", letter, 3.0, z=0.46), *LAYOUT.objects)
+    states = (BodyState(asset_id="rick", posture="sit", support_id="bench"),)
+    view = _view(_shot(1, _do("ilsa", "sit", target_id="rick"), states=states))
+    layout = LAYOUT.model_copy(update={"objects": objects})
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    assert _end(shot, "rick").location[0] == pytest.approx(-0.6)
+    assert _end(shot, "ilsa").location[0] == pytest.approx(place)
+
+
+def test_who_opens_what_stands_far_off_goes_there() -> None:
+    chest = _thing("chest", (0.5, 0.3, 0.3))
+    layout = LAYOUT.model_copy(update={"objects": (_at("chest", 3.3, 2.4), *LAYOUT.objects)})
+    view = _view(_shot(1, _do("rick", "open", prop_id="chest", target_id="chest")))
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (chest, *ASSETS), "layout": layout})).shots
+    assert [clip for clip in _cues(shot, "rick") if clip not in ("look", "turn")] == ["walk", "open"]
+    assert not _end(shot, "rick").held
+
+
+def test_the_last_act_of_a_full_shot_is_in_it() -> None:
+    walks = tuple(_do("rick", "walk", distance=step) for step in (3.0, -3.0, 3.0))
+    (shot,) = _stage(_shot(1, *walks, _do("ilsa", "hug", target_id="rick"), seconds=1))
+    hug = next(cue for cue in shot.cues if cue.clip == "hug")
+    assert hug.start + 24 < shot.duration

@@ -5,9 +5,21 @@ from __future__ import annotations
 import math
 
 import pytest
-from tests.unit.agents.visual_effects_artist.test_animator import _cues, _do, _end, _shot, _stage, _start
+from tests.unit.agents.visual_effects_artist.test_animator import (
+    ASSETS,
+    _cues,
+    _do,
+    _end,
+    _shot,
+    _stage,
+    _start,
+    _thing,
+    _view,
+)
 
+from storyblender.agents.visual_effects_artist.animator import AnimatorRules, ShotStaging
 from storyblender.agents.visual_effects_artist.meetings import PARTED
+from storyblender.memory.shot_context import BodyState, ShotContext
 
 
 @pytest.mark.parametrize("motion", ["hug", "kiss", "dance", "shake_hands"])
@@ -39,3 +51,36 @@ def test_who_has_more_to_do_steps_back_from_an_embrace_first() -> None:
     kiss = next(cue for cue in shot.cues if cue.clip == "kiss")
     assert kiss.mark == _end(shot, "rick")
     assert math.dist(_end(shot, "rick").location, _end(shot, "ilsa").location) == pytest.approx(PARTED, abs=0.1)
+
+
+def _with_luggage(*shots: ShotContext) -> tuple[ShotStaging, ...]:
+    luggage = (_thing("crate", (0.5, 0.4, 0.3)), _thing("lamp", (0.1, 0.1, 0.3)))
+    view = _view(*shots)
+    return AnimatorRules().propose(view.model_copy(update={"assets": (*luggage, *ASSETS)})).shots
+
+
+@pytest.mark.parametrize("motion", ["hug", "dance"])
+def test_who_embraces_somebody_puts_aside_what_they_hold_and_leaves_it_there(motion: str) -> None:
+    states = (BodyState(asset_id="rick", held=("lamp",)),)
+    embrace = _shot(1, _do("rick", motion, target_id="ilsa"), states=states, seconds=9)
+    first, second = _with_luggage(embrace, _shot(2, states=states))
+    clips = _cues(first, "rick")
+    assert clips.index("put_down") < clips.index(motion)
+    assert not _end(first, "rick").held
+    assert not _start(second, "rick").held, "it does not jump back into the hand"
+    assert next(state for state in second.prop_states if state.asset_id == "lamp").location
+
+
+def test_who_carries_something_in_both_hands_puts_it_down_before_being_given_something() -> None:
+    states = (BodyState(asset_id="rick", held=("lamp",)), BodyState(asset_id="ilsa", held=("crate",)))
+    give = _do("rick", "give", target_id="ilsa", prop_id="lamp")
+    (shot,) = _with_luggage(_shot(1, give, states=states, seconds=9))
+    down = next(cue for cue in shot.cues if cue.clip == "put_down")
+    assert (down.asset_id, down.prop_id) == ("ilsa", "crate")
+    assert [prop for _, prop in _end(shot, "ilsa").held] == ["lamp"]
+
+
+def test_who_shakes_hands_holds_their_stick_in_the_left_one() -> None:
+    states = (BodyState(asset_id="ilsa", held=("lamp",)),)
+    (shot,) = _with_luggage(_shot(1, _do("rick", "shake_hands", target_id="ilsa"), states=states, seconds=9))
+    assert (_start(shot, "ilsa").held, _end(shot, "ilsa").held) == ((("L", "lamp"),),) * 2
