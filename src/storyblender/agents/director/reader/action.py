@@ -14,8 +14,10 @@ from storyblender.agents.director.reader.language.rewrite import regularise
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve_owner, resolve_pronoun
+from storyblender.agents.director.reader.people.introduced import note_introductions
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles, resolve_objects, resolve_subject
+from storyblender.agents.director.reader.people.things_meant import ASIDE, SEEN, weigh
 from storyblender.agents.director.reader.places import contents, distances, noun_places, relations
 from storyblender.agents.director.reader.places.settled import settle_things
 from storyblender.agents.director.reader.stage import SentenceState, Stage
@@ -62,10 +64,12 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     distances.relate_apart(stage, words, subjects, previous)
     distances.relate_side_by_side(stage, sentence.words, subjects)
     _leftover_pronouns(stage, subjects, previous)
+    note_introductions(stage, sentence)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
     contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)
     changes.note_sounds(stage, clauses)
+    weigh(stage, dict.fromkeys(thing for _, thing in stage.sentence.things), SEEN)
     if subjects:
         stage.discourse.subjects = subjects
 
@@ -98,7 +102,7 @@ def _name_thing(stage: Stage, phrases: list[Phrase]) -> None:
         if phrase.noun and phrase.noun.kind == "thing" and not phrase.noun.plural:
             thing = stage.inventory.id_of(phrase.noun.key, stage.sentence.words[phrase.first].start)
             if stage.inventory.class_of(thing) in ("prop", "set_piece"):
-                stage.discourse.last_thing = thing
+                weigh(stage, [thing], ASIDE)
 
 
 def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bool) -> None:
@@ -127,7 +131,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         entrances.subjects_enter(stage, clause, followers)
     for noun in clause.asides:
         resolve_owner(stage, noun, "possessor", roles.subjects, previous)
-        stage.discourse.last_thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
+        weigh(stage, [stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)], ASIDE)
     _dress(stage, roles)
     exits.seen_off(stage, clause, roles)
     exits.taken_away(stage, clause, roles)
@@ -137,7 +141,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     motion = part or _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
     noticing.notice_things(stage, clause, roles, motion)
-    _remember_things(stage, roles, motion)
+    if stage.sentence.plural_thing:
+        stage.discourse.last_plural = (stage.sentence.plural_thing, stage.discourse.sentence)
     entrances.objects_enter(stage, clause, roles, motion)
     changes.note_faces(stage, clause, roles.subjects)
     motion = motion or _pose(stage, clause, roles)
@@ -211,35 +216,6 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         return "sit"
     at_opening = any(p.preposition in ("at", "in") and any(n.head in _OPENINGS for n in p.nouns) for p in roles.places)
     return "stand" if at_opening else None
-
-
-def _remember_things(stage: Stage, roles: Roles, motion: str | None) -> None:
-    """What ``it`` and ``them`` may mean next: the thing handled, the thing that does something, the thing it is at."""
-    inventory, discourse = stage.inventory, stage.discourse
-    if any(place.preposition in _FROM and any(noun.head == "it" for noun in place.nouns) for place in roles.places):
-        return  # shakes the ice off it
-    if stage.sentence.plural_thing:
-        discourse.last_plural = (stage.sentence.plural_thing, discourse.sentence)
-    things = [thing for thing in roles.things if inventory.class_of(thing) not in ("abstract", "body")]
-    things = [
-        thing for thing in things if inventory.head(thing) not in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
-    ]
-    things = [t for t in things if inventory.class_of(t) != "unknown" or motion in lexicon.HANDLING]
-    if (motion == "take" or motion in _TRAVEL) and not things:
-        things = [thing for place in roles.places if place.preposition == "with" for thing in place.things]
-    if not things:
-        things = [
-            thing
-            for thing in roles.subject_things
-            if inventory.class_of(thing) in _OBJECTLIKE and inventory.head(thing) not in lexicon.LIQUIDS
-        ]
-        solid = ("set_piece", "prop")
-        if not things and motion not in _TRAVEL and not roles.subject_things:
-            things = [t for place in roles.places for t in place.things if inventory.class_of(t) in solid]
-            things.sort(key=lambda thing: inventory.class_of(thing) != "prop")
-    things = [thing for thing in things if inventory.head(thing) not in lexicon.PLURAL_ONLY]
-    if things:
-        discourse.last_thing = things[0]
 
 
 def _leftover_pronouns(stage: Stage, subjects: list[Person], previous: list[Person]) -> None:

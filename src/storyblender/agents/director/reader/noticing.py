@@ -46,6 +46,8 @@ def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
         if noun.head in _TROPHIES and noun.determiner and not any(p.kind == "animal" for p in stage.roster.people):
             stage.inventory.detach(thing)
         stage.sentence.things.append((noun.index, thing))
+        if noun.plural:
+            stage.sentence.plurals.add(thing)
         loud = word.text.isupper() and len(word.text) > 2 and singular(word.low) in lexicon.PROPS
         stage.inventory.seen(thing, "shown" if loud else "seen")
         stage.discourse.recent_things = [thing, *stage.discourse.recent_things[:_RECENT]]

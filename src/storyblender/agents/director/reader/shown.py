@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.deeds.states import hold
 from storyblender.agents.director.reader.language.phrases import NounPhrase, find_phrases
 from storyblender.agents.director.reader.language.words import Word, tokenize
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
+from storyblender.agents.director.reader.people.things_meant import ASIDE, weigh
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import CameraNote, Person
 
@@ -59,7 +60,7 @@ def lies_there(stage: Stage, thing: str, words: list[Word]) -> None:
 
 def _mean(stage: Stage, thing: str) -> None:
     """Let ``it`` mean what was shown."""
-    stage.discourse.last_thing = thing
+    weigh(stage, [thing], ASIDE)
     stage.discourse.recent_things.insert(0, thing)
 
 

@@ -20,6 +20,7 @@ from storyblender.memory.vocabulary import Posture, RelationKind
 _FADING = 0.45
 """What salience keeps from one sentence to the next."""
 _SCENE_FADING = 0.3
+_FORGOTTEN = 0.001
 _FLOORING = lexicon.words("flooring")
 """What is on it is on the floor."""
 
@@ -39,7 +40,8 @@ class Discourse:
     """People who did something together: sentence, who, clock."""
     subjects: list[Person] = field(default_factory=list)
     """Subject of the last sentence."""
-    last_thing: str | None = None
+    things: dict[str, float] = field(default_factory=dict)
+    """Thing -> how present it is in the reader's mind, for ``it``."""
     recent_things: list[str] = field(default_factory=list)
     """Things named lately, the last first."""
     last_plural: tuple[str, int] | None = None
@@ -62,13 +64,14 @@ class Discourse:
         self.sentence += 1
         for person in self.salience:
             self.salience[person] *= _FADING
+        self.things = {thing: weight * _FADING for thing, weight in self.things.items() if weight > _FORGOTTEN}
 
     def next_scene(self, keep_groups: bool) -> None:
         """Everybody fades a lot, things are forgotten."""
         for person in self.salience:
             self.salience[person] *= _SCENE_FADING
         self.groups = self.groups[-1:] if keep_groups else []
-        self.subjects, self.last_thing, self.last_plural, self.recent_things = [], None, None, []
+        self.subjects, self.last_plural, self.recent_things, self.things = [], None, [], {}
         self.last_speaker = self.last_listener = None
 
 
@@ -105,7 +108,10 @@ class SentenceState:
     """Of the clause being read."""
     things: list[tuple[int, str]] = field(default_factory=list)
     """Position and id of every thing it names."""
+    plurals: set[str] = field(default_factory=set)
+    """Those of the things that are several."""
     plural_thing: str | None = None
+    subject_thing: str | None = None
     object_thing: str | None = None
     """The last thing in object position."""
     pictured: bool = False

@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.language.phrases import NounPhrase
 from storyblender.agents.director.reader.language.words import Mention
 from storyblender.agents.director.reader.people.narrator import ALONE, OWN, own_people
 from storyblender.agents.director.reader.people.people_meant import fits, is_neuter, resolve_mention
+from storyblender.agents.director.reader.people.things_meant import meant_by_it
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
@@ -27,7 +28,6 @@ _PARTS = lexicon.words("parts")
 _SIDES = frozenset({"edge", "end"})
 """``perches on the edge``: of the table named last."""
 
-_ASIDE = frozenset({"beside", "to", "of", "behind", "by", "near"})
 _OF_SEATS = frozenset({"seat", "arm"})
 _CHAIRS = frozenset({"chair", "armchair", "sofa", "couch", "settee", "rocking chair"})
 """``a book on the seat``: of the armchair named before."""
@@ -169,7 +169,7 @@ def resolve(
         return Referents([], stage.inventory.id_of(noun.head, stage.sentence.words[noun.index].start))
     settled = noun.index in stage.sentence.pronouns
     if place and noun.head == "it" and not settled and not any(is_neuter(person) for person in previous):
-        return remember(stage, noun.index, Referents([], _it_there(stage, noun.index)))
+        return remember(stage, noun.index, Referents([], meant_by_it(stage, noun.index, "place")))
     whole = _whole(stage, noun) if noun.kind == "thing" and noun.owner is None else None
     if whole:
         return Referents([], whole)
@@ -180,7 +180,7 @@ def resolve(
     known = stage.sentence.pronouns.get(noun.index)
     if known:
         return Referents(*known)
-    return remember(stage, noun.index, _resolve_pronoun_phrase(stage, noun.head, role, subjects, previous))
+    return remember(stage, noun.index, _resolve_pronoun_phrase(stage, noun, role, subjects, previous))
 
 
 def _whole(stage: Stage, noun: NounPhrase) -> str | None:
@@ -199,22 +199,32 @@ def _whole(stage: Stage, noun: NounPhrase) -> str | None:
 
 
 def _resolve_pronoun_phrase(
-    stage: Stage, pronoun: str, role: Role, subjects: Sequence[Person], previous: Sequence[Person]
+    stage: Stage, noun: NounPhrase, role: Role, subjects: Sequence[Person], previous: Sequence[Person]
 ) -> Referents:
-    discourse = stage.discourse
+    discourse, pronoun = stage.discourse, noun.head
     kind = lexicon.PRONOUNS[pronoun]
     if kind == "thing":
-        neuter = [person for person in previous if is_neuter(person) and (role == "subject" or person not in subjects)]
-        if role == "subject" and not neuter:
-            neuter = _animal_named(stage)
-            previous = neuter[:1]
-        return Referents(neuter) if neuter and len(previous) == 1 else Referents([], _it(stage))
+        return _it(stage, noun.index, role, subjects, previous)
     if pronoun.endswith(("self", "selves")) and subjects:
         return Referents(list(subjects))
     plural = discourse.last_plural
     if kind == "plural" and role == "object" and plural and plural[1] >= discourse.sentence - 1:
         return Referents([], plural[0])
     return Referents(resolve_pronoun(stage, pronoun, role, list(subjects), list(previous)))
+
+
+def _it(stage: Stage, index: int, role: Role, subjects: Sequence[Person], previous: Sequence[Person]) -> Referents:
+    if role == "subject":
+        neuter = [person for person in previous if is_neuter(person)] or _animal_named(stage)
+        return Referents(neuter) if len(neuter) == 1 else Referents([], meant_by_it(stage, index, "subject"))
+    meant = meant_by_it(stage, index, "object", _animals(stage, subjects))
+    animal = stage.person(meant or "")
+    return Referents([animal]) if animal else Referents([], meant)
+
+
+def _animals(stage: Stage, subjects: Sequence[Person]) -> list[Person]:
+    """Everybody on stage whom ``it`` may mean."""
+    return [person for person in stage.on_stage() if is_neuter(person) and person not in subjects]
 
 
 def _animal_named(stage: Stage) -> list[Person]:
@@ -224,43 +234,16 @@ def _animal_named(stage: Stage) -> list[Person]:
     return [max(named, key=stage.presence)] if named and stage.sentence.verb in _LIVING else []
 
 
-def _it(stage: Stage) -> str | None:
-    """The last thing, or the last that suits the verb: a door is opened, a letter is read."""
-    suiting = lexicon.SUITING.get(stage.sentence.verb)
-    last = stage.discourse.last_thing
-    said = {thing for _, thing in stage.sentence.pronouns.values() if thing}
-    if last in said:
-        return last
-    if suiting is None or stage.inventory.head(last) in suiting:
-        return last
-    return next((thing for thing in stage.discourse.recent_things if stage.inventory.head(thing) in suiting), last)
-
-
-def _it_there(stage: Stage, index: int) -> str | None:
-    """``crosses to the desk and drops an envelope on it``: the last thing before, but not what is put there."""
-    moved = stage.sentence.object_thing
-    placed = _placed_here(stage) if stage.sentence.words[index - 1].low in _ASIDE else None
-    if placed and placed != moved:
-        return placed
-    before = [thing for at, thing in stage.sentence.things if at < index and thing != moved]
-    if len(before) > 1 and (index - 2, before[-1]) in stage.sentence.things:
-        before.pop()  # a table with a lamp on it
-    solid = [thing for thing in before if stage.inventory.class_of(thing) in ("set_piece", "prop")]
-    solid.sort(key=lambda thing: stage.inventory.class_of(thing) == "set_piece")
-    if solid and (len(solid) > 1 or stage.inventory.class_of(solid[-1]) == "set_piece" or moved):
-        return solid[-1]
-    last = _it(stage)
-    if last != moved:
-        return last
-    pieces = [t for t in stage.discourse.recent_things if t != moved and stage.inventory.class_of(t) == "set_piece"]
-    return next(iter(pieces or solid[-1:]), last)
-
-
-def _placed_here(stage: Stage) -> str | None:
-    """``puts the hat on the table and lays a coin beside it``: beside the hat."""
-    last = stage.scene.relations[-1][1].asset_id if stage.scene.relations else None
-    here = {thing for _, thing in stage.sentence.things} | {it for _, it in stage.sentence.pronouns.values() if it}
-    return last if last in here and stage.inventory.class_of(last) == "prop" else None
+def _its(stage: Stage, noun: NounPhrase, subjects: Sequence[Person], previous: Sequence[Person]) -> Referents:
+    """Whose ``its lid`` is: the animal's that does something, else the thing's that is handled or does something."""
+    doing = stage.sentence.subject_thing
+    neuter = [person for person in (subjects or ([] if doing else previous)) if is_neuter(person)]
+    if not neuter and noun.head in lexicon.BODY:
+        neuter = sorted(_animals(stage, ()), key=lambda animal: -stage.discourse.last_named.get(animal.id, 0))
+    if neuter:
+        return Referents(neuter[:1])
+    thing = stage.sentence.object_thing or doing
+    return Referents([], thing or meant_by_it(stage, noun.possessor or noun.index, "subject"))
 
 
 def remember(stage: Stage, index: int, referents: Referents) -> Referents:
@@ -317,9 +300,7 @@ def resolve_owner(
         return
     known = stage.sentence.pronouns.get(noun.possessor)
     if word.low == "its" and known is None:
-        neuter = [person for person in [*subjects, *previous] if is_neuter(person)][:1]
-        last = stage.sentence.object_thing or stage.discourse.last_thing
-        known = remember(stage, noun.possessor, Referents(neuter) if neuter else Referents([], last))
+        known = remember(stage, noun.possessor, _its(stage, noun, subjects, previous))
     elif known is None and lexicon.PRONOUNS.get(word.low, "thing") != "thing":
         excluded = resolve_mention(stage, noun.mention) if noun.mention else []
         people = resolve_pronoun(stage, word.low, role, subjects, previous, excluded)

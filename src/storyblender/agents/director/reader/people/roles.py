@@ -16,6 +16,7 @@ from storyblender.agents.director.reader.people.coreference import (
     resolve_owner,
     resolve_pronoun,
 )
+from storyblender.agents.director.reader.people.things_meant import weigh_clause
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
 
@@ -75,6 +76,7 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
         previous: Subject of the clause or sentence before.
     """
     roles = Roles()
+    stage.sentence.object_thing = stage.sentence.subject_thing = None
     follows = not clause.subject or all(noun.kind == "pronoun" and noun.head == "" for noun in clause.subject)
     after = clause.recipient or clause.object or clause.complement
     if not clause.subject and after and clause.verb in _INVERTED and any(n.kind != "pronoun" for n in after):
@@ -87,6 +89,7 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
         found = _they_without_him(stage, clause, noun) or resolve(stage, noun, "subject", (), previous)
         roles.subjects += [person for person in found.people if person not in roles.subjects]
         roles.subject_things += [found.thing] if found.thing else []
+    stage.sentence.subject_thing = next(iter(roles.subject_things), None)
     if follows and clause.elided and not roles.subject_things and not clause.passive:
         roles.subjects = roles.subjects or list(previous)
     return roles
@@ -124,6 +127,8 @@ def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequen
         people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed, role)
         roles.places.append(Place(preposition, people, things, nouns))
     _resolve_all(stage, clause, clause.complement, roles.subjects, previous)
+    things_of_places = [thing for place in roles.places for thing in place.things]
+    weigh_clause(stage, roles.subject_things, roles.recipient_things + roles.things, things_of_places)
     if roles.people and clause.verb in _STRIKING and not clause.negated:
         stage.discourse.victim = (roles.people[0], stage.discourse.sentence)
 

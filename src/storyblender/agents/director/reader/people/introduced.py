@@ -1,0 +1,48 @@
+"""Pronouns of an introduction, which is no clause: ``TEO (33, a bag over his shoulder)``, ``WICKHAM, a bandage across
+his eyes``."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.words import Word, tokenize
+from storyblender.agents.director.reader.page.sentences import Sentence
+from storyblender.agents.director.reader.people.coreference import resolve_pronoun
+from storyblender.agents.director.reader.people.people_meant import fits, resolve_mention
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+_BRACKETS = re.compile(r"\(([^()]*)\)")
+_GENDERED: dict[str, Gender] = {"male": "male", "female": "female"}
+
+
+def note_introductions(stage: Stage, sentence: Sentence) -> None:
+    """Keep what the pronouns of a sentence mean that no clause has: they tell of whoever stands before them.
+
+    Args:
+        stage: The state after the clauses of the sentence.
+        sentence: The sentence as it is written, what is in brackets left out.
+    """
+    text = stage.reading.screenplay.text[sentence.start : sentence.end]
+    known = {at for at, _, _ in stage.reading.pronouns if at >= sentence.start}
+    words = [word for word in sentence.words if word.mention is None and word.start not in known]
+    for bracket in _BRACKETS.finditer(text):
+        words += tokenize(bracket.group(1), sentence.start + bracket.start(1))
+    for word in sorted(words, key=lambda word: word.start):
+        gender = _GENDERED.get(lexicon.PRONOUNS.get(word.low, ""))
+        people = _told_of(stage, sentence, word, gender) if gender else []
+        if people:
+            stage.record(word.start, word.text, [person.id for person in people])
+
+
+def _told_of(stage: Stage, sentence: Sentence, word: Word, gender: Gender) -> list[Person]:
+    """Who was named last before a pronoun, if it can be they; else whoever it means in a clause."""
+    named = [each.mention for each in sentence.words if each.mention and each.start < word.start]
+    people = resolve_mention(stage, named[-1]) if named else []
+    if len(people) == 1 and fits(people[0], gender):
+        if people[0].gender == "unknown":
+            people[0].gender = gender
+        return people
+    return resolve_pronoun(stage, word.low, "possessor", (), stage.discourse.subjects, people)

@@ -1,0 +1,100 @@
+"""Which thing ``it`` and ``its`` mean: weighed like people, by what was done with each and how long ago."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Literal
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+
+Use = Literal["subject", "object", "place"]
+
+_HANDLED, _SUBJECT, ASIDE, _PLACE, SEEN = 1.0, 0.8, 0.6, 0.45, 0.3
+"""What a clause adds to the weight of its object, its subject, a thing beside it, its places, and of any noun."""
+_MOST = 1.3
+"""The weight of a thing that a story dwells on."""
+_FADING = 0.8
+"""What weight keeps from one clause to the next; a new sentence takes more."""
+_KINDS = {"prop": 0.1, "worn": 0.0, "set_piece": 0.0, "unknown": -0.2, "scenery": -0.4, "body": -0.3}
+_SUITS, _UNFIT = 0.5, 0.6
+"""What a thing gains that its verb asks for (a door is opened), and what loses that cannot be taken in the hand."""
+_IN_HAND = 0.4
+_LOSING = frozenset({"put_down", "give", "throw", "drop"})
+_ASIDE = frozenset({"beside", "to", "of", "behind", "by", "near"})
+_ANIMAL = 0.8
+_AT = 0.3
+"""What furniture gains after a preposition of place."""
+
+
+def weigh(stage: Stage, things: Iterable[str], weight: float) -> None:
+    """Something is told of things: ``it`` may mean them from now on."""
+    weights = stage.discourse.things
+    for thing in things:
+        if thing not in stage.sentence.plurals:
+            weights[thing] = min(weights.get(thing, 0.0) + weight, _MOST)
+
+
+def weigh_clause(stage: Stage, subjects: Sequence[str], objects: Sequence[str], places: Sequence[str]) -> None:
+    """A clause is told: what did something, what something was done to, where; what was told before fades."""
+    weights = stage.discourse.things
+    for thing in weights:
+        weights[thing] *= _FADING
+    weigh(stage, subjects, _SUBJECT)
+    weigh(stage, objects, _HANDLED)
+    weigh(stage, places, _PLACE)
+
+
+def meant_by_it(stage: Stage, index: int, use: Use, animals: Sequence[Person] = ()) -> str | None:
+    """The thing that ``it`` at a position means.
+
+    Args:
+        stage: The state before the clause is told.
+        index: Position of the pronoun in the sentence.
+        use: Its part in the clause; ``place`` after a preposition of place.
+        animals: Who may be called so.
+
+    Returns:
+        The id of a thing or of one of the animals.
+    """
+    if use == "place" and (placed := _placed_here(stage, index)):
+        return placed
+    weights = dict(stage.discourse.things)
+    before = [(at, thing) for at, thing in stage.sentence.things if at < index]
+    for at, thing in before:
+        weights[thing] = weights.get(thing, 0.0) + SEEN + 0.01 * at
+    arguments = {stage.sentence.object_thing, stage.sentence.subject_thing}
+    if use == "place" and len(before) > 1 and before[-1][0] == index - 2:
+        arguments = {before[-1][1], stage.sentence.object_thing}  # a table with a lamp on it
+    weights |= {animal.id: _ANIMAL * stage.discourse.salience.get(animal.id, 0.0) for animal in animals}
+    pool = [thing for thing in weights if thing not in arguments and _can_be_it(stage, thing)]
+    return max(pool, key=lambda thing: weights[thing] + _fitness(stage, thing, use)) if pool else None
+
+
+def _fitness(stage: Stage, thing: str, use: Use) -> float:
+    """How well a thing goes with what is said of it."""
+    kind, verb = stage.inventory.class_of(thing), stage.sentence.verb
+    motion = lexicon.MOTION_OF_VERB.get(verb)
+    fitness = _KINDS.get(kind, 0.0) + _SUITS * (stage.inventory.head(thing) in lexicon.SUITING.get(verb, ()))
+    fixed = kind in ("set_piece", "scenery")
+    if use == "place":
+        return fitness + _AT * (kind == "set_piece")
+    if use == "object" and motion in lexicon.GRIPPING:
+        held = any(thing in things for things in stage.scene.held.values())
+        return fitness - _UNFIT * fixed + _IN_HAND * held * ((motion in _LOSING) - (motion == "pick_up"))
+    return fitness
+
+
+def _placed_here(stage: Stage, index: int) -> str | None:
+    """``puts the hat on the table and lays a coin beside it``: beside the hat."""
+    last = stage.scene.relations[-1][1].asset_id if stage.scene.relations else None
+    here = {thing for _, thing in stage.sentence.things} | {it for _, it in stage.sentence.pronouns.values() if it}
+    beside = stage.sentence.words[index - 1].low in _ASIDE and last in here and last != stage.sentence.object_thing
+    return last if beside and stage.inventory.class_of(last) == "prop" else None
+
+
+def _can_be_it(stage: Stage, thing: str) -> bool:
+    head = stage.inventory.head(thing)
+    weather = head in lexicon.WEATHER_NOUNS | lexicon.WEATHER_WORDS.keys()
+    return stage.inventory.class_of(thing) != "abstract" and not weather and head not in lexicon.PLURAL_ONLY
