@@ -79,6 +79,14 @@ from storyblender.memory.scene_context import SceneSetup
         ("FOOTBALL STADIUM", "outdoor", "stadium"),
         ("HOTEL BALCONY", "outdoor", "balcony"),
         ("TRENCH", "outdoor", "trench"),
+        ("AUBRY VINEYARD", "outdoor", "vineyard"),
+        ("FARMHOUSE, DINING ROOM", "indoor", "dining_room"),
+        ("TOY WORKSHOP", "indoor", "workshop"),
+        ("DUGGAN'S GARAGE", "indoor", "workshop"),
+        ("DUGGAN'S GARAGE", "outdoor", "street"),
+        ("OLD BARN", "indoor", "barn"),
+        ("OLD BARN", "outdoor", "open_ground"),
+        ("FREIGHTER MERIDIAN, BRIDGE", "indoor", "control_room"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:
@@ -116,6 +124,7 @@ def test_no_word_means_two_kits_alike() -> None:
         (("bed", "letter", "wardrobe"), "bedroom"),
         (("ana", "pews", "candle"), "church"),
         (("judge_okoro", "gavel"), "courtroom"),
+        (("bed", "armchair", "bar"), "bedroom"),
         (("microscope", "flasks"), "laboratory"),
         (("letter", "table"), "room"),
     ],

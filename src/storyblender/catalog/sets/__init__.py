@@ -15,6 +15,7 @@ from storyblender.catalog.sets import (
     attic,
     balcony,
     bar,
+    barn,
     basement,
     bathroom,
     beach,
@@ -34,6 +35,7 @@ from storyblender.catalog.sets import (
     cottage,
     courtroom,
     desert,
+    dining_room,
     dock,
     elevator,
     forest,
@@ -76,8 +78,10 @@ from storyblender.catalog.sets import (
     tent,
     theatre,
     trench,
+    vineyard,
     waiting_room,
     warehouse,
+    workshop,
 )
 from storyblender.catalog.sets.drawing import Period, SetParams
 from storyblender.catalog.sets.kit import SetKit, Span
@@ -91,13 +95,13 @@ SETS: Catalog[SetKit] = Catalog(
     tuple(
         module.KIT
         for module in (
-            plain_room, living_room, bedroom, motel_room, nursery, tatami_room, kitchen, restaurant_kitchen, bathroom,
-            cafe, bar, office, police_station, corridor, stairwell, hospital_ward, classroom, laboratory, library,
-            cell, interrogation, shop, supermarket, basement,
-            lobby, waiting_room, theatre, church, great_hall, courtroom, cottage, attic, lighthouse, tent, cave,
-            warehouse, gym, locker_room, control_room, elevator, gallery, greenhouse, subway, carriage, coach, car,
-            open_ground, street, alley, square, park, porch, cemetery, pool, stadium, forest, beach, dock, airfield,
-            rooftop, balcony, bridge, platform, trench, desert, mountain, ship_deck, space_hull,
+            plain_room, living_room, bedroom, motel_room, nursery, tatami_room, kitchen, dining_room,
+            restaurant_kitchen, bathroom, cafe, bar, office, police_station, corridor, stairwell, hospital_ward,
+            classroom, laboratory, library, cell, interrogation, shop, supermarket, basement, lobby, waiting_room,
+            theatre, church, great_hall, courtroom, cottage, attic, lighthouse, tent, cave, warehouse, workshop, barn,
+            gym, locker_room, control_room, elevator, gallery, greenhouse, subway, carriage, coach, car,
+            open_ground, vineyard, street, alley, square, park, porch, cemetery, pool, stadium, forest, beach, dock,
+            airfield, rooftop, balcony, bridge, platform, trench, desert, mountain, ship_deck, space_hull,
         )
     ),
 )  # fmt: skip

@@ -9,7 +9,7 @@ _ENOUGH = 3
 """Points that things must give before they overrule the plain fallback."""
 
 _TELLING: dict[str, str] = {
-    "bar": "bar=3 bartender=3 barman=3 barmaid=3 beer=2 whisky=2 whiskey=2 jukebox=2 stool=2 counter=2 piano=1 "
+    "bar": "bar=1 bartender=3 barman=3 barmaid=3 beer=2 whisky=2 whiskey=2 jukebox=2 stool=2 counter=2 piano=1 "
     "bottle=1 glass=1 dartboard=2 tap=1 tip=1 dancer=1 pint=2 saloon=3",
     "cafe": "waiter=3 waitress=3 menu=2 coffee=2 counter=1 espresso=3 cup=1 table=1 pastry=2 cake=1 barista=3 "
     "cutlery=1 customer=1",

@@ -58,7 +58,6 @@ KIT = SetKit(
         "driveway",
         "courtyard",
         "estate",
-        "vineyard",
         "schoolyard",
     ),
     indoor=False,

@@ -64,6 +64,9 @@ _OUTSIDE_OF = {
     "library": "street",
     "cell": "street",
     "warehouse": "dock",
+    "dining_room": "park",
+    "workshop": "street",
+    "barn": "open_ground",
     "carriage": "street",
     "room": "street",
     "classroom": "park",
@@ -93,13 +96,14 @@ _INSIDE_OF = {
     "dock": "warehouse",
     "airfield": "lobby",
     "rooftop": "room",
-    "bridge": "carriage",
+    "bridge": "control_room",
     "desert": "cottage",
     "mountain": "cave",
     "ship_deck": "carriage",
     "space_hull": "control_room",
     "platform": "subway",
     "open_ground": "cottage",
+    "vineyard": "barn",
 }
 """INT. of an outdoor place: the room such a place has."""
 

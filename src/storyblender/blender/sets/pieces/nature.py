@@ -65,6 +65,27 @@ def bush(builder: MeshBuilder, spec: PieceSpec) -> None:
     plants.bush(builder, leaf, (1.6, 1.6, 1.0), spec.rng)
 
 
+@piece("vine_row", Surface.FOLIAGE)
+def vine_row(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a row of vines along x: posts, wires, a trunk and leaves each metre. Parameters: length, variant."""
+    length, wood, rng = spec.number("length", 6), finish("wood_gray"), spec.rng
+    leaf = finish(("leaf", "hedge", "leaf_yellow")[int(spec.number("variant", 0)) % 3])
+    for x in (-length / 2, 0.0, length / 2):
+        builder.cylinder(wood, (x, 0, -0.2), (x, 0, 1.65), 0.04, segments=8)
+    for z in (0.75, 1.35):
+        builder.cylinder(finish("iron"), (-length / 2, 0, z), (length / 2, 0, z), 0.004, segments=4)
+    count = round(length / 1.0)
+    for index in range(count):
+        x = (index + 0.5) * length / count - length / 2
+        sway = rng.uniform(-0.07, 0.07, 2)
+        builder.tube(
+            finish("bark_dark"), [(x, 0, -0.1), (x + sway[0], sway[1], 0.4), (x, 0, 0.8)], [0.035, 0.028, 0.02],
+            segments=6,
+        )  # fmt: skip
+        with builder.at((x, 0, 0.55)):
+            plants.bush(builder, leaf, (1.25, 0.6, rng.uniform(0.95, 1.15)), rng)
+
+
 @piece("dry_bush", Surface.NO_INK)
 def dry_bush(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a bare thorny bush. Parameters: variant."""
