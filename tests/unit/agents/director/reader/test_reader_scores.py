@@ -13,7 +13,7 @@ from score import MEASURES, Count, score_file  # noqa: E402
 GOLD = ROOT / "tests" / "data" / "director"
 FLOORS = {
     "t?_*.gold": {
-        "cast": 0.98, "scene": 0.98, "on-stage": 0.98, "objects": 0.92, "props": 0.94, "action": 0.96,
+        "cast": 0.98, "scene": 0.98, "on-stage": 0.98, "objects": 0.92, "props": 0.94, "action": 0.95,
         "action+target": 0.94, "relation": 0.92, "pronoun": 0.93,
     },
     "prose*.gold": {

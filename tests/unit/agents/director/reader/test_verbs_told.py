@@ -49,6 +49,11 @@ def test_what_only_looks_like_a_deed_is_none(read_scene: Read, action: str, deed
         ("Bob lifts the vase as if it were asleep, carries it to the door.", {("bob", "pick_up"), ("bob", "carry")}),
         ("A map hangs there, and between the map and the stove Bob sleeps.", {("bob", "sleep")}),
         ("Bob straightens his tie.", {("bob", "touch")}),
+        ("Bob walks in with a lantern.", {("bob", "walk"), ("bob", "carry")}),
+        ("Bob stands there with a cup in his hand.", {("bob", "stand"), ("bob", "hold")}),
+        ("Bob climbs down, a bag slung across his back.", {("bob", "climb"), ("bob", "carry")}),
+        ("Bob gets down on his hands and knees.", {("bob", "kneel")}),
+        ("Bob runs after it, gives up and turns.", {("bob", "run"), ("bob", "turn")}),
         ("BOB in the doorway.", {("bob", "stand")}),
     ],
 )

@@ -33,9 +33,7 @@ _RAISING = frozenset({"pull", "haul", "drag", "heave", "yank", "hoist", "lift", 
 """``pulls Edna to her feet``: she gets up."""
 _BORNE = frozenset({"on", "in", "over", "under", "across"})
 """``walks with Milo on her shoulders``: he does not walk."""
-_PORTIONS = frozenset(
-    {"bite", "sip", "swig", "gulp", "drag", "puff", "mouthful", "swallow", "stack", "go", "hold", "mouthful"}
-)
+_PORTIONS = frozenset({"bite", "sip", "swig", "gulp", "drag", "puff", "mouthful", "swallow", "stack", "go", "hold"})
 """``takes a bite of it``, ``lets go of the rope``."""
 _SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
 _METRES = {

@@ -23,14 +23,16 @@ _UPRIGHT = frozenset(
     {"stand_up", "stand", "walk", "run", "jump", "climb", "dance", "stagger", "sneak", "fight", "swim"}
 )
 _TAKING = frozenset({"pick_up", "take", "hold", "carry", "catch"})
+_TRAVEL = frozenset({"walk", "run", "climb", "sneak", "stagger", "crawl", "ride"})
+_POSES = frozenset({"stand", "sit", "lean", "kneel", "crouch", "lie_down"})
 _LOSING = frozenset({"put_down", "drop", "throw"})
 _NOT_HELD = frozenset({"abstract", "body", "set_piece", "scenery"})
 _NEAR = frozenset({"beside", "by", "near", "next to", "before", "in front of", "behind"})
 """``sits beside the bed``: not on it."""
 _SUPPORTED = frozenset({"sit", "lie_down", "sleep", "lean", "kneel"})
 _FILLED = frozenset({
-    "begin", "cover", "crowd", "deal", "decorate", "end", "fill", "fuss", "help", "lay", "line", "load", "pack", "play",
-    "set", "stack", "start", "struggle", "wrestle",
+    "begin", "cover", "crowd", "deal", "decorate", "end", "fill", "fuss", "help", "lay", "let", "line", "load", "pack",
+    "play", "set", "stack", "start", "struggle", "wrestle",
 })  # fmt: skip
 """What these are done with is not in the doer's hand."""
 _NOT_WITH = frozenset({"look", "think", "read", "listen"})
@@ -40,16 +42,19 @@ _HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
 _AROUND = frozenset({"around", "round", "about"})
 _REACH = 6
 """Words from hands to what they are around."""
+_WORN_ON = frozenset({"shoulder", "back", "lap"})
+"""``stands there with a pack on his back``: not in the hand."""
 _LONG = frozenset({"ladder", "stretcher", "plank"})
 """Furniture that people carry past."""
 _WHOSE = r"(?:(?:his|her|their|its|each|one|the other|both|either) )?"
 _GRIPPED = (
-    r"(?:gripped|clutched|clasped|clamped|held|clenched|tucked|cradled|hugged)(?: tight| tightly)?"
-    r" (?:in|under|between|against|to)"
+    r"(?:gripped|clutched|clasped|clamped|held|clenched|tucked|cradled|hugged|slung)(?: tight| tightly)?"
+    r" (?:in|under|between|against|to|across|over)"
 )
 _READY = re.compile(
     rf"\b([a-z-]+) (drawn|raised|ready|at the ready|in {_WHOSE}hands?"
-    rf"|{_GRIPPED} {_WHOSE}(?:arms?|hands?|fists?|teeth|elbow|fingers|chest)|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
+    rf"|{_GRIPPED} {_WHOSE}(?:arms?|hands?|fists?|teeth|elbow|fingers|chest|back|shoulders?)"
+    rf"|under {_WHOSE}arms?|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
 )
 _HAVING = re.compile(r"\b(?:has|had|have)(?: [a-z]+){0,3} $")
 """``He has a mug in one hand``: no deed."""
@@ -81,6 +86,17 @@ def _bring(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) ->
             for thing in place.things:
                 if stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in _LONG:
                     hold(stage, deeds[0].actor, thing)
+                    worn = after is not None and bool(heads & _WORN_ON)
+                    if told & _TRAVEL or (told & _POSES and not worn):
+                        _bear(stage, deeds[0].actor, thing, clause.at)
+
+
+def _bear(stage: Stage, person: str, thing: str, at: int, between_teeth: bool = False) -> None:
+    """What somebody has in hand is carried by who goes, held by who stays."""
+    own = [deed for deed in stage.unit.deeds if deed.actor == person]
+    if not any(deed.motion in ("hold", "carry") and deed.prop == thing for deed in own):
+        motion = "carry" if not between_teeth and any(deed.motion in _TRAVEL for deed in own) else "hold"
+        stage.unit.deeds.append(Deed(person, motion, thing, thing, at, "hold"))
 
 
 def _support(stage: Stage, deed: Deed, roles: Roles) -> str | None:
@@ -162,8 +178,6 @@ def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
         thing = stage.inventory.id_of(noun, at)
         stage.inventory.seen(thing, "handled")
         hold(stage, people[0].id, thing)
-        own = [deed for deed in stage.unit.deeds if deed.actor == people[0].id]
-        known = any(deed.motion == "hold" or (deed.motion == "carry" and deed.prop == thing) for deed in own)
         has = _HAVING.search(text[: match.start()]) is not None
-        if " " in match.group(2) and "ready" not in match.group(2) and not known and not has:
-            stage.unit.deeds.append(Deed(people[0].id, "hold", thing, thing, at, "hold"))
+        if " " in match.group(2) and "ready" not in match.group(2) and not has:
+            _bear(stage, people[0].id, thing, at, between_teeth="teeth" in match.group(2))

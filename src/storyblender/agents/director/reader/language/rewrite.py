@@ -99,7 +99,7 @@ def _without_pairs(words: list[Word]) -> list[Word]:
     dropped: set[int] = set()
     dropped |= {i + at for i in range(len(low) - 1) if low[i : i + 2] == ["upside", "down"] for at in (0, 1)}
     for i in range(len(low) - 2):
-        if low[i : i + 3] == ["hands", "and", "knees"]:
+        if low[i : i + 3] == ["hands", "and", "knees"] and {"down", "to"} & set(low[max(0, i - 3) : i]):
             dropped |= {i, i + 1}
         to_and_fro = low[i + 1] == "and" and (low[i], low[i + 2]) in _TO_AND_FRO
         if to_and_fro or (low[i] == low[i + 2] in _SIDE_BY_SIDE and low[i + 1] in ("to", "by", "in")):
