@@ -189,14 +189,33 @@ class CueSheet:
         return t
 
     def cut_to(self, person: Person, goal: Vec2, yaw: float | None, t: float) -> float:
-        """Nobody can walk there: be there from the start of the shot, if the person has not been seen to move."""
+        """Nobody can walk there: be there from the start of the shot, if the person has not left their place in it."""
         if not person.acted:
             self.start_at(person, goal, person.yaw if yaw is None else yaw)
             self.cheats.append(f"{person.asset_id} is there when the shot begins: there is no way to walk")
+        elif self._has_stayed(person):
+            start = self.starts[person.asset_id]
+            place = (round(goal[0], 3), round(goal[1], 3), 0.0)
+            self.starts[person.asset_id] = start.model_copy(update={"location": place})
+            for index, cue in enumerate(self.cues):
+                if cue.mark is not None and cue.mark.asset_id == person.asset_id:
+                    self.cues[index] = cue.model_copy(update={"mark": cue.mark.model_copy(update={"location": place})})
+            person.place = goal
+            self.cheats.append(f"{person.asset_id} is there when the shot begins: there is no way to walk")
+            return self.face(person, yaw, t)
         else:
             self.company.jumps[person.asset_id] = (goal, person.yaw if yaw is None else yaw)
             self.cheats.append(f"{person.asset_id} is there when the next shot begins: there is no way to walk")
         return t
+
+    def _has_stayed(self, person: Person) -> bool:
+        """Tell whether all that a person has done in this shot was done standing where they stood when it began."""
+        start = self.starts[person.asset_id]
+        own = [cue for cue in self.cues if cue.asset_id == person.asset_id]
+        marks = [cue.mark for cue in own if cue.mark is not None]
+        on_the_spot = all(mark.asset_id == person.asset_id and mark.location == start.location for mark in marks)
+        handled = any(MOTIONS[cue.clip].hands and cue.prop_id for cue in own)
+        return start.posture == "stand" and on_the_spot and not handled
 
     def start_at(self, person: Person, place: Vec2, yaw: float) -> None:
         """Move the start mark: the person begins the shot there."""

@@ -33,10 +33,11 @@ BEFORE, TO_THE_SIDE, AT_TABLE = 0.27, 0.18, 1.3
 comes that near."""
 INWARD, HIPS = 0.2, 0.18
 """Metres: how far behind the edge of a seat a thing is put on it, and half of who sits there."""
-FROM_SEAT = 0.9
-"""Metres within which who sits puts something down."""
-BAG, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.06, 0.34, 0.6
-"""Metres: a bag is longer, a ring smaller; how far beside one a bag is put down, and how far from others."""
+FROM_SEAT, AT_MOST, AHEAD = 0.9, 1.0, 0.42
+"""Metres within which who sits puts something down, and who stands; how far ahead of one's feet a thing is put on the
+floor."""
+BAG, BULK, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.2, 0.06, 0.34, 0.6
+"""Metres: a bag is longer, and a case thicker, a ring smaller; how far beside one a bag is put down, and how far from others."""
 ASIDE = math.radians(60)
 """What is farther aside than this is turned to before it is handled."""
 
@@ -98,8 +99,12 @@ class Handling:
 
     def _hands_freed(self, person: Person, prop: str, t: float) -> float:
         """Put a bag on the floor beside one before both hands do something; return the end."""
-        sizes = {held: self.company.size_of(held) for held in person.held.values() if held != prop}
-        return self.put_aside(person, [held for held, size in sizes.items() if size is not None and size[2] >= BAG], t)
+        return self.put_aside(person, [held for held in person.held.values() if held != prop and self._is_bag(held)], t)
+
+    def _is_bag(self, prop: str, bulk: float = 0.0) -> bool:
+        """Tell whether a thing is as long as a bag, and as thick: what is bulky stands on the floor, not on a table."""
+        size = self.company.size_of(prop)
+        return size is not None and size[2] >= BAG and size[0] >= bulk
 
     def put_aside(self, person: Person, props: Sequence[str], t: float) -> float:
         """Put what is in somebody's hands on the floor beside them, if they stand; return the end.
@@ -236,18 +241,21 @@ class Handling:
             landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
             self.company.lay(person, prop, (*landing, 0.0))
             return t, None
+        spot: Vec3 | None = None
         if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
-            thing = self.company.floor.nearest_top(person.place, 2.5 if person.upright else FROM_SEAT)
-        if thing is None:
-            x, y = person.place
-            spot: Vec3 = (x + 0.42 * person.k * math.sin(person.yaw), y - 0.42 * person.k * math.cos(person.yaw), 0.0)
-        else:
+            near = 0.0 if self._is_bag(prop, BULK) else 2.5 if person.upright else FROM_SEAT
+            thing = self.company.floor.nearest_top(person.place, near)
+        if thing is not None:
             spot = self._spot_on(thing, person, prop)
             if person.upright and math.dist(spot[:2], person.place) > REACH:
                 stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
                 if stand is not None:
                     t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
                     spot = self._spot_on(thing, person, prop)
+        if spot is None or (person.upright and math.dist(spot[:2], person.place) > AT_MOST):
+            x, y = person.place
+            ahead = AHEAD * person.k
+            spot = (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw), 0.0)
         t = self.turn_to(person, spot, t)
         self.company.lay(person, prop, spot)
         return t, _mark_of(person, prop, spot)

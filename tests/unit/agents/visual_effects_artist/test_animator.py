@@ -614,3 +614,34 @@ def test_the_last_act_of_a_full_shot_is_in_it() -> None:
     (shot,) = _stage(_shot(1, *walks, _do("ilsa", "hug", target_id="rick"), seconds=1))
     hug = next(cue for cue in shot.cues if cue.clip == "hug")
     assert hug.start + 24 < shot.duration
+
+
+def test_a_sack_is_put_on_the_floor_where_nothing_else_is_said() -> None:
+    sack = _thing("sack", (0.45, 0.4, 0.6))
+    states = (BodyState(asset_id="rick", held=("sack", "cup")),)
+    downs = (_do("rick", "put_down", prop_id="sack"), _do("rick", "put_down", prop_id="cup"))
+    layout = LAYOUT.model_copy(update={"objects": (_at("table", -1, 0.0), *LAYOUT.objects[1:])})
+    view = _view(_shot(1, *downs, states=states, seconds=9), _shot(2))
+    _, after = AnimatorRules().propose(view.model_copy(update={"assets": (sack, *ASSETS), "layout": layout})).shots
+    heights = {state.asset_id: state.location[2] for state in after.prop_states if state.location}
+    assert heights == {"sack": 0.0, "cup": 0.75}
+
+
+def test_nothing_is_put_on_a_table_that_nobody_comes_to() -> None:
+    """A table behind a wall of chests is near, and out of reach."""
+    wall = _thing("wall", (8.0, 0.3, 1.2))
+    layout = LAYOUT.model_copy(update={"objects": (_at("table", 0, 1.0), _at("wall", 0, 0.2), *LAYOUT.objects[4:])})
+    states = (BodyState(asset_id="rick", held=("letter",)),)
+    view = _view(_shot(1, _do("rick", "put_down", prop_id="letter"), states=states), _shot(2))
+    _, after = AnimatorRules().propose(view.model_copy(update={"assets": (wall, *ASSETS), "layout": layout})).shots
+    assert [state.location[2] for state in after.prop_states if state.location] == [0.0]
+
+
+def test_who_has_only_turned_where_they_stand_is_elsewhere_from_the_start_rather_than_acting_far_off(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(floor_module.Floor, "path", lambda *_: None)
+    acts = (_do("rick", "look", target_id="ilsa"), _do("rick", "touch", target_id="ilsa"))
+    (shot,) = _stage(_shot(1, _do("rick", "wave"), *acts))
+    assert math.dist(_start(shot, "rick").location, _start(shot, "ilsa").location) < 0.8
+    assert _start(shot, "rick").location == _end(shot, "rick").location
