@@ -92,6 +92,17 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Joe stops the tractor and drops his hat on the seat.", ("hat", "on", "tractor")),
         ("A plate of bacon in front of Joe.", ("plate", "in_front_of", "joe")),
         ("In the wall behind the desk is a safe.", ("safe", "in", "wall")),
+        ("Joe jumps onto Kate's shoulders.", ("joe", "on", "kate")),
+        ("Joe rides on Kate's back.", ("joe", "on", "kate")),
+        ("Joe stops two steps in front of Kate.", ("joe", "in_front_of", "kate")),
+        ("Joe pulls up a chair and sits down.", ("joe", "on", "chair")),
+        ("Joe walks up to the throne, straightens his coat and sits.", ("joe", "on", "throne")),
+        ("Joe sits at a table under a lamp.", ("table", "under", "lamp")),
+        ("A camera stands on a table at the window.", ("table", "at", "window")),
+        ("There is a table. Kate sits at the head.", ("kate", "at", "table")),
+        ("Joe crouches in the boat. Kate stands on the deck.", ("kate", "on", "boat")),
+        ("Kate enters, Joe behind her.", ("joe", "behind", "kate")),
+        ("Joe sets two glasses between them.", ("glasses", "between", "joe")),
     ],
 )
 def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[str, str, str]) -> None:
@@ -116,6 +127,9 @@ def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[
         ("Joe bangs his stick on the floor.", "stick"),
         ("Joe throws the ball over his shoulder.", "ball"),
         ("Joe puts the key in his pocket.", "key"),
+        ("Joe presses the button on the panel.", "button"),
+        ("Joe presses a needle against Kate's arm.", "needle"),
+        ("Joe leans close to the screen.", "joe"),
         ("Joe pours water into the cup.", "water"),
         ("Joe crawls to the locker on his elbows.", "locker"),
         ("Joe reads a message on his phone.", "joe"),
@@ -144,3 +158,9 @@ def test_a_place_belongs_to_one_of_them(read_scene: Read, action: str, wrong: tu
 def test_what_somebody_has_with_them_has_a_place_of_its_own(read_scene: Read) -> None:
     told = [(r.asset_id, r.kind) for _, r in read_scene(PEOPLE + "Kate sits with her feet on the desk.").relations]
     assert ("kate", "on") not in told
+
+
+def test_several_come_behind_somebody(read_scene: Read) -> None:
+    reading = read_scene(PEOPLE + "BOB (20, a man) nods. Kate enters, Joe and Bob behind her.")
+    told = {(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations}
+    assert told == {("joe", "behind", "kate"), ("bob", "behind", "kate")}

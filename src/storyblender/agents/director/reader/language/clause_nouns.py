@@ -54,7 +54,8 @@ def take_noun(builder: ClauseBuilder, index: int, noun: NounPhrase) -> None:
         return
     if clause is None:
         return
-    if noun.kind == "person" and left and left.text == "," and has_own_place(builder.phrases, index):
+    opens = index - 2 if index > 2 and left and left.text == "and" and builder.phrases[index - 2].noun else index
+    if noun.kind == "person" and builder.phrases[opens - 1].text == "," and has_own_place(builder.phrases, index):
         builder.aside = True
         return
     told = [preposition for preposition, _ in clause.places if preposition != "of"]
@@ -85,6 +86,8 @@ def _open_place(clause: Clause, noun: NounPhrase) -> list[NounPhrase] | None:
     """The nouns of a place that goes on after ``and``: ``between a jar of pickles and a clock``."""
     if not clause.places:
         return None
+    if clause.asides and clause.asides[-1].index > clause.places[-1][1][-1].index:
+        return None  # crouches on the deck, a tin in one hand and a fork in the other
     (before, one), (preposition, nouns) = clause.places[-2:] if len(clause.places) > 1 else [("", []), *clause.places]
     same = nouns[-1].kind == noun.kind and noun.determiner not in ("a", "an")  # a jar of brushes and a lamp
     if nouns[-1].head in lexicon.BODY | {"left", "right"} and (noun.kind == "person" or noun.determiner in ("a", "an")):

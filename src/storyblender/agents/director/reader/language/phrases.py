@@ -47,6 +47,9 @@ _FITTING = frozenset({"open", "shut", "opposite", "near", "inside", "outside"})
 """``an open coffin``, ``the opposite wall``: no prepositions after an article."""
 _FACES_OF_THINGS = frozenset({"face", "crown", "belly", "bottom", "nose", "wheels", "spine", "rim", "mouth"})
 """``lays the book face down``: how it lies, no face."""
+_UNITS = frozenset(
+    {"step", "steps", "pace", "paces", "metre", "metres", "meter", "meters", "yard", "yards", "feet", "inches"}
+)
 _NOBODY = frozenset({"we", "i", "you"})
 """``We see``: the audience."""
 _INDEFINITE = frozenset(
@@ -151,7 +154,8 @@ def _small_word(words: list[Word], at: int) -> Phrase | None:
     compound = _compound_preposition(words, at)
     if compound:
         return Phrase("preposition", at, at + len(compound) - 1, " ".join(compound))
-    if word.low in lexicon.PREPOSITIONS or word.low in lexicon.PARTICLES:
+    owned = at > 0 and words[at - 1].low == "'s" and word.low not in lexicon.PREPOSITIONS  # on Jim's back
+    if (word.low in lexicon.PREPOSITIONS or word.low in lexicon.PARTICLES) and not owned:
         return Phrase("preposition", at, at, word.low)
     if word.low in _LINKS:
         return Phrase("link", at, at, word.low)
@@ -191,6 +195,8 @@ def _skipped(words: list[Word], at: int) -> bool:
     left = words[at - 1] if at else None
     if (word.low == "guard" and left and left.verb and left.verb.lemma in ("stand", "keep")) or _is_bolt(words, at):
         return True
+    if _is_distance(words, at) or (at and _is_distance(words, at - 1)):
+        return True
     if _tells_how_it_lies(words, at) or (at and _tells_how_it_lies(words, at - 1)):
         return True
     if word.low in ("each", "one") and right in ("other", "another"):
@@ -198,6 +204,13 @@ def _skipped(words: list[Word], at: int) -> bool:
     if word.low in ("other", "another") and at and words[at - 1].low in ("each", "one"):
         return True
     return word.low.endswith("ly") or word.low in lexicon.ADVERBS
+
+
+def _is_distance(words: list[Word], at: int) -> bool:
+    """``stops two steps in front of him``."""
+    unit = words[at + 1].low if at + 2 < len(words) else ""
+    counted = words[at].low in lexicon.NUMBERS and unit in _UNITS
+    return counted and (words[at + 2].low in lexicon.PREPOSITIONS or bool(_compound_preposition(words, at + 2)))
 
 
 def _is_bolt(words: list[Word], at: int) -> bool:

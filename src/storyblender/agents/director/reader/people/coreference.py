@@ -186,15 +186,22 @@ def resolve(
 def _whole(stage: Stage, noun: NounPhrase) -> str | None:
     """What a part belongs to: ``on the edge``, ``strapped to the roof``, ``on the seat``, ``on its lid``."""
     if noun.possessor is not None:
-        return stage.sentence.pronouns.get(noun.possessor, ([], None))[1] if noun.head in _PARTS else None
+        return (
+            stage.sentence.pronouns.get(noun.possessor, ([], None))[1] if noun.head in _PARTS | _OF_VEHICLES else None
+        )
     lately = [thing for thing in stage.discourse.recent_things if stage.inventory.head(thing) != noun.head]
     wholes: list[str] = []
     if noun.determiner == "the" and noun.head in _SIDES:
         wholes = [thing for thing in lately if stage.inventory.class_of(thing) == "set_piece"]
     elif noun.determiner == "the" and noun.head in _OF_SEATS:
         wholes = [thing for thing in lately if stage.inventory.head(thing) in _CHAIRS | lexicon.VEHICLES]
+    elif noun.determiner == "the" and noun.head == "head":
+        wholes = [thing for thing in lately if stage.inventory.head(thing) in ("table", "desk")]
     elif noun.determiner == "the" and noun.head in _OF_VEHICLES:
-        wholes = [thing for thing in lately if stage.inventory.head(thing) in lexicon.VEHICLES]
+        here = [
+            thing for unit in reversed(stage.reading.units) if unit.scene == stage.unit.scene for thing in unit.things
+        ]
+        wholes = [thing for thing in [*lately, *here] if stage.inventory.head(thing) in lexicon.VEHICLES]
     return next(iter(wholes), None)
 
 

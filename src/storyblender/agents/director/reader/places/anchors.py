@@ -95,5 +95,9 @@ _HEELS = frozenset({"heel", "back"})
 _SMALL = frozenset({"ear", "hair", "lip", "tooth", "belt", "waistband", "mouth", "collar", "lap", "arm"})
 """What is behind or in them is on somebody."""
 _ONTO_SOMEBODY = frozenset({"on", "onto", "to", "around", "round", "about", "over", "across"})
+FITTINGS = frozenset({"button", "switch", "knob", "handle", "lever", "dial"})
+"""Parts of what they are on."""
+BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
+"""``sets the child on her lap``."""
 _STICKS = frozenset({"stick", "cane", "crutch", "staff", "umbrella", "leash", "lead", "chain", "string"})
 _LEADS = frozenset({"leash", "lead", "chain", "string"})

@@ -14,6 +14,7 @@ from storyblender.agents.director.reader.places.anchors import (
     BODY_OR_DRESS,
     CLOTHS,
     CONTAINERS,
+    FITTINGS,
     OPENINGS,
     SURFACES,
     exact_kind,
@@ -143,7 +144,9 @@ def _relate(
         if first.head in _GRIPS and preposition in ("in", "under"):
             return
         on_body = first.head in lexicon.BODY and left is not None and (left.text == "," or left.kind == "verb")
-        apart = left is not None and left.text == "," and index > 1 and any(p.verb for p in phrases[:index])
+        others = [p.noun.mention for p in phrases[max(0, index - 2) : index] if p.noun and p.noun.mention]
+        others = others if left is not None and left.text == "and" and phrases[max(0, index - 3)].text == "," else []
+        apart = left is not None and (left.text == "," or bool(others)) and any(p.verb for p in phrases[:index])
         ends = at + 2 >= len(phrases) or phrases[at + 2].text in (".", ",", ";")
         if left and (
             left.text == "with"
@@ -152,7 +155,8 @@ def _relate(
             or (apart and ends and not any(p.verb for p in phrases[at:]))
         ):
             kind = kind_at_body(preposition, first.head, kind) if first.head in lexicon.BODY else kind
-            for person in resolve_mention(stage, noun.mention) if kind else []:
+            told = [person for mention in [*others, noun.mention] for person in resolve_mention(stage, mention)]
+            for person in told if kind else []:
                 for target in _anchors(stage, first, kind or "on", subjects, previous):
                     stage.relate(person.id, kind or "on", target)
     elif noun.head in _BACKS and noun.possessor is not None and kind == "against":
@@ -274,7 +278,7 @@ def _can_lie(noun: NounPhrase, anchor: NounPhrase) -> bool:
     if kind == "unknown":
         return anchor.head in _BEARING and anchor.possessor is not None and noun.determiner != ""
     solid = kind in ("prop", "set_piece") or (kind == "worn" and anchor.head not in BODY_OR_DRESS)
-    return solid and noun.head not in lexicon.LIQUIDS | {"seat", "place"}
+    return solid and noun.head not in lexicon.LIQUIDS | FITTINGS | {"seat", "place"}
 
 
 def _anchors(

@@ -6,9 +6,12 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
+    BEARING,
     CLOTHS,
     CONTAINERS,
+    FITTINGS,
     FLOOR,
+    OPENINGS,
     Stated,
     at_body,
     exact_kind,
@@ -41,8 +44,6 @@ _LATELY = 4
 """Things back to what something is thrown in."""
 _EMPTYING = frozenset({"empty", "drain", "wring", "squirt"})
 """``empties the mug into the sink``: the mug stays in the hand."""
-_BEARING = frozenset({"lap", "shoulder", "knee", "back", "hip"})
-"""``sets the child on her lap``."""
 
 
 def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
@@ -70,6 +71,8 @@ def put(stage: Stage, clause: Clause, roles: Roles) -> list[Stated]:
     moved += [person.id for person in roles.people]
     for at, place in enumerate(roles.places):
         if place.preposition == "between":
+            if len(place.people) == 1 and place.nouns[0].head == "them":
+                place.people = [*place.people, *roles.subjects]
             relate_between(stage, place, moved)
             continue
         if at and _describes_anchor(stage, roles.places[at - 1], place):
@@ -105,7 +108,8 @@ def _describes_anchor(stage: Stage, before: Place, place: Place) -> bool:
 def _is_solid(stage: Stage, thing: str) -> bool:
     """Whether it is a thing of its own, no arm."""
     liquid = stage.inventory.head(thing) in lexicon.LIQUIDS and stage.sentence.verb in ("pour", "splash", "fill")
-    return stage.inventory.class_of(thing) not in ("body", "abstract") and not liquid
+    part = stage.inventory.head(thing) in FITTINGS | OPENINGS
+    return stage.inventory.class_of(thing) not in ("body", "abstract") and not liquid and not part
 
 
 def _puts_on(stage: Stage, roles: Roles, thing: str, owner: str) -> bool:
@@ -121,8 +125,10 @@ def _kind(stage: Stage, place: Place, thing: str, passed_on: bool) -> RelationKi
         return None
     body = at_body(place)
     if body:
+        if verb in ("press", "push", "hold") and kind == "against":
+            return None
         if stage.person(thing):
-            return "on" if kind == "on" and body[0] in _BEARING else None
+            return "on" if kind == "on" and body[0] in BEARING else None
         attached = "on" if verb in _ATTACHING else kind
         return (
             None

@@ -10,11 +10,15 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
+    BEARING,
+    BODY_OR_DRESS,
+    CLOTHS,
     CONTAINERS,
     FLOOR,
     SURFACES,
     THINGS,
     Stated,
+    at_body,
     exact_kind,
     is_the_place,
     solid_things,
@@ -32,6 +36,9 @@ from storyblender.memory.vocabulary import RelationKind
 _BOARDING = frozenset(
     {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
 )
+_FETCHING = frozenset({"pull", "take", "push", "carry", "pick_up"})
+_ONES_OWN = BODY_OR_DRESS | CLOTHS
+_LEAPING = frozenset({"jump", "climb", "ride", "fall"})
 _GOING = frozenset({"walk", "run", "sneak", "stagger", "crawl"})
 _UP_TO = frozenset({"to", "over to", "up to"})
 _PASSING = frozenset({"walk", "sneak"})
@@ -68,6 +75,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             faced = faced or located  # each other
             found.extend((subject, "facing", other) for subject in located for other in faced if other != subject)
         found += _arrived(stage, clause, motion, located, bool(found))
+        found += _lands_on(roles, motion, located)
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
     stage.sentence.goal = _goal(stage, roles, motion)
@@ -78,6 +86,14 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
     relate_contents(stage, clause, roles)
+
+
+def _lands_on(roles: Roles, motion: str | None, located: list[str]) -> list[Stated]:
+    """``The cat jumps into her lap``, ``rides on Jim's back``."""
+    if motion not in _LEAPING:
+        return []
+    bodies = [at_body(place) for place in roles.places if place.preposition in ("on", "onto", "on to", "in", "into")]
+    return [(who, "on", body[1]) for who in located for body in bodies if body and body[0] in BEARING]
 
 
 def _arrived(stage: Stage, clause: Clause, motion: str | None, located: list[str], told: bool) -> list[Stated]:
@@ -93,12 +109,25 @@ def _arrived(stage: Stage, clause: Clause, motion: str | None, located: list[str
 
 def _goal(stage: Stage, roles: Roles, motion: str | None) -> tuple[list[str], str] | None:
     """Who walks to what: ``crosses to the counter``."""
-    if motion not in _GOING or roles.things + roles.people or not roles.subjects:
+    if not roles.subjects:
+        return None
+    goers = [person.id for person in roles.subjects]
+    kept = stage.sentence.goal
+    if (
+        kept
+        and kept[0] == goers
+        and not roles.places
+        and all(stage.inventory.head(t) in _ONES_OWN for t in roles.things)
+    ):
+        return kept  # walks up to the throne, gathers her skirts and sits down
+    if roles.things and motion in _FETCHING and stage.inventory.head(roles.things[0]) in lexicon.SEATS:
+        return goers, roles.things[0]  # pulls up a chair and sits
+    if motion not in _GOING or roles.things + roles.people:
         return None
     to = next((place for place in roles.places if place.preposition in _UP_TO and place.things), None)
     if to is None or stage.inventory.class_of(to.things[0]) != "set_piece":
         return None
-    return [person.id for person in roles.subjects], to.things[0]
+    return goers, to.things[0]
 
 
 def _at_particle(clause: Clause, roles: Roles) -> Roles:

@@ -49,6 +49,11 @@ def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
                 remember(stage, noun.index, Referents([], meant))
         elif noun.head == "them" and left is not None and left.kind == "preposition":
             inverted = plural is not None and _is_after(stage, plural, noun.index)
+            moved = index > 1 and phrases[index - 2].noun
+            if left.text == "between" and moved and moved.plural and moved.kind == "thing":
+                here = stage.spoken_of()  # sets two glasses between them
+                remember(stage, noun.index, Referents(here if len(here) == 2 else []))
+                continue
             meant = _lately(stage) if inverted or plural is None else plural
             if meant and (left.text in _OF_THINGS or (plural and people < 2)):
                 remember(stage, noun.index, Referents([], meant))

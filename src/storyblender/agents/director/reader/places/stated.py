@@ -60,7 +60,8 @@ def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], 
         and stage.person(located[0]) is not None
     )
     earlier = place.preposition == "before" and clause.verb == "be" and bool(place.people)  # was there before her
-    if past_it or earlier or _is_an_image(stage, kind, place):
+    bends = place.preposition == "close to" and clause.verb in BENT | {"lean"}
+    if past_it or earlier or bends or _is_an_image(stage, kind, place):
         return []
     if kind == "behind" and clause.verb not in STATIVE and stage.inventory.head(located[0]) in OPENINGS:
         return []  # behind her the door opens: it is somewhere in the room

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roles import Place, Roles
-from storyblender.agents.director.reader.places.anchors import FLOOR, SURFACES, THINGS, Stated
+from storyblender.agents.director.reader.places.anchors import FLOOR, OPENINGS, SURFACES, THINGS, Stated
 from storyblender.agents.director.reader.stage import Stage
 
 _HELD_UP = frozenset({"on", "in"})
@@ -12,6 +12,7 @@ _SOURCES = frozenset({"from", "off", "out of"})
 _BESIDE = frozenset({"at", "in_front_of", "next_to"})
 """``kneels in front of the cabinet beside the desk``: it is the cabinet that is beside it."""
 _ASIDE = frozenset({"next_to", "behind", "in_front_of", "under", "over", "against", "left_of", "right_of"})
+_LAMPS = lexicon.words("lamps")
 PEGS = frozenset({"hook", "nail", "peg"})
 """What things hang on; it is fixed somewhere itself."""
 
@@ -35,6 +36,8 @@ def describes_support(stage: Stage, roles: Roles, at: int) -> bool:
         (
             (held in _HELD_UP and side in _ASIDE)
             or (before.preposition in _SOURCES and side in _ASIDE)
+            or (held == "at" and side in ("under", "over"))
+            or (held == "on" and side == "at" and not roles.subjects and _is_opening(stage, place))
             or (held in _BESIDE and side == "next_to" and bool(roles.subjects))
         )
         and len(before.things) == len(place.things + place.people) == 1
@@ -69,11 +72,16 @@ def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
     return found
 
 
+def _is_opening(stage: Stage, place: Place) -> bool:
+    """``mounted on a tripod at the window``: it is the tripod that is at it."""
+    return bool(place.things) and stage.inventory.head(place.things[0]) in OPENINGS
+
+
 def _is_landmark(stage: Stage, roles: Roles, place: Place) -> bool:
     """Furniture; somebody, where nobody but a thing is on it: ``On a table behind him lies a tray``."""
     if place.people:
         return not roles.subjects and lexicon.relation_of(place.preposition) in ("behind", "in_front_of")
-    return stage.inventory.class_of(place.things[0]) == "set_piece"
+    return stage.inventory.class_of(place.things[0]) == "set_piece" or stage.inventory.head(place.things[0]) in _LAMPS
 
 
 def _stands(stage: Stage, place: Place) -> bool:
