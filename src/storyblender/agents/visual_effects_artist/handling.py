@@ -37,7 +37,8 @@ FROM_SEAT, AT_MOST, AHEAD = 0.9, 1.0, 0.42
 """Metres within which who sits puts something down, and who stands; how far ahead of one's feet a thing is put on the
 floor."""
 BAG, BULK, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.2, 0.06, 0.34, 0.6
-"""Metres: a bag is longer, and a case thicker, a ring smaller; how far beside one a bag is put down, and how far from others."""
+"""Metres: a bag is longer, and a case thicker, a ring smaller; how far beside one a bag is put down, and how far from
+others."""
 ASIDE = math.radians(60)
 """What is farther aside than this is turned to before it is handled."""
 
