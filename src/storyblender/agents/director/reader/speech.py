@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.page.sentences import Sentence, Speech
@@ -15,19 +16,24 @@ from storyblender.memory.vocabulary import Gender
 _OFF = re.compile(
     r"V\.?\s?O|O\.?\s?S|O\.?\s?C|OFF|FILTER|INTO PHONE|PRE-?LAP|ON (?:PHONE|RADIO|TV|SCREEN)", re.IGNORECASE
 )
-_QUIET = re.compile(r"whisper|quiet|soft|under (?:his|her) breath|low|sotto|hush|murmur|mutter")
+_QUIET = re.compile(r"whisper|\bhiss|under (?:his|her|their) breath|sotto voce|\bhush")
+"""Only what is said without voice; ``softly``, ``quietly``, ``low``, ``muttering`` is talk."""
 _SUNG = re.compile(r"\bs[iu]ngs?\b|\bsinging\b|\bcroon|\bchant")
 _LOUD = re.compile(r"shout|scream|yell|loud|calling|bellow|roar")
 _CALLED_OUT = re.compile(r"[^.?!]{1,24}!")
 """``Yusuf! Who salted this?``"""
+_MARKS = re.compile(r"[.!?]+")
+_SHORT = 6
+"""Words."""
 _INTO = re.compile(
     r"(?:in)?to (?:the |his |her |a )?"
     r"(phone|telephone|radio|walkie-talkie|microphone|camera|intercom|receiver|headset|cell)"
 )
 _TO = re.compile(r"\bto ([a-z .#0-9'’-]+)")
 _POSES = frozenset({"hold", "stand", "sit", "lie_down", "sleep", "listen", "look"})
+_SAYING = frozenset({"talk", "whisper", "shout"})
 _MANNER = {
-    "whisper": "whisper", "murmur": "whisper", "mutter": "whisper", "hiss": "whisper",
+    "whisper": "whisper", "hiss": "whisper",
     "shout": "shout", "cry": "shout", "scream": "shout", "yell": "shout", "roar": "shout", "exclaim": "shout",
     "call": "shout", "bellow": "shout", "holler": "shout", "shriek": "shout", "bark": "shout", "thunder": "shout",
 }  # fmt: skip
@@ -107,21 +113,21 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
     unit, discourse = stage.unit, stage.discourse
     device = _INTO.search(speech.parenthetical.lower())
     manner = _manner(speech, prose, device.group(1) if device else "")
-    listener = None if device else _listener(stage, speaker, speech, prose)
+    said_already = lexicon.MOTION_OF_VERB.get(speech.verb) if prose else None
+    told = [d for d in unit.deeds if d.motion in _SAYING or (d.actor == speaker.id and d.motion == said_already)]
+    named = next((stage.person(d.target or "") for d in told if d.actor == speaker.id and d.target), None)
+    listener = None if device else named or _listener(stage, speaker, speech, prose)
     if device:
         noun = {"cell": "phone", "receiver": "phone", "telephone": "phone"}.get(device.group(1), device.group(1))
         thing = stage.inventory.id_of(noun, at)
         stage.inventory.seen(thing, "handled")
         unit.things.append(thing)
-    said_already = lexicon.MOTION_OF_VERB.get(speech.verb) if prose else None
-    unit.deeds = [
-        deed
-        for deed in unit.deeds
-        if deed.motion not in ("talk", "whisper", "shout")
-        and not (deed.actor == speaker.id and deed.motion == said_already)
-    ]
+    unit.deeds = [deed for deed in unit.deeds if deed not in told]
     mood = lexicon.mood_of(speech.parenthetical or speech.verb)
     unit.deeds.append(Deed(speaker.id, manner, listener.id if listener else None, at=at, verb=speech.verb, mood=mood))
+    if listener and listener.id not in stage.scene.on:
+        discourse.subjects, discourse.last_speaker, discourse.last_listener = [speaker], speaker, None
+        return
     unit.to = listener.id if listener else None
     if listener:
         stage.discourse.raise_(listener, 0.4)
@@ -142,23 +148,27 @@ def _manner(speech: Speech, prose: bool, device: str) -> str:
         return "shout"
     if prose:
         return _MANNER.get(speech.verb, "talk")
-    loud = speech.text.rstrip().endswith("!") or _CALLED_OUT.match(speech.text)
-    return "shout" if loud and not device else "talk"
+    return "shout" if _is_loud(speech.text) and not device else "talk"
+
+
+def _is_loud(text: str) -> bool:
+    """Whether a speech is nothing but exclamations, or short and opens with one."""
+    marks = _MARKS.findall(text)
+    only = bool(marks) and all("!" in mark for mark in marks)
+    return only or (len(text.split()) <= _SHORT and _CALLED_OUT.match(text) is not None)
 
 
 def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Person | None:
     """Whom a line is for: said in brackets, called by name, the last speaker, the only other; else a guess."""
-    here = [
-        person
-        for person in stage.on_stage()
-        if person is not speaker
-        and (prose or (person.kind != "animal" and stage.scene.posture.get(person.id, ("", None))[0] != "asleep"))
-    ]
+    others = [person for person in stage.on_stage() if person is not speaker]
+    here = [person for person in others if _may_be_told(stage, person)]
+    if prose and not here:
+        here = others
     directed = _TO.match(speech.parenthetical.lower())
     named = stage.find(directed.group(1)) if directed else None
     if named and named is not speaker:
         return named
-    called = _called(stage, [person for person in stage.on_stage() if person is not speaker], speech.text)
+    called = _called(stage, others, speech.text) or _shouted_for(stage, speaker, speech.text)
     if called:
         return called
     last, listener = stage.discourse.last_speaker, stage.discourse.last_listener
@@ -177,6 +187,19 @@ def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Per
     unit = stage.unit
     stage.flag("addressee", guess.id, f"{speaker.name} may speak to any of {len(here)} people", unit.start, unit.end)
     return guess
+
+
+def _shouted_for(stage: Stage, speaker: Person, text: str) -> Person | None:
+    """Somebody of the cast who is not there: ``Tully! Open up!`` is for Tully behind the door."""
+    called = _CALLED_OUT.match(text)
+    away = [p for p in stage.roster.people if p is not speaker and p.id not in stage.scene.on and p.kind != "animal"]
+    return _named(away, called.group()) if called else None
+
+
+def _may_be_told(stage: Stage, person: Person) -> bool:
+    """Whether a line may be for somebody who is not named: no sleeper, and an animal only where it speaks too."""
+    awake = stage.scene.posture.get(person.id, ("", None))[0] != "asleep"
+    return awake and (person.kind != "animal" or person.speaks)
 
 
 def _acted_on(stage: Stage, speaker: Person) -> Person | None:
@@ -202,14 +225,22 @@ def _acted_since(stage: Stage, speaker: Person) -> Person | None:
     return None
 
 
-def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
-    """Somebody called by name (``Wake up, Tom``) or by what they are (``Careful, child!``)."""
-    for person in here:
+def _named(people: Iterable[Person], text: str) -> Person | None:
+    """The first of these people whom a speech calls by name."""
+    for person in people:
         names = {alias.split()[-1] for alias in person.aliases} | {alias.split()[0] for alias in person.aliases}
         for name in sorted(names - lexicon.TITLES - {"i"}):
             called = rf"(?:{_TITLED})?{re.escape(name)}"
             if re.search(rf",\s*{called}\s*[.!?,]|^{called}\s*[,!.?]", text, re.IGNORECASE):
                 return person
+    return None
+
+
+def _called(stage: Stage, here: list[Person], text: str) -> Person | None:
+    """Somebody called by name (``Wake up, Tom``) or by what they are (``Careful, child!``)."""
+    named = _named(here, text)
+    if named:
+        return named
     address = _VOCATIVE.search(text.lower().replace("’", "'"))
     if address is None:
         return None

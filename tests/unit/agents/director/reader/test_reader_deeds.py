@@ -201,3 +201,39 @@ def test_a_verb_means_what_its_object_and_preposition_make_of_it(read_scene: Rea
 def test_what_is_gripped_in_passing_is_held(read_scene: Read) -> None:
     found = told(read_scene, "Anna climbs the stairs, a flashlight gripped between her teeth.")
     assert found == {("anna", "climb", "stairs"), ("anna", "hold", "flashlight")}
+
+
+@pytest.mark.parametrize(
+    ("parenthetical", "text", "motion"),
+    [
+        ("quietly", "Sit down.", "talk"),
+        ("muttering", "That was my queen.", "talk"),
+        ("hissing", "Sit down.", "whisper"),
+        ("under his breath", "Sit down.", "whisper"),
+        ("to Mia", "They started it! I was only standing there. Ask anybody you like.", "talk"),
+        ("to Mia", "Stop it! Stop it!", "shout"),
+    ],
+)
+def test_only_what_is_said_without_voice_is_whispered(parenthetical: str, text: str, motion: str) -> None:
+    told = f"INT. ROOM - DAY\n\nTOM and MIA sit.\n\nTOM\n({parenthetical})\n{text}\n"
+    assert [unit.deeds[0].motion for unit in read_script(read(told)).units if unit.kind == "dialogue"] == [motion]
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("“Three hours,” the man told Matthis.", "matthis"),
+        ("“Where would you have it?” Lene asked Matthis.", "matthis"),
+        ("“Come up,” said Lene to Rourke.", "rourke"),
+    ],
+)
+def test_prose_says_whom_a_speech_is_for(text: str, told: str) -> None:
+    story = "Matthis, Rourke, Lene and an old man sat in the kitchen with a dog.\n\nThe dog barked at Lene.\n\n"
+    speeches = [unit for unit in read_script(read(story + text + "\n")).units if unit.kind == "dialogue"]
+    assert [unit.to for unit in speeches] == [told]
+
+
+def test_who_is_called_by_name_need_not_be_there() -> None:
+    told = "INT. ROOM - DAY\n\nMIA waves.\n\nEXT. YARD - DAY\n\nTOM knocks. BEN waits.\n\nTOM\nMia! Open up!\n"
+    unit = read_script(read(told)).units[-1]
+    assert (unit.deeds[0].target, unit.to) == ("mia", None)
