@@ -73,6 +73,8 @@ THIRD = 1 / 6
 """How far a third line is from the middle of the picture."""
 OVER_CROWN = -0.04
 """Highest that the near head of an over-the-shoulder goes: a little hair may be cut, not the head."""
+_OVER_LARGER = 3.2
+"""Most times that the near head of an over-the-shoulder is as large as the far one, which it would dwarf."""
 _OVER_TALLER = 0.5
 """How much of a standing partner's height over a sitting subject the camera goes up."""
 _FOCUS_OFF = 0.13
@@ -305,7 +307,8 @@ def over_shoulder(
     apart = max(float(np.hypot(line[0], line[1])), 0.4)
     ahead = np.array([line[0], line[1], 0.0]) / apart
     left = np.array([-ahead[1], ahead[0], 0.0])
-    distance = max(distance_for(focus.head, SCALES[size].head, tangent), apart + 0.75)
+    closest = apart + max(0.75, apart / (_OVER_LARGER - 1))
+    distance = max(distance_for(focus.head, SCALES[size].head, tangent), closest)
     behind = distance - apart
     spread = 0.42 * 2 * tangent * film.aspect
     # Placing the face on its third takes the camera back by as much.

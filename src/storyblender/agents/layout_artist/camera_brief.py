@@ -51,6 +51,8 @@ class Cut:
 
     instruction: CameraInstruction
     state: CameraState
+    people: tuple[Figure, ...] = ()
+    """Whom it was about, and over whose shoulder, as they were when it ended."""
 
 
 @dataclass(frozen=True)
@@ -137,6 +139,12 @@ class CameraBrief:
         if self.detail is not None:
             return (self.detail,)
         return tuple(self.props[node] for node in self.focus if node in self.props)
+
+    def subjects(self, moment: Moment) -> tuple[Figure, ...]:
+        """Return whom the shot is about, and over whose shoulder, at a moment."""
+        over = (self.node(self.instruction.over_id or ""),) if self.instruction.kind == "ots" else ()
+        there = (moment.figure(node) for node in dict.fromkeys((*self.focus, *over)))
+        return tuple(figure for figure in there if figure is not None)
 
     @property
     def travel(self) -> tuple[float, float, float]:

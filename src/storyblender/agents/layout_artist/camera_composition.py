@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
 from storyblender.agents.layout_artist.camera_solids import aboard
-from storyblender.agents.layout_artist.camera_start import looks_after
+from storyblender.agents.layout_artist.camera_start import looks_after, wants_shoulder
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import DOLLY, Orbit
@@ -47,11 +47,13 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         return found
     over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
     after = looks_after(brief)
-    if over is not None and over.face is not None and after is not None:
-        # Who looks after somebody and who goes are a group.
+    if over is not None and over.face is not None and after is not None and not wants_shoulder(brief):
+        # Who has their back to somebody and who sees it are a group.
         heads.append((after, over))
         over = None
-    found += _size(brief, [subject for _, subject in heads])
+    if over is None or after is None:
+        # Who walks off from a shoulder is as small as the way they have gone.
+        found += _size(brief, [subject for _, subject in heads])
     if len(heads) == 1 or over is not None:
         figure, subject = heads[0]
         assert figure is not None and subject.face is not None

@@ -21,8 +21,8 @@ from storyblender.agents.layout_artist.camera_brief import (
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, void_points
-from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED
-from storyblender.agents.layout_artist.camera_start import face_limit
+from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, LEAST_OVER
+from storyblender.agents.layout_artist.camera_start import face_limit, wants_shoulder
 from storyblender.geometry.framing import WHOLE
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
@@ -172,7 +172,8 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
             found.append(fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
     over = subjects.get(over_node)
     aside = over is not None and over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
-    if kind == "ots" and over is not None and (over.pixels < 0.02 or aside):
+    far = over is not None and wants_shoulder(brief) and over.head_height < LEAST_OVER
+    if kind == "ots" and over is not None and (over.pixels < 0.02 or aside or far):
         found.append(fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
     elif kind == "ots" and over is not None and (over.face is None or over.face[1] < 0):
         text = f"the frame takes the head off {over_node}"

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, orbit_of
 from storyblender.agents.layout_artist.camera_composition import fault
 from storyblender.geometry.continuity import THIRTY, crosses_line, looks_meet, view_change
-from storyblender.memory.base import shot_name
+from storyblender.geometry.framing import head_share
+from storyblender.geometry.orbit import Orbit
+from storyblender.memory.base import Vec3, shot_name
 from storyblender.reflection import Fault
 
 _AROUND = "orbit_left orbit_right"
+_LIKE, _OTHER = math.log(1.5), math.log(2.5)
+"""How many times heads grow or shrink in a cut, as logarithms: up to the first it is the same picture, from the second
+on it is another one."""
 
 
 def cuts(brief: CameraBrief, take: Take) -> list[Fault]:
@@ -22,9 +29,7 @@ def cuts(brief: CameraBrief, take: Take) -> list[Fault]:
         crossed = [crosses_line(end, axis[0].face, axis[1].face, brief.side) for end in (take.start, take.end)]
         if any(crossed):
             found.append(fault("line", name, 3.5, f"{name} crosses the line", ops=_AROUND))
-    before = brief.previous
-    if before is not None and set(before.instruction.focus_on_ids) & set(brief.instruction.focus_on_ids):
-        found += _jump(brief, take, name)
+    found += _jump(brief, take, name)
     reverse = brief.reverse
     if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and brief.people:
         partner = next((figure for figure in axis if figure.node_id != brief.people[0].node_id), None)
@@ -35,17 +40,36 @@ def cuts(brief: CameraBrief, take: Take) -> list[Fault]:
 
 
 def _jump(brief: CameraBrief, take: Take, name: str) -> list[Fault]:
+    """Return the cut from one picture of somebody to nearly the same picture of them."""
     before = brief.previous
     if before is None or "pov" in (brief.instruction.kind, before.instruction.kind) or take.start.distance <= 0:
         return []
-    if set(before.instruction.focus_on_ids) != set(brief.instruction.focus_on_ids):
-        return []
     last = orbit_of(before.state.poses[-1], brief.film)
-    subject = brief.people[0].face if brief.people else take.camera.pivot
-    change, steps = view_change(last, take.start, subject), brief.size_steps(before.instruction.size)
-    if steps >= 2 or change >= THIRTY:
+    alike, subject = _alike(brief, before, last, take.start)
+    change = view_change(last, take.start, subject)
+    if not alike or change >= THIRTY:
         return []
     short = THIRTY - change + 3
     way = np.sign(take.start.azimuth - last.azimuth) or 1.0
     text = f"the cut moves only {change:.0f} degrees on the same subject"
-    return [fault("jump", name, 0.6 + short / 40, text, azimuth=float(way * short))]
+    return [fault("jump", name, alike * (0.6 + short / 40), text, azimuth=float(way * short))]
+
+
+def _alike(brief: CameraBrief, before: Cut, last: Orbit, now: Orbit) -> tuple[float, Vec3]:
+    """Return how far a shot shows the same as the one before in like size, 0 to 1, and whom it is measured by.
+
+    People are measured by their heads: a wide of two who stand together may be as near as a medium of two apart.
+    """
+    pairs = [
+        (then, figure)
+        for figure in brief.subjects(brief.moments[0])
+        for then in before.people
+        if then.node_id == figure.node_id
+    ]
+    if not pairs:
+        same = {*before.instruction.focus_on_ids} == {*brief.instruction.focus_on_ids}
+        return float(same and brief.size_steps(before.instruction.size) < 2), now.pivot
+    if not len(pairs) == len(before.people) == len(brief.subjects(brief.moments[0])):
+        return 0.0, now.pivot
+    scale = max(abs(math.log(head_share(now, figure) / head_share(last, then))) for then, figure in pairs)
+    return min(max((_OTHER - scale) / (_OTHER - _LIKE), 0.0), 1.0), pairs[0][1].face

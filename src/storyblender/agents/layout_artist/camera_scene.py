@@ -57,7 +57,7 @@ def story_moment(shot: ShotContext) -> int:
     arrives = (together and motion.speed is not None) or (motion.reach == "thing" and motion.after in _SETTLED)
     if cue.clip in _UP_AGAIN and shot.camera_instruction.kind != "insert":
         # An insert is of the hand at work; any other picture is of who did it.
-        return min(last, cue.start + min(length, _UP_AGAIN[cue.clip]))
+        return min(last, cue.start + min(max(length - 1, 0), _UP_AGAIN[cue.clip]))
     return min(last, cue.start + round(length * (_ARRIVAL if arrives else _HEIGHT)))
 
 
@@ -147,7 +147,7 @@ def shoot_scene(
             )
         state = shot.camera or _leaving_out(operate(brief, viewfinder, listener=listener), shot, brief)
         cameras[shot.shot_id] = state
-        previous = Cut(instruction, state)
+        previous = Cut(instruction, state, brief.subjects(brief.moments[-1]) if brief.moments else ())
         if axis is not None:
             sides[axis] = sides.get(axis) or side_used(brief, state)
             if instruction.kind in _ANSWERS:

@@ -15,7 +15,7 @@ from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_furniture import GRID, backs, in_the_way
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
-from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, shoulder, start
+from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, shoulder, start, wants_shoulder
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
 from storyblender.geometry.orbit import Floats, Orbit
@@ -38,6 +38,10 @@ _AT_BACK = 0.1
 """Metres it needs from the one over whose shoulder it looks."""
 AT_EDGE = 0.6
 """Widths from the middle of the picture at which the middle of that one's head still leaves a shoulder in it."""
+_SHOULDER_IN = 0.3
+"""The same for a head of no size: the smaller the head, the less of a shoulder there is beside it."""
+LEAST_OVER = 0.2
+"""Share of the picture's height from which that head is one that we look past, and not somebody in the background."""
 _MARGIN = 0.03
 _SHOULDER = 0.17
 """Metres from the middle of a body to its side."""
@@ -61,6 +65,8 @@ _STANDS, _TAKEN = 0.3, 0.3
 """Metres below which a thing stands on the floor; points for taking it away with a wall, and half a point a m3."""
 _COMPANY, _BACK = 1.7, 2.0
 """Metres from the first person within which who is seen takes part in the picture; points for such a one's back."""
+_HEADLESS, _SEEN = 1.2, 0.04
+"""Points for a body without its head, from heads of that share of the picture's height."""
 _FROM_BEHIND = 100.0
 """Degrees from full face from which somebody is seen from behind."""
 _LOOKS_DOWN = -0.5
@@ -81,7 +87,7 @@ def scouted(brief: CameraBrief) -> list[Take]:
         return [start(brief)]
     turns, rises = _TURNS, _HIGH_RISES if len(brief.people) > 2 else _RISES
     if shoulder(brief) is not None:
-        turns = _OVER_TURNS if looks_after(brief) is None else (*_OVER_TURNS, *_PROFILE_TURNS)
+        turns = _OVER_TURNS if wants_shoulder(brief) else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[Take, float] = {}
     for rise in _BOAT_RISES if aboard(brief.props.values(), brief.people) else rises:
         for turn in turns:
@@ -221,7 +227,9 @@ def _people(brief: CameraBrief, take: Take) -> float:
             points += _subject(brief, camera, figure, [*others, *opened(solid, figure)])
         elif figure.node_id == over and instruction.kind == "ots":
             (near,), _ = project(camera, [figure.face])
-            points += 1.5 * (abs(float(near[0]) - 0.5) > AT_EDGE)
+            head = head_share(camera, figure)
+            aside = abs(float(near[0]) - 0.5) > min(AT_EDGE, _SHOULDER_IN + 0.5 * head)
+            points += 1.5 * (aside or (wants_shoulder(brief) and head < LEAST_OVER))
         elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
             whole = _framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
@@ -230,8 +238,16 @@ def _people(brief: CameraBrief, take: Take) -> float:
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
         elif figure.node_id in brief.strangers and instruction.kind not in ("establishing", "insert"):
-            points += _back(brief, camera, figure)
+            points += _back(brief, camera, figure) + _beheaded(camera, figure)
     return points
+
+
+def _beheaded(camera: Orbit, figure: Figure) -> float:
+    """Weigh somebody who is there by chance and whose head the frame takes off."""
+    (crown, face), depth = project(camera, [figure.crown, figure.face])
+    if depth.min() < 0.1 or head_share(camera, figure) < _SEEN or not _inside(camera, figure):
+        return 0.0
+    return _HEADLESS * bool(crown[1] < 0 or face[1] > 1)
 
 
 def _back(brief: CameraBrief, camera: Orbit, figure: Figure) -> float:

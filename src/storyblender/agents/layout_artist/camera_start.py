@@ -186,10 +186,15 @@ def looks_after(brief: CameraBrief) -> Figure | None:
     return over if over is not None and brief.people[0].turned_from(over.face) >= _TALKS else None
 
 
+def wants_shoulder(brief: CameraBrief) -> bool:
+    """Return whether a shoulder has to be before the subject: not where a side shows more of somebody than a back."""
+    return shoulder(brief) is not None and (looks_after(brief) is None or brief.in_stride)
+
+
 def face_limit(brief: CameraBrief) -> float:
-    """Return the degrees a focus face may be turned from the camera: on the way it may turn far."""
+    """Return the degrees a focus face may be turned away: far on a walk, and away from who looks after it."""
     if brief.in_stride:
-        return 150.0
+        return 150.0 if looks_after(brief) is None else 180.0
     if brief.instruction.kind == "ots" and brief.instruction.explicit:
         return framing.FACE_ANGLE["two_shot"]
     return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
 
-from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of, pose_at
+from storyblender.agents.layout_artist.camera_brief import Cut, Moment, Take, orbit_of, pose_at
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_critic import CameraCritic
+from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_operator import operate
 from storyblender.agents.layout_artist.camera_scout import CLEARED, cost, hidden_share, scouted
 from storyblender.agents.layout_artist.camera_solids import holds, opened, solids
@@ -16,7 +17,7 @@ from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.framing import group, over_shoulder, project
+from storyblender.geometry.framing import group, head_share, over_shoulder, project
 from storyblender.geometry.orbit import pan
 from storyblender.memory.scene_context import SceneSize
 
@@ -223,3 +224,39 @@ def test_a_camera_goes_with_a_walk_when_it_is_walked(steps: tuple[float, ...]) -
     ]
     assert np.ptp(np.array(at), axis=0).max() < 0.02, "she stays where she is in the picture"
     assert np.allclose(at[1], project(taken.camera, [moments[1].figures[0].face])[0][0], atol=0.01), "as composed"
+
+
+def test_who_is_there_by_chance_keeps_the_head() -> None:
+    child = figure("tam", 0, 0, 0, 1.1)
+    view = brief([child], kind="action", size="FS", focus_on_ids=("tam",))
+    take = start(view)
+    for stature, minded in ((1.1, False), (1.95, True)):
+        by = replace(view, moments=(Moment(0, (child, figure("maren", -0.5, -0.3, 0, stature))),))
+        assert (cost(by, take) > cost(view, take) + 1.0) == minded
+
+
+def test_a_wide_and_a_medium_of_the_same_two_from_the_same_place_are_one_picture_where_heads_are_alike() -> None:
+    pair = figure("anna", -0.4, 0, 90), figure("tom", 0.4, 0, -90)
+    wide = brief(pair, kind="action", size="FS", focus_on_ids=("anna", "tom"))
+    first = start(wide)
+    near = brief(pair, kind="two_shot", size="MS", focus_on_ids=("tom", "anna"))
+    weights = []
+    for back in (1.0, 1.9, 2.6):
+        camera = replace(first.camera, distance=first.camera.distance / back)
+        before = Cut(wide.instruction, first.state(48, 4.0, 10.0, ()), wide.subjects(wide.moments[-1]))
+        found = cuts(replace(near, previous=before), Take(camera, camera, camera))
+        weights.append(sum(fault.severity for fault in found if fault.kind == "jump"))
+    assert weights[0] > 1.2 > weights[1] > 0 == weights[2]
+
+
+def test_the_camera_stands_behind_the_shoulder_that_is_asked_for() -> None:
+    steps = tuple(Moment(20 * n, (TOM, figure("anna", -0.9 - 1.2 * n, 0.1, -90, 1.65))) for n in range(3))
+    wish = {"kind": "ots", "size": "MS", "focus_on_ids": ("anna",), "over_id": "tom", "explicit": True}
+    view = replace(brief(moments=steps, **wish), duration=41)
+    best = scouted(view)[0]
+    head = head_share(best.camera, TOM)
+    assert 0.25 < head < 0.6 and TOM.turned_from(best.camera.position) > 120
+    assert head / head_share(best.camera, view.people[0]) < 4, "nobody is dwarfed"
+    far = start(view, 88.0)
+    assert cost(view, far) > cost(view, best) + 1.0
+    assert "no_shoulder" in [each.kind for each in CameraCritic(NumberFinder(steps, {})).judge(far, view).faults]
