@@ -8,10 +8,10 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix, Vector
-from tests.blender.motion_stage import Playback, build_bodies, cue_of, mark_at, perform
+from tests.blender.motion_stage import Playback, build_bodies, chair_at, cue_of, mark_at, perform, world_at
 
 from storyblender.blender.motion.clips.embraces import LIPS
-from storyblender.blender.motion.plan import StageFurniture
+from storyblender.blender.motion.plan import StageFurniture, StageProp
 from storyblender.blender.people.body import Body
 
 pytestmark = pytest.mark.blender
@@ -73,3 +73,28 @@ def test_where_there_is_no_room_to_go_round_a_couple_turns_to_and_fro(bodies: di
     shot = perform(bodies, marks, (cue_of("man", "dance", 2, target_id="woman"),), 5, furniture=walls)
     assert np.abs(shot.people["man"].root[:, 1]).max() < 0.12
     assert 15 < np.degrees(np.ptp(shot.people["man"].root[:, 3])) < 50
+
+
+def test_a_hand_that_holds_a_staff_stays_with_it_in_an_embrace(bodies: dict[str, Body]) -> None:
+    marks = (MARKS[0].model_copy(update={"held": (("R", "staff"),)}), MARKS[1])
+    props = {"staff": StageProp(world_at(0, 0), (0.04, 0.04, 1.4))}
+    shot = perform(bodies, marks, (cue_of("man", "hug", 2, target_id="woman", duration=166),), 7, props=props)
+    man, woman = (Playback(bodies[who], shot, who) for who in ("man", "woman"))
+    hands = {side: (man.joint(f"hand.{side}", 160) - woman.joint("upper_chest", 160)).length for side in "LR"}
+    assert hands["L"] < 0.3 < hands["R"]
+
+
+def test_who_sits_takes_with_the_hand_that_is_towards_the_giver(bodies: dict[str, Body]) -> None:
+    chair = {"chair": chair_at(0, 0)}
+    sitter = mark_at("woman", 0, -0.24, posture="sit", support_id="chair")
+    props = {"cup": StageProp(world_at(0, 0), (0.08, 0.08, 0.1))}
+    for x, hand in ((0.75, "L"), (-0.75, "R")):
+        yaw = math.degrees(math.atan2(-x, 0.55))
+        giver = mark_at("man", x, -0.75, yaw, held=(("R", "cup"),))
+        cues = (cue_of("man", "give", 2, target_id="woman", prop_id="cup"),)
+        shot = perform(bodies, (giver, sitter), cues, 4, furniture=chair, props=props)
+        cup = Vector(shot.props["cup"][-1][:3, 3].tolist())
+        near = {
+            side: (Playback(bodies["woman"], shot, "woman").joint(f"hand.{side}", 95) - cup).length for side in "LR"
+        }
+        assert min(near, key=lambda side: near[side]) == hand

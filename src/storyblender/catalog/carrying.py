@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec3
+from storyblender.memory.vocabulary import Hand
 
 TWO_HANDED = 0.37
 """Metres; things wider and deeper than this are carried with both hands."""
+ON_THE_LEFT = 0.35
+"""Metres to one's left from which the left hand takes what is offered."""
 
 
 def two_handed(dimensions: Vec3, anchors: Sequence[Anchor]) -> bool:
@@ -21,3 +25,18 @@ def two_handed(dimensions: Vec3, anchors: Sequence[Anchor]) -> bool:
     width, depth, _ = dimensions
     gripped = any(anchor.kind in ("grip", "handle") for anchor in anchors)
     return min(width, depth) > TWO_HANDED or (max(width, depth) > 1.4 * TWO_HANDED and not gripped)
+
+
+def hand_towards(
+    place: tuple[float, float], yaw: float, point: tuple[float, float], on_the_left: float = ON_THE_LEFT
+) -> Hand:
+    """Return the hand for what is somewhere: the right one, or the left one for what is on the left.
+
+    Args:
+        place: Where one is on the floor, metres.
+        yaw: Where one faces, radians.
+        point: Where the thing is, or who offers it.
+        on_the_left: Metres to one's left from which the left hand is used.
+    """
+    leftwards = (point[0] - place[0]) * math.cos(yaw) + (point[1] - place[1]) * math.sin(yaw)
+    return "L" if leftwards > on_the_left else "R"

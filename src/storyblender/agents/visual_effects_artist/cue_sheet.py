@@ -14,6 +14,7 @@ from storyblender.catalog.motions import MOTIONS, natural_seconds, turning_secon
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2, path_length
 from storyblender.memory.shot_context import CharacterAction, Cue, Mark, PropState
+from storyblender.memory.vocabulary import Hand
 
 TALK_DISTANCE = 1.15
 """Metres between two people who talk; 1.0 to 1.4 reads as talking."""
@@ -250,18 +251,28 @@ class CueSheet:
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id, hand=hand))
 
-    def change_hands(self, person: Person) -> None:
-        """Let a person hold in the left hand from the shot's first frame on what they hold in the right one."""
-        prop = person.held.get("R")
-        start = self.starts[person.asset_id]
-        if prop is None or "L" in person.held or any(cue.prop_id == prop for cue in self.cues):
+    def change_hand(self, person: Person, prop: str) -> None:
+        """Let a person have a prop in the other hand, if that is free, for as long as they have it in this shot."""
+        hand = person.hand_of(prop)
+        other: Hand = "L" if hand == "R" else "R"
+        own = [cue for cue in self.cues if cue.asset_id == person.asset_id]
+        if hand is None or other in person.held or any(cue.hand == other for cue in own):
             return
-        person.held = {"L": prop}
-        held = tuple(("L", name) if name == prop else (hand, name) for hand, name in start.held)
+        person.held = {other: prop, **{side: held for side, held in person.held.items() if held != prop}}
+        start = self.starts[person.asset_id]
+        held = tuple((other, name) if name == prop else (side, name) for side, name in start.held)
         self.starts[person.asset_id] = start.model_copy(update={"held": held})
+        in_hand = (person.asset_id, prop)
         self.start_props = tuple(
-            state.model_copy(update={"hand": "L"}) if state.asset_id == prop else state for state in self.start_props
+            state.model_copy(update={"hand": other})
+            if (state.held_by, state.asset_id) == in_hand and state.hand is not None
+            else state
+            for state in self.start_props
         )
+        self.cues = [
+            cue.model_copy(update={"hand": other}) if (cue.asset_id, cue.prop_id) == in_hand and cue.hand else cue
+            for cue in self.cues
+        ]
 
     def found_in_clothes(self, person: Person, prop: str) -> None:
         """Let a person have a prop on them, in no hand, from the shot's first frame on."""

@@ -9,6 +9,7 @@ from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
 from storyblender.agents.visual_effects_artist.floor import Thing, facing
 from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.memory.base import Vec3
@@ -161,9 +162,8 @@ class Handling:
     def _picked_up(self, person: Person, prop: str, lies: Vec3, t: float) -> float:
         """Take a prop from where it lies, with the left hand what is on the left; return the end."""
         t = self.turn_to(person, lies, t)
-        (x, y), yaw = person.place, person.yaw
-        leftwards = (lies[0] - x) * math.cos(yaw) + (lies[1] - y) * math.sin(yaw)
-        return self._taken(person, MOTIONS["pick_up"], prop, t, wish="L" if leftwards > LEFT else "R")
+        wish = hand_towards(person.place, person.yaw, lies[:2], LEFT)
+        return self._taken(person, MOTIONS["pick_up"], prop, t, wish=wish)
 
     def _taken(
         self, person: Person, motion: Motion, prop: str, t: float, source: str | None = None, wish: Hand = "R"
@@ -185,7 +185,7 @@ class Handling:
         hand = person.hand_of(prop)
         mark = None
         if motion.key in ("put_down", "drop", "throw"):
-            t, mark = self._let_go(action, person, prop, t, motion.key)
+            t, mark, hand = self._let_go(action, person, prop, t, motion.key)
         known = target if target in self.company.people or self.company.floor.thing(target) else None
         length = natural_seconds(motion)
         end = self.sheet.cue(
@@ -231,8 +231,9 @@ class Handling:
 
     def _let_go(
         self, action: CharacterAction, person: Person, prop: str, t: float, key: str
-    ) -> tuple[float, Mark | None]:
-        """Choose where a prop goes when it leaves the hand, and go there."""
+    ) -> tuple[float, Mark | None, Hand | None]:
+        """Choose where a prop goes when it leaves the hand, and go there; return the end, the place and the hand."""
+        hand = person.hand_of(prop)
         thing = self.company.floor.thing(action.target_id) if action.target_id != prop else None
         if key != "put_down":
             partner = self.company.people.get(action.target_id or "")
@@ -241,7 +242,7 @@ class Handling:
             x, y = person.place
             landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
             self.company.lay(person, prop, (*landing, 0.0))
-            return t, None
+            return t, None, hand
         spot: Vec3 | None = None
         if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
             near = 0.0 if self._is_bag(prop, BULK) else 2.5 if person.upright else FROM_SEAT
@@ -258,8 +259,11 @@ class Handling:
             ahead = AHEAD * person.k
             spot = (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw), 0.0)
         t = self.turn_to(person, spot, t)
+        if not person.upright and hand_towards(person.place, person.yaw, spot[:2], LEFT) != hand:
+            self.sheet.change_hand(person, prop)
+            hand = person.hand_of(prop)
         self.company.lay(person, prop, spot)
-        return t, _mark_of(person, prop, spot)
+        return t, _mark_of(person, prop, spot), hand
 
     def _spot_on(self, thing: Thing, person: Person, prop: str) -> Vec3:
         """Return where something is put on a top: before who sits at it, towards who puts it there; else nearest.

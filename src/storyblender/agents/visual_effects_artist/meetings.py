@@ -10,6 +10,7 @@ from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import BODY, facing
 from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.shot_context import CharacterAction
@@ -66,6 +67,8 @@ class Meetings:
         later: Sequence[CharacterAction],
     ) -> None:
         """Go to somebody and do something together."""
+        if motion.key in TOGETHER and person.posture in SEATED and partner.posture not in SEATED:
+            person, partner = partner, person  # to who sits the other comes
         start = self.sheet.start_of(person)
         giving = motion.key == "give"
         if giving and prop is not None and not person.hand_of(prop):
@@ -85,9 +88,9 @@ class Meetings:
             about["mark"] = person.mark()
         end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), **about)
         if prop is not None and giving:
-            self.company.hand_over(partner, prop)
+            self.company.hand_over(partner, prop, hand_towards(partner.place, partner.yaw, person.place))
         elif prop is not None and motion.key == "take":
-            self.company.hand_over(person, prop)
+            self.company.hand_over(person, prop, hand_towards(person.place, person.yaw, partner.place))
         partner.busy = max(partner.busy, end)
         self.sheet.done(person, start, end, holds=True)
 
@@ -96,7 +99,8 @@ class Meetings:
         ends = [t]
         for one in (person, partner):
             if motion.key == "shake_hands":
-                self.sheet.change_hands(one)
+                if "R" in one.held:
+                    self.sheet.change_hand(one, one.held["R"])
                 continue
             held = [name for name in dict.fromkeys(one.held.values()) if name != prop]
             takes = one is (partner if motion.key == "give" else person) and motion.key in ("give", "take")
@@ -112,7 +116,8 @@ class Meetings:
             distance = max(distance, 0.68)
         gap = math.dist(person.place, partner.place)
         near = IN_ARMS if motion.key in TOGETHER else 0.3
-        low = person.posture in SEATED or (person.posture in LOW and gap < BY_KNEES)
+        by_knees = distance + near if motion.key in TOGETHER and partner.posture in SEATED else BY_KNEES
+        low = person.posture in SEATED or (person.posture in LOW and gap < by_knees)
         on_floor = partner.posture in ("lie", "asleep") and partner.support is None
         if not low and (gap > distance + near or gap < distance - TOO_NEAR):
             spot, _ = self.sheet.beside(person, partner, distance)

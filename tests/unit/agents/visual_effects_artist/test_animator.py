@@ -645,3 +645,12 @@ def test_who_has_only_turned_where_they_stand_is_elsewhere_from_the_start_rather
     (shot,) = _stage(_shot(1, _do("rick", "wave"), *acts))
     assert math.dist(_start(shot, "rick").location, _start(shot, "ilsa").location) < 0.8
     assert _start(shot, "rick").location == _end(shot, "rick").location
+
+
+def test_who_sits_puts_something_down_with_the_hand_on_that_side() -> None:
+    """It goes between the two, to the left, and is in that hand from the beginning."""
+    rick, ilsa = ({"asset_id": who, "posture": "sit", "support_id": "bench"} for who in ("rick", "ilsa"))
+    states = (BodyState.model_validate({**rick, "held": ("letter",)}), BodyState.model_validate(ilsa))
+    (put,) = _on_bench(_shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states))
+    assert _end(put, "ilsa").location[0] > _end(put, "rick").location[0]
+    assert _start(put, "rick").held == (("L", "letter"),)

@@ -84,3 +84,11 @@ def test_who_shakes_hands_holds_their_stick_in_the_left_one() -> None:
     states = (BodyState(asset_id="ilsa", held=("lamp",)),)
     (shot,) = _with_luggage(_shot(1, _do("rick", "shake_hands", target_id="ilsa"), states=states, seconds=9))
     assert (_start(shot, "ilsa").held, _end(shot, "ilsa").held) == ((("L", "lamp"),),) * 2
+
+
+def test_to_who_sits_the_other_comes_for_an_embrace() -> None:
+    states = (BodyState(asset_id="ilsa", posture="sit", support_id="chair_l"),)
+    (shot,) = _stage(_shot(1, _do("ilsa", "hug", target_id="rick"), states=states, seconds=9))
+    hug = next(cue for cue in shot.cues if cue.clip == "hug")
+    assert (hug.asset_id, hug.target_id) == ("rick", "ilsa")
+    assert math.dist(_end(shot, "rick").location[:2], _end(shot, "ilsa").location[:2]) < 0.8

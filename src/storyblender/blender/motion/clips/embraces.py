@@ -28,6 +28,8 @@ APART = 0.004
 """Metres between lips that touch."""
 TILT = 18.0
 """Degrees both heads tilt to their right in a kiss, so that the noses pass."""
+IN_THE_WAY = 0.25
+"""Metres; a hand that holds something longer is not laid around anybody."""
 DEEPEST = 0.10
 """Metres, times k, that the taller one gives way in the knees for a kiss."""
 
@@ -104,6 +106,9 @@ def _close_arms(
     mood(who, apart, "tender")
     who.gaze.set(t, 0.4, who.ahead)
     for side in SIDES:
+        held = stage.props.get(who.held.get(side, ""))
+        if held is not None and max(held.size) > IN_THE_WAY:
+            continue
         opened, closed = _open_arms(who, side, over), _around(who, other, side, over)
         who.hands[side].set(t, 0.6 * CLOSING, opened)
         who.hands[side].set(t + 0.5 * CLOSING, 0.7 * CLOSING, closed)

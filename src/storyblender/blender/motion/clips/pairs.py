@@ -19,6 +19,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import Grip, PropPuppet, carried, gripping, standing
 from storyblender.blender.motion.skeleton import sign
 from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.catalog.carrying import hand_towards
 
 SEATED = ("sit", "lie", "asleep")
 SHUFFLE = 0.45
@@ -115,7 +116,7 @@ def _hand_over(
     reach = 0.72 * (giver.m.arm + taker.m.arm)
     t = meet(stage, mover, taker if mover is giver else giver, replace(beat, start=start), reach)
     side = next((s for s, held in giver.held.items() if held == prop.asset_id), "R")
-    other_side = free_hand(taker)
+    other_side = free_hand(taker, hand_towards(taker.position.to_tuple(), taker.yaw, giver.position.to_tuple()))
     if other_side is None:
         stage.report("unreachable", taker, beat, f"{taker.asset_id} has no free hand for {prop.asset_id}")
         return t
