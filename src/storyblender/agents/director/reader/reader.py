@@ -7,6 +7,7 @@ from collections import Counter
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
+from storyblender.agents.director.reader.beside import act_beside
 from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
 from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
 from storyblender.agents.director.reader.deeds.carried import bring_along
@@ -154,6 +155,7 @@ def _read(stage: Stage, sentence: Sentence) -> None:
         lies_there(stage, shown, sentence.words)
     if sentence.speech:
         speak(stage, sentence, sentence.speech)
+        act_beside(stage, sentence, sentence.speech)
     if (
         sentence.camera
         and sentence.camera.kind == "pov"

@@ -55,6 +55,10 @@ def test_what_only_looks_like_a_deed_is_none(read_scene: Read, action: str, deed
         ("Bob gets down on his hands and knees.", {("bob", "kneel")}),
         ("Bob runs after it, gives up and turns.", {("bob", "run"), ("bob", "turn")}),
         ("BOB in the doorway.", {("bob", "stand")}),
+        ("Both turn to the door.", {("bob", "turn"), ("carl", "turn")}),
+        ("Everybody turns to Anna.", {("bob", "turn"), ("carl", "turn")}),
+        ("ANNA\n(quietly, taking off her cap)\nNo.", {("anna", "talk"), ("anna", "take_off")}),
+        ("ANNA\n(whispering)\nNo.", {("anna", "whisper")}),
     ],
 )
 def test_every_verb_has_its_doer(read_scene: Read, action: str, deeds: set[tuple[str, str]]) -> None:

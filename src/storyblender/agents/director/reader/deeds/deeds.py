@@ -61,6 +61,8 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
     target, prop = find_target(stage, clause, roles, motion)
     distance = _distance(stage) if motion in _TRAVEL else None
     actors = roles.people if clause.verb in _CAUSING and roles.people else roles.subjects
+    if len(actors) > 2:
+        actors = [person for person in actors if person.id != target]  # everybody turns to Edna
     deeds = [
         Deed(person.id, motion, target if target != person.id else None, prop, clause.at, clause.verb, distance)
         for person in actors

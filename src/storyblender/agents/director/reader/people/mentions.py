@@ -36,6 +36,11 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
             marked.append(several)
             at += _OF_THEM
             continue
+        alone = _all_alone(words, at)
+        if alone:
+            marked.append(alone)
+            at += alone.text.count(" ") + 1
+            continue
         length, people = _longest_name(words, at, roster)
         if length:
             run = words[at : at + length]
@@ -64,6 +69,25 @@ def _so_many_of_them(words: list[Word], at: int) -> Word | None:
     start = words[at - 1].start if low[0] not in ("all", "both") else run[0].start
     mention = Mention("group", [], "them", "the", number=lexicon.NUMBERS.get(low[0], EVERYBODY), start=start)
     return Word("them", run[0].start, run[-1].end, mention)
+
+
+def _all_alone(words: list[Word], at: int) -> Word | None:
+    """``Everybody turns``, ``All three listen``, ``Both turn to the door``: a group that is the subject."""
+    low = [word.low for word in words[at : at + 2]]
+    opens = at == 0 or not words[at - 1].solid or words[at - 1].low in lexicon.CONJUNCTIONS
+    count = 2 if low[0] == "all" and low[1:] and low[1] in _COUNTS else 1
+    if not opens or (low[0] not in ("everyone", "everybody", "both") and count == 1):
+        return None
+    verb, after = words[at + count : at + count + 1], words[at + count + 1 : at + count + 2]
+    kind = form_kind(verb[0].low) if verb else ""
+    singly = low[0] in ("everyone", "everybody")
+    goes_on = not after or after[0].low in _SMALL or not after[0].solid or after[0].low.endswith("ly")
+    if kind not in (("3sg", "past") if singly else ("base", "past")) or not goes_on:
+        return None
+    number = EVERYBODY if singly else lexicon.NUMBERS[low[count - 1]]
+    run = words[at : at + count]
+    mention = Mention("group", [], "them", "the", number=number, start=run[0].start)
+    return Word(" ".join(word.text for word in run), run[0].start, run[-1].end, mention)
 
 
 def _longest_name(words: list[Word], at: int, roster: Roster) -> tuple[int, list[Person]]:
