@@ -11,6 +11,7 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.vocabulary import Movement
 from storyblender.screenplay.fountain import strip_emphasis
 
 Way = Literal["left", "right", "up", "down", "in", "out"]
@@ -86,30 +87,43 @@ class Panel:
         return min(views) / max(views)
 
     @property
+    def move(self) -> Movement:
+        """What the camera does: one that was to go along and holds everybody from where it is stands still.
+
+        One that was to stand still and turns after somebody pans.
+        """
+        wanted, camera = self.shot.camera_instruction.movement, self.shot.camera
+        if camera is None:
+            return wanted
+        if wanted == "static":
+            return wanted if camera.poses[0].rotation == camera.poses[-1].rotation else "pan"
+        return "static" if len(camera.poses) == 1 else wanted
+
+    @property
     def movement(self) -> str:
         """The camera move in words."""
-        movement, way = self.shot.camera_instruction.movement, self.way
+        movement, way = self.move, self.way
         return f"{movement} {way}" if way and not movement.endswith(way) else movement
 
     @property
     def way(self) -> Way | None:
         """Where the camera goes, as it was set, or else as the script says; None if it stands still."""
-        instruction, camera = self.shot.camera_instruction, self.shot.camera
-        if instruction.movement == "static":
+        move, camera = self.move, self.shot.camera
+        if move == "static":
             return None
-        if instruction.movement in ("push in", "zoom in"):
+        if move in ("push in", "zoom in"):
             return "in"
-        if instruction.movement in ("pull out", "zoom out"):
+        if move in ("pull out", "zoom out"):
             return "out"
         if camera is None:
-            return instruction.direction
+            return self.shot.camera_instruction.direction
         first, last = (Orbit(p.pivot, p.rotation, p.distance, p.lens) for p in (camera.poses[0], camera.poses[-1]))
         goes = last.position - first.position
-        if instruction.movement in ("pan", "tilt"):
+        if move in ("pan", "tilt"):
             goes = first.axes[:, 2] - last.axes[:, 2]
         right, up, back = first.axes.T @ goes
         ways: dict[Way, float] = {"left": -right, "right": right, "down": -up, "up": up, "in": -back, "out": back}
-        if instruction.movement in ("pan", "tilt"):
+        if move in ("pan", "tilt"):
             del ways["in"], ways["out"]
         way = max(ways, key=lambda way: ways[way])
         return way if ways[way] > STILL else None

@@ -32,7 +32,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, out: Path) -> None:
                 "size": instruction.size,
                 "kind": instruction.kind,
                 "angle": instruction.angle,
-                "movement": instruction.movement,
+                "movement": panel.move,
                 "direction": panel.way or "",
                 "lens_mm": f"{panel.lens:.0f}",
                 "f_number": f"{shot.camera.f_number:g}" if shot.camera else "",

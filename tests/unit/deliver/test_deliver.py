@@ -254,6 +254,21 @@ def test_a_panel_says_where_its_camera_really_goes(
     assert panel.movement == (movement if way is None or movement.endswith(way) else f"{movement} {way}")
 
 
+def test_a_camera_is_called_what_it_does_and_not_what_was_wanted(graph: ContinuityMemoryGraph) -> None:
+    first = orbit.stand((0, 0, 1.5), 30, 5, 5.0, 35)
+    start, end = (
+        CameraPose(frame=frame, pivot=o.pivot, rotation=o.rotation, distance=o.distance, lens=35)
+        for frame, o in ((0, first), (11, orbit.swivel(first, 20)))
+    )
+    said: list[str] = []
+    for movement, poses in (("track", (start,)), ("pan", (start,)), ("static", (start, end))):
+        instruction = CameraInstruction.model_validate({"movement": movement})
+        changes = {"camera": CameraState(poses=poses), "camera_instruction": instruction}
+        shots = (graph.shots[0].model_copy(update=changes), graph.shots[1])
+        said.append(panels(graph.model_copy(update={"shots": shots}))[0].movement)
+    assert said == ["static", "static", "pan left"]
+
+
 def test_the_film_is_read_in_pieces_while_mouths_move(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
     outline = graph.outline[0]
     line = outline.shots[1].lines[0].model_copy(update={"speaker": "elodie", "text": "a word " * 30})
