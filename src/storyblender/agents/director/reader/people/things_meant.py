@@ -66,20 +66,25 @@ def meant_by_it(stage: Stage, index: int, use: Use, animals: Sequence[Person] = 
         weights[thing] = weights.get(thing, 0.0) + SEEN + 0.01 * at
     arguments = {stage.sentence.object_thing, stage.sentence.subject_thing}
     if use == "place" and len(before) > 1 and before[-1][0] == index - 2:
-        arguments = {before[-1][1], stage.sentence.object_thing}  # a table with a lamp on it
+        arguments = {before[-1][1]}
+        apart = {word.low for word in stage.sentence.words[before[-2][0] : before[-1][0]]}
+        told = [thing for thing in (stage.sentence.object_thing, stage.sentence.subject_thing) if thing in weights]
+        whole = next((thing for thing in told if thing != before[-1][1]), before[-2][1])
+        weights[whole] += _HANDLED * ("with" in apart)  # drags in a sledge with a tree on it
     weights |= {animal.id: _ANIMAL * stage.discourse.salience.get(animal.id, 0.0) for animal in animals}
     pool = [thing for thing in weights if thing not in arguments and _can_be_it(stage, thing)]
-    return max(pool, key=lambda thing: weights[thing] + _fitness(stage, thing, use)) if pool else None
+    aside = use == "place" and stage.sentence.words[index - 1].low in _ASIDE
+    return max(pool, key=lambda thing: weights[thing] + _fitness(stage, thing, use, aside)) if pool else None
 
 
-def _fitness(stage: Stage, thing: str, use: Use) -> float:
+def _fitness(stage: Stage, thing: str, use: Use, aside: bool) -> float:
     """How well a thing goes with what is said of it."""
     kind, verb = stage.inventory.class_of(thing), stage.sentence.verb
     motion = lexicon.MOTION_OF_VERB.get(verb)
     fitness = _KINDS.get(kind, 0.0) + _SUITS * (stage.inventory.head(thing) in lexicon.SUITING.get(verb, ()))
     fixed = kind in ("set_piece", "scenery")
     if use == "place":
-        return fitness + _AT * (kind == "set_piece")
+        return fitness + _AT * (kind == "set_piece" and not aside)
     if use == "object" and motion in lexicon.GRIPPING:
         held = any(thing in things for things in stage.scene.held.values())
         return fitness - _UNFIT * fixed + _IN_HAND * held * ((motion in _LOSING) - (motion == "pick_up"))
