@@ -18,6 +18,18 @@ _TAGGED = re.compile(
 )
 
 
+_ALSO = re.compile(
+    r"\b(?:[Kk]nown (?:to \w+ )?as|[Nn]icknamed|[Cc]alled|[Aa][Kk][Aa]|[Rr]eal name) "
+    rf"[\"“'‘]?([{UPPER}][\w'’-]*)"
+)
+
+
+def also_known(look: str) -> str:
+    """Another name in brackets: ``(48, known as DEN, the coach)``; else empty."""
+    also = _ALSO.search(look)
+    return also.group(1) if also else ""
+
+
 def nicknamed(text: str) -> list[tuple[int, int, str, str]]:
     """Find ``BEATRIZ "BEA" LUNA``: where it starts and ends, the whole name, the nickname."""
     return [

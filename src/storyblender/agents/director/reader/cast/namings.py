@@ -29,6 +29,12 @@ _TOLD = re.compile(
     rf"|\b(?:(?:who|he|she)\s(?:was|is)\s(?:called|named)|whose\sname\s(?:was|is)|call(?:ed|s)\s(?:him|her|it)(?:self)?"
     rf"|(?:introduced|introduces)\s(?:him|her)self\sas|gave\s(?:his|her)\sname\sas)\s(?P<other>{_NAME})"
 )
+_TAG = r"(?:name ?tag|tag|badge|label|name ?plate|plate)"
+_WORN = re.compile(
+    rf"\b([{UPPER}][\w'’-]+),? (?:says|said|reads|read) (?:the|his|her|a) {_TAG}\b"
+    rf"|\b{_TAG} (?:on (?:his|her|the) \w+ )?(?:says|said|reads|read) ([{UPPER}][\w'’-]+)"
+)
+"""``IRMA, says the tag on her jacket``."""
 _ASKED = re.compile(r"\bname\b|\b[Ww]ho are you\b|\bI['’]m [A-Z]|\bI am [A-Z]")
 """What the answer is a name to: ``"You got a name?" "Silas."``"""
 
@@ -66,6 +72,9 @@ def namings(script: Manuscript) -> list[Naming]:
             group = "told" if match.group("told") else "other"
             gender = lexicon.PRONOUNS.get((match.group("whose") or "").lower(), "unknown")
             found.append(Naming(paragraph.start + match.start(group), match.group(group), "told", "", gender))
+        for match in _WORN.finditer(told):
+            name = match.group(1) or match.group(2)
+            found.append(Naming(paragraph.start + match.start(), name.capitalize(), "told", ""))
         for quotation in QUOTATION.finditer(paragraph.raw):
             said = quotation.group(0).strip(QUOTATION_MARKS)
             at = paragraph.start + quotation.start() + 1

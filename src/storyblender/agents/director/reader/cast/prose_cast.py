@@ -34,9 +34,10 @@ _LISTED = rf",?\s+[{UPPER}][{LOWER}]+(?:, [{UPPER}][{LOWER}]+)*,? and [{UPPER}]"
 """``the twins, Ola and Per``: they have names."""
 _NAMED = re.compile(rf"\s+(?:named|called)\s+([{UPPER}][\w’'-]+)")
 _OPENING = re.compile(
-    r"(?:Without|After|Before|While|On|In|At|By|From|Through|Behind|With)\b[a-z ]*,|[A-Z][a-z]+(?:ly|ing)[a-z ]*,"
+    r"(?:(?i:without|after|before|while|on|in|at|by|from|through|behind|with|beside|next to|under|near|between)\b"
+    r"[a-z ]*,\s*)+|[A-Z][a-z]+(?:ly|ing)[a-z ]*,"
 )
-"""``Without knocking, a tiny woman came in``: nobody stands before her."""
+"""``Without knocking, a tiny woman came in``, ``Beside me, on the bench, an old man``: nobody stands before her."""
 _NOT_ROLES = frozenset({"people", "crowd", "figure", "narrator", "family", "couple", "animal", "creature"})
 _LATER = frozenset(
     {"man", "woman", "boy", "girl", "child", "lady", "gentleman", "guy", "fellow", "kid", "lad", "person"}
@@ -138,6 +139,10 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
         describe(person, look)
     elif _is_another(roster, role, text, apposed):
         _add_role(roster, role, look, f"{look} {phrase.noun}")
+    elif old := _is_not_the_old_one(roster, role, text, apposed):
+        old.aliases = tuple(alias for alias in old.aliases if alias != phrase.noun)
+        old.name = f"Old {phrase.noun}"
+        _add_role(roster, role, look)
     elif known := [person for person in roster.people if person.role == phrase.noun]:
         for person in known if not (phrase.noun in _LATER and lexicon.AGED & set(phrase.adjectives)) else ():
             describe(person, look)
@@ -261,6 +266,19 @@ def _is_another(roster: Roster, role: _Role, text: str, apposed: bool) -> bool:
     )
     near = any(role.at - person.first < _ANOTHER for person in known)
     return bool(known and look) and not told and not near and is_said is None
+
+
+def _is_not_the_old_one(roster: Roster, role: _Role, text: str, apposed: bool) -> Person | None:
+    """Whoever is always ``the old man``, where much later ``a man`` comes, who is somebody else."""
+    noun = role.phrase.noun
+    if noun not in _LATER or role.phrase.determiner not in ("a", "an") or role.phrase.plural or apposed:
+        return None
+    called = {name for age in lexicon.AGED if text.lower().count(name := f"the {age} {noun}") > 1}
+    for person in roster.people:
+        aged = [f"the {alias}" for alias in person.aliases]
+        if person.role == noun == bare(person.name) and called & {*aged} and role.at - person.first > _ANOTHER:
+            return person
+    return None
 
 
 def _add_role(roster: Roster, role: _Role, look: str, name: str = "") -> None:

@@ -55,6 +55,8 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
         if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() :]):
             continue
         before = text[max(0, at - 30) : at].lower()
+        if _is_a_place(name):
+            continue
         known = first.strip(".") in lexicon.FIRST_NAMES | lexicon.TITLES
         if not known and _is_somewhere(name, before) and not _is_apposed_to_somebody(text[match.end() :]):
             continue
@@ -68,10 +70,14 @@ def _is_somewhere(name: str, before: str) -> bool:
     named = any(form_kind(word) for word in owned.group(1).split()) if owned else False
     if _WHERE.search(before) or (owned and not named and not any(find_person_nouns(before))):
         return True
-    *_, last = name.lower().split()
-    return (re.search(r"\bthe\s+$", before) is not None and not is_person_noun(last)) or (
-        " " in name and last in lexicon.PLACES
-    )
+    last = name.lower().split()[-1]
+    return re.search(r"\bthe\s+$", before) is not None and not is_person_noun(last)
+
+
+def _is_a_place(name: str) -> bool:
+    """``Linden Street``, ``Anchor Café``, whatever the first word may be elsewhere."""
+    words = unaccented(name.lower()).split()
+    return len(words) > 1 and words[-1] in lexicon.PLACES and words[0].strip(".") not in lexicon.TITLES
 
 
 def _opens_like_a_name(name: str, following: str) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
-from storyblender.agents.director.reader.cast.by_names import nicknamed, tagged_name, worn_name
+from storyblender.agents.director.reader.cast.by_names import also_known, nicknamed, tagged_name, worn_name
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.named_groups import name_groups
 from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
@@ -164,7 +164,7 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
     title = base.split()[0].strip(".").lower()
     if is_person_noun(head) or (title in lexicon.TITLES and " " in base):
         return True
-    if _AGED.match(after) or _is_called_a_person(after):
+    if _AGED.match(after) or _is_called_a_person(after) or (_told_before(before) and re.match(r"[,.;]| \(", after)):
         return True
     if head in lexicon.PROPS | lexicon.SET_PIECES:
         return False
@@ -228,6 +228,8 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     _kin_before(roster, person, before)
     for said in looks:
         describe(person, said)
+        if also := also_known(said):
+            roster.call(person, bare(also))
         if person.role and (tag := tagged_name(said, full_names)):
             roster.call(person, bare(tag))
 
@@ -258,12 +260,22 @@ def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
 
 def _kin_before(roster: Roster, person: Person, before: str) -> None:
     """``Tobin's little sister, LARK``, ``his driver, DOT``: what somebody is to somebody else."""
+    animal = _told_before(before)
+    if animal in lexicon.ANIMALS and person.kind == "human" and not person.role:
+        person.kind, person.role = "animal", animal
+        roster.call(person, animal)
     said = re.search(r"(?:\b(?:his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+),? $", before)
     if said and not person.role and person.kind == "human" and is_person_noun(said.group(1)):
         person.role = said.group(1)
         if person.gender == "unknown":
             person.gender = lexicon.gender_of_word(person.role)
         roster.call(person, person.role)
+
+
+def _told_before(before: str) -> str:
+    """The noun right before a name after a comma: ``a small dog, BIJOU,``; an empty string where it is nobody's."""
+    noun = re.search(r"(?:\b(?:an?|the|his|her|their)|['’]s) (?:[a-z-]+ ){0,2}([a-z-]+), $", before, re.IGNORECASE)
+    return noun.group(1).lower() if noun and is_person_noun(noun.group(1).lower()) else ""
 
 
 def _are_numbered(name: str, full_names: set[str]) -> bool:

@@ -6,6 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.cast.later_names import GENERIC, GENTLE, is_nameless, join
+from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
@@ -75,14 +76,16 @@ def _agree(person: Person, other: Person) -> bool:
 
 
 def _just_named(roster: Roster, nameless: Person, told: str, speaks: bool) -> Person | None:
-    """``said Mr. Finch. The lawyer unrolled the will``: who has a title, in the sentence right before."""
+    """``said Mr. Finch. The lawyer unrolled the will``: who has a title, or a name that is new, right before."""
     opens = told[nameless.first].isupper()
     coming = re.match(rf"\w+ [\w-]+ (?:{_COMING})\b", told[nameless.first :]) is not None
     for other in roster.people if (opens or speaks) and not coming else ():
         title = bare(other.name).split()[0].strip(".")
+        newest = max((each.first for each in roster.people if each.first < nameless.first), default=-1)
+        fresh = opens and other.first == newest and not is_person_noun(bare(other.name))
         near = told.rfind(other.name, max(0, nameless.first - _JUST_NAMED), nameless.first)
         between = told[near : nameless.first].strip()
-        fits = title in GENTLE and not other.role and _agree(nameless, other)
+        fits = (title in GENTLE or fresh) and not other.role and other.kind == "human" and _agree(nameless, other)
         if fits and near >= 0 and (speaks or "\n\n" not in between):
             return other
     return None

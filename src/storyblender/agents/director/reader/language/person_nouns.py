@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import unaccented
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
 
 _DETERMINER = re.compile(
@@ -14,6 +15,8 @@ _DETERMINER = re.compile(
     re.IGNORECASE,
 )
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.SCENERY | lexicon.PLACES
+_TOYS = lexicon.words("toys")
+"""``a rocking horse``: words that make an animal a thing."""
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 
 
@@ -30,10 +33,19 @@ class PersonNoun(NamedTuple):
     plural: bool
 
 
+def _is_a_place(word: str) -> bool:
+    """``the Anchor Café``."""
+    return word.istitle() and unaccented(word.lower()) in lexicon.PLACES
+
+
 def _names_a_thing(noun: str, word: str, after: str) -> bool:
     """``a camel coat``, ``the sheep track``, ``the way lion tamers do``: no animal is there."""
-    following = re.match(r" ([a-z]+)", after)
-    if noun not in lexicon.ANIMALS or noun != word or following is None:
+    following = re.match(r" ([^\W\d_]+)", after)
+    if noun != word or following is None:
+        return False
+    if (noun, following.group(1)) == ("crew", "cut") or _is_a_place(following.group(1)):
+        return True
+    if noun not in lexicon.ANIMALS:
         return False
     return following.group(1) in _THINGS or is_person_noun(singular(following.group(1)))
 
@@ -46,10 +58,11 @@ def find_person_nouns(text: str) -> Iterator[PersonNoun]:
         for word in match.group(2).split():
             low = word.lower().strip(",")
             noun = singular(low)
-            at = text.index(word, at) + len(word)
+            at = text.index(word, at) + len(word.rstrip(","))
             if low in _SMALL:
                 break
-            if is_person_noun(noun) and _names_a_thing(noun, low, text[at:]):
+            toy = noun in lexicon.ANIMALS and bool(_TOYS & set(adjectives))
+            if is_person_noun(noun) and (toy or _names_a_thing(noun, low, text[at:])):
                 break
             if is_person_noun(noun):
                 yield PersonNoun(match.start(), at, match.group(1).lower(), tuple(adjectives), noun, noun != low)

@@ -1,0 +1,64 @@
+"""Who is cast and who is not: places with names, animals introduced by name, people told of by what they are."""
+
+from collections.abc import Callable
+
+import pytest
+
+from storyblender.agents.director.reader import read_script
+from storyblender.agents.director.reading import Reading
+from storyblender.screenplay.source import read
+
+Read = Callable[[str], Reading]
+
+
+def told(story: str) -> dict[str, tuple[str, ...]]:
+    return {person.id: person.aliases for person in read_script(read(story, "prose")).people}
+
+
+@pytest.mark.parametrize("place", ["Linden Street", "the Anchor Café", "Market Square"])
+def test_a_named_place_is_nobody(place: str) -> None:
+    story = f"Nora walked into the rain.\n\nBy noon she stood in {place} and waited. Nora sighed.\n"
+    assert [*told(story)] == ["nora"]
+
+
+def test_an_animal_introduced_by_name_is_cast(read_scene: Read) -> None:
+    reading = read_scene("OTTO (71, a man) sits. A basset hound, BISCUIT, sleeps by the stove.")
+    assert [(person.id, person.kind) for person in reading.people] == [("otto", "human"), ("biscuit", "animal")]
+    assert reading.units[-1].on_stage == ["otto", "biscuit"]
+
+
+def test_who_is_known_by_another_name_is_one_person(read_scene: Read) -> None:
+    reading = read_scene("DENISE WARD (48, known as DEN, the coach) frowns.\n\nDEN\nRun!\n\nDen sits.")
+    assert [person.id for person in reading.people] == ["denise_ward"]
+
+
+def test_a_trade_told_right_after_a_new_name_is_whoever_has_it() -> None:
+    story = "Ines pushed her bicycle.\n\nTobias was there before her. The old fisherman sat on a bollard and slept.\n"
+    people = told(story)
+    assert [*people] == ["ines", "tobias"]
+    assert "fisherman" in people["tobias"]
+
+
+def test_what_a_name_is_said_to_be_may_be_followed_by_a_comma() -> None:
+    people = told("Gus ran. Mrs Dorn, the headmistress, was at the piano. The headmistress got up.\n")
+    assert [*people] == ["gus", "mrs_dorn"]
+    assert "headmistress" in people["mrs_dorn"]
+
+
+def test_a_name_on_a_badge_is_the_wearers() -> None:
+    people = told("Nora stopped. The driver was new. Irma, says the tag on her jacket. Irma laughed.\n")
+    assert "driver" in people["irma"]
+    assert "driver" not in people
+
+
+def test_a_man_is_not_the_old_man_of_before() -> None:
+    middle = "Nora played. The old man looked at her. " * 12
+    people = told(f"Beside Nora, on the bench, an old man was feeding a dove.\n\n{middle}\n\nA man opened the door.\n")
+    assert {"old man", "man"} <= {alias for aliases in people.values() for alias in aliases}
+    assert len(people) == 3
+
+
+def test_a_rocking_horse_and_a_crew_cut_are_nobody() -> None:
+    assert [*told("Nora had a crew cut. A rocking horse stood there, and the rocking horse swung. Nora sat.\n")] == [
+        "nora"
+    ]
