@@ -96,6 +96,8 @@ PEOPLE = "JOE (40, a man) sits. KATE (35, a woman) stands.\n\n"
         ("Joe rides on Kate's back.", ("joe", "on", "kate")),
         ("Joe stops two steps in front of Kate.", ("joe", "in_front_of", "kate")),
         ("Joe pulls up a chair and sits down.", ("joe", "on", "chair")),
+        ("A ferry waits. Joe steps aboard.", ("joe", "on", "ferry")),
+        ("A car stops. Kate opens the door and gets in.", ("kate", "in", "car")),
         ("Joe walks up to the throne, straightens his coat and sits.", ("joe", "on", "throne")),
         ("Joe sits at a table under a lamp.", ("table", "under", "lamp")),
         ("A camera stands on a table at the window.", ("table", "at", "window")),

@@ -38,6 +38,8 @@ _BOARDING = frozenset(
 )
 _FETCHING = frozenset({"pull", "take", "push", "carry", "pick_up"})
 _ONES_OWN = BODY_OR_DRESS | CLOTHS
+_LATELY = 4
+"""Things back to a vehicle."""
 _LEAPING = frozenset({"jump", "climb", "ride", "fall"})
 _GOING = frozenset({"walk", "run", "sneak", "stagger", "crawl"})
 _UP_TO = frozenset({"to", "over to", "up to"})
@@ -75,6 +77,7 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             faced = faced or located  # each other
             found.extend((subject, "facing", other) for subject in located for other in faced if other != subject)
         found += _arrived(stage, clause, motion, located, bool(found))
+        found += _boarded(stage, clause, roles, located)
         found += _lands_on(roles, motion, located)
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
@@ -164,6 +167,19 @@ def _aboard(stage: Stage, roles: Roles, located: list[str]) -> list[Stated]:
             elif place.preposition in ("into", "aboard", "inside") and solid:
                 found.extend((subject, exact_kind(stage, "in", thing, ""), thing) for subject in located)
     return found
+
+
+def _boarded(stage: Stage, clause: Clause, roles: Roles, located: list[str]) -> list[Stated]:
+    """``opens the car door and gets in``, ``steps aboard``: into the vehicle that was named last."""
+    after = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 2]]
+    aboard, into = after == ["aboard"], clause.verb in _BOARDING and clause.particle == "in"
+    told = roles.things + roles.people or any(place.things for place in roles.places)
+    told = told or any(stage.inventory.head(thing) == "window" for _, thing in stage.sentence.things)
+    lately = (t for t in stage.discourse.recent_things[:_LATELY] if stage.inventory.head(t) in lexicon.VEHICLES)
+    vehicle = next(lately, None)
+    if vehicle is None or told or not (aboard or into) or not roles.subjects:
+        return []
+    return [(who, "on" if aboard else "in", vehicle) for who in located]
 
 
 def _between(
