@@ -57,7 +57,10 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
 def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
     """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size."""
     named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
-    sizes = run.reflect("dimension_estimator", "assets", named, DimensionRules(), DimensionCritic()).draft
+    setups = [scene.setup for scene in run.graph.scenes]
+    outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
+    rules = DimensionRules(frozenset(asset.asset_id for asset in named) - outdoors)
+    sizes = run.reflect("dimension_estimator", "assets", named, rules, DimensionCritic()).draft
     return [
         asset.model_copy(update={"dimension": sizes[asset.asset_id]}) if asset.asset_id in sizes else asset
         for asset in assets
@@ -108,7 +111,7 @@ class ConceptArtist:
         if setup is None:
             return AssetRequest(asset=asset, models=self._models)
         weather = setup.weather if setup.scene_type == "outdoor" else ""
-        means = dict(SETS[kit_of(setup)].means)
+        means = dict(SETS[kit_of(setup)].meanings)
         return AssetRequest(asset=asset, models=self._models, means=means, weather=weather)
 
 

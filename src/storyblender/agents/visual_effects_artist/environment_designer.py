@@ -144,7 +144,7 @@ def period_of(words: str, kit: SetKit) -> Period:
 _OPTION_WORDS = {
     "log": r"\blog\b|cabin|lodge",
     "pines": r"\bpines?\b|\bfirs?\b|snow",
-    "palms": r"palms?|tropic|island|lagoon",
+    "palms": r"palms?|tropic|island|lagoon|jungle|rain ?forest",
     "dry": r"\bdry\b|prairie|savanna|wheat|corn|dusty|steppe",
     "lighthouse": r"light ?house",
     "cranes": r"\bcranes?\b",

@@ -31,6 +31,30 @@ def pine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (lean((0, -0.2, 1.2), 0.3),)
 
 
+@prop("christmas_tree")
+def christmas_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a small conifer in a bucket, hung with balls, a star on top."""
+    w, _, h = spec.size
+    pot, tall = 0.28, h - 0.12
+    b.cylinder("sheet_metal", (0, 0, 0), (0, 0, pot), 0.15, 0.19, segments=18)
+    b.cylinder("dirt", (0, 0, pot - 0.03), (0, 0, pot - 0.01), 0.185, segments=18)
+    with b.at((0, 0, pot - 0.05)):
+        plants.conifer(b, spec.material("bark"), spec.material("leaf"), (w, tall - pot), spec.rng, 0.1)
+    for k in range(26):
+        share = (k + 0.5) / 26
+        turn, reach = k * plants.GOLDEN_TURN, w * (0.4 * (1 - share) ** 0.85 + 0.04)
+        spot = (reach * math.cos(turn), reach * math.sin(turn), pot + 0.12 + (tall - pot - 0.25) * share)
+        b.sphere(spec.material("ball" if k % 3 else "star"), spot, 0.032, segments=10, rings=6)
+    points = [
+        (r * math.sin(math.pi * k / 5), r * math.cos(math.pi * k / 5))
+        for k in range(10)
+        for r in (0.1 - 0.06 * (k % 2),)
+    ]
+    with b.at((0, 0.01, h - 0.1), (90, 0, 0)):
+        b.extrude(spec.material("star"), points, 0.02)
+    return ()
+
+
 @prop("palm_tree")
 def palm_tree(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a palm."""

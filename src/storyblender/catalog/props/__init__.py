@@ -5,6 +5,7 @@ from __future__ import annotations
 from storyblender.catalog.props.beasts import BEASTS
 from storyblender.catalog.props.carried import CARRIED
 from storyblender.catalog.props.entry import PropEntry
+from storyblender.catalog.props.everyday import EVERYDAY
 from storyblender.catalog.props.fittings import FITTINGS
 from storyblender.catalog.props.furniture import FURNITURE
 from storyblender.catalog.props.household import HOUSEHOLD
@@ -43,6 +44,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + LABORATORY
     + MUSIC_AND_SPORT
     + YARD
-    + ROOMS,
+    + ROOMS
+    + EVERYDAY,
 )
 """In the order they are listed to people."""

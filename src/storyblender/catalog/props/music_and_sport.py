@@ -43,7 +43,7 @@ MUSIC_AND_SPORT: tuple[PropEntry, ...] = (
     ),
     held(
         "bat",
-        "baseball bat, club, cudgel, juggling club, truncheon, nightstick, police baton, cricket bat, pool cue, cue",
+        "baseball bat, club, cudgel, juggling club, cricket bat, pool cue, cue",
         (0.068, 0.068, 0.84),
         {"wood": "wood_light", "grip": "leather_black"},
         "A baseball bat.",

@@ -19,7 +19,7 @@ NATURE: tuple[PropEntry, ...] = (
     entry(
         "nature",
         "pine",
-        "fir tree, pine tree, fir, conifer, spruce, christmas tree, evergreen",
+        "fir tree, pine tree, fir, conifer, spruce, evergreen",
         (3.0, 3.0, 8.0),
         {"leaf": "leaves_dark", "bark": "bark"},
         "A conifer.",

@@ -66,5 +66,6 @@ KIT = SetKit(
     height=Span(2.8, 3.1, 4.0),
     period="modern",
     options={"space": False},
-    means={"chair": "office_chair", "armchair": "office_chair"},
+    means={"chair": "office_chair", "armchair": "office_chair", "seat": "office_chair", "torch": "flashlight",
+           "camera": "security_camera", "phone": "smartphone"},
 )  # fmt: skip

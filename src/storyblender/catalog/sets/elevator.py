@@ -44,5 +44,6 @@ KIT = SetKit(
     depth=Span(2.7, 2.7, 3.6),
     height=Span(2.4, 2.5, 2.8),
     period="modern",
+    means={"phone": "smartphone", "camera": "security_camera"},
     has=("button", "door", "panel", "elevator", "lift", "mirror", "wall"),
 )

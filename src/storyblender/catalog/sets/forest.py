@@ -17,10 +17,14 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     edge = max(x, y)
     wood.land("forest_floor", relief=2.0, rise=0.05)
     lanes = (((0.0, -2.0), (4.0, -22.0), 3.0), ((0.0, 2.0), (-7.0, 26.0), 1.6))
-    kinds = ("pine_tree",) if params.option("pines") else ("broad_tree", "pine_tree", "broad_tree")
+    if params.option("palms"):
+        kinds, under = ("palm_tree", "broad_tree"), ("fern", "fern", "grass_tuft")
+    else:
+        kinds = ("pine_tree",) if params.option("pines") else ("broad_tree", "pine_tree", "broad_tree")
+        under = ("grass_tuft", "fern")
     wood.scatter(kinds, 90, inner=edge + 0.6, outer=50, gap=1.9, scale=(0.75, 1.25), clear=lanes, sunk=0.1, solid=0.7)
     wood.scatter(("bush",), 32, inner=edge - 0.4, outer=24, gap=1.3, scale=(0.6, 1.3), clear=lanes)
-    wood.scatter(("grass_tuft", "fern"), 300, inner=1.5, outer=18, gap=0.3, scale=(0.7, 1.5), sunk=0.02)
+    wood.scatter(under, 300, inner=1.5, outer=18, gap=0.3, scale=(0.7, 1.5), sunk=0.02)
     wood.scatter(("rock",), 10, inner=3.2, outer=12, gap=1.4, scale=(0.4, 1.0), clear=lanes)
     wood.furnish("log", -x * 0.2, y * 0.45, wood.height(-x * 0.2, y * 0.45), 8)
     wood.mark("log", -x * 0.2, y * 0.45 - 0.7, 180, "table", "seat")
@@ -54,5 +58,5 @@ KIT = SetKit(
     draw=draw,
     width=Span(8.0, 9.0, 16.0),
     depth=Span(7.0, 8.0, 14.0),
-    options={"pines": False},
+    options={"pines": False, "palms": False},
 )

@@ -60,3 +60,8 @@ class SetKit:
     has: tuple[str, ...] = ()
     seated: bool = False
     on_foot: tuple[str, ...] = ()
+
+    @property
+    def meanings(self) -> Mapping[str, str]:
+        """What plain words mean here; under a ceiling a tree is one that somebody brought in."""
+        return {"tree": "christmas_tree", **self.means} if self.indoor else self.means

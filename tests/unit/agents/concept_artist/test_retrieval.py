@@ -141,6 +141,24 @@ def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
 
 
 @pytest.mark.parametrize(
+    ("name", "key"),
+    [
+        ("garden gate", "gate"),
+        ("hook", "wall_hook"),
+        ("alarm button", "button_panel"),
+        ("memory stick", "memory_stick"),
+        ("truncheon", "truncheon"),
+        ("small ship", "sailing_ship"),
+        ("reactor", "reactor"),
+        ("bollard", "bollard"),
+    ],
+)
+def test_common_things_are_built_and_no_stand_ins(name, key):
+    asset = Asset(asset_id="it", asset_type="object", description="", name=name)
+    assert Retriever(no_model).propose(AssetRequest(asset=asset)).key == key
+
+
+@pytest.mark.parametrize(
     ("kit", "word", "key"),
     [
         ("hospital_ward", "bed", "hospital_bed"),
@@ -151,11 +169,16 @@ def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
         ("cemetery", "stone", "gravestone"),
         ("attic", "old trunk", "chest"),
         ("attic", "music box", "jewel_box"),
+        ("kitchen", "tree", "christmas_tree"),
+        ("forest", "tree", "tree"),
+        ("elevator", "phone", "smartphone"),
+        ("elevator", "camera", "security_camera"),
+        ("control_room", "torch", "flashlight"),
     ],
 )
 def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
-    view = AssetRequest(asset=asset, means=dict(SETS[kit].means))
+    view = AssetRequest(asset=asset, means=dict(SETS[kit].meanings))
     assert Retriever(no_model).propose(view).key == key
 
 
