@@ -229,26 +229,27 @@ class Company:
             seats = [seat for seat in self.floor.seats(beside.support) if math.dist(seat.edge, beside.place) > 0.4]
             free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in self.others(person))]
             if free:
-                return self._best(free, beside.place)
+                return self._best(free, beside.place, person)
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
         thing = self.floor.thing(name)
         if name and (thing is None or (thing.location[2] > TOPS[0] and not thing.of_kind("seat", "bed"))):
             name = None  # a part of the set, or what lies on a table: who sits there has a seat of the set
         names = [name] if name else [thing.node_id for thing in self.floor.things.values()]
-        same = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name]
-        seats = [seat for each in same or names for seat in self.floor.seats(each)]
+        names = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name] or names
+        seats = [seat for each in names for seat in self.floor.seats(each)]
         free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
         if not name:
             free = [seat for seat in free if math.dist(seat.edge, person.place) < 4.0]
-        return self._best(free or (seats if name else []), person.place)
+        return self._best(free or (seats if name else []), person.place, person)
 
-    def _best(self, seats: Sequence[SeatPlace], near: Vec2) -> SeatPlace | None:
-        """Return the seat nearest to a place on which nothing lies, else the nearest; None where there is none."""
+    def _best(self, seats: Sequence[SeatPlace], near: Vec2, person: Person) -> SeatPlace | None:
+        """Return the nearest seat on which nothing lies and before which nobody stands, else the nearest; or None."""
 
-        def covered(seat: SeatPlace) -> bool:
-            return any(seat.takes(spot) and self._carriable(prop) for prop, spot in self.lying.items())
+        def unfit(seat: SeatPlace) -> bool:
+            crowded = any(math.dist(seat.before(person.k), other) < PERSONAL for other in self.others(person))
+            return crowded or any(seat.takes(at) and self._carriable(prop) for prop, at in self.lying.items())
 
-        return min(seats, key=lambda seat: (covered(seat), math.dist(seat.edge, near)), default=None)
+        return min(seats, key=lambda seat: (unfit(seat), math.dist(seat.edge, near)), default=None)
 
     def take_seat(self, person: Person, seat: SeatPlace) -> None:
         """Sit on a seat by a cut."""
@@ -369,9 +370,8 @@ class Company:
 
     def wear(self, person: Person, prop: str) -> None:
         """Let a person have something on: it is in no hand any more, and too small to be seen."""
-        person.held = {hand: held for hand, held in person.held.items() if held != prop}
-        self.lying.pop(prop, None)
-        self.touched[prop] = None
+        self.lay(person, prop, (0.0, 0.0, 0.0))
+        del self.lying[prop]
 
     def keep(self, shot: ShotContext) -> None:
         """Take over the ends of a shot whose blocking the user has locked."""

@@ -28,8 +28,9 @@ BY_KNEES = 1.1
 """Metres from which who kneels reaches somebody without getting up."""
 IN_ARMS = 0.08
 """Metres more than an embrace's distance that are not walked."""
-BEFORE_SITTER = 0.68
-"""Metres from a seat's edge to who bends to the one who sits there."""
+BEFORE_SITTER, BY_EDGE, BESIDE_KNEES, APART = 0.68, 0.25, 0.42, 0.45
+"""Metres from a seat's edge to who bends to the one who sits there: before them, or beside their knees, so far
+aside and so far from others."""
 TOO_NEAR = 0.17
 """Metres less than its distance from which one who meets somebody steps back."""
 PARTED = 0.72
@@ -172,7 +173,19 @@ class Meetings:
         return spot, (x, y)
 
     def _before(self, partner: Person, person: Person) -> Vec2 | None:
-        """Return the place in front of somebody who sits, if there is room."""
-        x, y = partner.place
-        spot = (x + BEFORE_SITTER * math.sin(partner.yaw), y - BEFORE_SITTER * math.cos(partner.yaw))
-        return spot if self.company.floor.room_at(spot) > 0.8 * BODY * person.k else None
+        """Return the place beside the knees of somebody who sits, else before them, if there is room."""
+        (x, y), yaw = partner.place, partner.yaw
+        others = [spot for spot in self.company.others(person) if spot != partner.place]
+        aside, room = BESIDE_KNEES * person.k, 0.8 * BODY * person.k
+        places = [(BY_EDGE, aside), (BY_EDGE, -aside), (BEFORE_SITTER, 0.0)]
+        spots = [
+            (x + ahead * math.sin(yaw) + left * math.cos(yaw), y - ahead * math.cos(yaw) + left * math.sin(yaw))
+            for ahead, left in places
+        ]
+        free = [
+            spot
+            for spot in spots
+            if self.company.floor.room_at(spot) > room and all(math.dist(spot, other) > APART for other in others)
+        ]
+        beside = [spot for spot in free if spot != spots[-1]]
+        return min(beside or free, key=lambda spot: math.dist(spot, person.place), default=None)

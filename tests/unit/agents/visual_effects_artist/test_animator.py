@@ -654,3 +654,12 @@ def test_who_sits_puts_something_down_with_the_hand_on_that_side() -> None:
     (put,) = _on_bench(_shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states))
     assert _end(put, "ilsa").location[0] > _end(put, "rick").location[0]
     assert _start(put, "rick").held == (("L", "letter"),)
+
+
+def test_nobody_sits_down_where_somebody_stands() -> None:
+    objects = (_at("bench", 0, 3.0), *LAYOUT.objects[:-2], _at("rick", -0.6, -1), _at("ilsa", -0.6, 2.5))
+    view = _view(_shot(1, _do("rick", "sit", target_id="bench")))
+    layout = LAYOUT.model_copy(update={"objects": objects})
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    assert _end(shot, "rick").posture == "sit"
+    assert _end(shot, "rick").location[0] == pytest.approx(0.0), "not the nearest place, where she stands"

@@ -92,3 +92,11 @@ def test_to_who_sits_the_other_comes_for_an_embrace() -> None:
     hug = next(cue for cue in shot.cues if cue.clip == "hug")
     assert (hug.asset_id, hug.target_id) == ("rick", "ilsa")
     assert math.dist(_end(shot, "rick").location[:2], _end(shot, "ilsa").location[:2]) < 0.8
+
+
+def test_who_embraces_a_sitter_stands_beside_their_knees_near_their_breast() -> None:
+    states = (BodyState(asset_id="ilsa", posture="sit", support_id="chair_l"),)
+    (shot,) = _stage(_shot(1, _do("rick", "hug", target_id="ilsa"), states=states, seconds=9))
+    edge, place, yaw = _end(shot, "ilsa").location, _end(shot, "rick").location, math.radians(_end(shot, "ilsa").yaw)
+    breast = (edge[0] - 0.25 * math.sin(yaw), edge[1] + 0.25 * math.cos(yaw))
+    assert 0.45 < math.dist(place[:2], breast) < 0.75

@@ -26,6 +26,8 @@ SHUFFLE = 0.45
 """Metres that are not walked but stepped, forwards or back, the face to the other."""
 BY_KNEES = 1.1
 """Metres from which who kneels stays there."""
+BEHIND_FEET = 0.4
+"""Metres, times k, that the breast of somebody who sits is behind where their feet are."""
 BEFORE_SITTER = 0.45
 """Metres between who stands and the feet of who sits, at least."""
 
@@ -54,7 +56,7 @@ def meet(stage: Stage, who: Performer, partner: Performer, beat: Beat, distance:
         t = max(t, travel(stage, who, beat, (spot.x, spot.y), skip=(partner.asset_id,), partner=partner))
     ends = [t]
     for one, two in ((who, partner), (partner, who)):
-        toward = two.position - one.position
+        toward = two.position - two.forward * (BEHIND_FEET * two.m.k * (two.posture == "sit")) - one.position
         if one.posture not in SEATED and toward.length > 0.05:
             ends.append(face(one, max(one.free["body"], t - 0.6), math.atan2(toward.x, -toward.y)))
     return max(ends)
