@@ -121,7 +121,7 @@ INVERTING = frozenset(_rules["inverting"]) | {verb for verb, motion in MOTION_OF
 _SOLID = frozenset(noun for kind in ("prop", "worn", "set_piece") for noun in _nouns[kind])
 ABSTRACT, BODY = frozenset(_nouns["abstract"]) | (_wordnet["abstract"] - _SOLID), frozenset(_nouns["body"])
 PROPS, WORN, SET_PIECES, SCENERY = (
-    frozenset(_nouns[kind]) | _wordnet[kind] for kind in ("prop", "worn", "set_piece", "scenery")
+    frozenset(_nouns[kind]) | (_wordnet[kind] - _SOLID) for kind in ("prop", "worn", "set_piece", "scenery")
 )
 COMPOUNDS = frozenset(noun for noun in PROPS | WORN | SET_PIECES if "-" in noun)
 """Kinds of things that take two words: ``egg-cup``, ``fire-escape``."""

@@ -18,6 +18,8 @@ _RECENT = 7
 """Things ``it`` can mean."""
 _WITH = frozenset({"with", "off"})
 _USING = frozenset({"on", "with", "into", "at", "through"})
+_GRASP = frozenset({"hold", "grip", "go", "grasp"})
+"""``takes hold of the rope``, ``lets go of it``."""
 _APART = frozenset({"of", "like", "with", "without", "by", "off", "from", "out of"})
 """They put nothing into a hand: ``a ring of hands``, ``like a fist``."""
 _TOWARDS = frozenset(
@@ -89,12 +91,13 @@ def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         determined = _is_determined(clause.object, inventory.head(thing))
         if how == "held" or not (motion in _ONLY_WORN and inventory.class_of(thing) == "worn"):
             inventory.seen(thing, how if how != "met" or determined else "seen", determined)
+    grasped = any(noun.head in _GRASP for noun in clause.object)
     for place in roles.places if roles.subjects else ():
         used = how != "met" and not roles.things and place.preposition in _USING
         for thing in place.things:
             if used and inventory.class_of(thing) == "prop":
                 inventory.seen(thing, "handled")
-            elif place.preposition in _WITH:
+            elif place.preposition in _WITH or (place.preposition == "of" and grasped):
                 inventory.seen(thing, "with")
             elif place.preposition in _TOWARDS and _is_determined(place.nouns, inventory.head(thing)):
                 inventory.seen(thing, "met")

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from storyblender.agents.director.lexicon import (
+    ADJECTIVES,
     LIQUIDS,
     MOVABLE,
     PARTS,
@@ -18,8 +19,10 @@ from storyblender.agents.director.lexicon import (
     WORN,
     NounClass,
     noun_class,
+    words,
 )
 from storyblender.agents.director.naming import asset_id
+from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reading import Thing
 from storyblender.memory.scene_context import Relation
 
@@ -27,6 +30,11 @@ Notice = Literal["seen", "with", "related", "placed", "shown", "met", "handled",
 """How a thing comes up: mentioned, ``with X``, part of a relation, put somewhere, in capitals, looked at or what
 something is done at, used, taken in the hand."""
 
+_ORDINALS = frozenset({"first", "third", "fourth", "fifth", "next"})
+_MANNER = words("manner")
+_WALLS = frozenset({"wall", "ceiling"})
+_OPENINGS = frozenset({"door", "doorway", "window", "entrance", "gate", "counter", "monitor"})
+"""What hangs over them is fixed there."""
 _OFTEN = 4
 """A prop mentioned this often matters even if nobody touches it."""
 
@@ -83,6 +91,11 @@ class Inventory:
             self._by_key[key] = longer[-1]
         return longer[-1] if longer else None
 
+    def _is_mounted(self, relation: Relation) -> bool:
+        """``the bell over the door``, ``a telephone on the wall``."""
+        anchor = self.head(relation.anchor_asset_id)
+        return anchor in _WALLS or (relation.kind == "over" and anchor in _OPENINGS)
+
     def detach(self, id: str) -> None:
         """A part of a body that belongs to nobody there is a thing: the monkey's paw on the table."""
         if self._by_id[id].noun_class == "body":
@@ -118,6 +131,7 @@ class Inventory:
         placed = [relation for relation in relations if relation.anchor_asset_id in self._by_id]
         apart = {relation.asset_id for relation in placed}
         borne = {relation.asset_id for relation in placed if relation.kind in ("on", "in")}
+        mounted = {relation.asset_id for relation in placed if self._is_mounted(relation)}
         things: list[tuple[Thing, bool]] = []
         for item in sorted(self._by_id.values(), key=lambda item: (item.first, item.id)):
             handled = bool(item.notices["handled"] + item.notices["held"])
@@ -128,8 +142,13 @@ class Inventory:
                 things.append((Thing(item.id, item.key, kind, handled=handled, first=item.first), False))
             elif _matters(item, item.id in apart):
                 thing = Thing(item.id, item.key, "prop", handled=handled, first=item.first)
+                thing.kind = "set_piece" if item.id in mounted and not handled else "prop"
                 things.append((thing, item.noun_class == "unknown"))
         return things
+
+    def parts(self) -> set[str]:
+        """Ids of what people do things to though nobody builds it: parts of other things, what is drunk and eaten."""
+        return {id for id, item in self._by_id.items() if self.head(id) in PARTS | LIQUIDS and item.notices["handled"]}
 
 
 def _matters(item: Item, apart: bool) -> bool:
@@ -142,14 +161,19 @@ def _matters(item: Item, apart: bool) -> bool:
     notices, head = item.notices, item.key.rsplit(" ", 1)[-1]
     used = notices["handled"] + notices["held"]
     if item.noun_class == "unknown":
-        return notices["held"] > 0 and item.determined
+        return notices["held"] > 0 and item.determined and not _is_no_noun(head)
     if item.noun_class == "worn" or (item.noun_class == "prop" and head in WORN):
         return used > 0 or apart
     if item.noun_class != "prop":
         return False
     if head in PARTS:
-        return used > 0
+        return notices["held"] > 0
     if head in LIQUIDS:
         return used > (1 if head in SHAPELESS else 0)
     named = notices["related"] + notices["shown"] + notices["with"] + notices["met"]
     return used + named > 0 or notices.total() >= _OFTEN
+
+
+def _is_no_noun(word: str) -> bool:
+    """``lets go of it``, ``takes hold``, ``so wet``, ``the first``: another kind of word in the place of a thing."""
+    return form_kind(word) == "base" or word in ADJECTIVES or word in _ORDINALS or word in _MANNER

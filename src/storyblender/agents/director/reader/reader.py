@@ -223,6 +223,7 @@ def _close(stage: Stage) -> None:
             end = thing.first + len(thing.name)
             stage.flag("prop", thing.id, f"“{thing.name}” is not a word the reader knows", thing.first, end)
     known = {thing.id for thing in reading.things} | {person.id for person in reading.people}
+    parts = stage.inventory.parts()
     placed = known | {
         thing
         for thing in stage.inventory.ids()
@@ -242,7 +243,7 @@ def _close(stage: Stage) -> None:
             for person, (posture, support) in unit.posture.items()
         }
         for deed in unit.deeds:
-            deed.target = deed.target if deed.target in known else None
+            deed.target = deed.target if deed.target in known | parts else deed.prop if deed.prop in parts else None
             deed.prop = deed.prop if deed.prop in known else None
     furniture = {thing.id for thing in reading.things if thing.kind == "set_piece"}
     for unit in reading.units:

@@ -33,7 +33,8 @@ def test_two_words_may_name_one_kind_of_thing(read_scene: Read, action: str, nam
         ("JOE (40, a man) puts a thermos on the table.", "thermos"),
         ("JOE (40, a man) slides a shovel under the loaves and draws them out.", "loaf"),
         ("JOE (40, a man) straightens his hat and drops it.", "hat"),
-        ("JOE (40, a man) presses a button.", "button"),
+        ("JOE (40, a man) drags a wooden chest across the sand.", "wooden chest"),
+        ("JOE (40, a man) pulls a memory stick out of its side.", "memory stick"),
     ],
 )
 def test_what_somebody_has_to_do_with_is_a_prop(read_scene: Read, action: str, name: str) -> None:
@@ -65,3 +66,17 @@ def test_parts_liquids_and_clothes_only_worn_are_no_props(read_scene: Read, acti
 )
 def test_furniture_that_is_handled_or_borne_is_a_prop(read_scene: Read, action: str, kind: str) -> None:
     assert ("stool", kind) in [(thing.name, thing.kind) for thing in read_scene(action).things]
+
+
+def test_a_part_is_no_prop_but_what_it_is_done_to(read_scene: Read) -> None:
+    reading = read_scene("JOE (40, a man) lifts the lid, takes hold of the rope and lets go of it.")
+    assert [thing.name for thing in reading.things] == ["rope"]
+    assert reading.units[0].deeds[0].target == "lid"
+
+
+@pytest.mark.parametrize(
+    ("action", "name"),
+    [("A bell hangs over the door.", "bell"), ("The telephone on the wall rings.", "telephone")],
+)
+def test_what_is_fixed_to_a_wall_belongs_to_the_set(read_scene: Read, action: str, name: str) -> None:
+    assert (name, "set_piece") in [(thing.name, thing.kind) for thing in read_scene(action).things]
