@@ -138,6 +138,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     changes.note_changes(stage, clause, roles)
     if clause.negated or clause.unreal or (clause.verb in _SPOKEN and not seen):
         return
+    states.slip_away(stage, clause, roles)
     motion = part or _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
     noticing.notice_things(stage, clause, roles, motion)

@@ -46,6 +46,8 @@ def motion_of(clause: Clause, object_head: str, posture: str) -> str | None:
     if any(noun.kind != "thing" and noun.head != "it" for _, nouns in clause.places for noun in nouns):
         nouns |= {"person"}
     doing = Doing(clause.particle, object_head, prepositions, nouns)
+    if clause.verb == "leave" and not clause.places and object_head in lexicon.PROPS:
+        return None  # leaves the pen where it is
     for rule in lexicon.OVERRIDES.get(clause.verb, ()):
         if _applies(rule, doing):
             return None if rule.motion == "none" else rule.motion

@@ -36,9 +36,14 @@ _FILLED = frozenset({
 })  # fmt: skip
 """What these are done with is not in the doer's hand."""
 _NOT_WITH = frozenset({"look", "think", "read", "listen"})
-_WHERE = frozenset({"on", "over", "under", "around", "across", "before", "in front of", "at", "behind", "beside", "by"})
+_WHERE = frozenset(
+    {"on", "over", "under", "around", "round", "across", "before", "in front of", "at", "behind", "beside", "by"}
+)
 """``with a hat on her head``: where what comes with somebody is, if not in the hand."""
 _HANDS = frozenset({"hand", "arm", "fist", "paw", "finger", "shoulder", "back"})
+_SLIPPING = frozenset({"slip", "fall", "drop", "slide", "tumble"})
+_OUT_OF = frozenset({"out of", "from", "through"})
+_GRASP = frozenset({"hand", "finger", "grip", "grasp"})
 _AROUND = frozenset({"around", "round", "about"})
 _REACH = 6
 """Words from hands to what they are around."""
@@ -54,7 +59,7 @@ _GRIPPED = (
 _READY = re.compile(
     rf"\b([a-z-]+) (drawn|raised|ready|at the ready|in {_WHOSE}hands?"
     rf"|{_GRIPPED} {_WHOSE}(?:arms?|hands?|fists?|teeth|elbow|fingers|chest|back|shoulders?)"
-    rf"|under {_WHOSE}arms?|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
+    rf"|under {_WHOSE}arms?|between {_WHOSE}teeth|in {_WHOSE}(?:arms|fist|teeth))(?! of)\b"
 )
 _HAVING = re.compile(r"\b(?:has|had|have)(?: [a-z]+){0,3} $")
 """``He has a mug in one hand``: no deed."""
@@ -97,6 +102,18 @@ def _bear(stage: Stage, person: str, thing: str, at: int, between_teeth: bool = 
     if not any(deed.motion in ("hold", "carry") and deed.prop == thing for deed in own):
         motion = "carry" if not between_teeth and any(deed.motion in _TRAVEL for deed in own) else "hold"
         stage.unit.deeds.append(Deed(person, motion, thing, thing, at, "hold"))
+
+
+def slip_away(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """``The tray slips out of his hands``: he drops it."""
+    if roles.subjects or not roles.subject_things or clause.verb not in _SLIPPING:
+        return
+    grips = [n for p in roles.places if p.preposition in _OUT_OF for n in p.nouns if n.head in _GRASP and n.owner]
+    for noun in grips[:1]:
+        _release(stage, roles.subject_things[0])
+        thing = roles.subject_things[0]
+        stage.inventory.seen(thing, "handled")
+        stage.unit.deeds.append(Deed(noun.owner or "", "drop", thing, thing, clause.at, "drop"))
 
 
 def _support(stage: Stage, deed: Deed, roles: Roles) -> str | None:

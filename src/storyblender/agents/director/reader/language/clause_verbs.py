@@ -15,6 +15,8 @@ _ARRIVED = frozenset(
 )
 """``has fallen asleep``, ``had come in``: what somebody has done shows still."""
 _ENDINGS = frozenset({"stop", "quit", "avoid", "consider", "finish", "suggest", "imagine"})
+_GAZING = frozenset({"look", "stare", "gaze", "glance", "peer"})
+"""``looks at the dust rising``: it is the dust that rises."""
 _PURPOSES = frozenset({"see", "find", "get", "hear"})
 _DISCOVERING = frozenset({"open", "turn", "look", "wake", "return", "enter"})
 """``opens the door to find Otto``: he is there."""
@@ -96,6 +98,9 @@ def _subject(builder: ClauseBuilder, index: int, verb: VerbForm) -> list[NounPhr
     touches = left is not None and left.kind == "noun" and left.noun is not None
     if before and verb.kind == "ing" and touches and before.verb in PERCEIVING and before.object and not before.places:
         return list(before.object)
+    seen = before is not None and before.verb in _GAZING and bool(before.places) and left is not None
+    if before and seen and left and left.noun and verb.kind == "ing" and left.noun in before.places[-1][1]:
+        return [left.noun]
     if before and left and left.noun and not builder.pending and _describes(left.noun, verb):
         return [left.noun]
     return list(builder.pending or builder.subject)

@@ -112,7 +112,7 @@ def _on_their_knees(words: list[Word]) -> list[Word]:
     """``Ruiz, on his knees, pumps the jack``: kneeling."""
     low = [word.low for word in words]
     for i in range(len(low) - 3):
-        apart = (i == 0 or low[i - 1] == ",") and low[i + 3] == ","
+        apart = (i == 0 or low[i - 1] == ",") and low[i + 3] in lexicon.PREPOSITIONS | {","}
         if apart and low[i] == "on" and low[i + 1] in lexicon.POSSESSIVES and low[i + 2] == "knees":
             words[i + 2].verb = VerbForm("kneel", "ing")
             return [*words[:i], *words[i + 2 :]]

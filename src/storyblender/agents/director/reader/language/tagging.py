@@ -81,6 +81,8 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     elif form.kind in ("past", "aux", "pp"):
         if left is None or left.low not in OPENERS:
             row.verb_seen = True
+            if word.low == form.lemma and left is not None and left.mention and _is_plural(left, row):
+                row.last_kind = "base"  # They put it down and push
             if word.low not in FORMS:
                 word.verb = form
     elif form.kind in ("3sg", "base"):
@@ -354,6 +356,8 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
     if form.kind == "3sg" and form.lemma in _POSED and (form_kind(right) in ("past", "pp") or right in _HOW):
         return True
     if form.kind == "3sg":
+        if singular(word.low) in lexicon.WORN and right in (",", "."):
+            return False  # in rubber boots, she cuts
         going = form.lemma in ("go", "come") and form_kind(right) == "ing"
         return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly") or going)
     plural = singular(left.low) != left.low or left.low.endswith("s")
