@@ -130,6 +130,7 @@ def test_where_they_are_after_it(read_scene: Read, action: str, relation: tuple[
         ("Joe throws the ball over his shoulder.", "ball"),
         ("Joe puts the key in his pocket.", "key"),
         ("Joe presses the button on the panel.", "button"),
+        ("Kate hides the letter behind her back.", "letter"),
         ("Joe presses a needle against Kate's arm.", "needle"),
         ("Joe leans close to the screen.", "joe"),
         ("Joe pours water into the cup.", "water"),

@@ -80,6 +80,8 @@ def kind_at_body(preposition: str, part: str, kind: RelationKind | None) -> Rela
     if part in _SIDES and preposition in ("at", "by", "near", "beside"):
         at_foot = part in _FEET and preposition == "at"
         return "behind" if part in _HEELS else "at" if at_foot else "next_to"
+    if part == "back" and kind == "behind":
+        return None  # hides it behind her back: it is in her hand
     if preposition == "between" or kind == "at" or (preposition == "to" and kind is None):
         return None
     if preposition in ("around", "round", "about", "across", "over", "through", "to", "onto"):
