@@ -118,6 +118,7 @@ class Handling:
             spot = self._free_beside(person, prop, hand) if person.upright else None
             if spot is None:
                 continue
+            t = self.turn_to(person, spot, t)
             length = natural_seconds(MOTIONS["put_down"])
             mark = _mark_of(person, prop, spot)
             t = self.sheet.cue(person, "put_down", t, length, prop_id=prop, hand=hand, mark=mark)
@@ -126,12 +127,12 @@ class Handling:
         return t
 
     def _free_beside(self, person: Person, prop: str, hand: Hand | None) -> Vec3 | None:
-        """Return where on the floor beside somebody a thing has room, on the side of the hand first."""
+        """Return where on the floor by somebody a thing has room: ahead first, on the side of the hand."""
         half = (self.company.size_of(prop) or [0.2])[1] / 2
         away = BESIDE_FOOT * person.k + max(0.0, half - 0.1)
         side = 1 if hand == "L" else -1
         others = self.company.others(person)
-        for turn in (90, 50, 130, -90, -50, -130):
+        for turn in (50, -50, 90, -90, 130, -130):  # what is ahead needs no turn
             yaw = person.yaw + side * math.radians(turn)
             spot = (person.place[0] + away * math.sin(yaw), person.place[1] - away * math.cos(yaw))
             clear = all(math.dist(spot, place) > AT_FEET for place in others)

@@ -100,3 +100,18 @@ def test_who_embraces_a_sitter_stands_beside_their_knees_near_their_breast() -> 
     edge, place, yaw = _end(shot, "ilsa").location, _end(shot, "rick").location, math.radians(_end(shot, "ilsa").yaw)
     breast = (edge[0] - 0.25 * math.sin(yaw), edge[1] + 0.25 * math.cos(yaw))
     assert 0.45 < math.dist(place[:2], breast) < 0.75
+
+
+def test_what_is_put_aside_is_put_ahead_so_that_nobody_turns_for_it() -> None:
+    states = (BodyState(asset_id="rick", held=("lamp",)),)
+    (shot,) = _with_luggage(_shot(1, _do("rick", "hug", target_id="ilsa"), states=states, seconds=9))
+    start, down = _start(shot, "rick"), next(cue for cue in shot.cues if cue.clip == "put_down")
+    assert down.mark is not None
+    (x, y, _), (px, py, _) = down.mark.location, start.location
+    yaw = math.radians(start.yaw)
+    ahead, left = (
+        (x - px) * math.sin(yaw) - (y - py) * math.cos(yaw),
+        (x - px) * math.cos(yaw) + (y - py) * math.sin(yaw),
+    )
+    assert math.degrees(math.atan2(abs(left), ahead)) < 60
+    assert "turn" not in [cue.clip for cue in shot.cues if cue.asset_id == "rick" and cue.start < down.start]
