@@ -165,3 +165,10 @@ def test_what_grows_in_a_set_and_what_stands_there_as_a_prop_have_one_shape(
     planted, _ = piece_mesh(Piece(node_id=part, part=part, location=(0, 0, 0)), scene)
     alone = build_prop(prop).mesh
     assert [len(face.vertices) for face in planted.polygons] == [len(face.vertices) for face in alone.polygons]
+
+
+def test_foam_ends_under_the_water_so_that_it_throws_no_shadow(scene: bpy.types.Scene) -> None:
+    mesh, _ = piece_mesh(Piece(node_id="surf", part="surf", location=(0, 0, 0), params={"length": 20.0}), scene)
+    heights = np.array([vertex.co[2] for vertex in mesh.vertices])
+    assert heights.max() > 0.02
+    assert (heights < 0.012).sum() == 2 * (heights > 0.012).sum()

@@ -265,6 +265,12 @@ def test_the_place_itself_is_not_put_on_the_stage() -> None:
     assert RulesSetDresser().propose(view).pending == ("gun",)
 
 
+def test_the_house_before_which_a_scene_plays_is_no_doll_house_on_the_pavement() -> None:
+    setup = SceneSetup(scene_type="outdoor", place="lindqvist house")
+    view = DressingView(setup, plan_of(Environment(kit="street", seed=1)), (asset("house"), asset("suitcase")))
+    assert RulesSetDresser().propose(view).pending == ("suitcase",)
+
+
 def test_the_scripts_fountain_is_the_one_on_the_square() -> None:
     setup = SceneSetup(scene_type="outdoor", place="market square")
     view = DressingView(setup, plan_of(Environment(kit="square", seed=1)), (asset("fountain"),))

@@ -45,5 +45,5 @@ KIT = SetKit(
     height=Span(2.4, 2.5, 2.8),
     period="modern",
     means={"phone": "smartphone", "camera": "security_camera"},
-    has=("button", "door", "panel", "elevator", "lift", "mirror", "wall"),
+    has=("button", "door", "panel", "elevator", "lift", "mirror", "wall", "handrail", "rail", "hatch"),
 )

@@ -64,4 +64,5 @@ KIT = SetKit(
     draw=draw,
     width=Span(9.0, 12.0, 22.0),
     depth=Span(6.0, 8.0, 16.0),
+    has=("house", "building", "hedge"),
 )

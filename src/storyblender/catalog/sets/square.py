@@ -50,5 +50,6 @@ KIT = SetKit(
     draw=draw,
     width=Span(10.0, 13.0, 22.0),
     depth=Span(8.0, 10.0, 18.0),
+    has=("house", "building"),
     period="past",
 )  # fmt: skip

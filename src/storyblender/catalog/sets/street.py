@@ -133,5 +133,5 @@ KIT = SetKit(
     width=Span(10.0, 14.0, 24.0),
     depth=Span(5.0, 5.2, 5.6),
     options={"frontier": False},
-    has=("shutter", "curtain", "blind", "porch", "hitching rail", "boardwalk", "kerb", "rail"),
+    has=("house", "building", "shutter", "curtain", "blind", "porch", "hitching rail", "boardwalk", "kerb", "rail"),
 )  # fmt: skip

@@ -178,5 +178,7 @@ def surf(builder: MeshBuilder, spec: PieceSpec) -> None:
     for row, (y, wide) in enumerate(((0.0, 0.34), (2.6, 0.2), (6.4, 0.16), (12.0, 0.14))):
         wave = y + 0.35 * np.sin(xs * 0.35 + row) + 0.18 * np.sin(xs * 0.9 + 2 * row)
         broad = wide * (0.55 + 0.45 * np.sin(xs * 0.6 + 1.3 * row) ** 2)
-        z = np.full(len(xs), 0.03)
-        builder.loft(foam, [np.c_[xs, wave - broad / 2, z], np.c_[xs, wave + broad / 2, z]], closed=False)
+        edges = [
+            np.c_[xs, wave + side * broad / 2, np.full(len(xs), z)] for side, z in ((-1, 0.0), (0, 0.03), (1, 0.0))
+        ]
+        builder.loft(foam, edges, closed=False)  # its edges are under the water: no gap to see or to cast a shadow
