@@ -63,10 +63,12 @@ _FRONT = 0.08
 """Share of the picture that a table or a counter may take before them."""
 _STANDS, _TAKEN = 0.3, 0.3
 """Metres below which a thing stands on the floor; points for taking it away with a wall, and half a point a m3."""
-_COMPANY, _BACK = 1.7, 2.0
+_COMPANY, _BACK = 1.7, 3.0
 """Metres from the first person within which who is seen takes part in the picture; points for such a one's back."""
 _HEADLESS, _SEEN = 1.2, 0.04
 """Points for a body without its head, from heads of that share of the picture's height."""
+_NO_FACE = 0.6
+"""Points for a face turned further away than the kind of shot allows, besides those for every degree."""
 _FROM_BEHIND = 100.0
 """Degrees from full face from which somebody is seen from behind."""
 _LOOKS_DOWN = -0.5
@@ -264,7 +266,8 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     weight = 1.0 if lead else 0.6
     # Who walks off from the one over whose shoulder they are seen may show their back.
     limit = min(face_limit(brief), math.inf if looks_after(brief) is not None and brief.in_stride else 75.0)
-    points = weight * 2.0 * max(0.0, (figure.turned_from(camera.position) - limit) / 60)
+    turned = figure.turned_from(camera.position)
+    points = weight * (2.0 * max(0.0, (turned - limit) / 60) + _NO_FACE * (turned > face_limit(brief)))
     points += weight * _bent_from_behind(camera, figure)
     if not _framed(camera, figure):
         return points + 3.0

@@ -260,3 +260,14 @@ def test_the_camera_stands_behind_the_shoulder_that_is_asked_for() -> None:
     far = start(view, 88.0)
     assert cost(view, far) > cost(view, best) + 1.0
     assert "no_shoulder" in [each.kind for each in CameraCritic(NumberFinder(steps, {})).judge(far, view).faults]
+
+
+def test_the_back_of_a_cheek_is_no_face() -> None:
+    view = brief([GUARD], kind="action", size="FS", focus_on_ids=("guard",))
+    prices = {}
+    for turn in range(0, 180, 5):
+        take = start(view, float(turn))
+        prices[GUARD.turned_from(take.camera.position)] = cost(view, take)
+    last = max(angle for angle in prices if angle <= 108)
+    first = min(angle for angle in prices if angle > 108)
+    assert prices[first] - prices[last] > 0.6
