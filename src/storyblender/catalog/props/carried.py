@@ -14,7 +14,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "smartphone",
-        "mobile phone, cell phone, cellphone, phone, mobile",
+        "mobile phone, cell phone, cellphone, phone, mobile, calculator",
         (0.075, 0.15, 0.009),
         {"body": "plastic_black", "screen": "screen"},
         "A mobile phone, screen up.",
@@ -214,7 +214,7 @@ CARRIED: tuple[PropEntry, ...] = (
     held("rope", "coil of rope, noose, lasso, cable, whip", (0.36, 0.36, 0.12), {"body": "thatch"}, "A coil of rope."),
     held(
         "syringe",
-        "needle, injection, thermometer",
+        "needle, injection, thermometer, injector, hypodermic",
         (0.03, 0.15, 0.02),
         {"body": "glass", "metal": "steel"},
         "A syringe.",

@@ -9,7 +9,7 @@ HOUSEHOLD: tuple[PropEntry, ...] = (
     held("pillow", "cushion, throw pillow, bolster", (0.6, 0.42, 0.15), {"cloth": "linen"}, "A pillow."),
     held(
         "blanket",
-        "quilt, duvet, folded blanket, bedspread, coverlet, eiderdown, bedroll, sleeping bag, bed sheet",
+        "quilt, duvet, folded blanket, bedspread, coverlet, eiderdown, bedroll, sleeping bag, bed sheet, dust sheet",
         (0.46, 0.36, 0.15),
         {"cloth": "fabric_blue", "stripe": "linen"},
         "A folded blanket.",

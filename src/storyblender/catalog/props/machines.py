@@ -199,7 +199,7 @@ MACHINES: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "hat_stand",
-        "coat rack, coat stand, hat rack, coat tree",
+        "coat rack, coat stand, hat rack, coat tree, umbrella stand",
         (0.56, 0.56, 1.82),
         {"wood": "wood_dark", "hat": "fabric", "coat": "canvas"},
         "A stand with a hat and a coat.",

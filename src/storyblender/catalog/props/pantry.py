@@ -38,7 +38,7 @@ PANTRY: tuple[PropEntry, ...] = (
     ),
     held(
         "pot",
-        "cooking pot, saucepan, stockpot, stewpot, casserole, soup pot, soup kettle, colander",
+        "cooking pot, saucepan, stockpot, stewpot, casserole, soup pot, soup kettle, colander, tureen, soup tureen",
         (0.36, 0.28, 0.26),
         {"body": "steel", "handle": "plastic_black"},
         "A pot with its lid.",

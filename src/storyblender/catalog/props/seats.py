@@ -95,7 +95,7 @@ SEATS: tuple[PropEntry, ...] = (
     entry(
         "furniture",
         "deck_chair",
-        "beach chair, lounger, sun lounger, folding chair",
+        "beach chair, lounger, sun lounger, folding chair, camping chair, camp chair",
         (0.6, 1.05, 0.88),
         {"cover": "canvas", "frame": "wood_light"},
         "A sling of canvas in a folding frame.",

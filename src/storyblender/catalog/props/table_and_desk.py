@@ -59,17 +59,23 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "bowl",
-        "soup bowl, cereal bowl, soup",
+        "soup bowl, cereal bowl, soup, noodles, noodle",
         (0.17, 0.17, 0.07),
         {"body": "porcelain", "food": "leather"},
         "A bowl of soup.",
     ),
     held("teapot", "kettle, tea kettle, coffee pot", (0.27, 0.16, 0.19), {"body": "porcelain"}, "A teapot."),
     held("tray", "serving tray, platter", (0.44, 0.32, 0.04), {"body": "silver"}, "A tray with two handles."),
-    held("bread", "loaf, baguette, loaf of bread, sandwich", (0.3, 0.13, 0.11), {"body": "cardboard"}, "A loaf."),
+    held(
+        "bread",
+        "loaf, baguette, loaf of bread, sandwich, sausage roll, hot dog, burger",
+        (0.3, 0.13, 0.11),
+        {"body": "cardboard"},
+        "A loaf.",
+    ),
     held(
         "cake",
-        "birthday cake, pie, wedding cake",
+        "birthday cake, pie, wedding cake, dessert, pudding",
         (0.3, 0.3, 0.2),
         {"body": "linen", "trim": "fabric_red", "flame": "flame"},
         "A cake with candles.",
@@ -94,7 +100,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "letter",
-        "note, paper, document, telegram, contract, map sheet, sheet of paper, page, papers, script",
+        "note, paper, document, telegram, contract, map sheet, sheet of paper, page, papers, script, menu, receipt",
         (0.15, 0.21, 0.003),
         {"page": "paper", "ink": "plastic_black"},
         "A written sheet.",
@@ -132,7 +138,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "pen",
-        "fountain pen, pencil, quill, ballpoint",
+        "fountain pen, pencil, quill, ballpoint, marker, felt pen, marker pen",
         (0.012, 0.14, 0.012),
         {"body": "plastic_black", "metal": "gold"},
         "A fountain pen.",
@@ -185,7 +191,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     held("hammer", "mallet, tool", (0.04, 0.14, 0.32), {"handle": "wood", "head": "steel"}, "A hammer."),
     held(
         "wrench",
-        "spanner, monkey wrench, pliers, pincers",
+        "spanner, monkey wrench, pliers, pincers, tire iron, tyre iron, wheel brace",
         (0.026, 0.08, 0.28),
         {"body": "steel"},
         "A wrench, jaws up.",

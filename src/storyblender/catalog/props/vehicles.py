@@ -8,7 +8,7 @@ VEHICLES: tuple[PropEntry, ...] = (
     entry(
         "vehicle",
         "car",
-        "motorcar, automobile, sedan, taxi, cab, police car, limousine, vehicle",
+        "motorcar, automobile, sedan, taxi, cab, police car, limousine, vehicle, convertible, roadster, sports car",
         (1.8, 4.5, 1.5),
         {"body": "paint", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"},
         "A four-door car; period 1940s or modern.",

@@ -151,6 +151,11 @@ def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
         ("small ship", "sailing_ship"),
         ("reactor", "reactor"),
         ("bollard", "bollard"),
+        ("white convertible", "car"),
+        ("umbrella stand", "hat_stand"),
+        ("camping chair", "deck_chair"),
+        ("tire iron", "wrench"),
+        ("dust sheet", "blanket"),
     ],
 )
 def test_common_things_are_built_and_no_stand_ins(name, key):
