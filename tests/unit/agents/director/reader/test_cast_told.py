@@ -62,3 +62,11 @@ def test_a_rocking_horse_and_a_crew_cut_are_nobody() -> None:
     assert [*told("Nora had a crew cut. A rocking horse stood there, and the rocking horse swung. Nora sat.\n")] == [
         "nora"
     ]
+
+
+def test_a_harbourmaster_is_somebody() -> None:
+    people = told(
+        "Kit waited for Rourke. Rourke, the harbourmaster, came in. Kit looked at him. The harbourmaster sat down.\n"
+    )
+    assert [*people] == ["kit", "rourke"]
+    assert "harbourmaster" in people["rourke"]

@@ -46,3 +46,18 @@ def test_the_pronouns_of_an_introduction_are_whoever_is_introduced(read_scene: R
 def test_kin_in_an_introduction_is_somebody_elses(read_scene: Read) -> None:
     reading = read_scene("KATE (35, a woman) waits. JOE (40, her brother) enters.")
     assert meant(reading, "her") == [("kate",)]
+
+
+def test_so_many_of_them_are_people_and_a_pronoun(read_scene: Read) -> None:
+    reading = read_scene(PEOPLE + "Joe picks up two boots. Neither of them speaks. The two of them leave.")
+    assert [{*who} for who in meant(reading, "them")] == [{"joe", "kate"}, {"joe", "kate"}]
+
+
+def test_what_is_put_between_them_is_put_between_whoever_does_it_and_another(read_scene: Read) -> None:
+    reading = read_scene(PEOPLE + "Joe hugs Kate. She sets two glasses between them.")
+    assert [{*who} for who in meant(reading, "them")] == [{"joe", "kate"}]
+
+
+def test_an_animal_just_picked_up_is_him(read_scene: Read) -> None:
+    reading = read_scene(PEOPLE + "A CAT sits by the stove. Kate picks up the cat and drops him on the bed.")
+    assert meant(reading, "him") == [("cat",)]

@@ -120,7 +120,9 @@ _NOT_PERSON = frozenset({"human", "german", "roman", "talisman"})
 
 @cache
 def is_person_noun(noun: str) -> bool:
-    """Whether a singular noun names a person or an animal: ``waiter``, ``fox``, anything in -man or -woman."""
+    """Whether a singular noun names a person or an animal: ``waiter``, ``fox``, anything in -man, -woman or -master."""
     if noun in lexicon.PERSON_NOUNS:
         return True
-    return noun not in _NOT_PERSON and re.search(r"..(woman|man|boy|girl|lady)$", noun) is not None
+    return (
+        noun not in _NOT_PERSON and re.search(r"..(woman|man|boy|girl|lady)$|.{3}(master|mistress)$", noun) is not None
+    )

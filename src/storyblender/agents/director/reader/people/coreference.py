@@ -25,6 +25,10 @@ _LIVING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | lex
 """Verbs for animals more than for things."""
 _OF_VEHICLES = lexicon.words("vehicle_parts") - {"door", "wheel", "boot", "trunk", "bow", "stern", "wing"} | {"bumper"}
 _PARTS = lexicon.words("parts")
+_NOBODY = frozenset({"neither", "none", "both", "either", "nobody"})
+"""``neither of them``: of people."""
+_THEM = " of them"
+"""``the two of them``: a group, and a pronoun."""
 _SIDES = frozenset({"edge", "end"})
 """``perches on the edge``: of the table named last."""
 
@@ -89,8 +93,9 @@ def resolve_pronoun(
     def score(person: Person) -> tuple[float, int]:
         unsure = -0.5 if known else 0.1
         value = stage.discourse.salience.get(person.id, 0.0) + (0.45 if person.gender == gender else unsure)
-        value -= (1.0 if person.gender != gender else 0.4) * (person.kind == "animal")
-        value += 0.5 * (role == "object" and person.id in stage.sentence.named and person not in subjects)
+        handled = role == "object" and person.id in stage.sentence.named and person not in subjects
+        value -= (1.0 if person.gender != gender else 0.4) * (person.kind == "animal" and not handled)
+        value += 0.5 * handled
         sure = person.gender == gender or not known
         value += 0.8 * (role == "subject" and [person] == list(previous) and sure) + 1.2 * (
             role == "possessor"
@@ -215,6 +220,9 @@ def _resolve_pronoun_phrase(
     if pronoun.endswith(("self", "selves")) and subjects:
         return Referents(list(subjects))
     plural = discourse.last_plural
+    before = [word.low for word in stage.sentence.words[max(0, noun.index - 2) : noun.index]]
+    if kind == "plural" and before[1:] == ["of"] and before[0] in _NOBODY:
+        return Referents(resolve_pronoun(stage, pronoun, "other"))
     if kind == "plural" and role == "object" and plural and plural[1] >= discourse.sentence - 1:
         return Referents([], plural[0])
     return Referents(resolve_pronoun(stage, pronoun, role, list(subjects), list(previous)))
@@ -276,6 +284,9 @@ def _record_indirect(stage: Stage, mention: Mention, people: Sequence[Person], e
         or mention.head in ALONE
         or (mention.kind == "role" and people and mention.head not in people[0].name.lower().split())
     )
+    if people and not mention.recorded and stage.reading.screenplay.text[end - len(_THEM) : end] == _THEM:
+        mention.recorded = True
+        stage.record(end - len("them"), "them", [p.id for p in people])
     if people and indirect and not mention.recorded:
         mention.recorded = True
         stage.record(mention.start, stage.reading.screenplay.text[mention.start : end], [p.id for p in people])

@@ -123,7 +123,8 @@ def resolve_objects(stage: Stage, clause: Clause, roles: Roles, previous: Sequen
         placed = preposition in lexicon.RELATION_OF_PREPOSITION
         had = clause.verb in _HAVING and placed and bool(clause.object)
         own = had or (preposition == "behind" and clause.verb in _SHUTTING)
-        role: Role = "possessor" if own else "object"
+        among = preposition == "between" and bool(roles.subjects)
+        role: Role = "possessor" if own else "other" if among else "object"
         people, things = _resolve_all(stage, clause, nouns, roles.subjects, previous, placed, role)
         roles.places.append(Place(preposition, people, things, nouns))
     _resolve_all(stage, clause, clause.complement, roles.subjects, previous)
