@@ -8,6 +8,7 @@ from itertools import pairwise
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.deeds.states import hold
 from storyblender.agents.director.reader.language.phrases import NounPhrase, find_phrases
+from storyblender.agents.director.reader.language.rewrite import regularise
 from storyblender.agents.director.reader.language.words import Word, tokenize
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
 from storyblender.agents.director.reader.people.things_meant import ASIDE, weigh
@@ -25,7 +26,7 @@ def show_thing(stage: Stage, camera: CameraNote) -> str | None:
         stage: Its unit is the one the direction holds for.
         camera: The direction.
     """
-    words = tokenize(camera.subject, stage.unit.start)
+    words = regularise(tokenize(camera.subject, stage.unit.start))
     phrases = find_phrases(words)
     nouns = [phrase.noun for phrase in phrases if phrase.noun and phrase.noun.kind == "thing"]
     if not nouns or lexicon.noun_class(nouns[0].key) not in _SOLID:

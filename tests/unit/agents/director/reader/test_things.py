@@ -80,3 +80,8 @@ def test_a_part_is_no_prop_but_what_it_is_done_to(read_scene: Read) -> None:
 )
 def test_what_is_fixed_to_a_wall_belongs_to_the_set(read_scene: Read, action: str, name: str) -> None:
     assert (name, "set_piece") in [(thing.name, thing.kind) for thing in read_scene(action).things]
+
+
+def test_a_direction_shows_the_thing_that_does_something(read_scene: Read) -> None:
+    reading = read_scene("JOE (40, a man) sits. CRANE UP as the van drives away.")
+    assert [thing.name for thing in reading.things] == ["van"]
