@@ -92,7 +92,8 @@ def _bring(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) ->
                 if stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in _LONG:
                     hold(stage, deeds[0].actor, thing)
                     worn = after is not None and bool(heads & _WORN_ON)
-                    if told & _TRAVEL or (told & _POSES and not worn):
+                    hangs = worn and after is not None and after.preposition == "over"  # a satchel over her shoulder
+                    if (told & _TRAVEL and not hangs) or (told & _POSES and not worn):
                         _bear(stage, deeds[0].actor, thing, clause.at)
 
 
