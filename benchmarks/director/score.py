@@ -202,11 +202,12 @@ class Scorer:
                 person = next((id for id in self.gold.ids if item.startswith(id + " ")), "")
                 found = _RELATION.search(item, len(person))
                 if found:
-                    gold.add((scene, singular(item[: found.start()]), found.group(1), singular(item[found.end() :])))
+                    kind = "in" if found.group(1) == "inside" else found.group(1)
+                    gold.add((scene, _plain(item[: found.start()]), kind, _plain(item[found.end() :])))
         words = {word for _, subject, _, anchor in gold for word in (subject, anchor)}
 
         def known(id: str) -> str:
-            name = singular(self.name(id))
+            name = _plain(self.name(id))
             return name if name in words or name.rsplit(" ", 1)[-1] not in words else name.rsplit(" ", 1)[-1]
 
         stated: set[tuple[int, str, str, str]] = set()
