@@ -75,6 +75,8 @@ _IN_HAND = 0.45
 """Metres: the longest side of what nobody knows and somebody holds."""
 _IN_ARMS = 0.55
 """Metres: the height of a plant that somebody carries."""
+_INDOORS = 2.2
+"""Metres: the height of a tree that was brought into a room."""
 _CARRIED_BEAST = 1.2
 """Metres: a longer beast in somebody's hands is a toy."""
 _PLAUSIBLE = (0.003, 60.0)
@@ -82,18 +84,26 @@ _PLAUSIBLE = (0.003, 60.0)
 
 @dataclass(frozen=True)
 class DimensionRules:
-    """The Dimension Estimator without a model; its draft is asset id -> dimension."""
+    """The Dimension Estimator without a model; its draft is asset id -> dimension.
+
+    Attributes:
+        indoors: asset_id of what is never outdoors.
+    """
+
+    indoors: frozenset[str] = frozenset()
 
     def propose(self, view: Sequence[Asset]) -> dict[str, AssetDimension]:
         """Return exactly one dimension for each asset."""
-        return {asset.asset_id: estimate(asset) for asset in view}
+        return {asset.asset_id: estimate(asset, asset.asset_id in self.indoors) for asset in view}
 
     def refine(
         self, draft: dict[str, AssetDimension], critique: Critique, view: Sequence[Asset]
     ) -> dict[str, AssetDimension]:
         """Replace what the critic minds by the rules' own estimate."""
         wrong = {fault.subject for fault in critique.faults}
-        return {asset.asset_id: estimate(asset) if asset.asset_id in wrong else draft[asset.asset_id] for asset in view}
+        return self.propose([asset for asset in view if asset.asset_id in wrong]) | {
+            asset_id: dimension for asset_id, dimension in draft.items() if asset_id not in wrong
+        }
 
 
 @dataclass(frozen=True)
@@ -122,8 +132,13 @@ def _problem(asset: Asset, dimension: AssetDimension | None) -> str:
     return ""
 
 
-def estimate(asset: Asset) -> AssetDimension:
-    """Return the surest dimension of one asset: what the script measures, else what it is."""
+def estimate(asset: Asset, indoors: bool = False) -> AssetDimension:
+    """Return the surest dimension of one asset: what the script measures, else what it is.
+
+    Args:
+        asset: With what it is made from, where that is decided.
+        indoors: Whether it is never outdoors: a tree in a kitchen ends below the ceiling.
+    """
     text = f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
     measured = _measured(text, asset.asset_type == "character")
     if measured is not None:
@@ -140,6 +155,8 @@ def estimate(asset: Asset) -> AssetDimension:
             value = _TOY
         elif carried and entry.surface is Surface.FOLIAGE:
             value = min(value, _IN_ARMS)
+        elif indoors and entry.surface is Surface.FOLIAGE:
+            return AssetDimension(**{side: min(value, _INDOORS)})
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":

@@ -108,3 +108,10 @@ def test_what_somebody_carries_is_no_larger_than_arms_can_hold() -> None:
     assert only(estimate(made_of("bear", "bear", "animal")))[1] > 1.2
     assert only(estimate(made_of("wheelchair", "wheelchair", *carried)))[1] > 0.8
     assert only(estimate(made_of("round_thing", "plant", *carried, source="stand_in")))[1] < 0.5
+
+
+def test_a_tree_that_was_brought_into_a_room_ends_below_its_ceiling() -> None:
+    tree = made_of("tree", "tree")
+    assert only(estimate(tree))[1] > 4
+    assert only(estimate(tree, indoors=True)) == ("height", 2.2)
+    assert DimensionRules(frozenset({"it"})).propose([tree])["it"].height == 2.2
