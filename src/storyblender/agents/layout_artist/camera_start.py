@@ -60,7 +60,7 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
                 if fit.lens == camera.lens:
                     break
                 camera = _compose(brief, fit.lens, turn, rise)
-        if brief.instruction.kind == "establishing":
+        if brief.instruction.kind == "establishing" or not brief.people:
             camera = walked_in(brief.plan, camera)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)

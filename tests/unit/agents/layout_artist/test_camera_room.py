@@ -79,6 +79,16 @@ def test_a_master_indoors_stays_in_the_room_and_shows_people_large(kind: str) ->
     assert 0.17 < max(heights) < 0.75
 
 
+def test_a_picture_of_things_stays_in_the_room_however_large_they_are() -> None:
+    tree, bone = Box(1.0, 1.0, 0.0, 1.8, 1.8, 2.2), Box(-2.0, 1.0, 0.0, 0.1, 0.1, 0.1)
+    shot = brief(kind="action", size="MS", focus_on_ids=["tree", "bone"])
+    shot = replace(shot, props={"tree": tree, "bone": bone})
+    assert shot.things, "the picture is of them"
+    camera = start(shot).camera
+    assert outside(ROOM, camera, [wall.node_id for wall in ROOM.walls]) < 0.9
+    assert max(abs(value) for value in camera.position[:2]) < 3.5
+
+
 def test_a_lens_that_was_asked_for_is_the_lens() -> None:
     pair = person("anna", -0.6, 0, 90), person("tom", 0.6, 0, -90)
     asked = {"kind": "establishing", "size": "WS", "focus_on_ids": ["anna", "tom"]}
