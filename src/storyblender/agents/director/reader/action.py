@@ -64,7 +64,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     distances.relate_apart(stage, words, subjects, previous)
     distances.relate_side_by_side(stage, sentence.words, subjects)
     _leftover_pronouns(stage, subjects, previous)
-    note_introductions(stage, sentence)
+    note_introductions(stage, sentence.words, sentence.end)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
     contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)

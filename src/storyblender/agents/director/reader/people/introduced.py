@@ -4,10 +4,10 @@ his eyes``."""
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, tokenize
-from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.coreference import resolve_pronoun
 from storyblender.agents.director.reader.people.people_meant import fits, resolve_mention
 from storyblender.agents.director.reader.stage import Stage
@@ -18,28 +18,30 @@ _BRACKETS = re.compile(r"\(([^()]*)\)")
 _GENDERED: dict[str, Gender] = {"male": "male", "female": "female"}
 
 
-def note_introductions(stage: Stage, sentence: Sentence) -> None:
+def note_introductions(stage: Stage, written: Sequence[Word], end: int) -> None:
     """Keep what the pronouns of a sentence mean that no clause has: they tell of whoever stands before them.
 
     Args:
         stage: The state after the clauses of the sentence.
-        sentence: The sentence as it is written, what is in brackets left out.
+        written: The words of the sentence as they are written, what is in brackets left out.
+        end: Where it ends in the script.
     """
-    text = stage.reading.screenplay.text[sentence.start : sentence.end]
-    known = {at for at, _, _ in stage.reading.pronouns if at >= sentence.start}
-    words = [word for word in sentence.words if word.mention is None and word.start not in known]
+    start = written[0].start
+    text = stage.reading.screenplay.text[start:end]
+    known = {at for at, _, _ in stage.reading.pronouns if at >= start}
+    words = [word for word in written if word.mention is None and word.start not in known]
     for bracket in _BRACKETS.finditer(text):
-        words += tokenize(bracket.group(1), sentence.start + bracket.start(1))
+        words += tokenize(bracket.group(1), start + bracket.start(1))
     for word in sorted(words, key=lambda word: word.start):
         gender = _GENDERED.get(lexicon.PRONOUNS.get(word.low, ""))
-        people = _told_of(stage, sentence, word, gender) if gender else []
+        people = _told_of(stage, written, word, gender) if gender else []
         if people:
             stage.record(word.start, word.text, [person.id for person in people])
 
 
-def _told_of(stage: Stage, sentence: Sentence, word: Word, gender: Gender) -> list[Person]:
+def _told_of(stage: Stage, written: Sequence[Word], word: Word, gender: Gender) -> list[Person]:
     """Who was named last before a pronoun, if it can be they; else whoever it means in a clause."""
-    named = [each.mention for each in sentence.words if each.mention and each.start < word.start]
+    named = [each.mention for each in written if each.mention and each.start < word.start]
     people = resolve_mention(stage, named[-1]) if named else []
     if len(people) == 1 and fits(people[0], gender):
         if people[0].gender == "unknown":
