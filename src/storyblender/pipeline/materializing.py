@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from concurrent.futures import Future
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.base import Vec3
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.pipeline.run import Run
@@ -59,7 +61,13 @@ def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
     named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
     setups = [scene.setup for scene in run.graph.scenes]
     outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
-    rules = DimensionRules(frozenset(asset.asset_id for asset in named) - outdoors)
+    rooms: dict[str, Vec3] = {}
+    for setup in setups:
+        kit = SETS[kit_of(setup)]
+        room = (kit.width.most, kit.depth.most, kit.height.usual)
+        for asset_id in set(setup.asset_ids) - outdoors:
+            rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)
+    rules = DimensionRules(rooms)
     sizes = run.reflect("dimension_estimator", "assets", named, rules, DimensionCritic()).draft
     return [
         asset.model_copy(update={"dimension": sizes[asset.asset_id]}) if asset.asset_id in sizes else asset

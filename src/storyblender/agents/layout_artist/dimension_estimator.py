@@ -7,8 +7,8 @@ says; words of size in the description scale both. What people sit on and work a
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Literal
 
 from storyblender.catalog.bodies import typical_stature
@@ -77,6 +77,8 @@ _IN_ARMS = 0.55
 """Metres: the height of a plant that somebody carries."""
 _INDOORS = 2.2
 """Metres: the height of a tree that was brought into a room."""
+_OF_ROOM = (0.45, 0.6, 0.92)
+"""The part of a room's shorter side, longer side and height that one thing may take: people go around it."""
 _CARRIED_BEAST = 1.2
 """Metres: a longer beast in somebody's hands is a toy."""
 _PLAUSIBLE = (0.003, 60.0)
@@ -87,14 +89,14 @@ class DimensionRules:
     """The Dimension Estimator without a model; its draft is asset id -> dimension.
 
     Attributes:
-        indoors: asset_id of what is never outdoors.
+        rooms: Width, depth and height in metres of the smallest room of what is never outdoors, by asset_id.
     """
 
-    indoors: frozenset[str] = frozenset()
+    rooms: Mapping[str, Vec3] = field(default_factory=dict[str, Vec3])
 
     def propose(self, view: Sequence[Asset]) -> dict[str, AssetDimension]:
         """Return exactly one dimension for each asset."""
-        return {asset.asset_id: estimate(asset, asset.asset_id in self.indoors) for asset in view}
+        return {asset.asset_id: estimate(asset, self.rooms.get(asset.asset_id)) for asset in view}
 
     def refine(
         self, draft: dict[str, AssetDimension], critique: Critique, view: Sequence[Asset]
@@ -132,13 +134,30 @@ def _problem(asset: Asset, dimension: AssetDimension | None) -> str:
     return ""
 
 
-def estimate(asset: Asset, indoors: bool = False) -> AssetDimension:
-    """Return the surest dimension of one asset: what the script measures, else what it is.
+def estimate(asset: Asset, room: Vec3 | None = None) -> AssetDimension:
+    """Return the surest dimension of one asset: what the script measures, else what it is; no larger than its room.
 
     Args:
         asset: With what it is made from, where that is decided.
-        indoors: Whether it is never outdoors: a tree in a kitchen ends below the ceiling.
+        room: Width, depth and height in metres of where it is, if it is never outdoors.
     """
+    dimension = _estimated(asset, room is not None)
+    return dimension if room is None or asset.asset_type == "character" else _fitted(dimension, asset, room)
+
+
+def _fitted(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimension:
+    """Return the dimension at which the whole thing stands in a room with space around it."""
+    side = next(side for side in _SIDES if getattr(dimension, side) is not None)
+    value: float = getattr(dimension, side)
+    shape = asset.canonical.dimensions if asset.canonical is not None else (1.0, 1.0, 1.0)
+    width, depth, height = (value * length / shape[_SIDES.index(side)] for length in shape)
+    sizes = (min(width, depth), max(width, depth), height)
+    spaces = (min(room[:2]), max(room[:2]), room[2])
+    scale = min(part * space / size for part, space, size in zip(_OF_ROOM, spaces, sizes, strict=True))
+    return dimension if scale >= 1 else AssetDimension(**{side: round(value * scale, 2)})
+
+
+def _estimated(asset: Asset, indoors: bool) -> AssetDimension:
     text = f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
     measured = _measured(text, asset.asset_type == "character")
     if measured is not None:

@@ -6,7 +6,7 @@ from storyblender.agents.concept_artist.recipe import Recipe
 from storyblender.agents.layout_artist.dimension_estimator import NOUNS, DimensionCritic, DimensionRules, estimate
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.stand_ins import STAND_INS
-from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, CharacterLook
 
 
 def thing(name: str, description: str = "") -> Asset:
@@ -113,5 +113,19 @@ def test_what_somebody_carries_is_no_larger_than_arms_can_hold() -> None:
 def test_a_tree_that_was_brought_into_a_room_ends_below_its_ceiling() -> None:
     tree = made_of("tree", "tree")
     assert only(estimate(tree))[1] > 4
-    assert only(estimate(tree, indoors=True)) == ("height", 2.2)
-    assert DimensionRules(frozenset({"it"})).propose([tree])["it"].height == 2.2
+    room = (6.0, 5.0, 2.8)
+    assert only(estimate(tree, room)) == ("height", 2.2)
+    assert DimensionRules({"it": room}).propose([tree])["it"].height == 2.2
+
+
+def test_nothing_is_larger_than_its_room() -> None:
+    bear = made_of("bear", "bear")
+    assert estimate(bear, (6.0, 5.0, 2.8)) == estimate(bear)
+    shape = CanonicalAsset(source="stand_in", key="slab", dimensions=(5.0, 8.0, 3.0), digest="")
+    ship = thing("stranded thing").model_copy(update={"canonical": shape})
+    assert only(estimate(ship)) == ("depth", 8.0)
+    assert only(estimate(ship, (10.0, 9.0, 4.0)))[1] == pytest.approx(6.0)
+    assert only(estimate(ship, (8.0, 10.0, 4.0)))[1] == pytest.approx(0.45 * 8 * 8 / 5)
+    assert only(estimate(ship, (20.0, 20.0, 2.0)))[1] == pytest.approx(0.92 * 2 * 8 / 3, abs=0.01)
+    stated = ship.model_copy(update={"description": "12 m long"})
+    assert only(estimate(stated, (10.0, 9.0, 4.0)))[1] == pytest.approx(6.0)
