@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 
@@ -23,7 +24,7 @@ from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
-from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
+from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -115,11 +116,20 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
         last = named[0][1] if alone and not gendered else None
     for person in roster.people:
         count = votes[person.id]
-        unisex = bool(lexicon.UNISEX & set(person.aliases)) and lexicon.gender_of_word(person.role) == "unknown"
-        if (person.gender == "unknown" or unisex) and count:
-            gender, most = count.most_common(1)[0]
-            if most > 0.6 * count.total() and (person.gender == "unknown" or most > 1):
-                person.gender = _as_gender(gender)
+        gender, most = count.most_common(1)[0] if count else ("", 0)
+        fewest, share = _enough_votes(person)
+        if most >= fewest and most > share * count.total():
+            person.gender = _as_gender(gender)
+
+
+def _enough_votes(person: Person) -> tuple[float, float]:
+    """How many pronouns, and what share of them, say more of somebody's gender than their name or role does."""
+    if person.gender == "unknown":
+        return 1, 0.6
+    if lexicon.gender_of_word(person.role) != "unknown":
+        return math.inf, 1.0
+    names = set(person.aliases)
+    return (2, 0.6) if names & lexicon.UNISEX else (4, 0.9) if names & lexicon.FIRST_NAMES else (math.inf, 1.0)
 
 
 def _another(words: list[Word], at: int) -> bool:

@@ -15,6 +15,11 @@ _GENDER_WORDS: dict[str, Gender] = {
     "woman": "female", "female": "female", "girl": "female", "lady": "female",
     "man": "male", "male": "male", "boy": "male", "gentleman": "male",
 }  # fmt: skip
+_LIKELY: dict[str, Gender] = {
+    "pretty": "female", "beautiful": "female", "blonde": "female", "brunette": "female", "pregnant": "female",
+    "handsome": "male", "balding": "male", "unshaven": "male", "stubbled": "male",
+}  # fmt: skip
+"""Words that are said of one gender mostly: they decide where the name does not."""
 
 
 def describe(person: Person, phrase: str) -> None:
@@ -41,6 +46,8 @@ def describe(person: Person, phrase: str) -> None:
         for word in words:
             if word in _GENDER_WORDS:
                 person.gender = _GENDER_WORDS[word]
+            elif word in _LIKELY and (person.gender == "unknown" or lexicon.UNISEX & set(person.aliases)):
+                person.gender = _LIKELY[word]
             told = lexicon.gender_of_word(word) if word == head and is_person_noun(word) else "unknown"
             if told != "unknown" and (person.gender == "unknown" or word in lexicon.KIN):
                 person.gender = told
