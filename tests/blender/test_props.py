@@ -68,6 +68,13 @@ def test_another_seed_builds_another_tree():
     assert geometry_hash(build_prop("tree", seed=1).mesh) != geometry_hash(build_prop("tree", seed=2).mesh)
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_nothing_of_a_rock_is_higher_than_who_sits_on_it(seed):
+    build = build_prop("rock", seed=seed)
+    (seat,) = (anchor for anchor in build.anchors if anchor.kind == "seat")
+    assert points(build.mesh)[:, 2].max() == pytest.approx(seat.location[2], abs=0.01)
+
+
 def test_one_dimension_scales_the_whole():
     usual, tall = build_prop("chair"), build_prop("chair", dimension=AssetDimension(height=1.8))
     assert tall.dimensions[2] == pytest.approx(1.8)

@@ -194,7 +194,12 @@ def cactus(b: MeshBuilder, skin: MaterialRef, size: Vec2, arms: int, rng: np.ran
 
 
 def boulder(
-    b: MeshBuilder, stone: MaterialRef, size: ArrayLike, rng: np.random.Generator, foot: float = -math.inf
+    b: MeshBuilder,
+    stone: MaterialRef,
+    size: ArrayLike,
+    rng: np.random.Generator,
+    foot: float = -math.inf,
+    top: float = math.inf,
 ) -> None:
     """Add a boulder with flat faces: a ball pressed by random planes, a quarter of it in the ground.
 
@@ -204,6 +209,7 @@ def boulder(
         size: Half its width and depth, and two thirds of its height over the ground.
         rng: For everything that varies.
         foot: What is lower than this is flattened to it; without it the boulder goes on below the ground.
+        top: What is higher than this is flattened to it, to be sat on.
     """
     polar, around = np.meshgrid(
         np.linspace(0.02, math.pi - 0.02, 9), np.linspace(0, math.tau, 14, endpoint=False), indexing="ij"
@@ -215,5 +221,5 @@ def boulder(
         ball = ball - over[..., None] * normal
     half = np.asarray(size, float)
     rings = ball * half + (0, 0, 0.5 * half[2])
-    rings[..., 2] = np.maximum(rings[..., 2], foot)
+    rings[..., 2] = np.clip(rings[..., 2], foot, top)
     b.loft(stone, list(rings))

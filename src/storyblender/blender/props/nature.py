@@ -110,10 +110,12 @@ def tuft(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("rock")
 def rock(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a boulder with flattened sides."""
+    """Build a boulder with flattened sides; the top too, where it is as high as a seat."""
     w, d, h = spec.size
-    plants.boulder(b, spec.material("rock"), (w * 0.6, d * 0.6, h * 0.86), spec.rng, foot=0.0)
-    return (seat((0, -d * 0.36, h * 0.82), (w * 0.6, d * 0.5)),) if 0.35 < h < 0.95 else ()
+    sat_on = 0.35 < h < 0.95
+    top = h * 0.82 if sat_on else math.inf
+    plants.boulder(b, spec.material("rock"), (w * 0.6, d * 0.6, h * 0.86), spec.rng, foot=0.0, top=top)
+    return (seat((0, -d * 0.36, top), (w * 0.6, d * 0.5)),) if sat_on else ()
 
 
 def _cut_trunk(
