@@ -129,7 +129,7 @@ def _enough_votes(person: Person) -> tuple[float, float]:
     if lexicon.gender_of_word(person.role) != "unknown":
         return math.inf, 1.0
     names = set(person.aliases)
-    return (2, 0.6) if names & lexicon.UNISEX else (4, 0.9) if names & lexicon.FIRST_NAMES else (math.inf, 1.0)
+    return (2, 0.6) if names & lexicon.UNISEX else (3, 0.9) if names & lexicon.FIRST_NAMES else (math.inf, 1.0)
 
 
 def _another(words: list[Word], at: int) -> bool:

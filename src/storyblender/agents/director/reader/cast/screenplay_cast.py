@@ -41,8 +41,9 @@ _INTRODUCED = re.compile(
 )
 _AGED = re.compile(r"\s*\((?:early |mid |late |age |aged )?\d\d?(?:['’]?s)?\s*[),]")
 _WORN = "|".join(sorted(word for word in lexicon.WORN if word.endswith("s")))
+_QUALITIES = "|".join(sorted(word for word in lexicon.BUILD | lexicon.FACE | set(lexicon.AGE_WORDS) if word.isalpha()))
 _LOOK = re.compile(
-    rf"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|the|her|his|early|mid|late|barely|\d|{_YEARS})[^.;]*?)"
+    rf"\s*\(([^)]*)\)|\s*,\s*((?:a|an|in|the|her|his|early|mid|late|barely|\d|{_YEARS}|(?:{_QUALITIES})\b)[^.;]*?)"
     rf"(?=,?\s+(?:is|was|(?!(?:{_WORN})\b)[a-z]+s)\b(?! of)|[.;])",
     re.DOTALL,
 )
