@@ -17,7 +17,7 @@ from storyblender.agents.layout_artist.object_places import place_objects
 from storyblender.agents.layout_artist.people_places import place_people
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import lane, way
-from storyblender.geometry.relations import Room, Thing, rides
+from storyblender.geometry.relations import Room, Thing, Violation, rides
 from storyblender.geometry.solver import solve
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Layout
@@ -62,10 +62,14 @@ class SpatialRules:
 
 
 def _solved(stage: Stage, view: LayoutBrief) -> Layout:
-    """Solve the stage twice: once as wished, then with the walkways that this leaves kept free."""
+    """Solve the stage twice: once as wished as far as that can be, then with the walkways this leaves kept free."""
     things = [*stage.things.values(), *stage.walls]
     seed = int(content_hash("layout", view.scene_id, view.seed)[:8], 16)
     solution = solve(things, stage.room, keep_free=_reserved(stage), seed=seed)
+    if solution.residual:
+        freed = [_let_go(thing, solution.residual) for thing in solution.things]
+        without = solve(freed, stage.room, keep_free=_reserved(stage), seed=seed)
+        solution = without if len(without.residual) < len(solution.residual) else solution
     lanes = [*_reserved(stage), *_walkways(stage, solution.things)]
     if lanes:
         with_lanes = solve(solution.things, stage.room, keep_free=lanes, seed=seed)
@@ -78,6 +82,15 @@ def _solved(stage: Stage, view: LayoutBrief) -> Layout:
         if thing.name in stage.assets
     ]
     return Layout(scene_size=view.plan.size, objects=tuple(objects))
+
+
+def _let_go(thing: Thing, residual: Sequence[Violation]) -> Thing:
+    """Return a thing without its place beside another where there is no room for it: a van across an alley."""
+    freed = thing.copy()
+    unmet = any(violation.subject == thing.name for violation in residual)
+    if unmet and not (thing.fixed or thing.walks or rides(thing) or thing.relationship == "on_top_of"):
+        freed.anchor = freed.relationship = freed.contact = freed.direction = None
+    return freed
 
 
 def _reserved(stage: Stage) -> list[Box]:

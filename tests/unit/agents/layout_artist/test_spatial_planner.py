@@ -1,5 +1,6 @@
 import itertools
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -139,6 +140,18 @@ def test_relations_decide_sides() -> None:
     assert math.dist(at["cat"].location[:2], at["table"].location[:2]) < 0.3
     assert at["cat"].location[2] == 0
     assert at["wardrobe"].location[0] < at["table"].location[0]
+
+
+def test_what_has_no_room_beside_a_thing_stands_elsewhere() -> None:
+    by_the_wall = LayoutObject(
+        node_id="wardrobe", asset_id="wardrobe", location=(plan().size.x - 0.7, 0, 0), fixed=True
+    )
+    view = brief(["boat"], [("boat", "right_of", "wardrobe")], dressed=(by_the_wall,))
+    view = replace(view, measures={**MEASURES, "boat": measure("boat", 2.5, 1.0, 0.8)})
+    outcome = plan_layout(view)
+    assert outcome.critique.faults == ()
+    boat = next(item for item in outcome.draft.objects if item.asset_id == "boat")
+    assert boat.anchor_asset_id is None
 
 
 def test_behind_the_bar_is_at_its_own_back() -> None:
