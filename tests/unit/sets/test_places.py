@@ -36,6 +36,8 @@ from storyblender.memory.scene_context import SceneSetup
         ("ALLEY BEHIND THE MARKET", "outdoor", "alley"),
         ("STREET OUTSIDE THE CHURCH", "outdoor", "street"),
         ("INTERROGATION ROOM", "indoor", "interrogation"),
+        ("POLICE STATION - CELL", "indoor", "cell"),
+        ("ASHCOMBE MANOR, LIBRARY", "indoor", "library"),
         ("AIRPORT", "indoor", "lobby"),
         ("AIRPORT RUNWAY", "outdoor", "airfield"),
         ("HOSPITAL - PARKING LOT", "outdoor", "street"),
@@ -160,3 +162,9 @@ def test_things_tell_only_kits_that_may_be_chosen() -> None:
 )
 def test_places_of_other_languages_are_known(place: str, where: str, kit: str) -> None:
     assert find_kit(lexicon.place_kind(place), place, where) == kit  # type: ignore[arg-type]
+
+
+def test_the_last_part_of_a_heading_is_where_we_are() -> None:
+    place = "precinct, interview room"
+    assert lexicon.place_kind(place) == "police_station"
+    assert find_kit("police_station", place, "indoor") == "interrogation"

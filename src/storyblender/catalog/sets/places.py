@@ -117,6 +117,10 @@ _BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|n
 """What comes after is another place: the alley behind the market is an alley."""
 
 
+_PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
+"""Between the parts of a heading: the last, MANOR, LIBRARY, is where we are."""
+
+
 def kit_of(setup: SceneSetup) -> str:
     """Return the key of a scene's kit: by its heading, else by who and what is there, else by its description."""
     key = find_kit(setup.place_kind, setup.place, setup.scene_type)
@@ -166,8 +170,9 @@ def _score(tag: str, place_kind: str, words: str) -> float:
     head, *owners = _BESIDE.split(words.lower(), maxsplit=1)
     for text, share in ((head, 1.0), *((owner, 0.5) for owner in owners)):
         tokens = _tokens(text)
-        if tokens == phrase and share == 1.0:  # the heading says this and nothing else
-            score = max(score, weight + 8.0)
+        last = _tokens(_PARTS.split(text.strip())[-1])
+        if phrase in (tokens, last) and share == 1.0:  # the heading, or its last part, says this and nothing else
+            score = max(score, weight + 12.0)
         for start in range(len(tokens) - len(phrase) + 1):
             if tokens[start : start + len(phrase)] == phrase:
                 score = max(score, share * weight + (start + len(phrase)) / (1 + len(tokens)))
