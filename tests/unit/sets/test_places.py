@@ -126,6 +126,7 @@ def test_no_word_means_two_kits_alike() -> None:
         (("bed", "letter", "wardrobe"), "bedroom"),
         (("ana", "pews", "candle"), "church"),
         (("judge_okoro", "gavel"), "courtroom"),
+        (("throne", "curtain", "stage", "piano_stool"), "theatre"),
         (("bed", "armchair", "bar"), "bedroom"),
         (("microscope", "flasks"), "laboratory"),
         (("letter", "table"), "room"),

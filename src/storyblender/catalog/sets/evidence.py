@@ -27,7 +27,7 @@ _TELLING: dict[str, str] = {
     "library": "bookshelf=2 librarian=3 bookcase=2 book=1",
     "laboratory": "microscope=3 flask=2 beaker=3 scientist=2 specimen=2 centrifuge=3 burette=3 petri=3 pipette=3",
     "warehouse": "crate=2 forklift=3 pallet=3 barrel=1 workbench=2 conveyor=3 mechanic=2 anvil=3 container=1",
-    "theatre": "stage=2 curtain=1 spotlight=2 actor=1 audience=2 microphone=1 actress=1 usher=2 orchestra=2",
+    "theatre": "stage=3 curtain=1 spotlight=2 actor=1 audience=2 microphone=1 actress=1 usher=2 orchestra=2",
     "shop": "till=2 shopkeeper=3 register=2 shelf=1 clerk=1 counter=1 customer=1 mannequin=2 salesman=2",
     "cell": "prisoner=3 inmate=3 bunk=2 guard=1 warden=3 shackle=2",
     "great_hall": "throne=3 king=2 queen=2 courtier=2 knight=1 banner=1 chandelier=1",
