@@ -196,6 +196,22 @@ def test_tied_hair_hangs_behind_the_neck_as_one_and_ends_in_one_tip(key: str) ->
 
 
 @needs_data
+@pytest.mark.parametrize(("key", "least"), [("ponytail", 0.5), ("braid", 0.9)])
+def test_tied_hair_stays_on_the_back_of_who_bows_the_head(key: str, least: float) -> None:
+    person = build_person("una", CharacterLook(gender="female", age=30, hair=key), 1)
+    hair = _part(person, "hair")
+    weights = np.zeros((len(hair.data.vertices), len(hair.vertex_groups)))
+    for vertex in hair.data.vertices:
+        for group in vertex.groups:
+            weights[vertex.index, group.group] = group.weight
+    back, head = (weights[:, hair.vertex_groups[bone].index] for bone in ("upper_chest", "head"))
+    height = _coordinates(hair)[:, 2]
+    tip, top = height < height.min() + 0.02, height > height.max() - 0.1
+    assert back[tip].min() > least
+    assert head[top].min() > 0.99
+
+
+@needs_data
 def test_outer_clothes_lie_outside_inner_ones() -> None:
     keys = ("shirt", "trousers", "jacket", "shoes")
     person = build_person("gus", CharacterLook(gender="male", age=40, garments=tuple(Garment(key=k) for k in keys)), 2)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.people.locks import KNOT, Drape, ball, hair_weights
+from storyblender.blender.people.face import bone_weights
+from storyblender.blender.people.figure import Figure
+from storyblender.blender.people.locks import KNOT, Drape, ball
 from storyblender.blender.people.scalp import Scalp
 from storyblender.blender.people.sheet import Sheet, rigid
 
@@ -22,6 +26,11 @@ _PITCH = 0.075
 """Metres of a braid in which a strand comes back to its side."""
 _SWAY, _CROSS = 0.012, 0.007
 """Metres a strand of a braid goes to the side, and over and under."""
+_FREE, _LAIN = 0.07, -0.1
+"""Heights from the neck's, for a person of scale 1, above which a tail goes with the head and below which it lies on
+the back."""
+_STAYS = 0.95
+"""Share of the back in what lies on it: a head that bends must not swing the tail out behind it."""
 
 
 def tied(scalp: Scalp, body: Drape, rng: np.random.Generator) -> list[Sheet]:
@@ -34,15 +43,25 @@ def tied(scalp: Scalp, body: Drape, rng: np.random.Generator) -> list[Sheet]:
     across = np.cross(np.gradient(spine, axis=0), outward)
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)
     if not braided:
-        return [*sheets, _tube(scalp, spine, outward, np.interp(at[:, 0], *_TAIL) * scale, _GROOVES)]
+        tail = _tube(spine, outward, np.interp(at[:, 0], *_TAIL) * scale, _GROOVES)
+        return [_hanging(sheet, figure) for sheet in (*sheets, tail)]
     thick = np.interp(at[:, 0], (0.0, 0.1, 0.8, 0.92, 1.0), (0.007, 0.0115, 0.009, 0.006, 0.003)) * scale
     loose = np.interp(at, (0.0, 0.1, 0.8, 0.92), (0.3, 1.0, 0.8, 0.2)) * scale
     for strand in range(3):
         turn = 2 * np.pi * (at * _BRAID_LENGTH / _PITCH + strand / 3)
         woven = spine + loose * (_SWAY * np.sin(turn) * across + _CROSS * np.sin(2 * turn) * outward)
-        sheets.append(_tube(scalp, woven, outward, thick, 0))
+        sheets.append(_tube(woven, outward, thick, 0))
     end = round(0.92 * len(spine))
-    return [*sheets, ball(figure, spine[end], np.full(3, 0.009) * scale, np.eye(3), 8, 6)]
+    sheets.append(ball(figure, spine[end], np.full(3, 0.009) * scale, np.eye(3), 8, 6))
+    return [_hanging(sheet, figure) for sheet in sheets]
+
+
+def _hanging(sheet: Sheet, figure: Figure) -> Sheet:
+    """Return what hangs from the knot with weights that go from the head's to the back's on the way down."""
+    neck = figure.heights["neck"]
+    heights = neck + _LAIN * figure.k, neck + _FREE * figure.k
+    share = np.interp(sheet.points[:, 2], heights, (_STAYS, 0.0))[:, None]
+    return replace(sheet, weights=(1 - share) * bone_weights("head") + share * bone_weights("upper_chest"))
 
 
 def _spine(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Floats, Floats]:
@@ -65,7 +84,7 @@ def _spine(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Floats,
     return even, away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-9)
 
 
-def _tube(scalp: Scalp, line: Floats, outward: Floats, radius: Floats, grooves: int) -> Sheet:
+def _tube(line: Floats, outward: Floats, radius: Floats, grooves: int) -> Sheet:
     """Return a closed tube about ``line`` with ``grooves`` along it."""
     along = np.gradient(line, axis=0)
     along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
@@ -86,4 +105,4 @@ def _tube(scalp: Scalp, line: Floats, outward: Floats, radius: Floats, grooves: 
             faces.append((a + step, a + after, b + after, b + step))
         faces.append((last, after, step))
         faces.append((last + 1, last - _AROUND + step, last - _AROUND + after))
-    return rigid(flat, faces, hair_weights(scalp.figure, flat))
+    return rigid(flat, faces, bone_weights("head"))
