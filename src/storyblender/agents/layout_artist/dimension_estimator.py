@@ -142,7 +142,14 @@ def estimate(asset: Asset, room: Vec3 | None = None) -> AssetDimension:
         room: Width, depth and height in metres of where it is, if it is never outdoors.
     """
     dimension = _estimated(asset, room is not None)
-    return dimension if room is None or asset.asset_type == "character" else _fitted(dimension, asset, room)
+    keeps = asset.asset_type == "character" or _is_furniture(asset)
+    return dimension if room is None or keeps else _fitted(dimension, asset, room)
+
+
+def _is_furniture(asset: Asset) -> bool:
+    """Return whether people sit, lie or work at it: a bed in a cell is as long as any bed."""
+    made = asset.canonical
+    return made is not None and made.source == "catalog" and PROPS[made.key].category == "furniture"
 
 
 def _fitted(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimension:

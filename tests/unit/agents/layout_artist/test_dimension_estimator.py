@@ -129,3 +129,8 @@ def test_nothing_is_larger_than_its_room() -> None:
     assert only(estimate(ship, (20.0, 20.0, 2.0)))[1] == pytest.approx(0.92 * 2 * 8 / 3, abs=0.01)
     stated = ship.model_copy(update={"description": "12 m long"})
     assert only(estimate(stated, (10.0, 9.0, 4.0)))[1] == pytest.approx(6.0)
+
+
+def test_furniture_keeps_to_peoples_size_in_the_smallest_room() -> None:
+    bed, cell = made_of("bed", "bed"), (2.0, 2.2, 2.4)
+    assert estimate(bed, cell) == estimate(bed)
