@@ -75,8 +75,6 @@ _IN_HAND = 0.45
 """Metres: the longest side of what nobody knows and somebody holds."""
 _IN_ARMS = 0.55
 """Metres: the height of a plant that somebody carries."""
-_INDOORS = 2.2
-"""Metres: the height of a tree that was brought into a room."""
 _OF_ROOM = (0.45, 0.6, 0.92)
 """The part of a room's shorter side, longer side and height that one thing may take: people go around it."""
 _CARRIED_BEAST = 1.2
@@ -141,7 +139,7 @@ def estimate(asset: Asset, room: Vec3 | None = None) -> AssetDimension:
         asset: With what it is made from, where that is decided.
         room: Width, depth and height in metres of where it is, if it is never outdoors.
     """
-    dimension = _estimated(asset, room is not None)
+    dimension = _estimated(asset)
     keeps = asset.asset_type == "character" or _is_furniture(asset)
     return dimension if room is None or keeps else _fitted(dimension, asset, room)
 
@@ -164,7 +162,7 @@ def _fitted(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimensi
     return dimension if scale >= 1 else AssetDimension(**{side: round(value * scale, 2)})
 
 
-def _estimated(asset: Asset, indoors: bool) -> AssetDimension:
+def _estimated(asset: Asset) -> AssetDimension:
     text = f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
     measured = _measured(text, asset.asset_type == "character")
     if measured is not None:
@@ -181,8 +179,6 @@ def _estimated(asset: Asset, indoors: bool) -> AssetDimension:
             value = _TOY
         elif carried and entry.surface is Surface.FOLIAGE:
             value = min(value, _IN_ARMS)
-        elif indoors and entry.surface is Surface.FOLIAGE:
-            return AssetDimension(**{side: min(value, _INDOORS)})
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":

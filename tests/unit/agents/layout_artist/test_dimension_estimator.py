@@ -114,8 +114,10 @@ def test_a_tree_that_was_brought_into_a_room_ends_below_its_ceiling() -> None:
     tree = made_of("tree", "tree")
     assert only(estimate(tree))[1] > 4
     room = (6.0, 5.0, 2.8)
-    assert only(estimate(tree, room)) == ("height", 2.2)
-    assert DimensionRules({"it": room}).propose([tree])["it"].height == 2.2
+    side, height = only(estimate(tree, room))
+    assert side == "height"
+    assert 2.0 < height < room[2]
+    assert DimensionRules({"it": room}).propose([tree])["it"].height == height
 
 
 def test_nothing_is_larger_than_its_room() -> None:
