@@ -75,6 +75,8 @@ OVER_CROWN = -0.04
 """Highest that the near head of an over-the-shoulder goes: a little hair may be cut, not the head."""
 _OVER_LARGER = 3.2
 """Most times that the near head of an over-the-shoulder is as large as the far one, which it would dwarf."""
+_OVER_FAR = 1.6
+"""Most times as far as the size wants that a shoulder may send the camera back: from there the subject is tiny."""
 _OVER_TALLER = 0.5
 """How much of a standing partner's height over a sitting subject the camera goes up."""
 _FOCUS_OFF = 0.13
@@ -288,6 +290,17 @@ def group_from(
     return between(eye, eye + way * distance, lens, sensor_width=film.sensor_width, aspect=film.aspect)
 
 
+def holds_shoulder(film: Film, focus: Figure, over: Figure, size: str, lens: float) -> bool:
+    """Return whether a camera behind somebody's shoulder sees the subject about as large as the size wants."""
+    apart = math.dist(focus.face[:2], over.face[:2])
+    return _behind_shoulder(apart) <= _OVER_FAR * distance_for(focus.head, SCALES[size].head, film.tangent(lens))
+
+
+def _behind_shoulder(apart: float) -> float:
+    """Return the least metres to the subject from behind a partner ``apart`` from them."""
+    return apart + max(0.75, apart / (_OVER_LARGER - 1))
+
+
 def over_shoulder(
     film: Film, focus: Figure, over: Figure, size: str, side: float, elevation: float, lens: float
 ) -> Orbit:
@@ -307,8 +320,7 @@ def over_shoulder(
     apart = max(float(np.hypot(line[0], line[1])), 0.4)
     ahead = np.array([line[0], line[1], 0.0]) / apart
     left = np.array([-ahead[1], ahead[0], 0.0])
-    closest = apart + max(0.75, apart / (_OVER_LARGER - 1))
-    distance = max(distance_for(focus.head, SCALES[size].head, tangent), closest)
+    distance = max(distance_for(focus.head, SCALES[size].head, tangent), _behind_shoulder(apart))
     behind = distance - apart
     spread = 0.42 * 2 * tangent * film.aspect
     # Placing the face on its third takes the camera back by as much.

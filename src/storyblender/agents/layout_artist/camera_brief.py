@@ -12,7 +12,7 @@ import numpy as np
 from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, corners, distance_to_point
-from storyblender.geometry.framing import Figure, Film
+from storyblender.geometry.framing import Figure, Film, holds_shoulder
 from storyblender.geometry.moves import eased, in_between
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
@@ -27,6 +27,8 @@ _HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 3.0}
 """Metres from the first of a group to who is still held in the picture: who is farther makes all of them tiny."""
 _NEARBY = 1.3
 """Metres from somebody within which a thing belongs to them: their table, their chair."""
+TALKS = 80.0
+"""Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
 _BENT = 0.3
 """Metres that the face of somebody who bends is lower than before."""
 TRAVEL = 0.6
@@ -134,6 +136,20 @@ class CameraBrief:
         return tuple(figure for node in self.focus if (figure := self.drawn.figure(node)) is not None)
 
     @cached_property
+    def over(self) -> Figure | None:
+        """Whose shoulder an over-the-shoulder looks past when it is drawn.
+
+        None, and the shot is a single, if the subject does not look at the partner, or is too far from them to have
+        the size of the shot; a shoulder that the script asks for is shown.
+        """
+        over = self.drawn.figure(self.node(self.instruction.over_id or ""))
+        if self.instruction.kind != "ots" or over is None or not self.people:
+            return None
+        lead, size = self.people[0], self.instruction.size
+        meets = lead.turned_from(over.face) < TALKS and holds_shoulder(self.film, lead, over, size, self.lens)
+        return over if over.node_id != lead.node_id and (meets or self.instruction.explicit) else None
+
+    @cached_property
     def things(self) -> tuple[Box, ...]:
         """Boxes of the focus things."""
         if self.detail is not None:
@@ -142,7 +158,7 @@ class CameraBrief:
 
     def subjects(self, moment: Moment) -> tuple[Figure, ...]:
         """Return whom the shot is about, and over whose shoulder, at a moment."""
-        over = (self.node(self.instruction.over_id or ""),) if self.instruction.kind == "ots" else ()
+        over = (self.over.node_id,) if self.over is not None else ()
         there = (moment.figure(node) for node in dict.fromkeys((*self.focus, *over)))
         return tuple(figure for figure in there if figure is not None)
 

@@ -45,7 +45,7 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         return found + _thing(brief, camera, [subjects[node] for node in brief.focus if node in subjects])
     if not heads or kind in ("establishing", "pov"):
         return found
-    over = subjects.get(brief.node(brief.instruction.over_id or "")) if kind == "ots" else None
+    over = subjects.get(brief.over.node_id) if brief.over is not None else None
     after = looks_after(brief)
     if over is not None and over.face is not None and after is not None and not wants_shoulder(brief):
         # Who has their back to somebody and who sees it are a group.
@@ -98,7 +98,7 @@ def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
     low, high = framing.ELEVATION_BAND[brief.instruction.angle]
     if brief.things and not brief.people:
         high = max(high, 45.0)
-    if brief.instruction.angle == "eye-level" and (brief.instruction.kind == "ots" or len(brief.people) > 2):
+    if brief.instruction.angle == "eye-level" and (brief.over is not None or len(brief.people) > 2):
         high = max(high, _PAST_OTHERS)
     if aboard(brief.props.values(), brief.people):
         high = max(high, _PAST_SIDES)
@@ -127,7 +127,7 @@ def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: Subj
     """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
     assert subject.face is not None
     wanted = framing.lead_room(camera, figure)
-    if brief.instruction.kind == "ots":
+    if brief.over is not None:
         wanted = 0.5 + math.copysign(0.13, subject.face[0] - 0.5)
     off = subject.face[0] - wanted
     if abs(off) <= _STRAY:

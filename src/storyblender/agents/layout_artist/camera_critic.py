@@ -170,15 +170,21 @@ def _visibility(brief: CameraBrief, moment: Moment, view: CameraView) -> list[Fa
         other = subjects.get(node)
         if other is not None and other.visible_fraction < 0.05 and node not in (*brief.focus, over_node):
             found.append(fault("missing", node, 1.0, f"{node} belongs in the picture", ops=f"zoom_out {_AROUND}"))
-    over = subjects.get(over_node)
-    aside = over is not None and over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
-    far = over is not None and wants_shoulder(brief) and over.head_height < LEAST_OVER
-    if kind == "ots" and over is not None and (over.pixels < 0.02 or aside or far):
-        found.append(fault("no_shoulder", over_node, 1.5, "the shoulder is not in the picture", ops=_AROUND))
-    elif kind == "ots" and over is not None and (over.face is None or over.face[1] < 0):
-        text = f"the frame takes the head off {over_node}"
-        found.append(fault("beheaded", over_node, 1.5, text, ops="orbit_up pan_up"))
+    if brief.over is not None and (over := subjects.get(brief.over.node_id)) is not None:
+        found += _shoulder(brief, over)
     return found
+
+
+def _shoulder(brief: CameraBrief, over: SubjectView) -> list[Fault]:
+    """The partner is before the subject, with a head, and not somebody in the background."""
+    aside = over.face is not None and abs(over.face[0] - 0.5) > AT_EDGE
+    far = wants_shoulder(brief) and over.head_height < LEAST_OVER
+    if over.pixels < 0.02 or aside or far:
+        return [fault("no_shoulder", over.node_id, 1.5, "the shoulder is not in the picture", ops=_AROUND)]
+    if over.face is None or over.face[1] < 0:
+        text = f"the frame takes the head off {over.node_id}"
+        return [fault("beheaded", over.node_id, 1.5, text, ops="orbit_up pan_up")]
+    return []
 
 
 def _in_arms(moment: Moment, one: str, other: str) -> bool:
@@ -229,7 +235,7 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
     """Nothing looming, nobody cut by the frame, somebody to look at."""
     found: list[Fault] = []
     kind = brief.instruction.kind
-    allowed = _FOREGROUND_OTS if kind == "ots" else _FOREGROUND
+    allowed = _FOREGROUND_OTS if brief.over is not None else _FOREGROUND
     if view.foreground > allowed and kind != "pov":
         text = f"{view.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"

@@ -15,7 +15,7 @@ from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_furniture import GRID, backs, in_the_way
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
-from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, shoulder, start, wants_shoulder
+from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, start, wants_shoulder
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
 from storyblender.geometry.orbit import Floats, Orbit
@@ -88,7 +88,7 @@ def scouted(brief: CameraBrief) -> list[Take]:
     if brief.instruction.kind == "pov":
         return [start(brief)]
     turns, rises = _TURNS, _HIGH_RISES if len(brief.people) > 2 else _RISES
-    if shoulder(brief) is not None:
+    if brief.over is not None:
         turns = _OVER_TURNS if wants_shoulder(brief) else (*_OVER_TURNS, *_PROFILE_TURNS)
     takes: dict[Take, float] = {}
     for rise in _BOAT_RISES if aboard(brief.props.values(), brief.people) else rises:
@@ -144,7 +144,7 @@ def _before(brief: CameraBrief, take: Take) -> float:
     What the shot is about counts as well, as the back of a piano does, unless they are in it.
     """
     faces = [figure.face for figure in brief.people]
-    if not faces or brief.instruction.kind in ("ots", "pov", "insert"):
+    if not faces or brief.over is not None or brief.instruction.kind in ("pov", "insert"):
         return 0.0
     camera, (columns, rows) = take.camera, GRID
     deep = max(float(project(camera, faces)[1].mean()), 0.5) - _OWN
@@ -193,7 +193,6 @@ def _things(brief: CameraBrief, take: Take) -> float:
 def _position(brief: CameraBrief, take: Take) -> float:
     """Weigh a camera in the floor, in a thing or in somebody."""
     points = 0.0
-    over = brief.node(brief.instruction.over_id or "") if brief.instruction.kind == "ots" else None
     passing = [figure for moment in brief.moments for figure in moment.figures]
     there = [figure for figure in passing if figure.node_id not in take.hidden]
     for camera in dict.fromkeys((take.start, take.end)):
@@ -201,7 +200,7 @@ def _position(brief: CameraBrief, take: Take) -> float:
         points += 5.0 * (z < 0.12)
         points += 5.0 * any(_meets(box, x, y, z) for box in _solids(brief, take.hidden))
         for each in there:
-            near = _AT_BACK if each.node_id == over else _NEAR
+            near = _AT_BACK if brief.over is not None and each.node_id == brief.over.node_id else _NEAR
             points += 5.0 * any(_meets(box, x, y, z, near) for box in body(each))
     return points
 
@@ -221,13 +220,13 @@ def _people(brief: CameraBrief, take: Take) -> float:
     camera, instruction, points = take.camera, brief.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
     solid = solids(dict(brief.props), brief.plan, take.hidden)
-    over, wanted = brief.node(instruction.over_id or ""), SCALES[instruction.size].head
+    wanted = SCALES[instruction.size].head
     bodies = {figure.node_id: body(figure) for figure in there}
     for figure in there:
         others = [box for other in there if other is not figure for box in bodies[other.node_id]]
         if figure.node_id in brief.focus and instruction.kind != "establishing":
             points += _subject(brief, camera, figure, [*others, *opened(solid, figure)])
-        elif figure.node_id == over and instruction.kind == "ots":
+        elif figure is brief.over:
             (near,), _ = project(camera, [figure.face])
             head = head_share(camera, figure)
             aside = abs(float(near[0]) - 0.5) > min(AT_EDGE, _SHOULDER_IN + 0.5 * head)

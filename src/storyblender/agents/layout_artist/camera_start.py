@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, TRAVEL, CameraBrief, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_brief import TALKS, TIGHT, TRAVEL, CameraBrief, Take, orbit_of, share_of
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
@@ -30,8 +30,6 @@ _HELD = 0.8
 """Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
 _SQUATS = 0.6
 """Metres that a face is lower than upright where a picture that cuts the body would lose it."""
-_TALKS = 80.0
-"""Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
 """Degrees to go round to where two are beside each other, and no longer one before the other's shoulder; sooner where
 one of them walks off: they are far apart."""
@@ -50,7 +48,7 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
         rise: Degrees to go up from the preferred elevation.
     """
     camera = _compose(brief, brief.lens, turn, rise)
-    if brief.instruction.kind not in ("pov", "ots", "insert"):
+    if brief.over is None and brief.instruction.kind not in ("pov", "insert"):
         if brief.instruction.kind != "establishing" and len(brief.people) > 1:
             camera = inside(brief, camera)
         else:
@@ -149,8 +147,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     lead = people[0] if people else None
     if lead is None or (brief.things and instruction.kind == "insert"):
         return _of_things(brief, lens, turn, rise)
-    over = shoulder(brief)
-    if over is not None:
+    if (over := brief.over) is not None:
         side = line_side(brief, lead, over)
         camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         if abs(turn) > (_LEAVING_TURN if brief.in_stride and looks_after(brief) is not None else _SHOULDER_TURN):
@@ -167,35 +164,22 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     return framing.single(film, shown, instruction.size, azimuth, elevation, lens)
 
 
-def shoulder(brief: CameraBrief) -> Figure | None:
-    """Return whose shoulder an over-the-shoulder looks past.
-
-    None if the subject does not look at the partner, unless the script asks for that shoulder.
-    """
-    over = brief.drawn.figure(brief.node(brief.instruction.over_id or ""))
-    if brief.instruction.kind != "ots" or over is None or not brief.people:
-        return None
-    lead = brief.people[0]
-    meets = brief.instruction.explicit or lead.turned_from(over.face) < _TALKS
-    return over if over.node_id != lead.node_id and meets else None
-
-
 def looks_after(brief: CameraBrief) -> Figure | None:
     """Return over whose shoulder the camera looks, if they see a back: the subject does not look at them."""
-    over = shoulder(brief)
-    return over if over is not None and brief.people[0].turned_from(over.face) >= _TALKS else None
+    over = brief.over
+    return over if over is not None and brief.people[0].turned_from(over.face) >= TALKS else None
 
 
 def wants_shoulder(brief: CameraBrief) -> bool:
     """Return whether a shoulder has to be before the subject: not where a side shows more of somebody than a back."""
-    return shoulder(brief) is not None and (looks_after(brief) is None or brief.in_stride)
+    return brief.over is not None and (looks_after(brief) is None or brief.in_stride)
 
 
 def face_limit(brief: CameraBrief) -> float:
     """Return the degrees a focus face may be turned away: far on a walk, and away from who looks after it."""
     if brief.in_stride:
         return 150.0 if looks_after(brief) is None else 180.0
-    if brief.instruction.kind == "ots" and brief.instruction.explicit:
+    if brief.over is not None and brief.instruction.explicit:
         return framing.FACE_ANGLE["two_shot"]
     return framing.FACE_ANGLE.get(brief.instruction.kind, 108.0)
 
@@ -289,7 +273,7 @@ def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
 
 def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
     """Return the mirror of the partner's single, if this is its answer."""
-    if brief.reverse is None or brief.axis is None or brief.instruction.kind not in ("single", "reaction"):
+    if brief.reverse is None or brief.axis is None or brief.instruction.kind not in ("single", "reaction", "ots"):
         return None
     first, second = brief.axis
     if figure.node_id not in (first.node_id, second.node_id):

@@ -271,3 +271,13 @@ def test_the_back_of_a_cheek_is_no_face() -> None:
     last = max(angle for angle in prices if angle <= 108)
     first = min(angle for angle in prices if angle > 108)
     assert prices[first] - prices[last] > 0.6
+
+
+def test_a_partner_too_far_away_is_no_shoulder_unless_the_script_asks_for_it() -> None:
+    away = figure("tom", 0.6 + 3.5, 0, -90, 1.8)
+    wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
+    near, far = brief((ANNA, TOM), **wish), brief((ANNA, away), **wish)
+    assert near.over == TOM and far.over is None and brief((ANNA, away), explicit=True, **wish).over == away
+    finder = NumberFinder(far.moments, {})
+    critique = CameraCritic(finder).judge(scouted(far)[0], far)
+    assert not {"size", "no_shoulder", "placement"} & {each.kind for each in critique.faults}, "a good single"
