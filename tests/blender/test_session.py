@@ -10,10 +10,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 import camera_stage  # noqa: E402
 
 from storyblender.blender.session import Session  # noqa: E402
+from storyblender.blender.windows import follow_daylight  # noqa: E402
 from storyblender.geometry.orbit import between  # noqa: E402
-from storyblender.memory.jobs import PackRef  # noqa: E402
+from storyblender.memory.graph import ProjectFormat  # noqa: E402
+from storyblender.memory.jobs import FrameJob, MotionJob, PackRef  # noqa: E402
 from storyblender.memory.measure import ViewRequest  # noqa: E402
-from storyblender.memory.shot_context import CameraPose  # noqa: E402
+from storyblender.memory.scene_context import Lighting, Sky  # noqa: E402
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, ShotContext  # noqa: E402
 
 PACK = PackRef(scene_id=1, path="pack.blend", starts=((1, 1), (2, 11)))
 
@@ -57,3 +60,31 @@ def test_the_viewfinder_is_put_away_for_other_jobs(session):
     assert len(session.read_figures(PACK, [1])[0]) == 1
     assert "still" not in bpy.data.scenes and bpy.context.window.scene == scene
     assert not bpy.data.cameras
+
+
+def test_what_is_drawn_has_the_windows_of_its_hour(session, monkeypatch):
+    """A pack knows no hour: it is built with lit windows, and each picture switches them by its own sky."""
+    scene = session._open_pack(PACK)
+    block = bpy.data.materials.new("window")
+    block.use_nodes = True
+    follow_daylight(block, scene, ((0.1, 0.1, 0.1), 0.0), ((1.0, 0.8, 0.5), 0.7))
+    seen = []
+
+    def drawn(*_args, **_kwargs):
+        seen.append(round(block["emit"], 3))
+        raise StopIteration
+
+    monkeypatch.setattr("storyblender.blender.session.render_frame", drawn)
+    monkeypatch.setattr("storyblender.blender.session.render_motion", drawn)
+    shot = ShotContext(
+        scene_id=1, shot_id=1, duration=24, camera_instruction=CameraInstruction(size="MS"),
+        camera=CameraState(poses=(CameraPose(pivot=(0, 0, 1.5), rotation=(1, 0, 0, 0), distance=2.5, lens=35),)),
+    )  # fmt: skip
+    for light in (1.0, 0.0):
+        plan = Lighting(sky=Sky(zenith=(light,) * 3, horizon=(light,) * 3, ground=(light,) * 3))
+        job = {"pack": PACK, "shot": shot, "lighting": plan, "format": ProjectFormat()}
+        with pytest.raises(StopIteration):
+            session.render_frame(FrameJob(**job, look="fast", frame=0, out="a.png"))
+        with pytest.raises(StopIteration):
+            session.render_motion(MotionJob(**job, width=160, step=1, folder="moving"))
+    assert seen == [0.0, 0.0, 0.7, 0.7]

@@ -12,7 +12,8 @@ from storyblender.blender.light import make_lights
 from storyblender.blender.props.build import build_prop
 from storyblender.blender.sets.build import build_set, swing_door
 from storyblender.blender.sets.pieces import piece_mesh
-from storyblender.blender.sets.world import night_of, set_world
+from storyblender.blender.sets.world import set_world
+from storyblender.blender.windows import night_of
 from storyblender.catalog.set_plan import Piece, SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.scene_context import Environment, Light, Sky
@@ -121,7 +122,7 @@ def test_the_horizon_is_closed(kit: str, scene: bpy.types.Scene) -> None:
 
 def test_windows_are_lit_at_night_only(scene: bpy.types.Scene) -> None:
     built("street", scene)
-    panes = [block for block in bpy.data.materials if block.get("pane_of") == scene.name]
+    panes = [block for block in bpy.data.materials if block.get("follows") == scene.name and not block["day_emit"]]
     assert panes
     set_world(scene, DAY)
     assert all(block["emit"] == 0 for block in panes)
@@ -131,7 +132,7 @@ def test_windows_are_lit_at_night_only(scene: bpy.types.Scene) -> None:
 
 def test_day_shines_outside_the_windows_of_a_room(scene: bpy.types.Scene) -> None:
     built("office", scene)
-    outside = [block for block in bpy.data.materials if block.get("outside") == scene.name]
+    outside = [block for block in bpy.data.materials if block.get("follows") == scene.name and not block["night_emit"]]
     set_world(scene, NIGHT)
     assert outside and all(block["emit"] == 0 for block in outside)
     set_world(scene, DAY)

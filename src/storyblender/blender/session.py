@@ -23,6 +23,7 @@ from storyblender.blender.render.frame import FrameRequest, PersonHead, render_f
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
 from storyblender.blender.still import held_still
+from storyblender.blender.windows import light_windows
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.errors import InputError
 from storyblender.geometry.framing import Figure
@@ -145,6 +146,7 @@ class Session:
         scene = self._open_pack(job.pack)
         start = job.pack.start_of(job.shot.shot_id)
         assert job.shot.camera is not None, "the Camera Operator comes before the camera"
+        light_windows(scene, job.lighting.sky)
         request = FrameRequest(
             look=job.look,
             width=job.format.width,
@@ -173,6 +175,7 @@ class Session:
         """Render the moving frames of one shot into its folder."""
         scene = self._open_pack(job.pack)
         start = job.pack.start_of(job.shot.shot_id)
+        light_windows(scene, job.lighting.sky)
         camera = make_camera(scene, scene.collection, job.shot, start)
         assert job.shot.camera is not None, "make_camera has made sure"
         height = ProjectFormat(aspect=job.format.aspect, width=job.width).height

@@ -17,7 +17,7 @@ from storyblender.memory.shot_context import Flaw, ShotContext
 
 Look = Literal["board", "fast", "pencil", "render"]
 
-GEOMETRY_VERSION = 4
+GEOMETRY_VERSION = 5
 """Raised when builders change shape: old caches are then built anew."""
 DRAWING_VERSION = 5
 """Raised when the same request is drawn otherwise, as when the golden pictures change: old projects draw anew."""

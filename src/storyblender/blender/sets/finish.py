@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 
 from storyblender.blender.materials import material
-from storyblender.catalog.light_recipes import mix
+from storyblender.blender.windows import follow_daylight
 from storyblender.catalog.materials import hex_color
 from storyblender.catalog.sets.finishes import finish_of
 from storyblender.memory.base import Color
@@ -38,7 +38,7 @@ def painted(code: str) -> bpy.types.Material:
 
 
 def pane(key: str, scene: bpy.types.Scene, *, from_room: bool = False) -> bpy.types.Material:
-    """Return the material of a lit window in one scene; ``light_windows`` switches it with the scene's daylight.
+    """Return the material of a lit window in one scene; it follows the scene's daylight.
 
     Args:
         key: A key of ``PANES``.
@@ -51,10 +51,9 @@ def pane(key: str, scene: bpy.types.Scene, *, from_room: bool = False) -> bpy.ty
         return found
     block = bpy.data.materials.new(name)
     block.use_nodes = True
-    block["key"], block["tile"], block["grain"], block["pane"] = key, 1.0, False, key
-    block["pane_of"], block["from_room"] = scene.name, from_room
+    block["key"], block["tile"], block["grain"] = key, 1.0, False
     block.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.15
-    _light(block, 1.0)
+    follow_daylight(block, scene, (_FAR_GLASS, DAYLIGHT) if from_room else (_GLASS, 0.0), PANES[key])
     return block
 
 
@@ -72,41 +71,7 @@ def view_outside(key: str, color: Color, scene: bpy.types.Scene) -> bpy.types.Ma
         return found
     block = bpy.data.materials.new(name)
     block.use_nodes = True
-    block["key"], block["tile"], block["grain"], block["outside"] = key, 1.0, False, scene.name
-    shader = block.node_tree.nodes["Principled BSDF"]
-    shader.inputs["Base Color"].default_value = shader.inputs["Emission Color"].default_value = (*color, 1)
-    shader.inputs["Roughness"].default_value = 1.0
-    block.diffuse_color = (*color, 1)
-    _shine(block, 0.0)
+    block["key"], block["tile"], block["grain"] = key, 1.0, False
+    block.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 1.0
+    follow_daylight(block, scene, (color, DAYLIGHT), (color, 0.0))
     return block
-
-
-def _shine(block: bpy.types.Material, strength: float) -> None:
-    block.node_tree.nodes["Principled BSDF"].inputs["Emission Strength"].default_value = strength
-    block["emit"] = strength
-
-
-def light_windows(scene: bpy.types.Scene, night: float) -> None:
-    """Light the windows of a scene's set, and what is seen through them.
-
-    Args:
-        scene: Whose panes to switch.
-        night: 1 at night, 0 by day.
-    """
-    for block in bpy.data.materials:
-        if block.get("pane_of") == scene.name:
-            _light(block, night)
-        elif block.get("outside") == scene.name:
-            _shine(block, DAYLIGHT * (1.0 - night))
-
-
-def _light(block: bpy.types.Material, night: float) -> None:
-    color, strength = PANES[block["pane"]]
-    glass = _FAR_GLASS if block["from_room"] else _GLASS
-    shown = mix(glass, color, night)
-    shader = block.node_tree.nodes["Principled BSDF"]
-    shader.inputs["Base Color"].default_value = (*shown, 1)
-    day = DAYLIGHT * (1 - night) if block["from_room"] else 0.0
-    shader.inputs["Emission Color"].default_value = (*shown, 1) if day else (*color, 1)
-    block.diffuse_color = (*shown, 1)
-    _shine(block, day + strength * night)
