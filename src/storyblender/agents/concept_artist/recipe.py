@@ -40,8 +40,12 @@ class AssetRequest(Frozen):
 
     @property
     def phrase(self) -> str:
-        """How the script calls it, with its modifiers where they are known: ``small round table``."""
+        """How the script calls it, with its modifiers where they are known: ``small round table``; an animal may have a
+        name of its own, but it is what it is described as.
+        """
         name = self.asset.name or self.asset.asset_id.replace("_", " ")
+        if self.asset.tags[:1] == ("animal",):
+            return self.asset.description or name
         described = self.asset.description.split()
         whole = len(described) <= _PHRASE and self.asset.description.lower().endswith(f" {name.lower()}")
         return self.asset.description if whole else name

@@ -8,6 +8,7 @@ from string import capwords
 
 from storyblender.agents.director.casting import called, cast, describe, introduction
 from storyblender.agents.director.company import Company, unique
+from storyblender.agents.director.creatures import describe_creature, size_of
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.left_behind import left_behind
 from storyblender.agents.director.motion_families import GETTING, PARTING
@@ -53,7 +54,7 @@ class Assembly:
         return Asset(
             asset_id=person.id,
             asset_type="character" if character else "object",
-            description=describe(person) if character else self._animal(person),
+            description=describe(person) if character else describe_creature(person, self.reading),
             name=self.company.names[person.id],
             tags=tuple(tags),
             look=self._look(person) if character else None,
@@ -68,17 +69,12 @@ class Assembly:
         aged = person if person.age else replace(person, age=called(person, self.text))
         return cast(aged, introduction(person, self.text), self.era, homeland)
 
-    def _animal(self, person: Person) -> str:
-        """An animal that does nothing but lie and sleep is one that sleeps."""
-        told = [unit.posture[person.id][0] for unit in self.reading.units if person.id in unit.posture]
-        sleeping = "sleeping " if told and {*told} <= {"asleep", "lie"} else ""
-        return one_line(f"{sleeping}{' '.join(person.build)} {person.role or person.name}")
-
     def _thing(self, thing: Thing) -> Asset:
         return Asset(
             asset_id=thing.id,
             asset_type="object",
-            description=thing.description or f"{modifiers_of(thing, self.text)} {thing.name}".strip(),
+            description=thing.description
+            or one_line(f"{size_of(thing, self.text)} {modifiers_of(thing, self.text)} {thing.name}"),
             name=self.company.names[thing.id],
             tags=(thing.kind, *(("handled",) if thing.handled else ())),
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from string import capwords
 
+from storyblender.agents.director.creatures import is_creature
 from storyblender.agents.director.reading import Person, Reading, Thing
 
 FIXTURES = frozenset((
@@ -39,16 +40,11 @@ class Company:
     def __init__(self, reading: Reading) -> None:
         staged = {person for unit in reading.units for person in unit.on_stage}
         self.people = [person for person in reading.people if person.id in staged]
-        self.actors = {person.id for person in self.people if is_character(person)}
+        self.actors = {person.id for person in self.people if not is_creature(person, reading)}
         self.fixtures = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] in FIXTURES}
         things = {thing.id for thing in reading.things} - self.fixtures
         self.assets = {person.id for person in self.people} | things
         self.names = {each.id: _shown_name(each) for each in (*reading.people, *reading.things)}
-
-
-def is_character(person: Person) -> bool:
-    """Whether somebody is cast: people, and animals that speak."""
-    return person.kind != "animal" or person.speaks
 
 
 def unique(items: Iterable[str | None]) -> list[str]:

@@ -175,13 +175,13 @@ def test_people_who_never_appear_stay_off_the_sheet() -> None:
     assert (line.speaker, line.speaker_name, line.off_screen) == (None, "GHOST", True)
 
 
-def test_animals_are_objects_unless_they_speak() -> None:
+def test_animals_are_objects_unless_they_are_dressed() -> None:
     script = (
         Script("Dog", "Fox").action("The dog runs after the fox.", ("dog", "run", "fox")).say("fox", "Never!", "dog")
     )
     for person in script.reading.people:
         person.kind = "animal"
-        person.speaks = person.id == "fox"
+        person.outfit = ("a red coat",) if person.id == "fox" else ()
     sheet = {asset.asset_id: asset for asset in board_of(script).asset_sheet}
     assert (sheet["dog"].asset_type, sheet["dog"].tags, sheet["dog"].look) == ("object", ("animal",), None)
     assert sheet["fox"].asset_type == "character" and sheet["fox"].look is not None

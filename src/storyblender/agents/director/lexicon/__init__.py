@@ -163,6 +163,8 @@ YOUNG_NOUNS = frozenset(_people["young"])
 CROWDS = frozenset(_people["crowd"])
 NEUTER_ROLES = frozenset(_people["neuter"])
 """Somebody who may be called ``it``."""
+MACHINES = frozenset(_people["machine"])
+"""Those that are built and do not look like people."""
 TITLE_SYNONYMS = _pairs(_people["title_synonym"])
 CONVERSE_KIN = {kin: tuple(others.split("/")) for kin, others in _pairs(_people["converse"]).items()}
 """Kin -> what they are to each other: the uncle of a niece or nephew."""

@@ -70,3 +70,7 @@ def test_a_harbourmaster_is_somebody() -> None:
     )
     assert [*people] == ["kit", "rourke"]
     assert "harbourmaster" in people["rourke"]
+
+
+def test_days_of_the_week_are_nobody() -> None:
+    assert [*told("Nora sat down. The room was too small, and on Thursdays it was full. Nora sighed.\n")] == ["nora"]

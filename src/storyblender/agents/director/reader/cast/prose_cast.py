@@ -135,6 +135,7 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
         if person.gender == "unknown":
             person.gender = lexicon.gender_of_word(phrase.noun)
         person.role = person.role or phrase.noun
+        person.kind = "animal" if person.role in lexicon.ANIMALS else person.kind
         roster.call(person, phrase.noun)
         describe(person, look)
     elif _is_another(roster, role, text, apposed):

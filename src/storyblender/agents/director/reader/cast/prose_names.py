@@ -48,7 +48,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
             name = name.split(maxsplit=1)[1]
         at = match.start() + match.group(0).rindex(name)
         first = name.split()[0].lower()
-        if first in _SMALL | _NOT_NAMES or name.lower() in lexicon.PRONOUNS:
+        if {first, singular(first)} & (_SMALL | _NOT_NAMES) or name.lower() in lexicon.PRONOUNS:
             continue
         if match.group(1) and not _opens_like_a_name(name, match.group(1)):
             continue

@@ -36,6 +36,7 @@ def describe(person: Person, phrase: str) -> None:
             continue
         if _AGE.match(part.lower()):
             person.age = part
+            _has_a_surname(person)
             continue
         if words[-1] in lexicon.SPELLED_AGES and len(words) < 3:
             person.age = person.age or lexicon.SPELLED_AGES[words[-1]]
@@ -56,9 +57,18 @@ def describe(person: Person, phrase: str) -> None:
             if not person.role and word in lexicon.NEUTER_ROLES:
                 person.role = word
             likened = re.search(r"\bof an? ", part) is not None  # a bear of a man
-            if word in lexicon.ANIMALS and word == head and not likened:
+            if word == head and word in lexicon.MACHINES:
+                person.kind, person.role = "human", word  # MULE, a robot
+            if word in lexicon.ANIMALS and word == head and not likened and lexicon.noun_class(part.lower()) != "prop":
                 person.kind, person.role = "animal", word
                 person.aliases = (*person.aliases, word)
+
+
+def _has_a_surname(person: Person) -> None:
+    """``DESMOND FOX (61)``: whose age is told after a first name is no fox."""
+    first, *others = person.name.lower().split()
+    if person.kind == "animal" and others and first in lexicon.FIRST_NAMES:
+        person.kind, person.role, person.gender = "human", "", lexicon.gender_of_word(first)
 
 
 def _head(words: list[str]) -> str:

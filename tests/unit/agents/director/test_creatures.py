@@ -1,0 +1,70 @@
+"""Animals and robots are no people: they stand on the set as the catalog's, in the size the script gives them."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.agents.director.breakdown import storyboard
+from storyblender.agents.director.creatures import likened_size
+from storyblender.agents.director.reader import read_script
+from storyblender.memory.asset_sheet import Asset
+from storyblender.screenplay.source import read
+
+
+def sheet_of(script: str, format: str = "fountain") -> dict[str, Asset]:
+    assets = storyboard(read_script(read(script, format))).asset_sheet  # type: ignore[arg-type]
+    return {asset.asset_id: asset for asset in assets}
+
+
+def in_a_room(action: str) -> dict[str, Asset]:
+    return sheet_of(f"INT. ROOM - DAY\n\nANN (30) sits.\n\n{action}\n")
+
+
+@pytest.mark.parametrize(
+    ("action", "id", "description"),
+    [
+        ("Behind her trots PIP, a dented robot the size of a goat.", "pip", "110 cm tall dented robot"),
+        ("MULE, a squat robot, rolls in. Mule beeps.", "mule", "squat robot"),
+        ("A white horse walks in. The horse neighs.", "horse", "white horse"),
+        ("A parrot sits on the table.\n\nPARROT\nAhoy!\n\nThe parrot takes a nut.", "parrot", "parrot"),
+    ],
+)
+def test_animals_and_robots_are_the_catalogs(action: str, id: str, description: str) -> None:
+    asset = in_a_room(action)[id]
+    assert (asset.asset_type, asset.tags[0], asset.description) == ("object", "animal", description)
+
+
+@pytest.mark.parametrize(
+    ("action", "id"),
+    [
+        ("DESMOND FOX (61, silver hair) walks in.", "desmond_fox"),
+        ("LOU (50s, hot dog, no expectations) walks in.", "lou"),
+        ("RAT (40, a waistcoat) walks in. Rat bows.\n\nRAT\nHello.", "rat"),
+        ("A fox walks in.\n\nFOX\nTea?\n\nThe fox pours the tea.", "fox"),
+        ("HEX, an android with a porcelain face, walks in. Hex bows.", "hex"),
+    ],
+)
+def test_who_has_a_surname_or_clothes_or_uses_hands_is_cast(action: str, id: str) -> None:
+    assert in_a_room(action)[id].asset_type == "character"
+
+
+def test_an_animal_called_by_a_name_is_an_animal() -> None:
+    sheet = sheet_of("Ann sat down. A black cat called Solomon lay on the table. Solomon yawned.\n", "prose")
+    assert (sheet["solomon"].asset_type, sheet["solomon"].description) == ("object", "sleeping black cat")
+
+
+@pytest.mark.parametrize(
+    ("words", "size"),
+    [
+        ("a robot the size of a goat", "110 cm tall"),
+        ("as big as a park bench", likened_size("the size of a park bench")),
+        ("the size of a grudge", ""),
+        ("a robot", ""),
+    ],
+)
+def test_a_size_that_is_likened_to_something_known(words: str, size: str) -> None:
+    assert likened_size(words) == size
+
+
+def test_a_thing_has_the_size_it_is_likened_to() -> None:
+    assert in_a_room("She picks up a diamond the size of a goat.")["diamond"].description == "110 cm tall diamond"
