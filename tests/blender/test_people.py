@@ -196,6 +196,20 @@ def test_tied_hair_hangs_behind_the_neck_as_one_and_ends_in_one_tip(key: str) ->
 
 
 @needs_data
+@pytest.mark.parametrize(("key", "coat"), [("ponytail", "shirt"), ("braid", "coat")])
+def test_tied_hair_lies_on_neck_and_back_over_the_collar(key: str, coat: str) -> None:
+    person = build_person("una", CharacterLook(gender="female", age=60, hair=key, garments=(Garment(key=coat),)), 1)
+    hair = _coordinates(_part(person, "hair"))
+    others = np.concatenate([_coordinates(mesh) for mesh in person.meshes if mesh is not _part(person, "hair")])
+    neck = person.armature.data.bones["neck"].head_local.z
+    assert hair[:, 2].min() < neck - 0.05, "it reaches the back"
+    for height in np.arange(hair[:, 2].min() + 0.02, neck, 0.02):
+        tail = hair[np.abs(hair[:, 2] - height) < 0.02, 1]
+        middle = (np.abs(others[:, 2] - height) < 0.03) & (np.abs(others[:, 0]) < 0.06)
+        assert tail.min() < others[middle, 1].max() + 0.03, "it does not stand off"
+
+
+@needs_data
 @pytest.mark.parametrize(("key", "least"), [("ponytail", 0.5), ("braid", 0.9)])
 def test_tied_hair_stays_on_the_back_of_who_bows_the_head(key: str, least: float) -> None:
     person = build_person("una", CharacterLook(gender="female", age=30, hair=key), 1)

@@ -99,7 +99,7 @@ def _locks(scalp: Scalp, clothes: Sequence[Sheet], rng: np.random.Generator) -> 
     if spec.knot == "bun":
         locks += bun(scalp, rng)
     if body:
-        locks += tied(scalp, body, rng)
+        locks += tied(scalp, body)
     return locks
 
 

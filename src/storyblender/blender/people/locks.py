@@ -20,10 +20,13 @@ from storyblender.catalog.hair import HairSpec
 
 Floats = NDArray[np.float64]
 
-KNOT = np.array((0.0, 0.95, 0.32)) / np.linalg.norm((0.0, 0.95, 0.32))
+KNOT = np.array((0.0, 0.99, 0.10)) / np.linalg.norm((0.0, 0.99, 0.10))
+"""Where hair is tied, low enough to be under the brim of a hat."""
 DROP = 0.026
 """Metres between the rows of a lock that hangs."""
 ROWS = 7
+_FAR = 0.6
+"""Metres behind the head from where the back is looked at."""
 
 
 @dataclass
@@ -49,26 +52,11 @@ class Drape:
         self._trees = [BVHTree.FromPolygons(sheet.points.tolist(), polygons(sheet)) for sheet in self._sheets]
         self._figure = figure
 
-    def hang(
-        self, points: list[Floats], outward: list[Floats], spec: HairSpec, length: float, rng: np.random.Generator
-    ) -> None:
-        """Continue a lock downwards, outside the body."""
-        scale = self._figure.head_scale
-        phase = rng.uniform(0, 2 * np.pi)
-        aim = points[-1] - points[-2]
-        aim = aim / np.linalg.norm(aim)
-        out = np.array((outward[-1][0], outward[-1][1], 0.0))
-        out = out / max(float(np.linalg.norm(out)), 1e-6)
-        drop = DROP * scale
-        for row in range(max(2, round(length / drop))):
-            aim = 0.55 * aim + 0.45 * np.array((0.0, 0.0, -1.0))
-            aim = aim / np.linalg.norm(aim)
-            swing = spec.wave * scale * 0.5 * np.sin(phase + row * 0.95)
-            across = np.cross(out, (0.0, 0.0, 1.0))
-            point = points[-1] + aim * drop + across * swing + out * 0.0015
-            point = self.clear(point, 0.007 * scale)
-            points.append(point)
-            outward.append(out)
+    def behind(self, point: Floats) -> float:
+        """Return how far back, y in metres, body and clothes reach at a point's height and side."""
+        origin = Vector((point[0], point[1] + _FAR, point[2]))
+        hits = [tree.ray_cast(origin, Vector((0.0, -1.0, 0.0)), _FAR + 0.3)[0] for tree in self._trees]
+        return max((hit.y for hit in hits if hit is not None), default=-_FAR)
 
     def clear(self, point: Floats, gap: float) -> Floats:
         """Return ``point`` kept off the face and at least ``gap`` outside the body and clothes."""

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.face import bone_weights
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.locks import KNOT, Drape, ball
+from storyblender.blender.people.locks import DROP, KNOT, Drape, ball
 from storyblender.blender.people.scalp import Scalp
 from storyblender.blender.people.sheet import Sheet, rigid
 
@@ -21,23 +21,26 @@ _GROOVES = 5
 """Shallow grooves along a ponytail, which read as locks that stay together."""
 _TAIL = ((0.0, 0.12, 0.4, 0.75, 1.0), (0.010, 0.019, 0.025, 0.020, 0.005))
 """Radius of a ponytail in metres along its length: it swells below the band and ends in a soft point."""
-_BRAID_LENGTH, _TAIL_LENGTH = 0.34, 0.25
+_BRAID_LENGTH, _TAIL_LENGTH = 0.38, 0.28
 _PITCH = 0.075
 """Metres of a braid in which a strand comes back to its side."""
+BACK = np.array((0.0, 1.0, 0.0))
+_INWARDS, _CLEAR = 0.6, 0.02
+"""How far, times the fall, what hangs comes in until it lies on neck and back, and metres of its middle from them."""
 _SWAY, _CROSS = 0.012, 0.007
 """Metres a strand of a braid goes to the side, and over and under."""
-_FREE, _LAIN = 0.07, -0.1
+_FREE, _LAIN = 0.14, -0.06
 """Heights from the neck's, for a person of scale 1, above which a tail goes with the head and below which it lies on
 the back."""
 _STAYS = 0.95
 """Share of the back in what lies on it: a head that bends must not swing the tail out behind it."""
 
 
-def tied(scalp: Scalp, body: Drape, rng: np.random.Generator) -> list[Sheet]:
+def tied(scalp: Scalp, body: Drape) -> list[Sheet]:
     """Return what hangs from the knot, ponytail or braid, and the band that holds it."""
     figure, scale = scalp.figure, scalp.figure.head_scale
     braided = scalp.spec.knot == "braid"
-    spine, outward = _spine(scalp, body, rng)
+    spine, outward = _spine(scalp, body)
     sheets = [ball(figure, spine[0], np.full(3, 0.015) * scale, np.eye(3), 8, 6)]
     at = np.linspace(0, 1, len(spine))[:, None]
     across = np.cross(np.gradient(spine, axis=0), outward)
@@ -64,15 +67,19 @@ def _hanging(sheet: Sheet, figure: Figure) -> Sheet:
     return replace(sheet, weights=(1 - share) * bone_weights("head") + share * bone_weights("upper_chest"))
 
 
-def _spine(scalp: Scalp, body: Drape, rng: np.random.Generator) -> tuple[Floats, Floats]:
+def _spine(scalp: Scalp, body: Drape) -> tuple[Floats, Floats]:
     """Return the middle line from the knot down the back, in even steps, and which way is away from the back."""
     spec, scale = scalp.spec, scalp.figure.head_scale
     found = scalp.over(KNOT, 0.012 * scale)
     start = found[0] if found else scalp.center
-    points = [start, start + KNOT * 0.02 * scale, start + KNOT * 0.035 * scale]
-    outward = [KNOT, KNOT, KNOT]
-    body.hang(points, outward, spec, (_BRAID_LENGTH if spec.knot == "braid" else _TAIL_LENGTH) * scale, rng)
-    line = np.array([points[0], *(body.push_out(point, 0.022 * scale) for point in points[1:])])
+    points = [start, start + KNOT * 0.012 * scale, start + KNOT * 0.02 * scale]
+    drop, length = DROP * scale, (_BRAID_LENGTH if spec.knot == "braid" else _TAIL_LENGTH) * scale
+    for _ in range(round(length / drop)):
+        below = points[-1] - (0.0, 0.0, drop)
+        ledge = max(body.behind(below - (0.0, 0.0, step * drop)) for step in range(3))  # a collar is met from above
+        below[1] = max(below[1] - _INWARDS * drop, ledge + _CLEAR * scale)
+        points.append(below)
+    line, outward = np.array(points), [KNOT] * 3 + [BACK] * (len(points) - 3)
     for _ in range(4):  # the back and the collar push single points out
         line[1:-1] = 0.5 * line[1:-1] + 0.25 * (line[:-2] + line[2:])
     index, at = np.arange(len(line)), np.linspace(0, len(line) - 1, 3 * len(line))
