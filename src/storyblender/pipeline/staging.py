@@ -85,6 +85,7 @@ def _design(run: Run, scene_id: int) -> Environment:
         travel=max(walks, default=0.0),
         reference=graph.scene(reference).environment if reference is not None else None,
         story=graph.story_summary,
+        headings=" / ".join(outline.heading for outline in graph.outline),
     )
     designer = RulesEnvironmentDesigner()
     return run.reflect("environment_designer", scene_name(scene_id), view, designer, EnvironmentCritic()).draft

@@ -89,6 +89,12 @@ from storyblender.memory.scene_context import SceneSetup
         ("OLD BARN", "indoor", "barn"),
         ("OLD BARN", "outdoor", "open_ground"),
         ("FREIGHTER MERIDIAN, BRIDGE", "indoor", "control_room"),
+        ("FERRY LANDING", "outdoor", "dock"),
+        ("JETTY BY THE LAKE", "outdoor", "dock"),
+        ("CABIN BY THE LAKE", "outdoor", "beach"),
+        ("DESERT ROAD", "outdoor", "desert"),
+        ("COUNTRY ROAD", "outdoor", "street"),
+        ("HYDROPONICS BAY", "indoor", "greenhouse"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:
@@ -138,6 +144,20 @@ def test_where_no_word_is_known_the_things_tell_the_place(things: tuple[str, ...
 
 def test_a_known_heading_counts_more_than_things() -> None:
     assert kit_of(SceneSetup(place="kitchen", scene_type="indoor", asset_ids=("bed", "pillow"))) == "kitchen"
+
+
+@pytest.mark.parametrize(
+    ("place", "kit"),
+    [
+        ("graveyard on the ridge", "cemetery"),
+        ("hill", "open_ground"),
+        ("hill of the nine stones", "open_ground"),
+        ("ridge", "mountain"),
+    ],
+)
+def test_open_ground_that_is_named_is_no_fallback(place: str, kit: str) -> None:
+    setup = SceneSetup(place=place, place_kind=lexicon.place_kind(place), scene_type="outdoor")
+    assert kit_of(setup) == kit
 
 
 def test_things_tell_only_kits_that_may_be_chosen() -> None:

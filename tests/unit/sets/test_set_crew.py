@@ -12,7 +12,7 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentView,
     RulesEnvironmentDesigner,
 )
-from storyblender.agents.visual_effects_artist.furniture import prop_of
+from storyblender.agents.visual_effects_artist.furniture import prop_of, prop_size
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingCritic,
     LightingView,
@@ -76,6 +76,41 @@ def test_who_and_what_is_there_tells_the_period() -> None:
     for asset_ids, period in ((("sheriff", "horse"), "past"), (("anna", "laptop"), "modern"), (("anna",), None)):
         setup = SceneSetup(place="STREET", scene_type="outdoor", asset_ids=asset_ids)
         assert designer.propose(EnvironmentView(setup)).params.get("period") == period
+
+
+def environment_of(place: str, reference: Environment | None = None, headings: str = "", **setup: str) -> Environment:
+    view = EnvironmentView(SceneSetup(place=place, **setup), reference=reference, headings=headings)  # type: ignore[arg-type]
+    return RulesEnvironmentDesigner().propose(view)
+
+
+def test_snow_lies_where_it_falls_or_the_script_says_so() -> None:
+    yard = environment_of("YARD", scene_type="outdoor", weather="snow")
+    plan = plan_of(yard)
+    assert {slab.material for slab in plan.slabs} == {"snow"}
+    assert not {piece.part for piece in plan.pieces} & {"grass_tuft", "flowers"}
+    assert all(piece.params["snow"] for piece in plan.pieces if piece.part in ("hedge", "broad_tree"))
+    assert environment_of("SNOWY FIELD", scene_type="outdoor").params["snow"] is True
+    assert "snow" not in environment_of("OFFICE").params
+    thawed = environment_of("YARD", yard, scene_type="outdoor")
+    assert "snow" not in thawed.params and environment_of("YARD", thawed, scene_type="outdoor", weather="snow") == yard
+
+
+def test_snow_is_seen_from_a_room_and_not_in_it() -> None:
+    plan = plan_of(environment_of("KITCHEN", weather="snow"))
+    assert {slab.material for slab in plan.slabs if slab.z < 0} == {"snow"}
+    assert "snow" not in {slab.material for slab in plan.slabs if slab.z >= 0}
+
+
+@pytest.mark.parametrize(
+    ("place", "headings", "aboard"),
+    [
+        ("SPINE CORRIDOR", "INT. SPINE CORRIDOR / INT. AIRLOCK", True),
+        ("HOTEL CORRIDOR", "INT. HOTEL CORRIDOR / INT. AIRLOCK", False),
+        ("CORRIDOR", "INT. CORRIDOR / INT. KITCHEN", False),
+    ],
+)
+def test_a_corridor_of_a_story_in_space_is_aboard(place: str, headings: str, aboard: bool) -> None:
+    assert environment_of(place, headings=headings).params.get("space", False) is aboard
 
 
 # ---------------------------------------------------------------------- dressing
@@ -262,6 +297,25 @@ def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
 def test_the_place_itself_is_not_put_on_the_stage() -> None:
     setup = SceneSetup(scene_type="outdoor", place="harbour")
     view = DressingView(setup, plan_of(Environment(kit="dock", seed=1)), (asset("pier"), asset("gun")))
+    assert RulesSetDresser().propose(view).pending == ("gun",)
+
+
+@pytest.mark.parametrize("relation", [None, "at", "on"])
+def test_a_boat_lies_in_the_water_beside_the_quay(relation: str | None) -> None:
+    plan = plan_of(Environment(kit="dock", seed=1))
+    water = next(slab for slab in plan.slabs if slab.material == "water_deep")
+    relations = (Relation(asset_id="boat", kind=relation, anchor_asset_id="pier"),) if relation else ()  # type: ignore[arg-type]
+    setup = SceneSetup(scene_type="outdoor", place="harbour", relations=relations)
+    dressing = RulesSetDresser().propose(DressingView(setup, plan, (asset("boat"), asset("pier"))))
+    boat = next(item for item in dressing.objects if item.node_id == "boat")
+    assert boat.fixed and water.z - 0.1 < boat.location[2] < water.z
+    side = boat.location[1] - prop_size("rowing_boat", {})[0] / 2
+    assert min(y for _, y in water.polygon) < side < plan.size.y + 0.3, "beside the quay, and a step from it"
+
+
+def test_who_is_in_a_house_finds_no_house_there() -> None:
+    setup = SceneSetup(place="old house")
+    view = DressingView(setup, plan_of(Environment(kit="room", seed=1)), (asset("house"), asset("gun")))
     assert RulesSetDresser().propose(view).pending == ("gun",)
 
 

@@ -35,6 +35,7 @@ class EnvironmentView:
         travel: The longest way somebody walks in one shot, metres.
         reference: The environment of the earlier scene in the same place.
         story: Any words that tell the period: summary, descriptions of characters.
+        headings: Of all scenes: they tell a story in space.
     """
 
     setup: SceneSetup
@@ -43,16 +44,19 @@ class EnvironmentView:
     travel: float = 0.0
     reference: Environment | None = None
     story: str = ""
+    headings: str = ""
 
 
 class RulesEnvironmentDesigner:
     """Chooses by the words of the heading, then by who and what is there; sizes by what must fit."""
 
     def propose(self, view: EnvironmentView) -> Environment:
-        """Return the environment; the same place again gets the same one."""
-        if view.reference is not None:
-            return view.reference
+        """Return the environment; the same place again gets the same one, but for the snow."""
         setup = view.setup
+        if view.reference is not None:
+            ground = {"snow": True} if _snow_lies(setup) else {}
+            params = {name: value for name, value in view.reference.params.items() if name != "snow"} | ground
+            return view.reference.model_copy(update={"params": params})
         key = kit_of(setup)
         kit = SETS[key]
         params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
@@ -62,7 +66,9 @@ class RulesEnvironmentDesigner:
             params["period"] = period
         words = f"{setup.place} {setup.layout_description} {setup.ground_description} {setup.wall_description or ''}"
         told = f"{words} {view.story}" if period == "past" else words
-        params |= _options(kit, words.lower(), told.lower(), setup.weather == "snow")
+        params |= _options(kit, words.lower(), told.lower(), view.headings.lower())
+        if _snow_lies(setup):
+            params["snow"] = True
         seed = int(content_hash(setup.place.upper(), key), 16) % 100_000
         return _enlarged(Environment(kit=key, params=params, seed=seed), *_wanted(view, kit))
 
@@ -154,14 +160,22 @@ _OPTION_WORDS = {
     "train": r"\btrain (stands|waits|stops|is standing|has stopped|at the platform)",
     "air": r"\bplane|air ?plane|aero ?plane|aircraft|airliner|\bjet\b|flight",
     "taxi": r"\btaxi|\bcab\b|cabbie",
-    "snow": r"snow|ice|glacier|arctic|blizzard",
 }
+_SNOW = r"\bsnow(y|field|drift|bound)?\b|glacier|\barctic|\bantarctic|blizzard|\bfrozen"
+_SHIP_IN_SPACE = r"\bspace|star ?ship|airlock|\bhyper|cryo|\borbit"
+_ON_EARTH = r"hotel|hospital|school|office|house|home|flat|apartment|prison|police|court|castle|palace|museum|theat"
+"""A corridor or a bridge of a story in space is aboard, unless its own heading says where else it is."""
 
 
-def _options(kit: SetKit, words: str, story: str, snow: bool) -> dict[str, ParamValue]:
+def _snow_lies(setup: SceneSetup) -> bool:
+    return setup.weather == "snow" or re.search(_SNOW, f"{setup.place} {setup.ground_description}".lower()) is not None
+
+
+def _options(kit: SetKit, words: str, story: str, headings: str) -> dict[str, ParamValue]:
     """Return what a kit is told: by the words of the place, or what the story is for a street of its age."""
+    aboard = re.search(_SHIP_IN_SPACE, headings) and not re.search(_ON_EARTH, words)
     options: dict[str, ParamValue] = {}
     for name in kit.options:
-        if re.search(_OPTION_WORDS[name], story if name == "frontier" else words) or (name == "snow" and snow):
+        if re.search(_OPTION_WORDS[name], story if name == "frontier" else words) or (name == "space" and aboard):
             options[name] = True
     return options

@@ -169,13 +169,14 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
     taken: dict[str, Asset] = {}
     where: dict[str, Vec2] = {}
     anchors = {relation.asset_id: relation.anchor_asset_id for relation in view.setup.relations}
+    places = {asset.asset_id for asset in view.objects if _is_the_place(asset, view)}
     floating = {
         relation.asset_id
         for relation in view.setup.relations
-        if relation.kind in ("on", "in", "inside", "under", "over")
+        if relation.kind in ("on", "in", "inside", "under", "over") and relation.anchor_asset_id not in places
     }
-    ids = {asset.asset_id for asset in view.objects}
-    waiting = [asset for asset in view.objects if asset.asset_id not in floating and not _is_the_place(asset, view)]
+    ids = {asset.asset_id for asset in view.objects} - places
+    waiting = [asset for asset in view.objects if asset.asset_id in ids - floating]
     waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: what others stand next to goes first
     for asset in waiting:
         anchor = anchors.get(asset.asset_id)
@@ -203,7 +204,10 @@ def _is_the_place(asset: Asset, view: DressingView) -> bool:
     kit = SETS[view.plan.kit]
     if any(name == word or name.endswith(f" {word}") for word in kit.has):
         return True
-    if prop_of(asset) is not None:
+    prop, place = prop_of(asset), view.setup.place.lower().split()
+    if kit.indoor and place and name.split()[-1:] == place[-1:]:  # we are in the house; a bar has a bar
+        return all(item.prop != prop for item in view.plan.furnishings)
+    if prop is not None:
         return False
     parts = {piece.part.replace("_", " ") for piece in view.plan.pieces}
     return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}

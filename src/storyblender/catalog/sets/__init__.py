@@ -85,6 +85,7 @@ from storyblender.catalog.sets import (
 )
 from storyblender.catalog.sets.drawing import Period, SetParams
 from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.catalog.sets.snow import under_snow
 from storyblender.errors import InputError
 from storyblender.memory.scene_context import Environment
 
@@ -112,8 +113,8 @@ def plan_of(environment: Environment) -> SetPlan:
     """Return the plan of a set: the same environment, the same plan.
 
     Args:
-        environment: A kit, its parameters (``width``, ``depth``, ``height`` in metres, ``period``, the kit's own
-            options) and a seed. Dimensions are kept within what the kit can do.
+        environment: A kit, its parameters (``width``, ``depth``, ``height`` in metres, ``period``, ``snow`` if it
+            lies, the kit's own options) and a seed. Dimensions are kept within what the kit can do.
 
     Raises:
         InputError: No such kit, or no such parameter.
@@ -127,11 +128,12 @@ def _plan(environment_json: str) -> SetPlan:
     if environment.kit not in SETS:
         raise InputError(f"the catalog has no set kit called {environment.kit!r}", mend=f"it has {sorted(SETS)}")
     kit = SETS[environment.kit]
-    return kit.draw(_params(kit, environment.params), np.random.default_rng(environment.seed))
+    plan = kit.draw(_params(kit, environment.params), np.random.default_rng(environment.seed))
+    return under_snow(plan) if environment.params.get("snow") else plan
 
 
 def _params(kit: SetKit, given: dict[str, ParamValue]) -> SetParams:
-    known = {"width", "depth", "height", "period", *kit.options}
+    known = {"width", "depth", "height", "period", "snow", *kit.options}
     unknown = sorted(set(given) - known)
     if unknown:
         raise InputError(f"the set kit {kit.key!r} has no parameter {unknown[0]!r}", mend=f"it has {sorted(known)}")

@@ -66,6 +66,7 @@ KIT = SetKit(
     height=Span(2.8, 3.1, 4.0),
     period="modern",
     options={"space": False},
+    has=("ship", "vessel", "spaceship", "starship", "shuttle", "submarine"),
     means={"chair": "office_chair", "armchair": "office_chair", "seat": "office_chair", "torch": "flashlight",
            "camera": "security_camera", "phone": "smartphone"},
 )  # fmt: skip

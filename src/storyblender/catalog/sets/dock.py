@@ -1,4 +1,4 @@
-"""A dock: planks on posts, bollards and crates, a shed, black water and the far shore."""
+"""A dock: planks on posts, bollards and crates, a shed, boats on black water and the far shore."""
 
 from __future__ import annotations
 
@@ -9,23 +9,30 @@ from storyblender.catalog.sets.drawing import SODIUM, SetParams, rectangle
 from storyblender.catalog.sets.ground import REACH, Ground
 from storyblender.catalog.sets.kit import SetKit, Span
 
+_WATER, _DRAUGHT = -0.05, 0.02
+"""Metres: the water stands high, so that who sits in a boat is seen over the quay; a boat's boards are dry."""
+_BEAM = 1.5
+"""Metres of water that a boat takes beside the quay; its side lies at the edge, a step from where people stand."""
+
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the quay along x; water behind it, the shed at the left."""
     dock = Ground("dock", params, rng)
     x, y, old = dock.half_x, dock.half_y, params.period == "past"
-    edge = y + 0.6
+    edge = y + 0.05
     deck = "planks_gray" if old else "concrete"
     dock.slab("ground", rectangle(-REACH, -REACH, REACH, edge), deck, wet=True)
-    dock.slab("ground", rectangle(-REACH * 1.6, edge, REACH * 1.6, REACH * 1.6), "water_deep", z=-1.3, wet=True)
+    dock.slab("ground", rectangle(-REACH * 1.6, edge, REACH * 1.6, REACH * 1.6), "water_deep", z=_WATER, wet=True)
     dock.piece("quay_edge", 0, edge, length=120.0, drop=1.6, material="boards_grey" if old else "concrete_dark")
     if params.option("cranes") and not old:
         for px, turn in ((-x - 14.0, 35), (-3.0, -20), (x + 15.0, 15)):
-            dock.piece("harbour_crane", px, edge + 38.0, -1.3, turn, scale=1.4)
+            dock.piece("harbour_crane", px, edge + 38.0, _WATER, turn, scale=1.4)
     for index in range(-4, 5):
         dock.piece("bollard", index * 4.0 + 1.5, edge - 0.35, footprint=(0.4, 0.4))
     dock.piece("shed", -x - 4.2, -1.0, yaw=90, footprint=(8.0, 6.0), width=8.0, depth=6.0, height=4.2)
-    dock.piece("moored_ship" if not old else "mast_ship", x + 6.0, edge + 6.5, -1.3, 90, length=24.0)
+    dock.piece("moored_ship" if not old else "mast_ship", x + 6.0, edge + 9.0, _WATER, 90, length=24.0)
+    for px in (0.9, 0.9 - 0.62 * params.width):
+        dock.furnish("rowing_boat", px, edge + 0.16 + _BEAM / 2, _WATER - _DRAUGHT, 90, required=False)
     for index, (px, py, size) in enumerate(
         ((x - 1.0, y - 0.9, 0.9), (x - 2.0, y - 0.8, 0.75), (-x + 0.9, y - 0.8, 0.8))
     ):
@@ -35,9 +42,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     dock.furnish("crate", x - 1.0, y - 0.9, 0.9, 25, required=False, width=0.6, depth=0.6, height=0.6)
     for px, py in ((-x + 0.6, -y * 0.2), (-x + 0.7, -y * 0.2 + 0.75), (x - 0.6, -y * 0.4)):
         dock.furnish("barrel", px, py, required=False)
-    for px in (-x * 0.62, x * 0.62):
-        dock.furnish("lamppost", px, edge - 1.2)
+    for px in (-x * 0.4, x * 0.4):
+        dock.furnish("lamppost", px, edge - 1.0)
     dock.lamp("shed_lamp", (-x - 0.7, -1.0, 3.2), 120, SODIUM, size=0.12, glow=0.4)
+    dock.mark("boat", 0.9, y - 0.3, 180, "boat", "oar", "oars", "rower", "boatman", "ferryman")
     dock.mark("water_edge", 0, y - 0.3, 180, "window", "water")
     dock.ring("sea", 140, 1.6, bottom=-6, azimuths=(-95, 95), sides=8)
     dock.ring("skyline", 110, 12, bottom=-3, azimuths=(20, 80), sides=3)
@@ -61,6 +69,9 @@ KIT = SetKit(
         "port",
         "marina",
         "jetty",
+        "landing stage",
+        "ferry landing",
+        "mooring",
         "shipyard",
         "canal",
         "boathouse",

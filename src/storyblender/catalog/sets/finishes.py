@@ -73,6 +73,7 @@ leaf               leaves     #566b31
 leaf_yellow        leaves     #7f8434
 pine               leaves_dark #2f4a33
 hedge              leaves     #3d5a2b
+leaf_snow          leaves     #c6ced4
 bark_dark          bark       #3f3226
 cloth_red          fabric     #6b1d1d
 cloth_green        fabric     #22402e

@@ -53,7 +53,7 @@ KIT = SetKit(
     key="greenhouse",
     name="Greenhouse",
     tags=("greenhouse", "glasshouse", "hothouse", "conservatory", "orangery", "winter garden", "palm house",
-          "plant nursery", "botanical garden"),
+          "plant nursery", "botanical garden", "hydroponics", "hydroponics bay", "hydroponic farm"),
     indoor=True,
     draw=draw,
     width=Span(6.2, 6.8, 10.0),

@@ -1,4 +1,4 @@
-"""A mountain ledge: rock and thin grass or snow, pines, cliffs at the sides, peaks beyond."""
+"""A mountain ledge: rock and thin grass, pines, cliffs at the sides, peaks beyond."""
 
 from __future__ import annotations
 
@@ -14,8 +14,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the ledge with a cliff at the left and open air at the right."""
     ledge = Ground("mountain", params, rng)
     x, y = ledge.half_x, ledge.half_y
-    snow = bool(params.option("snow"))
-    ledge.land("snow" if snow else "grass_dry", relief=2.6, rise=0.05)
+    ledge.land("grass_dry", relief=2.6, rise=0.05)
     ledge.piece(
         "cliff", -x - 4.5, 2.0, -0.5, 75, footprint=(12, 5), width=13.0, height=9.0, seed=float(rng.integers(99))
     )
@@ -29,8 +28,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         ("pine_tree",), 26, inner=max(x, y) + 1.5, outer=44, gap=2.6, scale=(0.5, 1.0), sector=(-110, 110), sunk=0.2
     )
     ledge.scatter(("pine_tree",), 10, inner=14, outer=40, gap=4, scale=(0.5, 1.0), sector=(120, 240), sunk=0.2)
-    if not snow:
-        ledge.scatter(("grass_tuft",), 160, inner=1.6, outer=14, gap=0.4, scale=(0.5, 1.0), sunk=0.02)
+    ledge.scatter(("grass_tuft",), 160, inner=1.6, outer=14, gap=0.4, scale=(0.5, 1.0), sunk=0.02)
     ledge.mark("edge", x * 0.6, y - 0.6, 180, "window", "edge")
     ledge.ring("hills", 72, 22, sides=14)
     ledge.ring("hills", 86, 40, sides=14)
@@ -60,5 +58,4 @@ KIT = SetKit(
     draw=draw,
     width=Span(8.0, 10.0, 18.0),
     depth=Span(6.0, 8.0, 14.0),
-    options={"snow": False},
 )

@@ -43,6 +43,8 @@ _VAGUE = frozenset(
         "island",
         "university",
         "station",
+        "road",
+        "highway",
     ]
 )
 """Words that name the whole around a place; a more particular word beside them wins."""
@@ -113,7 +115,7 @@ _SURE, _SUITS = 10.0, 30.0
 is in the car."""
 
 
-_BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|next to|close to)\s+")
+_BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|next to|close to|on|by|above)\s+")
 """What comes after is another place: the alley behind the market is an alley."""
 
 
@@ -124,7 +126,7 @@ _PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
 def kit_of(setup: SceneSetup) -> str:
     """Return the key of a scene's kit: by its heading, else by who and what is there, else by its description."""
     key = find_kit(setup.place_kind, setup.place, setup.scene_type)
-    if key != FALLBACK[setup.scene_type]:
+    if key != FALLBACK[setup.scene_type] or _names(setup.place, key):
         return key
     indoor = setup.scene_type == "indoor"
     kits = (kit.key for kit in SETS.values() if kit.indoor == indoor)
@@ -133,6 +135,11 @@ def kit_of(setup: SceneSetup) -> str:
         return told
     words = f"{setup.layout_description} {setup.ground_description} {setup.place}"
     return find_kit(setup.place_kind, words, setup.scene_type)
+
+
+def _names(words: str, key: str) -> bool:
+    """Return whether a heading has a particular word for a kit: a prairie is open ground, and no mere fallback."""
+    return any(_score(tag, "", words) >= _SURE for tag in SETS[key].tags if tag not in _VAGUE)
 
 
 def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
@@ -154,7 +161,7 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
 
     def suits(key: str) -> float:
         score = scores[key]
-        return score if SETS[key].indoor != indoor else score + (_SUITS if score >= _SURE else 4.0)
+        return score / 3 if SETS[key].indoor != indoor else score + (_SUITS if score >= _SURE else 4.0)
 
     best = max(scores, key=suits)
     if SETS[best].indoor == indoor:

@@ -20,7 +20,7 @@ def quay_edge(builder: MeshBuilder, spec: PieceSpec) -> None:
     builder.box(finish("wood_dark"), (0, -0.12, 0.07), (length, 0.24, 0.14), bevel=0.02)
     for x in np.arange(-length / 2 + 1, length / 2, 2.0):
         if abs(x) < 30:
-            builder.cylinder(finish("wood_dark"), (float(x), 0.2, -drop), (float(x), 0.2, 0.35), 0.15, segments=10)
+            builder.cylinder(finish("wood_dark"), (float(x), 0.06, -drop), (float(x), 0.06, 0.35), 0.09, segments=10)
 
 
 @piece("bollard")

@@ -39,7 +39,7 @@ def broad_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a broad-leaved tree, 9 to 12 m. Parameters: variant."""
     variant = int(spec.number("variant", 0)) % 3
     height = (10.5, 12.0, 9.0)[variant]
-    leaves = finish(("leaf", "leaf_yellow", "hedge")[variant]), finish("hedge")
+    leaves = spec.leaf(("leaf", "leaf_yellow", "hedge")[variant]), finish("hedge")
     bark = finish(("bark", "bark_dark", "bark")[variant])
     plants.broad_tree(builder, bark, leaves, (0.8 * height, height), spec.rng)
 
@@ -49,19 +49,19 @@ def pine_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a conifer, 12 to 17 m. Parameters: variant."""
     variant = int(spec.number("variant", 0)) % 3
     height, bare = ((14.0, 0.16), (17.0, 0.26), (12.0, 0.1))[variant]
-    plants.conifer(builder, finish("bark_dark"), finish("pine"), (0.41 * height, height), spec.rng, bare)
+    plants.conifer(builder, finish("bark_dark"), spec.leaf("pine"), (0.41 * height, height), spec.rng, bare)
 
 
 @piece("palm_tree", Surface.FOLIAGE)
 def palm_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a palm, 7 to 9 m. Parameters: variant."""
-    plants.palm(builder, finish("bark"), finish("leaf"), (5.4, spec.rng.uniform(6.8, 8.8)), spec.rng)
+    plants.palm(builder, finish("bark"), spec.leaf("leaf"), (5.4, spec.rng.uniform(6.8, 8.8)), spec.rng)
 
 
 @piece("bush", Surface.FOLIAGE)
 def bush(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a bush about a metre high. Parameters: variant."""
-    leaf = finish(("hedge", "leaf", "leaf_yellow")[int(spec.number("variant", 0)) % 3])
+    leaf = spec.leaf(("hedge", "leaf", "leaf_yellow")[int(spec.number("variant", 0)) % 3])
     plants.bush(builder, leaf, (1.6, 1.6, 1.0), spec.rng)
 
 
@@ -69,7 +69,7 @@ def bush(builder: MeshBuilder, spec: PieceSpec) -> None:
 def vine_row(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a row of vines along x: posts, wires, a trunk and leaves each metre. Parameters: length, variant."""
     length, wood, rng = spec.number("length", 6), finish("wood_gray"), spec.rng
-    leaf = finish(("leaf", "hedge", "leaf_yellow")[int(spec.number("variant", 0)) % 3])
+    leaf = spec.leaf(("leaf", "hedge", "leaf_yellow")[int(spec.number("variant", 0)) % 3])
     for x in (-length / 2, 0.0, length / 2):
         builder.cylinder(wood, (x, 0, -0.2), (x, 0, 1.65), 0.04, segments=8)
     for z in (0.75, 1.35):

@@ -53,6 +53,10 @@ class PieceSpec:
         """Return the material of a finish parameter."""
         return finish(str(self.params.get(name, default)))
 
+    def leaf(self, key: str) -> bpy.types.Material:
+        """Return the material of leaves, or of the snow on them where it lies."""
+        return finish("leaf_snow" if self.flag("snow") else key)
+
     def paint(self, name: str, default: str) -> bpy.types.Material:
         """Return paint in the hex colour of a parameter."""
         return painted(str(self.params.get(name, default)))

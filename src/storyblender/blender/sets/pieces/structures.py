@@ -127,7 +127,7 @@ def fence(builder: MeshBuilder, spec: PieceSpec) -> None:
 def hedge(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a clipped hedge along x with an uneven skin. Parameters: width, height."""
     width, height = spec.number("width", 2.6), spec.number("height", 1.0)
-    count, leaf = max(6, int(width / 0.18)), finish("hedge")
+    count, leaf = max(6, int(width / 0.18)), spec.leaf("hedge")
     xs, rings = np.linspace(-width / 2 - 0.05, width / 2 + 0.05, count), []
     outline = [
         (-0.36, 0),
