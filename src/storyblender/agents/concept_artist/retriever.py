@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import PurePath
 
 import numpy as np
 
@@ -63,6 +64,7 @@ class Retriever:
 
     def __init__(self, embedder: Callable[[], Embedder]) -> None:
         self._load = embedder
+        self._known: dict[tuple[_Term, ...], np.ndarray] = {}
 
     def propose(self, view: AssetRequest) -> Recipe:
         """Return the best match, whatever its score; files win against entries that fit no better."""
@@ -76,15 +78,12 @@ class Retriever:
 
     def search(self, view: AssetRequest, count: int) -> tuple[Recipe, ...]:
         """Return the ``count`` best matches, best first."""
-        phrase = view.phrase
-        files = [
-            Recipe(source="file", key=m.key, score=m.score, reason=m.reason) for m in self._files(phrase, view.models)
-        ]
-        matches = _by_words(phrase, CATALOG_TERMS)
-        if not matches or matches[0].score < HEAD:
-            odd = {match.key for match in matches}
-            likely = self._by_meaning(phrase, view.asset.description)
-            matches = _best_of(matches + [match for match in likely if match.key not in odd])
+        phrase, theirs = view.phrase, _model_terms(view.models)
+        matches, models = _by_words(phrase, CATALOG_TERMS), _by_words(phrase, theirs)
+        if all(match.score < HEAD for match in matches + models):
+            matches = self._with_likely(matches, view, CATALOG_TERMS)
+            models = self._with_likely(models, view, theirs)
+        files = [Recipe(source="file", key=match.key, score=match.score, reason=match.reason) for match in models]
         entries = [
             Recipe(
                 source="catalog",
@@ -99,20 +98,23 @@ class Retriever:
         nothing = Recipe(source="catalog", key="gift", score=LEAST, reason="nothing is like it")
         return tuple(ranked[:count]) or (nothing,)
 
-    def _files(self, phrase: str, models: tuple[ModelFile, ...]) -> list[_Match]:
-        terms = [_Term(model.path, tuple(_kept(words_of(model.name))), True) for model in models]
-        return _by_words(phrase, tuple(terms))
+    def _with_likely(self, named: list[_Match], view: AssetRequest, terms: tuple[_Term, ...]) -> list[_Match]:
+        """Return what words found and what means nearly the same; what words found odd stays odd."""
+        odd = {match.key for match in named}
+        likely = self._by_meaning(view.phrase, view.asset.description, terms) if terms else []
+        return _best_of(named + [match for match in likely if match.key not in odd])
 
-    def _by_meaning(self, phrase: str, description: str) -> list[_Match]:
+    def _by_meaning(self, phrase: str, description: str, terms: tuple[_Term, ...]) -> list[_Match]:
         """Return entries by cosine with any of their names; a term that shares a modifier does not count."""
         words = _kept(words_of(phrase)) or words_of(phrase)
         if not words:
             return []
         query = self._model.embed([" ".join(words), description or " ".join(words)])
-        likeness = self._vectors @ query[0] + 0.02 * (self._vectors @ query[1])
+        vectors = self._vectors(terms)
+        likeness = vectors @ query[0] + 0.02 * (vectors @ query[1])
         best: dict[str, _Match] = {}
         for index in np.argsort(-likeness, kind="stable")[:40]:
-            term = CATALOG_TERMS[int(index)]
+            term = terms[int(index)]
             shared = set(term.words) & set(words[:-1])
             if shared or words[-1] in term.words or _lookalike(words[-1], term.words[-1]):
                 continue
@@ -122,13 +124,14 @@ class Retriever:
             best.setdefault(term.key, found)
         return list(best.values())
 
+    def _vectors(self, terms: tuple[_Term, ...]) -> np.ndarray:
+        if terms not in self._known:
+            self._known[terms] = self._model.embed([" ".join(term.words) for term in terms])
+        return self._known[terms]
+
     @cached_property
     def _model(self) -> Embedder:
         return self._load()
-
-    @cached_property
-    def _vectors(self) -> np.ndarray:
-        return self._model.embed([" ".join(term.words) for term in CATALOG_TERMS])
 
 
 def _terms() -> Iterator[_Term]:
@@ -139,6 +142,15 @@ def _terms() -> Iterator[_Term]:
 
 
 CATALOG_TERMS: tuple[_Term, ...] = tuple(_terms())
+
+
+def _model_terms(models: tuple[ModelFile, ...]) -> tuple[_Term, ...]:
+    """A model is called by its file's name, by what of it says what it is, and by that behind its folders' words."""
+    names: list[tuple[str, list[str]]] = []
+    for model in models:
+        own = words_of(PurePath(model.path).stem)
+        names += [(model.path, own), (model.path, _kept(own)), (model.path, _kept(words_of(model.name)))]
+    return tuple(dict.fromkeys(_Term(path, tuple(words), True) for path, words in names if words))
 
 
 def _kept(words: list[str]) -> list[str]:

@@ -110,6 +110,21 @@ def test_a_model_of_the_user_wins_over_the_catalog(retriever):
     assert retriever.propose(request("dragon", models)).key == "dragon.glb"
 
 
+@pytest.mark.parametrize(
+    ("name", "path"),
+    [
+        ("samovar", "kitchen/samovar.blend"),
+        ("round table", "furniture/round_table.glb"),
+        ("snowmobile", "snow scooter.glb"),
+    ],
+)
+def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(retriever, name, path):
+    models = (ModelFile(path=path, name=path.rpartition(".")[0].replace("/", " ")),)
+    found = retriever.propose(request(name, models))
+    assert (found.source, found.key) == ("file", path) and found.score >= RETRIEVAL_THRESHOLD
+    assert retriever.propose(request("teapot", models)).key == "teapot", "nothing of the user's is like it"
+
+
 def test_the_generator_takes_over(embedder, retriever):
     outcome = reflect(
         "asset_retriever", "it", request("dragon statue"), retriever, MatchCritic(),
