@@ -21,13 +21,22 @@ def burn_in(source: Path, panel: Panel, out: Path) -> None:
     with Image.open(source) as image:
         picture = image.convert("RGB")
     band = max(18, picture.height // 22)
-    font = ImageFont.truetype(str(font_file()), round(band * 0.62))
+    name, facts = panel.name, f"{panel.framing}  {panel.lens:.0f} mm"
+    time = f"{timecode(panel.start, panel.fps)}  {panel.shot.duration}f"
+    font = _fitting(f"{name}  {facts}  {time}", round(band * 0.62), picture.width - band)
+    left, right = band / 2, picture.width - band / 2
+    y = picture.height - band / 2
     draw = ImageDraw.Draw(picture, "RGBA")
     draw.rectangle((0, picture.height - band, picture.width, picture.height), fill=(0, 0, 0, 150))
-    y = picture.height - band / 2
-    draw.text((band * 0.5, y), panel.name, font=font, fill="white", anchor="lm")
-    facts = f"{panel.framing}  {panel.lens:.0f} mm"
-    draw.text((picture.width / 2, y), facts, font=font, fill="white", anchor="mm")
-    time = f"{timecode(panel.start, panel.fps)}  {panel.shot.duration}f"
-    draw.text((picture.width - band * 0.5, y), time, font=font, fill="white", anchor="rm")
+    draw.text((left, y), name, font=font, fill="white", anchor="lm")
+    between = (left + font.getlength(name) + right - font.getlength(time)) / 2
+    draw.text((between, y), facts, font=font, fill="white", anchor="mm")
+    draw.text((right, y), time, font=font, fill="white", anchor="rm")
     picture.save(out)
+
+
+def _fitting(line: str, size: int, room: float) -> ImageFont.FreeTypeFont:
+    """Return the font at ``size`` pixels, or smaller so that the line fits into ``room``: frames may be upright."""
+    font = ImageFont.truetype(str(font_file()), size)
+    wide = font.getlength(line)
+    return font if wide <= room else font.font_variant(size=max(1, int(size * room / wide)))

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import av
 import opentimelineio as otio
 import pytest
-from PIL import Image
+from PIL import Image, ImageDraw
 from reportlab.pdfgen.canvas import Canvas
 
 from storyblender.deliver import animatic, board, contact_sheet, page, shot_list, slate, timeline
@@ -374,6 +375,23 @@ def test_slate_darkens_only_the_foot_of_a_copy(
     with Image.open(clean) as before, Image.open(tmp_path / "slate.png") as after:
         assert before.getpixel((5, 5)) == after.getpixel((5, 5))
         assert before.getpixel((70, 88)) != after.getpixel((70, 88))
+
+
+def test_the_words_of_a_slate_keep_apart_in_an_upright_frame(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    spans: list[tuple[float, float]] = []
+    draw = ImageDraw.ImageDraw.text
+
+    def text(self: ImageDraw.ImageDraw, xy: tuple[float, float], words: str, **style: Any) -> None:
+        spans.append(self.textbbox(xy, words, font=style["font"], anchor=style["anchor"])[::2])
+        draw(self, xy, words, **style)
+
+    monkeypatch.setattr(ImageDraw.ImageDraw, "text", text)
+    Image.new("RGB", (180, 320)).save(tmp_path / "upright.png")
+    slate.burn_in(tmp_path / "upright.png", panels(graph)[1], tmp_path / "slate.png")
+    (start, name), (left, right), (time, end) = spans
+    assert 0 <= start < name < left < right < time < end <= 180
 
 
 def test_contact_sheet_holds_all(frames: dict[str, Path], tmp_path: Path) -> None:
