@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from reprlib import Repr
 from typing import Generic, Protocol, TypeVar
 
 from storyblender.memory.base import Frozen
@@ -11,6 +12,11 @@ from storyblender.trace import Event, Listener, silent
 View = TypeVar("View", contravariant=True)
 Draft = TypeVar("Draft")
 Judged = TypeVar("Judged", contravariant=True)
+
+
+_SHORT = Repr()
+"""How a draft is written into the trace."""
+_SHORT.maxother = 240
 
 
 class Fault(Frozen):
@@ -112,6 +118,7 @@ def reflect(
         if handed_over:
             listener(Event(kind="handover", role=role, subject=subject, message="the fallback takes over"))
         draft = author.propose(view)
+        listener(Event(kind="propose", role=role, subject=subject, message=_SHORT.repr(draft)))
         for turn in range(horizon + 1):
             critique = critic.judge(draft, view)
             kept = Outcome(draft, critique, turn, handed_over)
@@ -122,6 +129,7 @@ def reflect(
                 best = kept
             if turn < horizon:
                 draft = author.refine(draft, critique, view)
+                listener(_refined(role, subject, turn + 1, draft, critique))
     assert best is not None
     return best
 
@@ -135,3 +143,13 @@ def _scored(role: str, subject: str, outcome: Outcome[Draft]) -> Event:
         score=round(outcome.critique.score, 2),
         details=tuple(fault.message for fault in outcome.critique.faults),
     )
+
+
+def _refined(role: str, subject: str, turn: int, draft: object, critique: Critique) -> Event:
+    """The new draft, and the fixes that the critic gave for the one before."""
+    fixes = (
+        f"{fault.kind} {fault.subject}: " + ", ".join(f"{name} {value}" for name, value in fault.fix.items())
+        for fault in critique.faults
+        if fault.fix
+    )
+    return Event(kind="refine", role=role, subject=subject, turn=turn, message=_SHORT.repr(draft), details=tuple(fixes))

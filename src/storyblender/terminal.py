@@ -90,6 +90,8 @@ class Terminal:
         elif event.kind == "score" and event.details:
             note = f"{event.role} {event.subject} turn {event.turn}: {event.score:g}  {event.details[0]}"
             self._note(note)
+        elif event.kind in ("propose", "refine"):
+            self._note(f"{event.role} {event.subject} {event.kind}s {event.message}")
         elif event.kind in ("handover", "reject", "warning"):
             text = f"{event.role} {event.subject} {event.message}"
             self._console.print(f"[yellow]{event.kind}[/] {escape(text)}", soft_wrap=True)

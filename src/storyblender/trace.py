@@ -7,9 +7,7 @@ from typing import Literal
 
 from storyblender.memory.base import Frozen
 
-EventKind = Literal[
-    "stage", "propose", "score", "refine", "accept", "handover", "commit", "reject", "job", "done", "warning"
-]
+EventKind = Literal["stage", "propose", "score", "refine", "handover", "commit", "reject", "warning"]
 
 
 class Event(Frozen):

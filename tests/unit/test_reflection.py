@@ -21,7 +21,9 @@ class Climber:
 
 class Scale:
     def judge(self, draft: float, view: str) -> Critique:
-        return Critique(score=draft, faults=(Fault(kind="low", message=f"only {draft}"),) if draft < 8 else ())
+        return Critique(
+            score=draft, faults=(Fault(kind="low", message=f"only {draft}", fix={"add": 1}),) if draft < 8 else ()
+        )
 
 
 def run(policy: Climber, fallback: Climber | None = None, horizon: int = 5) -> tuple[object, list[Event]]:
@@ -33,7 +35,15 @@ def run(policy: Climber, fallback: Climber | None = None, horizon: int = 5) -> t
 def test_refines_until_the_threshold() -> None:
     outcome, events = run(Climber(5, 10))
     assert (outcome.draft, outcome.turns, outcome.handed_over, outcome.accepted) == (8, 3, False, True)
-    assert [event.score for event in events] == [5, 6, 7, 8]
+    assert [event.score for event in events if event.kind == "score"] == [5, 6, 7, 8]
+
+
+def test_every_proposal_score_and_fix_is_told() -> None:
+    _, events = run(Climber(7, 10))
+    assert [(event.kind, event.turn, event.message) for event in events] == [
+        ("propose", 0, "7"), ("score", 0, ""), ("refine", 1, "8"), ("score", 1, ""),
+    ]  # fmt: skip
+    assert events[2].details == ("low : add 1.0",)
 
 
 def test_hands_over_after_the_horizon() -> None:

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TypeVar
 
 from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import PackRef
@@ -66,7 +67,11 @@ class Run:
         Raises:
             Rejected: V(o_new, S_exist) = 0.
         """
-        commit = self.project.commit(replace(self.graph, *items), author, reason)
+        try:
+            commit = self.project.commit(replace(self.graph, *items), author, reason)
+        except Rejected as error:
+            self.tell(Event(kind="reject", role=author, message=reason, details=error.violations))
+            raise
         if commit is not None:
             self.tell(Event(kind="commit", role=author, message=reason, turn=commit.revision))
 
