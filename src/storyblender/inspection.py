@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Sequence
 
 from storyblender.agents.layout_artist.camera_brief import pose_at
 from storyblender.agents.layout_artist.camera_scene import story_moment
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
-from storyblender.deliver.checklist import names_of, plain
+from storyblender.deliver.checklist import names_of, picture_flaws, plain
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line, walked_around
 from storyblender.geometry.framing import Figure, Film
@@ -27,6 +28,10 @@ SEEN = 0.0004
 WIDE = ("EWS", "WS", "FS")
 """Sizes in which people who are on stage may be seen without being what the shot is about."""
 OCCM_EPSILON = 1e-6
+CUTS = ("jump", "eyeline")
+"""Words of the camera's critic for cuts: the 30-degree rule, and two who look past each other."""
+MEASURED = ("inside", "below_floor", "hidden", "line")
+"""Words of that critic for what is measured here anew."""
 
 
 class CheckRow(Frozen):
@@ -82,7 +87,9 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
         _presence_row(graph, sights, findings),
         _hidden_row(graph, sights, findings),
         _inside_row(sights, findings),
+        _picture_row(graph, findings),
         _line_row(graph, sights, findings),
+        _cut_row(graph, findings),
         _collision_row(collisions, findings),
         _staging_row(packs, findings),
     ]
@@ -123,14 +130,15 @@ def _request(shot: ShotContext, film: Film) -> ViewRequest:
 
 
 def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
-    count = 0
+    kinds: Counter[str] = Counter()
     for scene in graph.scenes:
         if scene.layout is None or scene.environment is None:
             continue
         faults = layout_violations(scene.layout, measures_of(graph.assets), plan_of(scene.environment))
-        count += len(faults)
+        kinds.update(fault.kind for fault in faults)
         findings += [f"scene {scene.scene_id}: {fault.message}" for fault in faults]
-    return CheckRow(name="layout violations", value=str(count), ok=count == 0)
+    told = f" ({', '.join(f'{kind} {count}' for kind, count in sorted(kinds.items()))})" if kinds else ""
+    return CheckRow(name="layout violations", value=f"{kinds.total()}{told}", ok=not kinds)
 
 
 def _presence_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
@@ -179,6 +187,28 @@ def _inside_row(sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:
     inside = [(name, sight.view) for name, sight in sights.items() if sight.view.inside or sight.view.below_floor]
     findings += [f"{name}: the camera is in {', '.join(view.inside) or 'the floor'}" for name, view in inside]
     return CheckRow(name="cameras inside geometry", value=str(len(inside)), ok=not inside)
+
+
+def _picture_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
+    """What the camera could not frame as a director would want it."""
+    return _flaw_row("framing", graph, findings, lambda kind: kind not in CUTS + MEASURED)
+
+
+def _cut_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
+    return _flaw_row("jump cuts and eyelines", graph, findings, lambda kind: kind in CUTS)
+
+
+def _flaw_row(
+    name: str, graph: ContinuityMemoryGraph, findings: list[str], concerns: Callable[[str], bool]
+) -> CheckRow:
+    flaws = [
+        f"{shot_name(shot.scene_id, shot.shot_id)}: {flaw.message}"
+        for shot in graph.shots
+        for flaw in picture_flaws(shot)
+        if concerns(flaw.kind)
+    ]
+    findings += flaws
+    return CheckRow(name=name, value=str(len(flaws)), ok=not flaws)
 
 
 def _line_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findings: list[str]) -> CheckRow:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from storyblender.deliver.panel import Panel, panels
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.shot_context import Flag, Flaw
+from storyblender.memory.shot_context import Flag, Flaw, ShotContext
 from storyblender.memory.vocabulary import SHOT_SIZES
 
 CAMERA: dict[str, tuple[float, str, str]] = {
@@ -31,6 +31,7 @@ CAMERA: dict[str, tuple[float, str, str]] = {
     "void": (2.4, "the picture looks past the end of the set", "tighter"),
     "line": (0.0, "the cut jumps over the line between the two", "wider"),
     "jump": (1.0, "the cut goes to almost the same picture", "tighter"),
+    "eyeline": (1.0, "the two look past each other over the cut", "wider"),
 }
 """A camera critic's word: the least points of ten that are told, the sentence, and what mends it."""
 
@@ -131,18 +132,22 @@ def _staged(panel: Panel, flaws: Iterable[Flaw], script: str, names: Mapping[str
             yield Check(panel.name, _told(says, flaw, names), mend)
 
 
-def _pictured(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[Check]:
-    """What is wrong with the picture itself; of one person or thing only the worst."""
-    camera, size = panel.shot.camera, panel.shot.camera_instruction.size
+def picture_flaws(shot: ShotContext) -> list[Flaw]:
+    """Return what a director would mind in a shot's picture; of one person or thing only the worst."""
+    size = shot.camera_instruction.size
     worst: dict[str, Flaw] = {}
-    for flaw in camera.residual if camera else ():
+    for flaw in shot.camera.residual if shot.camera else ():
         if flaw.kind not in CAMERA or flaw.weight < CAMERA[flaw.kind][0]:
             continue
         if flaw.kind == "face_away" and SHOT_SIZES.index(size) < SHOT_SIZES.index("MWS"):
             continue
         if flaw.subject not in worst or flaw.weight > worst[flaw.subject].weight:
             worst[flaw.subject] = flaw
-    for flaw in worst.values():
+    return list(worst.values())
+
+
+def _pictured(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[Check]:
+    for flaw in picture_flaws(panel.shot):
         _, says, way = CAMERA[flaw.kind]
         command = f"storyblender render {shlex.quote(folder)} --shot {panel.name}"
         yield Check(panel.name, _told(says, flaw, names), f"{command} {_reframed(way, panel)}")

@@ -1,0 +1,66 @@
+"""The rows of a check that need no Blender: layout by kind, framing, cuts."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.inspection import Inspection, inspect
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import (
+    Environment,
+    Layout,
+    LayoutObject,
+    SceneContext,
+    SceneSetup,
+    SceneSize,
+)
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw, ShotContext
+
+POSE = CameraPose(pivot=(0, 0, 0), rotation=(1, 0, 0, 0), distance=2, lens=35)
+DESK = CanonicalAsset(source="catalog", key="desk", dimensions=(1.6, 0.8, 0.76), digest="d", geometry_hash="g")
+
+
+def report(*flaws: Flaw, second: tuple[float, float, float] = (2, 0, 0)) -> Inspection:
+    """Inspect two desks and one shot, whose camera left these flaws."""
+    desks = (
+        LayoutObject(node_id="desk_1", asset_id="desk", location=(0, 0, 0)),
+        LayoutObject(node_id="desk_2", asset_id="desk", location=second),
+    )
+    size = SceneSize(x=4, x_negative=-4, y=4, y_negative=-4)
+    scene = SceneContext(
+        scene_id=1,
+        setup=SceneSetup(asset_ids=("desk",)),
+        environment=Environment(kit="room"),
+        layout=Layout(scene_size=size, objects=desks),
+    )
+    shot = ShotContext(
+        scene_id=1,
+        shot_id=1,
+        camera_instruction=CameraInstruction(size="MS", kind="single"),
+        camera=CameraState(poses=(POSE,), residual=flaws),
+    )
+    desk = Asset(asset_id="desk", asset_type="object", name="desk", description="a desk", canonical=DESK)
+    graph = ContinuityMemoryGraph(assets=(desk,), scenes=(scene,), shots=(shot,))
+    return inspect(graph, cast(BlenderEngine, None), [])
+
+
+def value(inspection: Inspection, name: str) -> tuple[str, bool]:
+    return next((row.value, row.ok) for row in inspection.rows if row.name == name)
+
+
+def test_layout_violations_are_counted_by_kind() -> None:
+    assert value(report(), "layout violations") == ("0", True)
+    crowded = report(second=(0.5, 0.2, 0))
+    assert value(crowded, "layout violations") == ("1 (penetration 1)", False)
+    assert not crowded.clean and "the desk" in crowded.findings[0]
+
+
+def test_framing_and_cuts_are_told_where_a_director_would_mind() -> None:
+    minded = (Flaw(kind="void", weight=4, message="40% shows nothing"), Flaw(kind="jump", weight=0.5, message="like"))
+    assert value(report(*minded), "framing") == ("1", False)
+    assert report(*minded).findings == ("SC010_SH010: 40% shows nothing",)
+    assert value(report(*minded), "jump cuts and eyelines") == ("0", True)
+    apart = report(Flaw(kind="eyeline", weight=1.5, message="both look left"))
+    assert (value(apart, "jump cuts and eyelines"), value(apart, "framing")) == (("1", False), ("0", True))
