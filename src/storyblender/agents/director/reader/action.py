@@ -6,12 +6,13 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import noticing
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
+from storyblender.agents.director.reader.depicted import without_depicted
 from storyblender.agents.director.reader.language.bare_places import say_bare_places
 from storyblender.agents.director.reader.language.body_parts import motion_of_part
 from storyblender.agents.director.reader.language.clauses import Clause, find_clauses
 from storyblender.agents.director.reader.language.phrases import Phrase, find_phrases
 from storyblender.agents.director.reader.language.rewrite import regularise
-from storyblender.agents.director.reader.language.words import joined
+from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve_owner, resolve_pronoun
 from storyblender.agents.director.reader.people.introduced import note_introductions
@@ -45,11 +46,16 @@ _FROM = frozenset({"off", "from", "out of"})
 
 def read_action(stage: Stage, sentence: Sentence) -> None:
     """Read a sentence into the unit that was opened for it."""
-    words = regularise(sentence.words)
+    lately = [stage.inventory.head(thing) for thing in stage.discourse.recent_things]
+    named = any(word.mention and word.mention.kind == "name" for word in sentence.words)
+    elsewhere = sentence.pictured and named  # what somebody known does in another place
+    there, shown = ([], sentence.words) if sentence.pictured else without_depicted(sentence.words, lately)
+    stage.scene.pictured |= _only_pictured(stage, shown)
+    words = regularise(sentence.words if elsewhere else there)
     phrases = say_bare_places(find_phrases(words))
     clauses = find_clauses(words, phrases)
     previous = stage.discourse.subjects
-    stage.sentence = SentenceState(words, pictured=sentence.pictured or _tells_of_elsewhere(stage, joined(words)))
+    stage.sentence = SentenceState(words, pictured=elsewhere or _tells_of_elsewhere(joined(words), lately))
     noticing.notice_nouns(stage, phrases)
     distances.settle_apart(stage, words)
     settle_things(stage, phrases)
@@ -74,10 +80,16 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
         stage.discourse.subjects = subjects
 
 
-def _tells_of_elsewhere(stage: Stage, text: str) -> bool:
+def _tells_of_elsewhere(text: str, lately: list[str]) -> bool:
     """Whether those a sentence names are not there: gone, or in a picture."""
-    lately = [stage.inventory.head(thing) for thing in stage.discourse.recent_things]
     return entrances.is_about_absence(text) or entrances.is_in_a_picture(text, lately)
+
+
+def _only_pictured(stage: Stage, shown: list[Word]) -> set[str]:
+    """Who is seen on a screen and is not there: people by their names, and animals."""
+    seen = [word.mention.candidates[0] for word in shown if word.mention and word.mention.candidates]
+    named = {word.mention.candidates[0].id for word in shown if word.named and word.mention and word.mention.candidates}
+    return {p.id for p in seen if p.id in named or p.kind == "animal"} - {*stage.scene.on}
 
 
 def _name_people(stage: Stage) -> None:

@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause
 from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
+from storyblender.agents.director.reader.people.people_meant import is_neuter
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 
@@ -22,6 +23,13 @@ _GRASP = frozenset({"hold", "grip", "go", "grasp"})
 """``takes hold of the rope``, ``lets go of it``."""
 _APART = frozenset({"of", "like", "with", "without", "by", "off", "from", "out of"})
 """They put nothing into a hand: ``a ring of hands``, ``like a fist``."""
+_NO_THING = "manner"
+"""The key of a noun that names no thing: an abstract word."""
+_LIKENING = frozenset({"like", "unlike", "as", "than"})
+_IN_PLURAL = {"bar": "music"}
+"""What is no thing in the plural: four bars, the bars of a cage."""
+_SHOWN = frozenset({"picture", "image"})
+_SCREENS = lexicon.words("screens")
 _TOWARDS = frozenset(
     {"on", "onto", "upon", "with", "into", "at", "through", "over", "under", "around", "round", "for", "from"}
 )
@@ -41,11 +49,18 @@ def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
         noun = phrase.noun
         if noun is None or noun.kind != "thing" or lexicon.noun_class(noun.key) == "abstract":
             continue
+        if noun.possessor is not None and noun.head in lexicon.OWN_BODY:
+            noun.key = lexicon.OWN_BODY[noun.head]
+        if noun.plural and noun.head in _IN_PLURAL:
+            noun.key = _IN_PLURAL[noun.head]
+        if _is_only_told(stage, phrases, index, noun):
+            noun.key = _NO_THING
+            continue
         word = stage.sentence.words[noun.index]
         if stage.place.weather == "clear" and noun.head in lexicon.WEATHER_WORDS:
             _notice_weather(stage, noun.head, phrases[index - 1] if index else None)
         thing = stage.inventory.id_of(noun.key, word.start, noun.determiner == "the")
-        if noun.head in _TROPHIES and noun.determiner and not any(p.kind == "animal" for p in stage.roster.people):
+        if noun.head in _TROPHIES and noun.determiner and not any(is_neuter(p) for p in stage.roster.people):
             stage.inventory.detach(thing)
         stage.sentence.things.append((noun.index, thing))
         if noun.plural:
@@ -57,6 +72,18 @@ def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
             stage.inventory.seen(thing, "met")
         if stage.inventory.class_of(thing) in _OBJECTLIKE and thing not in stage.unit.things:
             stage.unit.things.append(thing)
+
+
+def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
+    """Whether a noun names no thing here: ``like a tree``, ``in plaster``, the picture on a screen."""
+    before = phrases[index - 1] if index else None
+    if before is not None and before.kind == "preposition" and before.text in _LIKENING:
+        return True
+    bare = not noun.determiner and noun.possessor is None and not noun.plural
+    if before is not None and before.text == "in" and bare and lexicon.noun_class(noun.key) == "prop":
+        return True
+    lately = {stage.inventory.head(thing) for thing in stage.discourse.recent_things}
+    return noun.head in _SHOWN and noun.determiner == "the" and bool(lately & _SCREENS)
 
 
 def _is_at_a_part(phrases: list[Phrase], index: int) -> bool:

@@ -10,8 +10,10 @@ from typing import Literal
 
 from storyblender.agents.director.lexicon import (
     ADJECTIVES,
+    ANIMALS,
     LIQUIDS,
     MOVABLE,
+    PART_OF,
     PARTS,
     SEATS,
     SHAPELESS,
@@ -22,7 +24,7 @@ from storyblender.agents.director.lexicon import (
     words,
 )
 from storyblender.agents.director.naming import asset_id
-from storyblender.agents.director.reader.language.morphology import form_kind
+from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun
 from storyblender.agents.director.reading import Thing
 from storyblender.memory.scene_context import Relation
 
@@ -32,6 +34,7 @@ something is done at, used, taken in the hand."""
 
 _ORDINALS = frozenset({"first", "third", "fourth", "fifth", "next"})
 _MANNER = words("manner")
+_PEOPLE = words("pairs")
 _WALLS = frozenset({"wall", "ceiling"})
 _OPENINGS = frozenset({"door", "doorway", "window", "entrance", "gate", "counter", "monitor"})
 """What hangs over them is fixed there."""
@@ -47,6 +50,8 @@ class Item:
     key: str
     noun_class: NounClass
     first: int
+    last: int = 0
+    """Where it was named last."""
     notices: Counter[str] = field(default_factory=Counter)
     determined: bool = False
     """Stood after a determiner when handled, so an unknown noun is a thing and no adverb."""
@@ -63,6 +68,8 @@ class Inventory:
         self._ids = ids
         self._by_key: dict[str, Item] = {}
         self._by_id: dict[str, Item] = {}
+        self._short: dict[str, Item] = {}
+        self._scene_start = 0
 
     def id_of(self, key: str, at: int, definite: bool = False) -> str:
         """The id of a noun, new if it comes up for the first time; ``the cup`` is the ``coffee cup`` of before.
@@ -70,9 +77,10 @@ class Inventory:
         Args:
             key: Singular noun with its kind, ``coffee cup``.
             at: Offset in the script.
-            definite: Whether it is known already: ``the bench`` may be the workbench of before.
+            definite: Whether it is known already: ``the bench`` may be the workbench of before, ``the desk`` the ticket
+                desk.
         """
-        item = self._by_key.get(key) or (self._longer(key) if definite else None)
+        item = self._by_key.get(key) or self._short.get(key) or (self._longer(key) if definite else None)
         if item is None:
             item = Item(asset_id(key, self._ids), key, noun_class(key), at)
             self._ids.add(item.id)
@@ -80,16 +88,24 @@ class Inventory:
             self._by_key[key] = item
         if " " in key and (item.noun_class == "prop" or key.rsplit(" ", 1)[-1] in VEHICLES):
             self._by_key[key.rsplit(" ", 1)[-1]] = item
+        item.last = at
         return item.id
 
+    def open_scene(self, at: int) -> None:
+        """From here on ``the table`` is no longer the card table of before."""
+        self._scene_start, self._short = at, {}
+
     def _longer(self, key: str) -> Item | None:
-        """The last seat whose name ends in a noun without a space: the armchair, the workbench."""
-        if key not in SEATS:
+        """The last thing of the scene whose name ends in a noun: the corner booth; of seats also the armchair."""
+        seats = [item for item in self._by_id.values() if key in SEATS and re.search(rf"[a-z]{key}$", item.key)]
+        if seats:
+            self._by_key[key] = seats[-1]
+            return seats[-1]
+        longer = [item for item in self._by_id.values() if item.key.endswith(f" {key}")]
+        if not longer or longer[-1].last < self._scene_start:
             return None
-        longer = [item for item in self._by_id.values() if re.search(rf"[a-z]{key}$", item.key)]
-        if longer:
-            self._by_key[key] = longer[-1]
-        return longer[-1] if longer else None
+        self._short[key] = longer[-1]
+        return longer[-1]
 
     def _is_mounted(self, relation: Relation) -> bool:
         """``the bell over the door``, ``a telephone on the wall``."""
@@ -135,6 +151,8 @@ class Inventory:
         things: list[tuple[Thing, bool]] = []
         for item in sorted(self._by_id.values(), key=lambda item: (item.first, item.id)):
             handled = bool(item.notices["handled"] + item.notices["held"])
+            if not item.notices or self._is_part(item):
+                continue
             if item.noun_class == "set_piece":
                 head = item.key.rsplit(" ", 1)[-1]
                 kind = "vehicle" if head in VEHICLES else "set_piece"
@@ -146,9 +164,15 @@ class Inventory:
                 things.append((thing, item.noun_class == "unknown"))
         return things
 
+    def _is_part(self, item: Item) -> bool:
+        """Whether a thing belongs to one that was named before it: the engine of a van, the trunk of a tree."""
+        wholes = PART_OF.get(item.key, frozenset())
+        return any(whole.first < item.first and self.head(whole.id) in wholes for whole in self._by_id.values())
+
     def parts(self) -> set[str]:
         """Ids of what people do things to though nobody builds it: parts of other things, what is drunk and eaten."""
-        return {id for id, item in self._by_id.items() if self.head(id) in PARTS | LIQUIDS and item.notices["handled"]}
+        used = {id for id, item in self._by_id.items() if item.notices["handled"]}
+        return {id for id in used if self.head(id) in PARTS | LIQUIDS or self._is_part(self._by_id[id])}
 
 
 def _matters(item: Item, apart: bool) -> bool:
@@ -175,5 +199,7 @@ def _matters(item: Item, apart: bool) -> bool:
 
 
 def _is_no_noun(word: str) -> bool:
-    """``lets go of it``, ``takes hold``, ``so wet``, ``the first``: another kind of word in the place of a thing."""
-    return form_kind(word) == "base" or word in ADJECTIVES or word in _ORDINALS or word in _MANNER
+    """``lets go of it``, ``takes hold``, ``so wet``, ``sunburned``, ``his partner``: no name of a thing."""
+    somebody = word in _PEOPLE or (is_person_noun(word) and word not in ANIMALS)
+    other = word in ADJECTIVES or word in _ORDINALS or word in _MANNER or word.endswith("ed")
+    return somebody or other or form_kind(word) == "base"

@@ -200,6 +200,7 @@ def _open_scene(stage: Stage, sentence: Sentence) -> None:
     prose = stage.reading.screenplay.format == "prose"
     before = stage.scene
     stage.scene = SceneState(before=_on_their_feet(before))
+    stage.inventory.open_scene(sentence.start)
     first = [word.low for word in sentence.words[:_CARRIED]]
     if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
         stage.scene.on = [person for person in before.on if person not in before.leaving]

@@ -63,7 +63,7 @@ def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
         return
     unit.speaker = speaker.id
     speaker.speaks = True
-    if not unit.off_screen and speaker.id in stage.scene.off_screen:
+    if not unit.off_screen and speaker.id in stage.scene.off_screen | stage.scene.pictured:
         unit.off_screen = True
     stage.mention(speaker, 0.3 if unit.off_screen else 1.0)
     stage.discourse.last_sentence[speaker.id] = stage.discourse.sentence

@@ -90,6 +90,8 @@ class SceneState:
     """They went with the last sentence."""
     off_screen: set[str] = field(default_factory=set)
     """Heard but not seen yet."""
+    pictured: set[str] = field(default_factory=set)
+    """Seen on a screen only."""
     posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
     held: dict[str, list[str]] = field(default_factory=dict)
     relations: list[tuple[int, Relation]] = field(default_factory=list)
@@ -153,8 +155,8 @@ class Stage:
         return next((person for person in self.roster.people if person.id == id), None)
 
     def enter(self, person: Person) -> None:
-        """Bring somebody on stage."""
-        if person.id not in self.scene.on:
+        """Bring somebody on stage, unless they are seen on a screen."""
+        if person.id not in self.scene.on and person.id not in self.scene.pictured:
             self.scene.on.append(person.id)
             self.unit.entering.append(person.id)
             self.scene.off_screen.discard(person.id)

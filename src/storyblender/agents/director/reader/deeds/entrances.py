@@ -13,6 +13,8 @@ from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
 
 _CALLING = frozenset({"call", "shout", "yell", "scream", "answer"})
+_ARRIVING = frozenset({"enter", "come", "arrive", "return", "burst", "appear"})
+"""Whoever was on a screen does this, and is there."""
 _MINDING = frozenset({"think", "talk", "dream", "remember", "miss", "mention", "imagine"})
 _NEAR = (
     "to", "at", "behind", "beside", "with", "by", "toward", "towards", "near", "against", "between", "in front of",
@@ -64,6 +66,8 @@ def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> 
         if calls and person.id not in stage.scene.on:
             stage.scene.off_screen.add(person.id)
             seen = False
+        if clause.verb in _ARRIVING:
+            stage.scene.pictured.discard(person.id)
         if seen and not clause.unreal and not stage.sentence.pictured:
             stage.enter(person)
             stage.involve(person)

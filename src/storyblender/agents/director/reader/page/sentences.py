@@ -16,6 +16,7 @@ from storyblender.agents.director.reading import CameraNote
 _ON_A_SCREEN = re.compile(
     r"\b(screen|screens|monitor|monitors|tv|television|photo|photograph|picture|painting|dream|flashback|video|mirror)\b"
 )
+_SHOWING = re.compile(r"\b(?:show|depict)(?:s|ed)\b(?! up)")
 _NAMING_MARKS = frozenset({":", "--", "—", "–"})
 _ABBREVIATIONS = frozenset({"mr", "mrs", "ms", "dr", "prof", "st", "sgt", "lt", "vs", "jr", "capt"})
 
@@ -129,10 +130,11 @@ def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:
         return (
             [([*before, replace(words[colon], text=","), *after], False)]
             if not _ON_A_SCREEN.search(joined(before))
-            else [(after, True)]
+            else [(before, False), (after, True)]
         )
-    if _ON_A_SCREEN.search(joined(before)) and not any(word.named for word in before):
-        return [(after, True)] if after else []
+    pictured = _ON_A_SCREEN.search(joined(before)) and not any(word.named for word in before)
+    if before and after and (pictured or _SHOWING.search(joined(before))):
+        return [(before, False), (after, True)]
     return [(part, False) for part in (before, after) if part]
 
 

@@ -1,0 +1,98 @@
+"""What a sentence tells only of a picture, a screen or a dream: nobody and nothing in it stands on the set."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, singular
+from storyblender.agents.director.reader.language.words import Word
+
+_IMAGES = lexicon.words("images")
+_SCREENS = lexicon.words("screens")
+_SHOWING = frozenset({"show", "depict", "display", "portray"})
+_ONES = frozenset({"one", "other", "another", "third", "second", "first", "next", "last"})
+"""``On the left one``, after the monitors."""
+_NEAR = 4
+"""Things back to the one that ``it`` is, which shows something."""
+_OPENING = 6
+"""Words in which the place at the start of a sentence is told."""
+_RESTING = frozenset({"stand", "sit", "lie", "lean", "hang", "rest"})
+"""``On the television stands a vase``: no picture of one."""
+_POINTING = lexicon.POSSESSIVES | {"the", "this", "that"}
+_STOPS = frozenset({",", ";", ".", ":", "!", "?", "--", "—", "–", "(", ")"})
+
+
+def without_depicted(words: list[Word], lately: Sequence[str]) -> tuple[list[Word], list[Word]]:
+    """Part the words of a sentence into what is there, and what a screen in it shows; what a picture shows is neither.
+
+    Args:
+        words: A sentence.
+        lately: Head nouns of the things named before it, the last first.
+    """
+    start = _shown_from(words, lately)
+    kept = words[:start]
+    return [word for at, word in enumerate(kept) if not _is_in_an_image(kept, at)], words[start:]
+
+
+def _shown_from(words: Sequence[Word], lately: Sequence[str]) -> int:
+    """Index of the first word that tells what a screen or a picture shows; behind the last where none does."""
+    screen = any(head in _SCREENS for head in lately)
+    place = _opening_place(words, screen)
+    if place:
+        return place
+    for at in range(1, len(words) - 1):
+        told = [singular(word.low) for word in words[:at]]
+        if words[at].text == ":" and {*told} & (_SCREENS | _IMAGES):
+            return at + 1
+        form = FORMS.get(words[at].low)
+        if form is None or form.lemma not in _SHOWING or form.kind not in ("3sg", "past"):
+            continue
+        of_it = told[-1] == "it" and any(head in _IMAGES | _SCREENS for head in lately[:_NEAR])
+        if of_it or told[-1] in _IMAGES | _SCREENS | {"wall"}:
+            return at + 1
+    return len(words)
+
+
+def _opening_place(words: Sequence[Word], screen: bool) -> int:
+    """Words of ``On the big screen``, ``On monitor three``, where something else is told after it; else 0."""
+    if not words or words[0].low not in ("on", "in", "across"):
+        return 0
+    for at in range(1, min(_OPENING, len(words) - 2)):
+        noun, after = singular(words[at].low), words[at + 1].low
+        if words[at].low in lexicon.PREPOSITIONS or words[at].mention or words[at].text in _STOPS:
+            return 0
+        if noun in _SCREENS or (screen and words[at].low in _ONES and after not in _ONES):
+            at += after in lexicon.NUMBERS
+            form = FORMS.get(words[at + 1].low)
+            rests = form is not None and form.lemma in _RESTING
+            return 0 if rests or words[at + 1].low in lexicon.PREPOSITIONS | {"of"} else at + 1
+    return 0
+
+
+def _is_in_an_image(words: Sequence[Word], at: int) -> bool:
+    """Whether a word is in ``of a general on a white horse`` after a portrait.
+
+    Where the picture is has an article that points: ``of his wife on the desk``.
+    """
+    before = at
+    while before > 0:
+        word = words[before]
+        image = singular(words[before - 1].low) in _IMAGES
+        if word.low == "of" and image:
+            return True
+        if word.verb or form_kind(word.low) in ("3sg", "past", "aux") or word.text in _STOPS - {","}:
+            return False
+        following = words[before + 1] if before + 1 < len(words) else word
+        if word.text == "," and not (following.low == "with" or following.mention):
+            return False
+        pointing = following.low in _POINTING and not (word.low == "at" and _is_limb(words, before + 2))
+        if (word.low in lexicon.PREPOSITIONS - {"of"} and pointing) or (word.low == "and" and not following.mention):
+            return False
+        before -= 1
+    return False
+
+
+def _is_limb(words: Sequence[Word], at: int) -> bool:
+    """``with a lion at his feet``: feet in the picture."""
+    return at < len(words) and singular(words[at].low) in lexicon.BODY
