@@ -8,6 +8,9 @@ from storyblender.blender.textures import image, paint
 from storyblender.catalog.materials import MATERIALS, MaterialEntry
 from storyblender.memory.base import Color
 
+_SOOT = 0.02
+"""Share of its colour that a flame reflects."""
+
 
 def material(key: str, color: Color | None = None) -> bpy.types.Material:
     """Return the material of the current file for a catalog key, made if it is not there yet.
@@ -46,7 +49,8 @@ def _make(name: str, entry: MaterialEntry, color: Color) -> bpy.types.Material:
         texture.location = (-320, 240)
         tree.links.new(texture.outputs["Color"], shader.inputs["Base Color"])
         tree.nodes.active = texture  # Workbench and glTF take the active image
-    shader.inputs["Base Color"].default_value = (*mean, 1)
+    body = tuple(_SOOT * channel for channel in mean) if entry.gas else mean
+    shader.inputs["Base Color"].default_value = (*body, 1)
     shader.inputs["Roughness"].default_value = entry.roughness
     shader.inputs["Metallic"].default_value = entry.metallic
     if entry.emission:
@@ -56,7 +60,7 @@ def _make(name: str, entry: MaterialEntry, color: Color) -> bpy.types.Material:
             tree.links.new(texture.outputs["Color"], shader.inputs["Emission Color"])
     if entry.wet:
         _add_puddles(tree, shader)
-    block.diffuse_color = (*mean, 1)
+    block.diffuse_color = (*body, 1)
     block.roughness, block.metallic = entry.roughness, 0.3 * entry.metallic  # Workbench blackens full metal
     block["key"], block["tile"], block["emit"], block["grain"] = entry.key, entry.tile, entry.emission, entry.grain
     return block

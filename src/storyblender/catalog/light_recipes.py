@@ -114,7 +114,7 @@ LAMPS: dict[str, LampKind] = {
     "candle_holder": LampKind(4, CANDLE, size=0.02, glow=0.2),
     "torch": LampKind(36, FIRE, size=0.12, glow=0.35),
     "fireplace": LampKind(34, FIRE, size=0.2, glow=0.12, offset=(0, -0.35, 0.1)),
-    "campfire": LampKind(60, FIRE, size=0.25, glow=0.4, offset=(0, 0, 0.3)),
+    "campfire": LampKind(60, FIRE, size=0.25, glow=0.25, offset=(0, 0, 0.5)),
     "wood_stove": LampKind(8, FIRE, size=0.1, glow=0.1, offset=(0, -0.3, 0)),
     "television": LampKind(6, (0.6, 0.75, 1.0), "AREA", 0.4, 0.05, (0, -0.35, 0)),
     "lamppost": LampKind(150, SODIUM, size=0.18, glow=0.55),

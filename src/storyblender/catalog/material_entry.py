@@ -46,6 +46,8 @@ class MaterialEntry(Frozen):
     roughness: float = 0.7
     metallic: float = 0.0
     emission: float = 0.0
+    gas: bool = False
+    """It glows and reflects nothing: a flame beside its own lamp stays the colour of fire."""
     wet: bool = False
     """Puddles: roughness varies over the world."""
     grain: bool = False

@@ -144,7 +144,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "enamel",
             "appliance, washing machine, dryer, dishwasher, heater, generator, printer, copier, robot, engine, "
             "water cooler, oven, freezer, jukebox, photocopier, vending machine, stove, mainframe, fish tank, "
-            "aquarium, incubator",
+            "aquarium, incubator, satellite dish, aerial, antenna",
         ),
         _class(
             "machine",

@@ -45,7 +45,13 @@ def test_a_phrase_varies_a_prop():
 
 @pytest.mark.parametrize(
     ("name", "key"),
-    [("spaceship", "craft"), ("dragon statue", "monument"), ("old time machine", "machine"), ("two lions", "creature")],
+    [
+        ("spaceship", "craft"),
+        ("dragon statue", "monument"),
+        ("old time machine", "machine"),
+        ("two lions", "creature"),
+        ("satellite dish", "appliance"),
+    ],
 )
 def test_the_head_of_a_name_says_its_class(name, key):
     found = guess_class(name)

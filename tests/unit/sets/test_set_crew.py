@@ -21,7 +21,7 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
 )
 from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS
 from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
-from storyblender.catalog.light_recipes import HOURS, WEATHERS, area_watts, open_sky_light, sun_position
+from storyblender.catalog.light_recipes import HOURS, LAMPS, WEATHERS, area_watts, open_sky_light, sun_position
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.look.illumination import light_field
 from storyblender.memory.asset_sheet import Asset
@@ -283,6 +283,28 @@ def test_every_lamp_prop_of_the_plan_burns_at_night() -> None:
     assert lamp.location[2] - 0.2 < light.location[2] < lamp.location[2] + 0.3
 
 
+def test_lamps_that_burn_on_a_rainy_day_do_not_light_the_place() -> None:
+    plan = plan_of(Environment(kit="park"))
+
+    def lamps(hour: str, weather: str) -> float:
+        setup = SceneSetup(scene_type="outdoor", time_of_day=hour, weather=weather)  # type: ignore[arg-type]
+        lighting = light_place(setup, plan, Environment(kit="park"))
+        return max((light.power for light in lighting.lights if light.role == "practical"), default=0.0)
+
+    assert 0 < lamps("noon", "rain") < 0.5 * lamps("night", "clear")
+
+
+def test_a_lamp_that_is_raised_for_a_whole_park_does_not_drown_it_in_its_halo() -> None:
+    setup = SceneSetup(scene_type="outdoor", time_of_day="night")
+    plan = plan_of(Environment(kit="park"))
+    lamps = [light for light in light_place(setup, plan, Environment(kit="park")).lights if light.role == "practical"]
+    recipe = LAMPS["lamppost"]
+    for lamp in lamps:
+        raised = lamp.power / recipe.watts
+        assert raised > 3
+        assert 1.0 < lamp.glow * lamp.power / (recipe.glow * recipe.watts) < 0.6 * raised
+
+
 def test_what_the_script_sees_far_off_stands_in_the_set() -> None:
     setup = SceneSetup(scene_type="outdoor", place="beach", layout_description="Beach with lighthouse.")
     plan = plan_of(RulesEnvironmentDesigner().propose(EnvironmentView(setup)))
@@ -336,6 +358,21 @@ def test_what_the_set_has_takes_nothing_elses_place() -> None:
     plan = plan_of(Environment(kit="courtroom"))
     dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="COURT"), plan, (asset("bench"),)))
     assert "bench" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
+
+
+def test_knights_meet_on_a_field_and_soldiers_in_a_trench() -> None:
+    for story, kit in (("A knight and a queen.", "open_ground"), ("France, 1916.", "trench")):
+        setup = SceneSetup(place="BATTLEFIELD", scene_type="outdoor")
+        assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, story=story)).kit == kit
+
+
+def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
+    for size in ({}, {"width": 5.0, "height": 2.6}):
+        plan = plan_of(Environment(kit="tent", params=size))
+        bed = next(item for item in plan.furnishings if item.prop == "bed")
+        slope = next(piece for piece in plan.pieces if piece.part == "roof_slope")
+        inwards = abs(abs(slope.location[0]) - abs(bed.location[0])) / float(slope.params["run"])
+        assert float(slope.params["eave"]) + inwards * float(slope.params["rise"]) > 1.75
 
 
 def test_a_street_of_the_frontier_is_dust_between_wooden_fronts() -> None:

@@ -57,11 +57,12 @@ class RulesEnvironmentDesigner:
             ground = {"snow": True} if _snow_lies(setup) else {}
             params = {name: value for name, value in view.reference.params.items() if name != "snow"} | ground
             return view.reference.model_copy(update={"params": params})
-        key = kit_of(setup)
-        kit = SETS[key]
-        params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
+        kit = SETS[kit_of(setup)]
         seen = " ".join(setup.asset_ids).replace("_", " ")  # a sheriff or a laptop tells the time
         period = period_of(f"{setup.place} {setup.layout_description} {seen} {view.story}", kit)
+        if period == "past":
+            kit = SETS[_IN_THE_PAST.get(kit.key, kit.key)]
+        params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
         if period != kit.period:
             params["period"] = period
         words = f"{setup.place} {setup.layout_description} {setup.ground_description} {setup.wall_description or ''}"
@@ -69,8 +70,8 @@ class RulesEnvironmentDesigner:
         params |= _options(kit, words.lower(), told.lower(), view.headings.lower())
         if _snow_lies(setup):
             params["snow"] = True
-        seed = int(content_hash(setup.place.upper(), key), 16) % 100_000
-        return _enlarged(Environment(kit=key, params=params, seed=seed), *_wanted(view, kit))
+        seed = int(content_hash(setup.place.upper(), kit.key), 16) % 100_000
+        return _enlarged(Environment(kit=kit.key, params=params, seed=seed), *_wanted(view, kit))
 
     def refine(self, draft: Environment, critique: Critique, view: EnvironmentView) -> Environment:
         """Return the set at the size the critic computed."""
@@ -121,6 +122,8 @@ def _enlarged(environment: Environment, width: float, depth: float) -> Environme
     return environment.model_copy(update={"params": environment.params | size})
 
 
+_IN_THE_PAST = {"trench": "open_ground"}
+"""What a place is before its time: knights meet on a field."""
 _PERIOD_WORDS: dict[Period, str] = {
     "past": "medieval knight king queen prince princess castle viking victorian sword samurai pirate sheriff saloon "
     "cowboy western frontier gunslinger outlaw stagecoach ancient roman wizard peasant monk inn marshal gunfight",

@@ -38,6 +38,8 @@ _LIT_FOG = 1.4
 """Fog spreads the light of lamps over the whole place."""
 _AIRLIGHT = 0.7
 """Share of the fog's own brightness that falls on what stands in it."""
+_BY_DAY = 0.03
+"""Share of the wanted level that lamps give by day."""
 _FOG_BLUE: Color = (0.72, 0.88, 1.0)
 """Lit fog at night: grey with a little of the sky's blue."""
 
@@ -83,7 +85,8 @@ def exterior(view: LightingView) -> Lighting:
         rim_color=hour.sun_color,
         key_fill_ratio=hour.ratio - 0.5 * air.gray,
     )
-    return metered(plan, view.plan, all_lights=False)
+    # Lamps that burn by day for the gloom of a storm are points of light: they do not light the place, nor its air.
+    return metered(plan, view.plan, all_lights=False, share=None if hour.lamps else _BY_DAY)
 
 
 def _brighter(a: Color, b: Color) -> Color:

@@ -17,7 +17,7 @@ _LEAST_SHARE = 0.3
 """Of the wanted level that burning lamps give at least, so that they are seen to burn."""
 
 
-def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool) -> Lighting:
+def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool, share: float | None = None) -> Lighting:
     """Return the plan with its lamps scaled so that grey shows near ``set_luminance`` where people act.
 
     The renderer's meter then finds little to correct, and sky and air keep the brightness they were given.
@@ -26,6 +26,7 @@ def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool) -> Lighting:
         lighting: As drawn from the recipe.
         plan: For its playing area.
         all_lights: Scale window light and ambient too; else only the practical lamps.
+        share: Of the wanted level that the lamps give; None is what the rest leaves, and enough to be seen to burn.
     """
     size = plan.size
     xs, ys = np.linspace(size.x_negative, size.x, 5), np.linspace(size.y_negative, size.y, 5)
@@ -46,9 +47,14 @@ def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool) -> Lighting:
     if given < 1e-6:
         return lighting
     wanted = lighting.set_luminance / _GREY * _MEAN_OVER_GEOMETRIC
-    gain = min(max((wanted - rest) / given, _LEAST_SHARE * wanted / given), 30.0)
+    own = max(wanted - rest, _LEAST_SHARE * wanted) if share is None else share * wanted
+    gain = min(own / given, 30.0)
+    # Out of doors a lamp is raised for the whole place: were its halo raised as much, there would be nothing but halo.
+    air = 1.0 if all_lights else max(gain, 1.0) ** -0.5
     lights = tuple(
-        light.model_copy(update={"power": round(light.power * gain, 3)}) if light in scaling else light
+        light.model_copy(update={"power": round(light.power * gain, 3), "glow": round(light.glow * air, 4)})
+        if light in scaling
+        else light
         for light in lighting.lights
     )
     return lighting.model_copy(

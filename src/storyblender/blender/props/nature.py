@@ -8,7 +8,6 @@ import numpy as np
 
 from storyblender.blender import plants
 from storyblender.blender.mesh_builder import Floats, MaterialRef, MeshBuilder
-from storyblender.blender.props.lamps import flame
 from storyblender.blender.props.registry import Anchors, PropSpec, lean, prop, seat, seats_in_row
 from storyblender.blender.props.tableware import under
 
@@ -165,6 +164,26 @@ def stump(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (seat((0, -w * 0.34, h), (w * 0.66, w * 0.66)),)
 
 
+def _tongue(
+    b: MeshBuilder, fire: MaterialRef, reach: float, turn: float, height: float, rng: np.random.Generator
+) -> None:
+    """Add a tongue of flame ``reach`` metres from the middle, that licks inwards and to its side as it rises."""
+    out, side = np.array((math.cos(turn), math.sin(turn), 0.0)), np.array((-math.sin(turn), math.cos(turn), 0.0))
+    sway = reach * float(rng.uniform(-0.6, 0.6))
+    line = [
+        out * reach * share + side * sway * bend + (0.0, 0.0, 0.04 + rise * (height - 0.04))
+        for share, bend, rise in (
+            (0.9, 0.0, 0.0),
+            (1.1, 0.4, 0.22),
+            (0.75, 1.0, 0.5),
+            (0.7, 0.2, 0.76),
+            (0.5, 0.9, 1.0),
+        )
+    ]
+    wide = 0.3 * height * min(1.0, 0.35 + reach / 0.3)
+    b.tube(fire, line, [share * wide for share in (0.22, 0.36, 0.27, 0.13, 0.01)], segments=9)
+
+
 @prop("campfire")
 def campfire(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a camp fire; ``lit`` gives it flames."""
@@ -185,16 +204,10 @@ def campfire(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cylinder(wood, (w * 0.32, 0, 0.03), (0.02, 0, h * 0.42), 0.032, 0.026, segments=9)
     b.sphere(spec.material("ember"), (0, 0, 0.02), w * 0.24, scale=(1, 1, 0.24), segments=16, rings=8)
     if spec.flag("lit"):
-        for k in range(9):
-            turn, reach = 2.4 * k, w * 0.15 * math.sqrt(k / 9)
-            flame(
-                b,
-                spec.material("fire"),
-                reach * math.cos(turn),
-                reach * math.sin(turn),
-                0.06,
-                (h - 0.06) * (1 - 0.55 * reach / (w * 0.15)),
-            )
+        for k in range(11):
+            _tongue(b, spec.material("fire"), w * 0.17, 2.4 * k, h * float(rng.uniform(0.55, 1.0)), rng)
+        for k in range(3):
+            _tongue(b, spec.material("core"), w * 0.05, 2.1 * k, h * float(rng.uniform(0.3, 0.45)), rng)
     return ()
 
 

@@ -75,7 +75,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "briefcase",
-        "attache case, document case, doctor's bag, leather case",
+        "attache case, document case, doctor's bag, leather case, case, metal case, flight case",
         (0.44, 0.12, 0.36),
         {"body": "leather", "metal": "brass"},
         "A briefcase, standing.",

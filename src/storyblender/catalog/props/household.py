@@ -26,7 +26,8 @@ HOUSEHOLD: tuple[PropEntry, ...] = (
     held(
         "folded_clothes",
         "clothes, coat, jacket, overcoat, raincoat, shirt, dress, robe, apron, uniform, sweater, cardigan, trousers, "
-        "costume, cloak, cape, garment, laundry, pyjamas, gown, nightgown, suit, parka, vest, tunic, skirt, kimono",
+        "costume, cloak, cape, garment, laundry, pyjamas, gown, nightgown, suit, parka, vest, tunic, skirt, kimono, "
+        "spacesuit, duster",
         (0.38, 0.3, 0.11),
         {"cloth": "fabric", "button": "wood_dark"},
         "A folded coat.",

@@ -84,7 +84,7 @@ NATURE: tuple[PropEntry, ...] = (
         "campfire",
         "fire, bonfire, camp fire",
         (0.95, 0.95, 0.7),
-        {"wood": "bark", "stone": "rock", "fire": "flame", "ember": "ember"},
+        {"wood": "bark", "stone": "rock", "fire": "fire", "core": "flame", "ember": "ember"},
         "A fire in a ring of stones.",
         params={"lit": True},
         lamp=(0, 0, 0.35),

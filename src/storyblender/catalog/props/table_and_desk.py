@@ -43,7 +43,8 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "bottle",
-        "wine bottle, whisky bottle, beer bottle, liquor, champagne bottle, medicine bottle, vial",
+        "wine bottle, whisky bottle, beer bottle, liquor, wine, whiskey, champagne, champagne bottle, medicine bottle, "
+        "vial",
         (0.078, 0.078, 0.3),
         {"body": "glass_green", "label": "paper", "cork": "wood_light"},
         "A bottle with a label.",

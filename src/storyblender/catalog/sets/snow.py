@@ -14,16 +14,26 @@ def under_snow(plan: SetPlan) -> SetPlan:
     """Return a set after snow has fallen; of a room, what is seen through its windows."""
     return plan.model_copy(
         update={
-            "slabs": tuple(_snowed(slab, indoor=plan.indoor) for slab in plan.slabs),
+            "slabs": tuple(
+                _snowed(slab) if _open(slab, plan) else slab for slab in plan.slabs if not _path(slab, plan)
+            ),
             "pieces": tuple(_laden(piece) for piece in plan.pieces if piece.part not in _BURIED),
         }
     )
 
 
-def _snowed(slab: Slab, *, indoor: bool) -> Slab:
-    lies_open = slab.role == "patch" and slab.z < 0 if indoor else slab.role in ("ground", "patch")
-    if not lies_open or any(word in slab.material for word in _SWEPT):
-        return slab
+def _open(slab: Slab, plan: SetPlan) -> bool:
+    """Return whether snow lies on a part of the ground."""
+    lies_open = slab.role == "patch" and slab.z < 0 if plan.indoor else slab.role in ("ground", "patch")
+    return lies_open and not any(word in slab.material for word in _SWEPT)
+
+
+def _path(slab: Slab, plan: SetPlan) -> bool:
+    """Return whether a part of the ground is not seen under snow: a path over a lawn."""
+    return not plan.indoor and slab.role == "patch" and 0 <= slab.z < 0.05 and _open(slab, plan)
+
+
+def _snowed(slab: Slab) -> Slab:
     return slab.model_copy(update={"material": "snow", "wet": False})
 
 

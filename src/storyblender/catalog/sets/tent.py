@@ -1,4 +1,4 @@
-"""The inside of a tent: canvas down to the ground at both sides, poles, the flap open at the back, a camp bed."""
+"""The inside of a tent: low canvas at both sides, poles, the flap open at the back, a camp bed."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ from storyblender.catalog.sets.drawing import SetParams, rectangle
 from storyblender.catalog.sets.kit import SetKit, Span
 from storyblender.catalog.sets.room import Finishes, Room
 
+_EAVE = 1.65
+"""Metres: who sits on the bed, or stands beside it, has their head under the canvas."""
+
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the ridge from front to back, bed and chest under the canvas, the middle free."""
@@ -16,7 +19,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     x, y, h = room.half_x, room.half_y, params.height
     for side in (-1, 1):
         room.piece("roof_slope", side * x, 0, 0, -90.0 * side, footprint=(2 * y, 0.3), wild=True, material="canvas",
-                   length=2 * y, run=x, eave=0.75, rise=h - 0.75)  # fmt: skip
+                   length=2 * y, run=x, eave=_EAVE, rise=h - _EAVE)  # fmt: skip
     room.piece("tent_pole", 0, 0, 0, 90, length=2 * y - 0.4, height=h - 0.06)
     room.window("back", 0.9, width=1.0, height=1.75, sill=0.02, style="mouth")
     room.mark("flap", 0.9, y - 0.6, 0, "enter", "exit", "door", "flap", "back")

@@ -81,12 +81,13 @@ def floor_hatch(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("tent_pole")
 def tent_pole(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the poles of a ridge tent: a ridge along x at ``height`` on two posts. Parameters: length, height."""
+    """Build the poles of a ridge tent: a ridge along x at ``height`` and its post at +X; one at the other end would
+    stand before the camera. Parameters: length, height."""
     length, height, wood = spec.number("length", 4.0), spec.number("height", 2.6), finish("wood_light")
     builder.cylinder(wood, (-length / 2, 0, height), (length / 2, 0, height), 0.035, segments=10)
-    for x in (-length / 2 + 0.12, length / 2 - 0.12):
-        builder.cylinder(wood, (x, 0, 0), (x, 0, height), 0.04, segments=10)
-        builder.tube(finish("canvas"), [(x, 0.05, height - 0.3), (x * 0.97, 0.06, height - 0.34)], 0.05, segments=8)
+    x = length / 2 - 0.12
+    builder.cylinder(wood, (x, 0, 0), (x, 0, height), 0.04, segments=10)
+    builder.tube(finish("canvas"), [(x, 0.05, height - 0.3), (x * 0.97, 0.06, height - 0.34)], 0.05, segments=8)
 
 
 @piece("cave_wall")
