@@ -147,9 +147,9 @@ def test_the_graph_reads_without_a_lock(tmp_path: Path) -> None:
 def test_events_are_appended_as_lines(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
         project.record(Event(kind="score", role="camera_operator", score=7.5))
-        project.record(Event(kind="accept", role="camera_operator"))
+        project.record(Event(kind="refine", role="camera_operator"))
     lines = (tmp_path / "p" / "trace.jsonl").read_text().splitlines()
-    assert [json.loads(line)["kind"] for line in lines] == ["score", "accept"]
+    assert [json.loads(line)["kind"] for line in lines] == ["score", "refine"]
 
 
 def test_write_atomic_replaces_whole(tmp_path: Path) -> None:

@@ -65,7 +65,7 @@ class CanonicalAsset(Frozen):
 
     source: Literal["catalog", "person", "file", "stand_in"]
     key: str
-    """Catalog key, or the content hash of an imported file."""
+    """Catalog key, or the path of an imported file in the user's folder."""
     params: dict[str, ParamValue] = {}
     dimensions: Vec3
     """Width x, depth y, height z in metres."""

@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
+from storyblender.pipeline.materializing import model_files
 from storyblender.pipeline.run import Run
 from storyblender.project import write_atomic
 from storyblender.screenplay.model import Screenplay
@@ -77,6 +78,7 @@ def _format(run: Run) -> ProjectFormat:
 
 def _plan_digest(run: Run, screenplay: Screenplay) -> str:
     settings = run.settings.model_dump(
-        mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed", "crew", "models"}
+        mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed", "crew"}
     )
+    settings["models"] = [model.model_dump() for model in model_files(run.settings.models)] or None
     return content_hash(screenplay.text, screenplay.format, settings)

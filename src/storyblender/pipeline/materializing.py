@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 from concurrent.futures import Future
 from pathlib import Path
@@ -124,14 +125,18 @@ class ConceptArtist:
 
 
 def model_files(folder: Path | None) -> tuple[ModelFile, ...]:
-    """Return the user's models by name; deeper folders count as words of the name."""
+    """Return the user's models by path; deeper folders count as words of the name."""
     if folder is None:
         return ()
-    paths = sorted(path for path in folder.rglob("*") if path.suffix.lower() in MODEL_SUFFIXES)
-    names = [path.relative_to(folder) for path in paths]
-    return tuple(
-        ModelFile(path=name.as_posix(), name=name.with_suffix("").as_posix().replace("/", " ")) for name in names
-    )
+    paths = sorted(path for path in folder.rglob("*") if path.suffix.lower() in MODEL_SUFFIXES and path.is_file())
+    return tuple(_model_file(path, path.relative_to(folder)) for path in paths)
+
+
+def _model_file(path: Path, name: Path) -> ModelFile:
+    with path.open("rb") as file:
+        content = hashlib.file_digest(file, "sha256").hexdigest()[:16]
+    words = name.with_suffix("").as_posix().replace("/", " ")
+    return ModelFile(path=name.as_posix(), name=words, content=content)
 
 
 def _measured(asset: Asset, measure: AssetMeasure) -> Asset:

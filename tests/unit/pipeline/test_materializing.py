@@ -71,3 +71,13 @@ def test_another_thing_stands_in_for_a_model_that_cannot_be_read(tmp_path: Path)
 def test_a_library_that_cannot_be_built_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(EngineError):
         materialized(tmp_path, ("catalog",))
+
+
+def test_a_model_that_was_changed_is_another_model(tmp_path: Path) -> None:
+    digests = []
+    for content in (b"one", b"two", b"two"):
+        (tmp_path / "chair.glb").write_bytes(content)
+        (asset,), _ = materialized(tmp_path, ())
+        assert asset.canonical is not None and asset.canonical.source == "file"
+        digests.append(AssetJob(asset=asset).digest)
+    assert digests[0] != digests[1] == digests[2]

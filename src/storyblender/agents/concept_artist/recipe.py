@@ -26,6 +26,8 @@ class ModelFile(Frozen):
     """Relative to the folder of models."""
     name: str
     """Words: from the file's name and its folders."""
+    content: str = ""
+    """Hash of the file: a model that was changed is another model."""
 
 
 class AssetRequest(Frozen):

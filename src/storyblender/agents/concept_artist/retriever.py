@@ -83,7 +83,17 @@ class Retriever:
         if all(match.score < HEAD for match in matches + models):
             matches = self._with_likely(matches, view, CATALOG_TERMS)
             models = self._with_likely(models, view, theirs)
-        files = [Recipe(source="file", key=match.key, score=match.score, reason=match.reason) for match in models]
+        contents = {model.path: model.content for model in view.models}
+        files = [
+            Recipe(
+                source="file",
+                key=match.key,
+                params={"content": contents[match.key]},
+                score=match.score,
+                reason=match.reason,
+            )
+            for match in models
+        ]
         entries = [
             Recipe(
                 source="catalog",
