@@ -266,3 +266,39 @@ def test_who_has_no_room_between_a_person_and_a_wall_passes_sideways(bodies: dic
     shot = solve_shot(plan, FPS)
     assert [problem.kind for problem in shot.problems if problem.kind in ("no_path", "late")] == []
     assert shot.people["man"].root[-1, 1] == pytest.approx(1.2, abs=0.05)
+
+
+def test_who_sits_on_a_parcel_sits_on_top_of_it(bodies: dict[str, Body]) -> None:
+    parcel = {"parcel": StageFurniture(world_at(0, 0.2), (0.5, 0.4, 0.4), (), "parcel")}
+    shot = perform(bodies, (mark_at("man", 0, 0, 0, "sit", support_id="parcel"),), (), 1, furniture=parcel)
+    assert shot.problems == ()
+    skin = Playback(bodies["man"], shot, "man").skin(0)
+    over = (np.abs(skin[:, 0]) < 0.22) & (skin[:, 1] > 0.02) & (skin[:, 1] < 0.38) & (skin[:, 2] < 0.8)
+    assert np.percentile(skin[over][:, 2], 1) == pytest.approx(0.4, abs=0.03)
+
+
+def test_who_pushes_a_boat_stays_at_its_side(bodies: dict[str, Body]) -> None:
+    bench = Anchor(kind="top", location=(0, 0, 0.5), size=(0.3, 0.3))
+    boat = {"boat": StageFurniture(world_at(0, 1.2), (3.0, 1.6, 0.7), (bench,), "boat")}
+    beside = mark_at("man", 1.2, 0.05, 180)
+    shot = perform(bodies, (beside,), (cue_of("man", "push", 2, target_id="boat"),), 5, furniture=boat)
+    assert shot.problems == ()
+    assert np.linalg.norm(shot.people["man"].root[:, :2] - (1.2, 0.05), axis=1).max() < 0.1
+
+
+def test_who_pushes_what_they_hold_does_not_walk_to_where_it_was(bodies: dict[str, Body]) -> None:
+    letter = StageProp(world_at(3, 0, 0.8), (0.11, 0.22, 0.01))
+    holding = mark_at("man", 0, 0, 0, held=(("R", "letter"),))
+    shot = perform(bodies, (holding,), (cue_of("man", "push", 2, prop_id="letter"),), 5, props={"letter": letter})
+    assert np.linalg.norm(shot.people["man"].root[:, :2], axis=1).max() < 0.1
+
+
+def test_a_letter_is_given_to_who_sits(bodies: dict[str, Body]) -> None:
+    letter = StageProp(world_at(0, 0, -5), (0.11, 0.22, 0.01))
+    seated = mark_at("girl", 0, 0, 0, "sit", support_id="chair")
+    marks = (mark_at("man", 0, -0.6, 180, held=(("R", "letter"),)), seated)
+    shot = perform(
+        bodies, marks, (cue_of("man", "give", 2, target_id="girl", prop_id="letter"),), 6,
+        props={"letter": letter}, furniture={"chair": chair_at(0, 0.24)},
+    )  # fmt: skip
+    assert [p.kind for p in shot.problems] == []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from storyblender.agents.layout_artist.object_places import angles_of
 from storyblender.catalog.set_plan import PlanMark
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing
+from storyblender.geometry.seating import seats_of
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import BodyState
@@ -20,6 +22,8 @@ TALK = 1.15
 """Metres between people who talk."""
 _SEAT_FOOT = 0.32
 """Metres: what begins higher lies on something, and nobody sits on it."""
+_STANDING = 0.15
+"""Metres from the middle of somebody who stands to the next thing, at least."""
 _SHOULDERS = 0.8
 """Metres between people who stand side by side."""
 _CHEAT = math.radians(16)
@@ -148,14 +152,9 @@ def _on_seats(stage: Stage, name: str) -> list[Thing]:
 
 
 def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
-    """Return an asset's seats; something the script sits people on has one at its front edge even if it tells none."""
+    """Return an asset's beds or seats, also the edge of what the script sits people on."""
     measure = stage.measure(stage.assets[name])
-    found = anchors_of(measure, kind)
-    if found or not asked or kind == "bed":
-        return found
-    width, depth, height = measure.dimensions
-    edge = (0.0, -depth / 2, min(height, 0.46))
-    return [Anchor(kind="seat", location=edge, size=(width, depth))]
+    return anchors_of(measure, kind) if kind == "bed" else seats_of(measure.anchors, measure.dimensions, asked=asked)
 
 
 def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | None) -> None:
@@ -164,20 +163,26 @@ def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | N
     angles = angles_of(kind, anchor.box)
     if kind == "at" and _has_its_own_seat(stage, anchor):
         angles = [*angles[1:3], angles[0], angles[3]]
-    places = [box for angle in angles for box in _along_side(stage, asset_id, anchor.box, angle)]
-    room = stage.clearance(np.array([(box.x, box.y) for box in places]))
-    x_min, x_max, y_min, y_max = stage.room
-    outside = [not (x_min < box.x < x_max and y_min < box.y < y_max) for box in places]
-    best = max(
-        range(len(places)), key=lambda index: (not outside[index], min(round(float(room[index]), 2), 0.25), -index)
-    )
-    box = places[best]
+    room, box = _roomiest(stage, asset_id, anchor, angles)
+    if len(angles) == 1 and room < _STANDING:  # nobody stands behind what is against a wall
+        room, box = _roomiest(stage, asset_id, anchor, angles_of("at", anchor.box))
     bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
     side = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
     if kind in ("next_to", "left_of", "right_of", "against"):
         box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
     looks = "facing" if kind in ("at", "facing", "in_front_of", "behind") else None
     stage.add(Thing(asset_id, box, anchor=anchor.name, relationship=side, direction=looks, walks=True), asset_id)
+
+
+def _roomiest(stage: Stage, asset_id: str, anchor: Thing, angles: Sequence[float]) -> tuple[float, Box]:
+    """Return the place before some sides of a thing that has enough room, else most; and how much, negative outside."""
+    places = [box for angle in angles for box in _along_side(stage, asset_id, anchor.box, angle)]
+    room = stage.clearance(np.array([(box.x, box.y) for box in places]))
+    x_min, x_max, y_min, y_max = stage.room
+    inside = [x_min < box.x < x_max and y_min < box.y < y_max for box in places]
+    free = [min(round(float(each), 2), 0.25) if within else -1.0 for each, within in zip(room, inside, strict=True)]
+    best = max(range(len(places)), key=lambda index: (free[index], -index))
+    return free[best], places[best]
 
 
 def _mark_of(stage: Stage, person: str, place: str | None) -> PlanMark | None:

@@ -11,10 +11,12 @@ from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, Cu
 from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
 from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.meetings import Meetings
+from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.paths import Vec2
 from storyblender.memory.shot_context import CharacterAction
 from storyblender.memory.vocabulary import Posture
 
@@ -24,6 +26,8 @@ LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
 """What is done with somebody where somebody is named."""
+STEP = 0.05
+"""Metres that nobody moves for."""
 
 
 class Actions:
@@ -180,10 +184,15 @@ class Actions:
             t = self.sheet.go(person, goal, yaw, t)
             person.support = thing.node_id
         elif partner is not None and motion.key == "kneel":
-            spot, _ = self.sheet.beside(person, partner, 0.72)
-            t = self.sheet.go(person, spot, facing(spot, partner.place), t)
+            spot, toward = self.meetings.knees_to(person, partner)
+            t = self.sheet.go(person, spot, facing(spot, toward), t)
         else:
             t = self.sheet.rise(person, t)
+            if motion.after is not None:
+                room = room_for(
+                    self.company.floor, motion.after, person.place, person.yaw, person.k, self.company.others(person)
+                )
+                t = self._gone_to(person, *room, t)
         person.posture = motion.after or person.posture
         mark = person.mark() if motion.key == "lean" else None
         end = self.sheet.cue(person, motion.key, t, length, mark=mark, mood=action.mood)
@@ -191,6 +200,15 @@ class Actions:
             for prop in list(person.held.values()):
                 self.company.lay(person, prop, (*person.place, 0.0))
         self.sheet.done(person, start, end)
+
+    def _gone_to(self, person: Person, place: Vec2, yaw: float, t: float) -> float:
+        """Be where there is room for what comes: from the start, else by walking; return the end."""
+        if math.dist(place, person.place) < STEP and abs(turn_between(person.yaw, yaw)) < math.radians(5):
+            return t
+        if person.acted or person.entering:
+            return self.sheet.go(person, place, yaw, t)
+        self.sheet.start_at(person, place, yaw)
+        return t
 
     def _sit(self, action: CharacterAction, person: Person, start: float, length: float) -> None:
         name = action.target_id if self.company.floor.seats(action.target_id) else None
@@ -225,11 +243,15 @@ class Actions:
             person.posture = "asleep" if motion.key == "sleep" else person.posture
             self.sheet.done(person, start, self.sheet.cue(person, motion.key, start, 1.2))
             return
-        before = person.place
+        before, yaw, posture = person.place, person.yaw, person.posture
         self.company.go_to_bed(person, action.target_id, asleep)
         bed = person.mark()
         t = start
-        if person.support is not None:
+        if person.support is None and math.dist(before, person.place) > STEP:
+            person.place, person.yaw, person.posture = before, yaw, posture
+            t = self._gone_to(person, bed.location[:2], math.radians(bed.yaw), t)
+            person.posture = asleep
+        elif person.support is not None:
             posture, support, anchor = person.posture, person.support, person.anchor
             edge = SeatPlace(support, anchor, person.place, person.yaw)
             person.place, person.posture, person.support = before, "stand", None

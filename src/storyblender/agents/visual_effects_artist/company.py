@@ -6,7 +6,8 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.belongings import brought_along, players_of
-from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, TOPS, Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person, stature_of
 from storyblender.catalog.carrying import two_handed
 from storyblender.catalog.motions import clip_of
@@ -199,6 +200,7 @@ class Company:
                 self.stand_beside(person)
             if state.posture == "lean" and support is not None:
                 self.go_to_rail(person, support)
+            self.make_room(person, state.posture)
             person.posture = state.posture
 
     def _stick_of(self, state: BodyState) -> tuple[str, ...]:
@@ -208,9 +210,10 @@ class Company:
 
     def stand_beside(self, person: Person) -> None:
         """Stand up by a cut: before the seat, or at the nearest free spot."""
-        seats = [s for s in self.floor.seats(person.support) if math.dist(s.edge, person.place) < 0.7]
-        wish = self.floor.access(seats[0], person.k) if seats else person.place
-        person.place = wish if seats else self.floor.free_near(wish, person.k, self.others(person))
+        places = self.floor.seats(person.support, asked=True)
+        seats = [s for s in places if math.dist(s.edge, person.place) < 0.7]
+        free = self.floor.free_near(person.place, person.k, self.others(person))
+        person.place = self.floor.access(seats[0], person.k) if seats else free
         person.posture, person.support, person.anchor = "stand", None, ""
 
     def others(self, person: Person) -> list[Vec2]:
@@ -218,29 +221,20 @@ class Company:
         return [p.place for p in self.people.values() if p.present and p is not person]
 
     def seat_for(self, person: Person, name: str | None, beside: Person | None = None) -> SeatPlace | None:
-        """Return the free seat of a thing that is nearest, or the nearest free seat of the set if none is named.
+        """Return the free seat of a thing that is nearest, else the nearest free seat near the person.
 
         Args:
             person: Who sits down.
             name: The thing to sit on.
             beside: Next to whom; a place on the same seat as theirs goes before a nearer chair.
         """
-        if beside is not None and beside.support is not None:
-            seats = [seat for seat in self.floor.seats(beside.support) if math.dist(seat.edge, beside.place) > 0.4]
-            free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in self.others(person))]
-            if free:
-                return self._best(free, beside.place, person)
+        next_to = beside.support if beside is not None else None
+        if beside is not None and next_to and (free := self.floor.free_seats(next_to, self.others(person))):
+            return self._best(free, beside.place, person)
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
-        thing = self.floor.thing(name)
-        if name and (thing is None or (thing.location[2] > TOPS[0] and not thing.of_kind("seat", "bed"))):
-            name = None  # a part of the set, or what lies on a table: who sits there has a seat of the set
-        names = [name] if name else [thing.node_id for thing in self.floor.things.values()]
-        names = [t.node_id for t in self.floor.things.values() if name and t.asset_id == name] or names
-        seats = [seat for each in names for seat in self.floor.seats(each)]
-        free = [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
-        if not name:
-            free = [seat for seat in free if math.dist(seat.edge, person.place) < 4.0]
-        return self._best(free or (seats if name else []), person.place, person)
+        free = self.floor.free_seats(name, taken) if name else []
+        near = (seat for seat in self.floor.free_seats(None, taken) if math.dist(seat.edge, person.place) < 4.0)
+        return self._best(free or list(near), person.place, person)
 
     def _best(self, seats: Sequence[SeatPlace], near: Vec2, person: Person) -> SeatPlace | None:
         """Return the nearest seat on which nothing lies and before which nobody stands, else the nearest; or None."""
@@ -271,7 +265,13 @@ class Company:
             self.take_seat(person, seat)
         else:
             person.support, person.anchor = None, ""
+            self.make_room(person, posture)
         person.posture = posture
+
+    def make_room(self, person: Person, posture: Posture) -> None:
+        """Move somebody to where they can kneel or lie on the floor without being in anything."""
+        place, yaw, others = person.place, person.yaw, self.others(person)
+        person.place, person.yaw = room_for(self.floor, posture, place, yaw, person.k, others)
 
     def go_to_rail(self, person: Person, thing: Thing) -> None:
         """Stand close before a bar, a rail or a wall."""

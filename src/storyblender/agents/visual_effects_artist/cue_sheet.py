@@ -108,7 +108,8 @@ class CueSheet:
         end = self.cue(person, "rise", t, natural_seconds(MOTIONS["rise"], stature=1.7 * person.k))
         if person.posture in ("lie", "asleep"):
             end += 1.6
-        seats = [s for s in self.company.floor.seats(person.support) if math.dist(s.edge, person.place) < 0.7]
+        places = self.company.floor.seats(person.support, asked=True)
+        seats = [s for s in places if math.dist(s.edge, person.place) < 0.7]
         if seats:
             person.place = self.company.floor.access(seats[0], person.k)
             end += SLIDE if math.dist(person.place, seats[0].before(person.k)) > 0.12 else 0.0

@@ -14,6 +14,7 @@ from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, path_length, seat_access
+from storyblender.geometry.seating import seats_of
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout
@@ -237,13 +238,18 @@ class Floor:
             best = min(best or (math.inf, spot), (detour, spot))
         return best[1] if best is not None and best[0] < math.inf else None
 
-    def seats(self, name: str | None) -> list[SeatPlace]:
-        """Return the places to sit on a thing; wide seats hold several people."""
+    def seats(self, name: str | None, *, asked: bool = False) -> list[SeatPlace]:
+        """Return the places to sit on a thing; wide seats hold several people.
+
+        Args:
+            name: Node id or asset id.
+            asked: Whether the script says that somebody sits on it, even if it is no seat.
+        """
         thing = self.thing(name)
         if thing is None:
             return []
         places: list[SeatPlace] = []
-        for anchor in thing.of_kind("seat"):
+        for anchor in seats_of(thing.anchors, thing.size, asked=asked):
             x, y, z = anchor.location
             dx, dy, _ = anchor.direction
             yaw = thing.yaw + math.atan2(dx, -dy)
@@ -254,6 +260,18 @@ class Floor:
                 edge = thing.world((x + right[0] * slide, y + right[1] * slide, z))
                 places.append(SeatPlace(thing.node_id, anchor.name, edge[:2], yaw))
         return places
+
+    def free_seats(self, name: str | None, taken: Sequence[Vec2]) -> list[SeatPlace]:
+        """Return the seats of a thing, or of the whole set, on which nobody is.
+
+        Args:
+            name: Node id or asset id of what the script says one sits on; what lies on a table is not sat on.
+            taken: Edges of the seats of those who sit.
+        """
+        named = [t for t in self.things.values() if name in (None, t.node_id, t.asset_id)]
+        named = [t for t in named if t.location[2] <= TOPS[0] or t.of_kind("seat", "bed")]
+        seats = [seat for t in named for seat in self.seats(t.node_id, asked=name is not None)]
+        return [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
 
     def access(self, seat: SeatPlace, k: float) -> Vec2:
         """Return where one stands before sitting down: in front, or beside a seat at a table."""

@@ -28,9 +28,13 @@ BY_KNEES = 1.1
 """Metres from which who kneels reaches somebody without getting up."""
 IN_ARMS = 0.08
 """Metres more than an embrace's distance that are not walked."""
+TO_KNEEL = 0.72
+"""Metres from somebody to who kneels to them."""
 BEFORE_SITTER, BY_EDGE, BESIDE_KNEES, APART = 0.68, 0.25, 0.42, 0.45
 """Metres from a seat's edge to who bends to the one who sits there: before them, or beside their knees, so far
 aside and so far from others."""
+FAR = 0.4
+"""Metres more than its distance from which who sits, lies or kneels does not reach the other."""
 TOO_NEAR = 0.17
 """Metres less than its distance from which one who meets somebody steps back."""
 PARTED = 0.72
@@ -120,6 +124,10 @@ class Meetings:
         by_knees = distance + near if motion.key in TOGETHER and partner.posture in SEATED else BY_KNEES
         low = person.posture in SEATED or (person.posture in LOW and gap < by_knees)
         on_floor = partner.posture in ("lie", "asleep") and partner.support is None
+        if low and gap > distance + FAR:
+            if partner.upright:
+                return self._come_to(motion, person, partner, distance, t)
+            low = False  # gets up: nobody else is able to come
         if not low and (gap > distance + near or gap < distance - TOO_NEAR):
             spot, _ = self.sheet.beside(person, partner, distance)
             toward = partner.place
@@ -132,6 +140,12 @@ class Meetings:
             t = self.sheet.cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
             person.posture = "kneel"
         return t
+
+    def _come_to(self, motion: Motion, person: Person, partner: Person, distance: float, t: float) -> float:
+        """Bring somebody to who sits, lies or kneels and has something for them; return the end."""
+        spot = self._before(person, partner) if person.posture == "sit" else None
+        spot = spot or self.sheet.beside(partner, person, max(distance, BEFORE_SITTER))[0]
+        return self.sheet.go(partner, spot, facing(spot, person.place), max(t, partner.busy))
 
     def _goes_on(self, motion: Motion, person: Person, partner: Person, later: Sequence[CharacterAction]) -> bool:
         """Tell whether one of two does something after what they do together."""
@@ -162,6 +176,12 @@ class Meetings:
                 ends.append(self.sheet.face(one, yaw, t))
                 one.yaw, one.acted = yaw, True
         return max(ends)
+
+    def knees_to(self, person: Person, partner: Person) -> tuple[Vec2, Vec2]:
+        """Return where one kneels to somebody, and to what of theirs."""
+        if partner.posture in ("lie", "asleep") and partner.support is None:
+            return self._beside_breast(partner, person)
+        return self.sheet.beside(person, partner, TO_KNEEL)[0], partner.place
 
     def _beside_breast(self, partner: Person, person: Person) -> tuple[Vec2, Vec2]:
         """Return where one kneels beside somebody who lies on the floor, feet where they stood, and their breast."""

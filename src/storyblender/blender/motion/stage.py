@@ -17,6 +17,7 @@ from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, St
 from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
 from storyblender.blender.motion.skeleton import SIDES
 from storyblender.geometry.paths import SQUEEZE, Footprint, Track, Vec2, clearance, find_path, seat_access
+from storyblender.geometry.seating import seats_of
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Mark
 from storyblender.memory.vocabulary import Mood
@@ -180,6 +181,7 @@ class Stage:
         anchor = None
         if furniture is not None:
             anchor = self.anchor(furniture, ("seat",), mark) or self.anchor(furniture, ("bed",), mark)
+            anchor = anchor or next(iter(seats_of(furniture.anchors, furniture.dimensions, asked=True)), None)
         if furniture is None or anchor is None:
             return None
         world = Matrix(furniture.world.tolist())

@@ -401,3 +401,12 @@ def test_who_comes_in_later_has_no_place_yet_and_who_is_found_there_has() -> Non
     brief = layout_brief(graph, 1, plan(), measures=MEASURES)
     assert [state.asset_id for state in brief.found] == ["ben"]
     assert brief.stations == {"ben": "door"}
+
+
+def test_nobody_stands_between_a_thing_and_the_wall_it_stands_against() -> None:
+    room = plan()
+    back = LayoutObject(node_id="bar", asset_id="bar", location=(0, room.size.y - 0.3, 0), fixed=True)
+    view = brief(relations=[("ana", "behind", "bar")], people=["ana", "ben"], dressed=(back,))
+    at = solved(view)
+    assert at["ana"].location[1] < room.size.y - 0.6
+    assert math.dist(at["ana"].location[:2], back.location[:2]) < 2.2

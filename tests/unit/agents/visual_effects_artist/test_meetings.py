@@ -115,3 +115,20 @@ def test_what_is_put_aside_is_put_ahead_so_that_nobody_turns_for_it() -> None:
     )
     assert math.degrees(math.atan2(abs(left), ahead)) < 60
     assert "turn" not in [cue.clip for cue in shot.cues if cue.asset_id == "rick" and cue.start < down.start]
+
+
+def test_who_sits_is_come_to_by_whom_they_give_something() -> None:
+    states = (BodyState(asset_id="rick", posture="sit", support_id="chair_l", held=("lamp",)),)
+    give = _do("rick", "give", target_id="ilsa", prop_id="lamp")
+    (shot,) = _with_luggage(_shot(1, give, states=states, seconds=9))
+    assert _cues(shot, "ilsa")[0] == "walk"
+    assert _end(shot, "rick").posture == "sit"
+    assert math.dist(_end(shot, "rick").location, _end(shot, "ilsa").location) < 1.0
+
+
+def test_of_two_who_sit_too_far_apart_the_one_who_gives_gets_up() -> None:
+    seats = zip(("rick", "ilsa"), ("chair_l", "chair_r"), strict=True)
+    states = tuple(BodyState(asset_id=who, posture="sit", support_id=seat) for who, seat in seats)
+    (shot,) = _stage(_shot(1, _do("rick", "touch", target_id="ilsa"), states=states, seconds=12))
+    assert _cues(shot, "rick")[:2] == ["rise", "walk"]
+    assert _end(shot, "ilsa").posture == "sit"

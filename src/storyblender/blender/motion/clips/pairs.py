@@ -160,7 +160,7 @@ def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> Targe
 
     def target(t: float) -> Floats:
         share = giver.m.arm / (giver.m.arm + taker.m.arm)
-        a, b = giver.place, taker.place
+        a, b = _breast(giver), _breast(taker)
         middle = a.lerp(b, share)
         low = min(_shoulder(giver), _shoulder(taker))
         middle.z = 0.86 * low + 0.04 * max(0.0, giver.m.shoulder_height - taker.m.shoulder_height)
@@ -172,7 +172,12 @@ def _offered(giver: Performer, taker: Performer, side: str, grip: Grip) -> Targe
 
 
 def _shoulder(who: Performer) -> float:
-    return 0.5 * (who.point("upper_arm.L").z + who.point("upper_arm.R").z)
+    return _breast(who).z
+
+
+def _breast(who: Performer) -> Vector:
+    """The middle between the shoulders: of who sits or lies it is not over the feet."""
+    return (who.point("upper_arm.L") + who.point("upper_arm.R")) / 2
 
 
 @clip("shake_hands", "body", "hand", "head")

@@ -22,6 +22,8 @@ from storyblender.blender.motion.puppets import PropPuppet, carried
 from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
+HAND_IN = 0.25
+"""Metres from the side of a thing to the spot on its top that a hand works on."""
 WORKING = 1.2
 """Arm lengths on the floor between a person and what their hands work on."""
 STRINGED = 0.45
@@ -33,17 +35,17 @@ Offset = Callable[[float], Vector]
 def handle_of(stage: Stage, who: Performer, beat: Beat) -> tuple[Vector, float | None]:
     """Return the world point a hand works on, and the height of the surface there if it is a top."""
     subject = beat.target or beat.prop
-    if isinstance(subject, PropPuppet):
+    if isinstance(subject, PropPuppet) and subject.holder is not who:
         return subject.matrix @ Vector((0, 0, subject.size.z)), None
     if isinstance(subject, StageFurniture):
         world = Matrix(subject.world.tolist())
         anchor = stage.anchor(subject, ("handle",), None)
         if anchor is not None:
             return world @ Vector(anchor.location), None
-        top = stage.anchor(subject, ("top",), None)
-        if top is not None:
-            return _on_top(who, world, Vector(top.location), top.size), (world @ Vector(top.location)).z
-        return _on_box(who, world, subject), None
+        top, box = stage.anchor(subject, ("top",), None), _on_box(who, world, subject)
+        spot = _on_top(who, world, Vector(top.location), top.size) if top is not None else box
+        within = max(WORKING * who.m.arm, (box.xy - who.position).length + HAND_IN)  # not a bench inside a boat
+        return (spot, spot.z) if top is not None and (spot.xy - who.position).length <= within else (box, None)
     if beat.mark is not None:
         return Vector(beat.mark.location) + UP * (0.62 * who.m.shoulder_height), None
     return Vector((*(who.position + who.forward * 0.55 * who.m.k), 0.72 * who.m.shoulder_height)), None
