@@ -60,7 +60,7 @@ def _make(name: str, entry: MaterialEntry, color: Color) -> bpy.types.Material:
             tree.links.new(texture.outputs["Color"], shader.inputs["Emission Color"])
     if entry.wet:
         _add_puddles(tree, shader)
-    block.diffuse_color = (*body, 1)
+    block.diffuse_color = (*mean, 1)
     block.roughness, block.metallic = entry.roughness, 0.3 * entry.metallic  # Workbench blackens full metal
     block["key"], block["tile"], block["emit"], block["grain"] = entry.key, entry.tile, entry.emission, entry.grain
     return block

@@ -71,7 +71,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "tool, wrench, saw, drill, wand, rod, club, bat, racket, paddle, oar, ladle, brush, crowbar, whisk, "
             "cleaver, rolling pin, spatula, tongs, chisel, pliers, screwdriver, bayonet, sickle, scythe, poker, "
             "cue, golf club, hockey stick, fishing rod, pole, plank, branch, baton, arrow, crop, whip, "
-            "toothbrush, paint brush, paintbrush, pointer, ruler, flute, recorder, clarinet, oboe, pump, lever, "
+            "toothbrush, paint brush, paintbrush, pointer, ruler, flute, recorder, clarinet, oboe, lever, "
             "boathook",
             True,
         ),

@@ -117,6 +117,14 @@ def rock(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (seat((0, -d * 0.36, top), (w * 0.6, d * 0.5)),) if sat_on else ()
 
 
+@prop("standing_stone")
+def standing_stone(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a boulder set upright, a head and more over people."""
+    w, d, h = spec.size
+    plants.boulder(b, spec.material("rock"), (w * 0.6, d * 0.6, h * 0.86), spec.rng, foot=0.0)
+    return ()
+
+
 def _cut_trunk(
     b: MeshBuilder, bark: MaterialRef, cut: MaterialRef, length: float, radius: float, rng: np.random.Generator
 ) -> None:

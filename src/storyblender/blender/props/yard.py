@@ -36,6 +36,31 @@ def paper_lantern(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return ()
 
 
+@prop("water_pump")
+def water_pump(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build an iron pump on its stone: spout to the front, the handle behind."""
+    (w, d, h), iron = spec.size, spec.material("iron")
+    r, spout = w * 0.17, h * 0.66
+    b.box(spec.material("foot"), (0, 0, h * 0.04), (w, d * 0.8, h * 0.08), bevel=0.02)
+    rings = (
+        (r * 1.5, 0.08),
+        (r, 0.12),
+        (r, 0.6),
+        (r * 1.25, 0.63),
+        (r * 1.3, 0.84),
+        (r * 1.45, 0.87),
+        (r, 0.93),
+        (0.02, 0.96),
+    )
+    b.lathe(iron, [(radius, h * share) for radius, share in rings], segments=20)
+    b.tube(
+        iron, [(0, 0, spout), (0, -d * 0.3, spout), (0, -d * 0.42, spout - 0.05), (0, -d * 0.42, spout - 0.12)], r * 0.6
+    )
+    lever = [(0, -r, h * 0.98), (0, d * 0.3, h * 0.96), (0, d * 0.42, h * 0.66), (0, d * 0.46, h * 0.42)]
+    b.tube(iron, bent(lever, 3), 0.018, segments=8)
+    return (handle((0, d * 0.46, h * 0.42)),)
+
+
 @prop("birdcage")
 def birdcage(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a domed cage with a perch and a ring to carry it by."""

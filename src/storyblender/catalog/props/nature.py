@@ -63,6 +63,14 @@ NATURE: tuple[PropEntry, ...] = (
     entry("nature", "rock", "stone, boulder, rocks", (1.2, 1.0, 0.8), {"rock": "rock"}, "A rock."),
     entry(
         "nature",
+        "standing_stone",
+        "menhir, megalith, monolith, rune stone, stone circle, dolmen",
+        (1.2, 0.7, 2.7),
+        {"rock": "rock"},
+        "A stone that stands upright.",
+    ),
+    entry(
+        "nature",
         "log",
         "fallen tree, tree trunk, log seat, driftwood",
         (2.2, 0.46, 0.46),

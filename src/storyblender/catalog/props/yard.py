@@ -30,6 +30,14 @@ YARD: tuple[PropEntry, ...] = (
         "A goblet of gold.",
     ),
     entry(
+        "fitting",
+        "water_pump",
+        "pump, hand pump, village pump, well pump, yard pump",
+        (0.42, 0.6, 1.25),
+        {"iron": "iron", "foot": "stone"},
+        "A pump with its handle and spout.",
+    ),
+    entry(
         "furniture",
         "anvil",
         "blacksmith's anvil, smith's anvil",

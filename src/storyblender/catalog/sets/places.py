@@ -115,6 +115,9 @@ _SURE, _SUITS = 10.0, 30.0
 is in the car."""
 
 
+_HALL = frozenset(["hall", "great", "main", "central", "big", "large"])
+
+
 _BESIDE = re.compile(r"(?<=\w)[\s,-]+(?:of|behind|near|beside|outside|opposite|next to|close to|on|by|above)\s+")
 """What comes after is another place: the alley behind the market is an alley."""
 
@@ -125,16 +128,28 @@ _PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
 
 def kit_of(setup: SceneSetup) -> str:
     """Return the key of a scene's kit: by its heading, else by who and what is there, else by its description."""
-    key = find_kit(setup.place_kind, setup.place, setup.scene_type)
-    if key != FALLBACK[setup.scene_type] or _names(setup.place, key):
+    key = _hall_of(setup) or find_kit(setup.place_kind, setup.place, setup.scene_type)
+    vague = bool(setup.place) and _VAGUE.issuperset(_tokens(setup.place))
+    if not vague and (key != FALLBACK[setup.scene_type] or _names(setup.place, key)):
         return key
     indoor = setup.scene_type == "indoor"
     kits = (kit.key for kit in SETS.values() if kit.indoor == indoor)
     told = told_by_things((*setup.asset_ids, setup.layout_description), kits)
     if told is not None:
         return told
+    if key != FALLBACK[setup.scene_type]:
+        return key
     words = f"{setup.layout_description} {setup.ground_description} {setup.place}"
     return find_kit(setup.place_kind, words, setup.scene_type)
+
+
+def _hall_of(setup: SceneSetup) -> str | None:
+    """Return the kit of the building whose hall it is: the great hall of a museum is no castle's."""
+    building, *_, last = _PARTS.split(setup.place.strip()) if _PARTS.search(setup.place.strip()) else ("", "")
+    if not _HALL.issuperset(_tokens(last) or ["-"]):
+        return None
+    key = find_kit("", building, setup.scene_type)
+    return key if _names(building, key) and SETS[key].indoor == (setup.scene_type == "indoor") else None
 
 
 def _names(words: str, key: str) -> bool:
