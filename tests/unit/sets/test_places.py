@@ -189,3 +189,18 @@ def test_the_last_part_of_a_heading_is_where_we_are() -> None:
     place = "precinct, interview room"
     assert lexicon.place_kind(place) == "police_station"
     assert find_kit("police_station", place, "indoor") == "interrogation"
+
+
+@pytest.mark.parametrize(
+    ("place", "things", "kit"),
+    [
+        ("hall", ("stage", "curtain", "piano"), "theatre"),
+        ("hall", ("coat", "mat"), "corridor"),
+        ("natural history museum, great hall", ("desk", "bench"), "gallery"),
+        ("castle, great hall", ("desk", "bench"), "great_hall"),
+        ("ashdown park, great hall", (), "great_hall"),
+    ],
+)
+def test_a_hall_is_what_stands_in_it_and_whose_it_is(place: str, things: tuple[str, ...], kit: str) -> None:
+    setup = SceneSetup(place=place, place_kind=lexicon.place_kind(place), scene_type="indoor", asset_ids=things)
+    assert kit_of(setup) == kit

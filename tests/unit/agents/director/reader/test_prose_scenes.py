@@ -92,3 +92,18 @@ def test_a_story_tells_its_time_in_other_words(told: str, time: str) -> None:
 )  # fmt: skip
 def test_a_room_is_told_of_or_come_to(told: tuple[str, ...], rooms: list[str]) -> None:
     assert places(*told) == rooms
+
+
+@pytest.mark.parametrize(
+    ("opening", "place"),
+    [
+        ("The bakery opened at four. Anna lit the oven, and on the wall hung a man in a space suit.", "bakery"),
+        ("Mrs. Crabbe's parlour was too small for seven. Rain ran down the window.", "parlour"),
+    ],
+)
+def test_a_story_begins_in_the_place_it_begins_with(opening: str, place: str) -> None:
+    assert places(opening) == [place]
+
+
+def test_a_throne_is_no_place() -> None:
+    assert places(START, "Anna walked up to the throne, gathered her skirts and sat down. Ben hid.") == ["parlour"]

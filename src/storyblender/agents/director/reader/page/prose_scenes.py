@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.page.scenes import same_place, time_of,
 from storyblender.agents.director.reader.page.story_places import (
     WHOLE,
     any_place,
+    place_begun_with,
     place_gone_to,
     place_of,
     place_told_of,
@@ -84,7 +85,13 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
         place, time = moved
     else:
         whole = " ".join(told)
-        place = place_of(told[0]) or place_of(whole) or any_place(whole) or place_of(whole, " ".join(raw))
+        place = (
+            place_of(told[0])
+            or place_begun_with(told[0])
+            or place_of(whole)
+            or any_place(whole)
+            or place_of(whole, " ".join(raw))
+        )
         place = room_within(place, told)
         time = story_time(told, title)
     scene_type = scene_type_of(place)

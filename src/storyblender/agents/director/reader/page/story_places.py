@@ -40,6 +40,8 @@ _BEING = re.compile(
 )
 """``Mrs. Lunt is still in the kitchen``: so are we."""
 _SUBJECT = re.compile(rf"(?:the|his|her|their|my|our)\s+{_WORDS}")
+_OPENING = re.compile(rf"(?:the|his|her|their|my|our|(?:(?:mrs?|ms|dr)\. )?[^,.;]{{2,40}}['’]s)\s+{_WORDS}")
+"""``Mrs. Crabbe's parlour was too small``, ``The bakery opened at four``: the subject a story begins with."""
 _TELLING = re.compile(
     r"\s(?:of (?:the |an? )?[a-z'’-]+ )?(?:was|were|is|are|lay|lies|smelled|smells|smelt|stank|stinks|looked|looks"
     r"|stood|stands|had|has|held|holds|seemed|seems|hummed|hums|brought|brings|led|leads|echoed|echoes)\b"
@@ -47,7 +49,7 @@ _TELLING = re.compile(
 _SMALL = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.CONJUNCTIONS
 _PLAIN = lexicon.ADJECTIVES | _SMALL | {"", "other", "next", "same", "whole", "own", "old", "empty", "single"}
 """``the day room`` is a kind of room, ``the little room`` is not."""
-_THINGS = lexicon.PROPS | lexicon.SET_PIECES
+_THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN
 _OWNED = {
     "hut",
     "cabin",
@@ -98,6 +100,15 @@ def any_place(text: str) -> str:
     """The first place a text names at all: ``had kept the lighthouse for forty years``."""
     places = [leading_place(match.group(1).split()) for match in _NOUN_PHRASE.finditer(text)]
     return next((place for place in places if place), "")
+
+
+def place_begun_with(opening: str) -> str:
+    """A room or a shop that is the subject of the first sentence of a story, in small letters."""
+    subject = _OPENING.match(opening)
+    place = leading_place(subject.group(1).split()) if subject else ""
+    following = opening[opening.find(place) + len(place) :].split() if place else []
+    acts = bool(following) and form_kind(following[0]) in ("past", "3sg", "aux")
+    return place if acts and scene_type_of(place) == "indoor" else ""
 
 
 def place_gone_to(told: list[str]) -> str:
