@@ -150,6 +150,11 @@ def carriers(thing: Thing, by_name: Mapping[str, Thing]) -> list[Thing]:
     return chain
 
 
+def moored(thing: Thing, by_name: Mapping[str, Thing]) -> bool:
+    """Return whether a thing is fixed, or carried by what is: who sits in a boat at a quay is off the quay."""
+    return thing.fixed or any(support.fixed for support in carriers(thing, by_name))
+
+
 def exempt_pairs(things: Iterable[Thing], by_name: Mapping[str, Thing]) -> set[tuple[str, str]]:
     """Return the ordered name pairs that may overlap: whatever carries, directly or not, and what it carries."""
     pairs: set[tuple[str, str]] = set()
@@ -192,7 +197,7 @@ def own_violations(thing: Thing, by_name: Mapping[str, Thing], room: Room) -> li
     lifted = thing.relationship == "on_top_of" or thing.floats or rides(thing)
     if not lifted and abs(thing.box.z) > CONTACT:
         found.append(Violation("floor", thing.name, None, abs(thing.box.z), thing.box.z))
-    if not thing.fixed and (amount := outside(thing.box, room)) > PENETRATION:
+    if not moored(thing, by_name) and (amount := outside(thing.box, room)) > PENETRATION:
         found.append(Violation("bounds", thing.name, None, amount, amount))
     return found
 

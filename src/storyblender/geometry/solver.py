@@ -29,6 +29,7 @@ from storyblender.geometry.relations import (
     carriers,
     clamped,
     exempt_pairs,
+    moored,
     onto,
     own_violations,
     rides,
@@ -257,7 +258,7 @@ class _Relaxation:
 
     def _keep_inside(self, thing: Thing) -> None:
         """Bring a thing back into the room and drag its anchors off the wall to make room for it."""
-        if thing.relationship == "on_top_of":
+        if thing.relationship == "on_top_of" or moored(thing, self.by_name):
             return
         x, y = clamped(thing.box, self.room)
         dx, dy = x - thing.box.x, y - thing.box.y

@@ -58,6 +58,15 @@ def test_fixed_things_stay_and_the_others_leave_them() -> None:
     assert solution.things[0].box == piano.box
 
 
+def test_who_sits_in_what_is_fixed_outside_stays_in_it() -> None:
+    boat = Thing("boat", Box(0, 5.2, 0, 4.0, 1.5, 0.7), fixed=True)
+    rower = Thing("rower", Box(0.3, 5.2, 0.2, 0.42, 0.3, 0.8), anchor="boat", walks=True)
+    stray = Thing("stray", Box(2, 5.2, 0, 0.5, 0.4, 1.7), walks=True)
+    solution = solve([boat, rower, stray], ROOM)
+    assert solution.solved
+    assert [thing.box.y > 4 for thing in solution.things] == [True, True, False]
+
+
 def test_what_stands_on_a_table_moves_and_turns_with_it() -> None:
     table = Thing("table", Box(5, 0, 0, 1.2, 0.8, 0.75))
     cup = Thing("cup", Box(5.3, 0.1, 0.75, 0.1, 0.1, 0.1), "table", "on_top_of")
