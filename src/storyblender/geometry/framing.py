@@ -91,6 +91,8 @@ _LOWER = 0.1
 """Most that a whole body lower than a standing one goes down in the picture."""
 _BODIES = 0.83
 """Most of the picture's height that whole bodies take in a group."""
+_HEADS = 0.62
+"""Most of the picture's height between the faces of a group: who lies at somebody's feet is in it."""
 _LOW_WHOLE = 0.5
 """What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
 _CROWN = 0.55
@@ -227,7 +229,10 @@ def single(film: Film, figure: Figure, size: str, azimuth: float, elevation: flo
 def group(
     film: Film, figures: Sequence[Figure], size: str, azimuth: float, elevation: float, lens: float, span: float = 0.62
 ) -> Orbit:
-    """Return the camera for two or more: all heads within ``span`` of the width, none larger than the size wants."""
+    """Return the camera for two or more: all heads in the picture, within ``span`` of its width.
+
+    None is larger than the size wants; who lies at the feet of another one makes both of them smaller.
+    """
     faces = np.array([figure.face for figure in figures])
     middle = (faces.min(0) + faces.max(0)) / 2
     head = max(figure.head for figure in figures)
@@ -240,6 +245,8 @@ def group(
         aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
         needed = aside / span - depth + camera.distance
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
+    heights = project(camera, faces)[0][:, 1]
+    camera = replace(camera, distance=camera.distance * max(float(np.ptp(heights)) / _HEADS, 1.0))
     if size in WHOLE:
         tops, bottoms = (project(camera, [getattr(each, end) for each in figures])[0] for end in ("crown", "base"))
         tall = float(bottoms[:, 1].max() - tops[:, 1].min())
@@ -281,6 +288,10 @@ def group_from(
         feet = np.arctan2([figure.base[2] - eye[2] for figure in figures], apart)
         tall = 2 * math.tan(float(crowns.max() - feet.min()) / 2)
         sized = min(sized, _BODIES / tall * film.sensor_width / film.aspect)
+    low = np.arctan2([figure.face[2] - eye[2] for figure in figures], apart).min()
+    sized = min(
+        sized, _HEADS / (2 * math.tan(max(float(crowns.max() - low), 1e-3) / 2)) * film.sensor_width / film.aspect
+    )
     lens = min(lens, max(min(holds, sized), widest))
     high = int(crowns.argmax())
     crown = max(crown_height(float(heads[high]) / (2 * film.tangent(lens))), _HATS)
@@ -334,10 +345,12 @@ def over_shoulder(
     camera = between(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
     height = min(face_height(size) + 0.03, 0.42)
     camera = placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, height)
-    crown = float(project(camera, over.crown)[0][0, 1])
-    if crown >= OVER_CROWN:
+    screen, depth = project(camera, [over.crown, focus.face])
+    if screen[0, 1] >= OVER_CROWN:
         return camera
-    return placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, max(height, min(height + OVER_CROWN - crown, _LOWEST)))
+    # A camera that goes up moves a near head further down its picture than the face behind it.
+    lower = (OVER_CROWN - float(screen[0, 1])) * float(depth[0] / depth[1])
+    return placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, max(height, min(height + lower, _LOWEST)))
 
 
 def through_eyes(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:

@@ -84,6 +84,17 @@ def test_a_wide_group_steps_back_until_all_are_in() -> None:
     assert xs.min() > 0.15 and xs.max() < 0.85
 
 
+@pytest.mark.parametrize("size", ["MS", "MWS", "FS"])
+def test_who_lies_at_the_feet_of_another_is_in_the_picture(size: str) -> None:
+    lying = figure("tom", 0.6, 0.4, 90, 0.3)
+    pair = (figure("anna", 0, 0, 30), lying)
+    held = [group(FILM, pair, size, 10, 2, 50)]
+    held.append(group_from(FILM, pair, size, (0.5, -2.6, 1.5), 50, 18))
+    for camera in held:
+        screen, _ = project(camera, [each.face for each in pair])
+        assert screen.min() > 0.03 and screen.max() < 0.97
+
+
 @pytest.mark.parametrize("angle", ["eye-level", "low angle", "high angle"])
 def test_a_full_shot_of_a_group_holds_heads_and_feet(angle: str) -> None:
     spots = [spot for who in (ANNA, TOM) for spot in (who.crown, who.base)]

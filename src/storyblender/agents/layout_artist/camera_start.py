@@ -48,17 +48,19 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
         rise: Degrees to go up from the preferred elevation.
     """
     camera = _compose(brief, brief.lens, turn, rise)
-    if brief.over is None and brief.instruction.kind not in ("pov", "insert"):
-        if brief.instruction.kind != "establishing" and len(brief.people) > 1:
+    kind = brief.instruction.kind
+    if brief.over is None and kind != "pov":
+        if kind not in ("establishing", "insert") and len(brief.people) > 1:
             camera = inside(brief, camera)
         else:
+            widest = "WS" if kind == "insert" or not brief.people else brief.instruction.size
             # A lens that was asked for is the lens: then the camera only walks.
             for _ in range(0 if brief.instruction.lens else _FITTINGS):
-                fit = fitted(brief.plan, camera, brief.instruction.size)
+                fit = fitted(brief.plan, camera, widest)
                 if fit.lens == camera.lens:
                     break
                 camera = _compose(brief, fit.lens, turn, rise)
-        if brief.instruction.kind == "establishing" or not brief.people:
+        if kind == "establishing" or not brief.people:
             camera = walked_in(brief.plan, camera)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)

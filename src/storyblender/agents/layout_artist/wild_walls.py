@@ -7,17 +7,22 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from storyblender.catalog.set_plan import SetPlan, Wall
+from storyblender.catalog.set_plan import Piece, SetPlan, Wall
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import hidden as hidden_from
 
 _ON_WALL = 0.45
 """Metres from a taken wall within which a thing goes with it: its pictures, and the shelf before it."""
+_HUNG, _FLUSH = 0.3, 0.1
+"""Metres above the floor from which a thing at a wall hangs on it; from the wall's face up to which a piece of the set
+does."""
 _AT_TARGET = 0.3
 """Metres before a target that are its own: what it leans at is not in the way."""
 _CLOSE = 0.25
 """Metres from a wall at which the camera would scrape it."""
+_SKIN, _HALF_HEAD = 0.01, 0.12
+"""Metres before a wall that are the room's; metres that a head which bows at it reaches into it."""
 
 
 def taken_away(
@@ -32,6 +37,7 @@ def taken_away(
         targets: World points that have to be seen.
     """
     hidden: dict[str, None] = {}
+    targets = [_on_set(plan, target) for target in targets]
     for camera in cameras:
         eye = camera.position
         sights = [*targets, *(point for point in _frame_points(camera) if _in_room(plan, point))]
@@ -39,6 +45,7 @@ def taken_away(
             if wall.wild and _stands_between(wall, eye, sights):
                 hidden[wall.node_id] = None
                 hidden |= dict.fromkeys(node for node, box in props.items() if _goes_with(box, wall, eye, sights))
+                hidden |= dict.fromkeys(piece.node_id for piece in plan.pieces if _hangs_on(piece, wall))
         for slab in plan.slabs:
             if slab.role == "ceiling" and eye[2] > slab.z - 0.15:
                 hidden[slab.node_id] = None
@@ -49,6 +56,16 @@ def taken_away(
                 if _crosses(box, eye, sights[: len(targets)]):
                     hidden[piece.node_id] = None
     return list(hidden)
+
+
+def _on_set(plan: SetPlan, target: Floats) -> Floats:
+    """Return a target, or the spot before the wall that it reaches into: who bows at a wall does not open it."""
+    if not plan.indoor:
+        return target
+    size = plan.size
+    low, high = (size.x_negative + _SKIN, size.y_negative + _SKIN), (size.x - _SKIN, size.y - _SKIN)
+    spot = np.array([*np.clip(target[:2], low, high), target[2]])
+    return spot if math.dist(spot, target) < _HALF_HEAD else target
 
 
 def _in_room(plan: SetPlan, point: Floats) -> bool:
@@ -108,7 +125,18 @@ def _goes_with(box: Box, wall: Wall, eye: Floats, sights: Sequence[Floats]) -> b
     x = float((centre - start) @ along)
     if depth > _ON_WALL or not -0.2 < x < float(np.hypot(*(end - start))) + 0.2:
         return False
-    return box.z > 0.3 or _crosses(box, eye, sights)
+    return box.z > _HUNG or _crosses(box, eye, sights)
+
+
+def _hangs_on(piece: Piece, wall: Wall) -> bool:
+    """Return whether a piece of the set hangs on a wall, as a mirror or a rail does: without it, it would float."""
+    start, end = np.asarray(wall.start), np.asarray(wall.end)
+    length = float(np.hypot(*(end - start)))
+    along = (end - start) / length
+    x, y, z = piece.location
+    off = np.array([x, y]) - start
+    away = abs(float(off @ np.array([-along[1], along[0]])))
+    return z > _HUNG and away < _FLUSH and 0 < float(off @ along) < length
 
 
 def _crosses(box: Box, eye: Floats, sights: Sequence[Floats]) -> bool:

@@ -3,13 +3,15 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take
-from storyblender.agents.layout_artist.camera_room import fitted, outside
+from storyblender.agents.layout_artist.camera_room import VOID, fitted, outside
 from storyblender.agents.layout_artist.camera_scout import cost, scouted
 from storyblender.agents.layout_artist.camera_start import start, take
-from storyblender.catalog.set_plan import SetPlan, Slab, Wall
+from storyblender.agents.layout_artist.wild_walls import taken_away
+from storyblender.catalog.set_plan import Piece, SetPlan, Slab, Wall
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.geometry.orbit import between
@@ -122,3 +124,29 @@ def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
     assert "bed" not in take(replace(view, props=bed), camera).hidden
     empty = brief(guest, in_frame=("tom",), kind="single", size="MWS", focus_on_ids=("tom",))
     assert "bed" in take(replace(empty, props=bed), camera).hidden, "nobody would float without it"
+
+
+def test_who_bows_into_a_wall_opens_none() -> None:
+    bowed = replace(person("anna", -3.05, 0, -90), base=(-2.6, 0.0, 0.0))
+    camera = between((0, 0, 1.5), bowed.face, 35.0, **FILM)
+    assert taken_away(ROOM, {}, [camera], [np.array(bowed.face)]) == []
+    assert taken_away(ROOM, {}, [camera], [np.array((-3.6, 0.0, 1.6))]) == ["left"], "who is behind a wall is seen"
+    best = scouted(brief(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
+    assert outside(ROOM, best.camera, best.hidden) < VOID
+
+
+def test_what_hangs_on_a_wall_goes_with_it() -> None:
+    mirror, lamp = (
+        Piece(node_id=name, part="mirror", location=place) for name, place in (("m", (0, -3, 1)), ("l", (0, 0, 2.5)))
+    )
+    plan = ROOM.model_copy(update={"pieces": (mirror, lamp)})
+    camera = between((0, -3.25, 1.5), (0, 0, 1.5), 35.0, **FILM)
+    assert taken_away(plan, {}, [camera], [np.array([0, 0, 1.5])]) == ["front", "m"]
+
+
+@pytest.mark.parametrize("kind", ["action", "insert"])
+def test_things_too_large_for_the_room_at_the_lens_of_their_size_take_a_wider_one(kind: str) -> None:
+    view = brief(kind=kind, size="CU", focus_on_ids=("boiler",))
+    shot = start(replace(view, props={"boiler": Box(0, 2, 0, 2.4, 1.5, 2.2)})).camera
+    top, low = project(shot, [(0, 1.25, 2.2), (0, 1.25, 0)])[0][:, 1]
+    assert shot.lens < 85 and 0 < top < low < 1
