@@ -27,6 +27,11 @@ _HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 3.0}
 """Metres from the first of a group to who is still held in the picture: who is farther makes all of them tiny."""
 _NEARBY = 1.3
 """Metres from somebody within which a thing belongs to them: their table, their chair."""
+_OVER_THEM, _TALLER = 1.0, 0.5
+"""Metres from somebody who kneels or sits, and metres higher, of a head that belongs in a picture of the whole of
+them."""
+_BY_IT = 1.0
+"""Metres from a thing within which a close picture of it shows another one."""
 TALKS = 80.0
 """Degrees from full face within which a partner's shoulder can be shot over; a face turned further needs a single."""
 _BENT = 0.3
@@ -108,17 +113,31 @@ class CameraBrief:
     def focus(self) -> tuple[str, ...]:
         """node_ids the shot is about; a tight shot or a single is about the first person only, others may be cut.
 
-        An insert of a hand is about nobody's face: the hand is its only thing.
+        So is a tight shot of things about the first of them and what is by it. An insert of a hand is about nobody's
+        face: the hand is its only thing.
         """
         if self.detail is not None:
             return ()
         away = far_off(self.instruction, self.drawn, self.named)
         nodes = tuple(node for node in self.named if node not in away)
+        nodes += tuple(node for node in self._towering(nodes) if node not in nodes)
         if self.instruction.size not in TIGHT and self.instruction.kind not in _ONE_PERSON:
             return nodes
         faces = {figure.node_id for moment in self.moments for figure in moment.figures}
         lead = next((node for node in nodes if node in faces), None)
+        first = next((self.props[node] for node in nodes if node in self.props), None)
+        if lead is None and first is not None:
+            apart = {node: distance_to_point(first, box.x, box.y) for node, box in self.props.items()}
+            return tuple(node for node in nodes if apart.get(node, math.inf) < _BY_IT)
         return tuple(node for node in nodes if node == lead or node not in faces)
+
+    def _towering(self, nodes: Sequence[str]) -> list[str]:
+        """Return who stands over the first person of a whole picture: it would take their heads off."""
+        lead = next((figure for node in nodes if (figure := self.drawn.figure(node)) is not None), None)
+        if lead is None or self.instruction.size not in CROWDED or self.instruction.kind != "action":
+            return []
+        near = [each for each in self.drawn.figures if math.dist(each.base[:2], lead.base[:2]) < _OVER_THEM]
+        return [each.node_id for each in near if each.crown[2] - lead.crown[2] > _TALLER]
 
     @cached_property
     def drawn(self) -> Moment:
@@ -249,7 +268,10 @@ class CameraBrief:
         return self.instruction.lens or self.lens_kit[self.instruction.size]
 
     def bounds(self) -> Floats:
-        """Return (n, 3) points around whom the shot is meant to show and what stands by them; everything if nobody."""
+        """Return (n, 3) points around whom the shot is meant to show and what stands by them.
+
+        Where nobody is, it shows what stands where the scene plays, and not the whole street.
+        """
         moment = self.drawn
         meant = {*self.focus, *self.in_frame}
         people = [figure for figure in moment.figures if figure.node_id in meant] or list(moment.figures)
@@ -257,12 +279,23 @@ class CameraBrief:
         things = self.things or tuple(
             box
             for box in self.props.values()
-            if not people or any(distance_to_point(box, *figure.base[:2]) < _NEARBY for figure in people)
+            if (
+                any(distance_to_point(box, *figure.base[:2]) < _NEARBY for figure in people)
+                if people
+                else self._plays(box)
+            )
         )
         points += [corner for box in things for corner in corners(box)]
         if not points:
             points = [(-2.0, -2.0, 0.0), (2.0, 2.0, 2.0)]
         return np.array(points, float)
+
+    def _plays(self, box: Box) -> bool:
+        """Return whether a thing stands on the playing area."""
+        if self.plan is None:
+            return True
+        size = self.plan.size
+        return size.x_negative < box.x < size.x and size.y_negative < box.y < size.y
 
     def size_steps(self, other: ShotSize) -> int:
         """Return how many sizes lie between this shot and another."""

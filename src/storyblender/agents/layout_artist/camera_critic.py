@@ -236,7 +236,8 @@ def _surroundings(brief: CameraBrief, view: CameraView) -> list[Fault]:
     found: list[Fault] = []
     kind = brief.instruction.kind
     allowed = _FOREGROUND_OTS if brief.over is not None else _FOREGROUND
-    if view.foreground > allowed and kind != "pov":
+    # A place that is shown for itself has a floor before its middle, and nobody to stand before.
+    if view.foreground > allowed and kind != "pov" and brief.named:
         text = f"{view.foreground:.0%} of the picture is in front of the subject"
         ops = "zoom_in zoom_out orbit_left orbit_right orbit_up"
         found.append(fault("foreground", "", 0.5 + 4 * (view.foreground - allowed), text, ops=ops))

@@ -65,6 +65,8 @@ _STANDS, _TAKEN = 0.3, 0.3
 """Metres below which a thing stands on the floor; points for taking it away with a wall, and half a point a m3."""
 _COMPANY, _BACK = 1.7, 3.0
 """Metres from the first person within which who is seen takes part in the picture; points for such a one's back."""
+_TURNED = 2.0
+"""Points for an establishing shot that shows all of its people from behind."""
 _HEADLESS, _SEEN = 1.2, 0.04
 """Points for a body without its head, from heads of that share of the picture's height."""
 _NO_FACE = 0.6
@@ -139,17 +141,20 @@ def cost(brief: CameraBrief, take: Take) -> float:
 
 
 def _before(brief: CameraBrief, take: Take) -> float:
-    """Weigh what stands in the picture nearer than its people are; the middle third counts twice.
+    """Weigh what stands in the picture nearer than its people are, or its things; the middle third counts twice.
 
-    What the shot is about counts as well, as the back of a piano does, unless they are in it.
+    What a picture of people is about counts as well, as the back of a piano does, unless they are in it. In a place
+    that is shown for itself only the set counts, as the houses across the street do.
     """
-    faces = [figure.face for figure in brief.people]
-    if not faces or brief.over is not None or brief.instruction.kind in ("pov", "insert"):
+    kind, things = brief.instruction.kind, [(box.x, box.y, box.z + box.height / 2) for box in brief.things]
+    shown = [figure.face for figure in brief.people] or things
+    if (not shown and kind != "establishing") or brief.over is not None or kind in ("pov", "insert"):
         return 0.0
     camera, (columns, rows) = take.camera, GRID
-    deep = max(float(project(camera, faces)[1].mean()), 0.5) - _OWN
+    deep = max(float(project(camera, shown or [camera.pivot])[1].mean()), 0.5) - _OWN
     spots = camera.position + rays(camera, columns, rows) * deep
-    boxes = solids(dict(brief.props), brief.plan, (*take.hidden, *brief.vessels))
+    own = () if brief.people else brief.focus
+    boxes = solids(dict(brief.props) if shown else {}, brief.plan, (*take.hidden, *brief.vessels, *own))
     taken = hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
@@ -234,7 +239,8 @@ def _people(brief: CameraBrief, take: Take) -> float:
         elif figure.node_id in brief.in_frame and instruction.size not in TIGHT:
             whole = _framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
-            points += _cut_off(camera, figure) * (instruction.kind == "establishing")
+            if instruction.kind == "establishing":
+                points += _cut_off(camera, figure) + _TURNED * _behind(camera, figure) / len(brief.in_frame)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
@@ -256,7 +262,12 @@ def _back(brief: CameraBrief, camera: Orbit, figure: Figure) -> float:
     near = brief.people and math.dist(figure.base[:2], brief.people[0].base[:2]) < _COMPANY
     if not near or not _inside(camera, figure):
         return 0.0
-    return _BACK * max(0.0, figure.turned_from(camera.position) - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
+    return _BACK * _behind(camera, figure)
+
+
+def _behind(camera: Orbit, figure: Figure) -> float:
+    """Return how far somebody is seen from behind: 0 up to a little more than profile, 1 for the back."""
+    return max(0.0, figure.turned_from(camera.position) - _FROM_BEHIND) / (180.0 - _FROM_BEHIND)
 
 
 def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from test_camera_operator import ANNA, GUARD, TOM, brief, figure
@@ -87,6 +88,16 @@ def test_of_an_insert_nobody_is_asked_to_be_whole() -> None:
 
 def test_a_picture_of_a_place_alone_is_not_empty() -> None:
     assert faults(brief((), kind="action", size="WS")) == {}
+
+
+@pytest.mark.parametrize(("focus", "minded"), [((), False), (("cup",), True)])
+def test_the_floor_of_a_place_is_no_foreground(focus: tuple[str, ...], minded: bool) -> None:
+    view = brief((), kind="establishing", size="EWS", focus_on_ids=focus, props={"cup": CUP})
+    finder = SimpleNamespace(
+        look=lambda requests: [CameraView(subjects=(), void=0.0, foreground=0.4) for _ in requests]
+    )
+    found = CameraCritic(finder).judge(start(view), view).faults
+    assert ("foreground" in {fault.kind for fault in found}) == minded
 
 
 def test_of_two_in_each_others_arms_one_face_is_enough() -> None:
