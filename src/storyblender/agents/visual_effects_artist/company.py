@@ -188,8 +188,7 @@ class Company:
             if not person.upright:
                 self.stand_beside(person)
         elif state.posture == "sit":
-            seat = self.seat_for(person, state.support_id)
-            if seat is not None:
+            if (seat := self.seat_for(person, state.support_id)) is not None:
                 self.take_seat(person, seat)
             else:
                 person.posture, person.support, person.anchor = "sit", None, ""
@@ -212,8 +211,8 @@ class Company:
         """Stand up by a cut: before the seat, or at the nearest free spot."""
         places = self.floor.seats(person.support, asked=True)
         seats = [s for s in places if math.dist(s.edge, person.place) < 0.7]
-        free = self.floor.free_near(person.place, person.k, self.others(person))
-        person.place = self.floor.access(seats[0], person.k) if seats else free
+        person.place = self.floor.free_near(person.place, person.k, self.others(person))
+        person.place = self.floor.access(seats[0], person.k) if seats else person.place
         person.posture, person.support, person.anchor = "stand", None, ""
 
     def others(self, person: Person) -> list[Vec2]:
@@ -246,7 +245,8 @@ class Company:
         return min(seats, key=lambda seat: (unfit(seat), math.dist(seat.edge, near)), default=None)
 
     def take_seat(self, person: Person, seat: SeatPlace) -> None:
-        """Sit on a seat by a cut."""
+        """Sit on a seat by a cut, in the next shot too."""
+        self.jumps.pop(person.asset_id, None)
         person.place, person.yaw, person.posture = seat.edge, seat.yaw, "sit"
         person.support, person.anchor = seat.node_id, seat.anchor
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing
 from storyblender.geometry.paths import Vec2
+from storyblender.memory.base import Vec3
 
 HIGHEST = 1.45
 """Metres: what is higher is climbed up, not over."""
@@ -15,6 +16,8 @@ DEEPEST = 1.7
 """Metres of the thing under a leap."""
 TAKE_OFF, LANDING = 0.40, 0.45
 """Metres before and behind the thing, times stature over 1.7."""
+FROM_QUAY = 0.6
+"""Metres, times the same, from a boat that lies a step off the quay to who comes aboard."""
 GUNWALE = 0.30
 """Metres from a vessel's side to its seats; a bench's seats are at its edge."""
 
@@ -88,8 +91,10 @@ def vessel_at(floor: Floor, place: Vec2) -> Thing | None:
 def aboard(floor: Floor, vessel: Thing, inside: Vec2, outside: Vec2, k: float) -> Crossing | None:
     """Return the way over a vessel's side to a place in it, on the side that is nearer to ``outside`` and free."""
     x, y = vessel.local(inside)
-    sides = [(way * (vessel.size[0] / 2 + TAKE_OFF * k), y, 0.0) for way in (1, -1)]
-    sides += [(x, way * (vessel.size[1] / 2 + TAKE_OFF * k), 0.0) for way in (1, -1)]
+    sides: list[Vec3] = []
+    for off in (TAKE_OFF * k, FROM_QUAY * k):
+        sides += [(way * (vessel.size[0] / 2 + off), y, 0.0) for way in (1, -1)]
+        sides += [(x, way * (vessel.size[1] / 2 + off), 0.0) for way in (1, -1)]
     ways = [Crossing(vessel.world(side)[:2], inside) for side in sides]
     ways = [way for way in ways if floor.room_at(way.near) > 0.8 * BODY * k and floor.inside(way.near)]
     ways.sort(key=lambda way: math.dist(outside, way.near) + 2 * math.dist(way.near, way.far))

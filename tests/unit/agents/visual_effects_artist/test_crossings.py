@@ -6,6 +6,7 @@ import math
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
+from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import aboard, across, vessel_at
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.set_plan import PlanMark, SetPlan
@@ -105,6 +106,24 @@ def test_a_chair_is_no_vessel_and_a_boat_is() -> None:
     way = aboard(FLOOR, FLOOR.things["boat"], (4.0, 1.5), (0.0, 1.5), 1.0)
     assert way is not None
     assert way.near[0] < 4 - 0.72, "over the side one comes from"
+
+
+def test_one_comes_aboard_a_boat_that_lies_a_step_off_the_quay() -> None:
+    moored = LayoutObject(node_id="boat", asset_id="boat", location=(0, 6.21, 0), rotation=(0, 0, 90))
+    floor = Floor(Layout(scene_size=SIZE, objects=(moored,)), ASSETS, PLAN)
+    way = aboard(floor, floor.things["boat"], (0.0, 6.21), (0.0, 0.0), 1.0)
+    assert way is not None
+    assert floor.inside(way.near)
+    assert way.near[1] > 4.5
+
+
+def test_who_could_not_walk_to_a_seat_is_on_it_when_the_next_shot_begins() -> None:
+    company = Company(FLOOR, ASSETS, LAYOUT.objects)
+    pia, seat = company.people["pia"], FLOOR.seats("chair")[0]
+    pia.present, company.jumps["pia"] = True, ((2.0, 2.0), 0.0)
+    company.take_seat(pia, seat)
+    company.leave(["pia"])
+    assert pia.place == seat.edge
 
 
 def test_one_climbs_into_the_boat_sits_and_climbs_out_again() -> None:
