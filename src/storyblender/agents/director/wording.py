@@ -63,8 +63,11 @@ def modifiers_of(thing: Thing, text: str) -> str:
 
     A single word after an article belongs to the noun whatever it is; of more words only those that describe.
     """
-    phrase = re.split(r"[.;:!?()\n]", text[max(0, thing.first - 60) : thing.first])[-1]
-    words = re.findall(r"[\w'-]+", phrase.lower())
+    phrase = re.split(r"[.;:!?()\n]", text[max(0, thing.first - 60) : thing.first])[-1].lower()
+    listed = phrase.rpartition(",")
+    before = re.findall(r"[\w'-]+", listed[0])
+    phrase = phrase if before and before[-1] in _DESCRIBING | ADJECTIVES else listed[2]
+    words = re.findall(r"[\w'-]+", phrase)
     known = thing.name.lower().split()
     while words and words[-1] in known:
         words.pop()

@@ -68,3 +68,8 @@ def test_a_size_that_is_likened_to_something_known(words: str, size: str) -> Non
 
 def test_a_thing_has_the_size_it_is_likened_to() -> None:
     assert in_a_room("She picks up a diamond the size of a goat.")["diamond"].description == "110 cm tall diamond"
+
+
+def test_a_thing_in_a_list_is_not_described_by_the_one_before() -> None:
+    sheet = in_a_room("She looks at a lantern on a steel hook, stove, and a small, round table.")
+    assert (sheet["stove"].description, sheet["table"].description) == ("stove", "small round table")

@@ -85,3 +85,14 @@ def test_what_is_fixed_to_a_wall_belongs_to_the_set(read_scene: Read, action: st
 def test_a_direction_shows_the_thing_that_does_something(read_scene: Read) -> None:
     reading = read_scene("JOE (40, a man) sits. CRANE UP as the van drives away.")
     assert [thing.name for thing in reading.things] == ["van"]
+
+
+@pytest.mark.parametrize(
+    ("action", "names"),
+    [
+        ("A barn owl sleeps on the table.", {"table"}),
+        ("A red combine harvester stands beside the well.", {"combine harvester", "well"}),
+    ],
+)
+def test_a_word_before_a_noun_is_no_thing_of_its_own(read_scene: Read, action: str, names: set[str]) -> None:
+    assert {thing.name for thing in read_scene(f"JOE (40, a man) sits. {action}").things} == names

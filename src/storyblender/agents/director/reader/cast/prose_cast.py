@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.reader.cast.absent_names import is_only_told_of
 from storyblender.agents.director.reader.cast.beasts import does_something
 from storyblender.agents.director.reader.cast.households import Kinship, is_family, link_kin, link_surnames
 from storyblender.agents.director.reader.cast.kin import is_known_relative
@@ -85,6 +86,7 @@ def find_prose_cast(script: Manuscript) -> Roster:
             listed = phrase.plural and re.search(rf"\b{phrase.noun}\w*{_LISTED}", whole) is not None
             if phrase.noun not in _NOT_ROLES and not (piece or idle or listed or _only_compared(told, phrase)):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
+    names = [(at, name) for at, name in names if not is_only_told_of(name, whole)]
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         add_name(roster, at, name, whole, family)
     link_surnames(roster)

@@ -27,6 +27,8 @@ _HYPOTHETICAL = frozenset({"should", "could", "would", "cannot", "shall"})
 _NEGATIONS = frozenset({"not", "n't", "never", "nobody", "neither"})
 _LINKS = lexicon.CONJUNCTIONS | {"until", "if", "unless", "though", "although", "because", "since"}
 _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
+_KIND_NOUNS = _THING_NOUNS | lexicon.SCENERY
+"""What tells the kind of what stands behind it: a corner booth, a barn owl."""
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
 _MANNER = lexicon.words("manner")
 _BARE = lexicon.ADJECTIVES | lexicon.words("manner")
@@ -256,6 +258,7 @@ def _noun_phrase(words: list[Word], at: int) -> Phrase | None:
             owned.noun.possessor, owned.noun.determiner = None, determiner
             return replace(owned, first=at)
     leads = any(_is_thing(word) or (name and not _describes(word)) for word in words[first:end])
+    leads = leads and not (determiner and end - first == 1 and _tells_a_kind(words, first))
     if end < len(words) and words[end].mention and end - first <= 3 and (determiner or possessor == at) and not leads:
         noun = NounPhrase("person", end, words[end].mention.head, mention=words[end].mention, possessor=possessor)  # type: ignore[union-attr]
         noun.determiner = determiner
@@ -296,6 +299,12 @@ def _describes(word: Word) -> bool:
 def _is_thing(word: Word) -> bool:
     """``In the front pew MRS. VOSS``: the noun ends before the name."""
     return word.text.islower() and lexicon.noun_class(singular(word.low)) in _NO_QUALITY
+
+
+def _tells_a_kind(words: list[Word], at: int) -> bool:
+    """``a barn owl``, ``the hotel porter``: a thing before somebody who has no article of their own."""
+    somebody = words[at + 1].text.islower() if at + 1 < len(words) else False
+    return somebody and words[at].text.islower() and singular(words[at].low) in _KIND_NOUNS
 
 
 def _predicated(words: list[Word], at: int) -> bool:
@@ -346,7 +355,7 @@ def _compound(words: list[Word], first: int, head: int, noun: str) -> str:
         left in lexicon.CARRIERS
         or f"{left}-{noun}" in lexicon.COMPOUNDS
         or f"{left}_{noun}" in _GERUND_COMPOUNDS
-        or (left in _THING_NOUNS | lexicon.SCENERY and noun in _THING_NOUNS)
+        or (left in _KIND_NOUNS and noun in _THING_NOUNS)
     ):
         return f"{left} {noun}"
     return noun

@@ -167,8 +167,8 @@ def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | 
     """The old woman, two guards, his niece: a noun for people with its determiner, adjectives and number."""
     word = words[at]
     noun = singular(word.low)
-    if noun == "dog" and at and words[at - 1].low == "hot":
-        return None
+    if at and f"{words[at - 1].low}-{noun}" in lexicon.COMPOUNDS:
+        return None  # a hot dog, a combine harvester
     if not word.text.replace("-", "").isalpha() or not is_person_noun(noun) or noun in _NOT_ALONE:
         return None
     if not (word.text[0].islower() or word.text.isupper() or (at and words[at - 1].low in lexicon.DETERMINERS)):
