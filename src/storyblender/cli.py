@@ -228,7 +228,7 @@ def catalog(
             metavar="KIND", help="props, sets, garments, hair, materials, motions or looks; all if not given."
         ),
     ] = "",
-    picture: Annotated[str | None, typer.Option(help="Render a picture of this prop, garment or hair style.")] = None,
+    picture: Annotated[str | None, typer.Option(help="Render a picture of this entry.")] = None,
     out: Annotated[Path, typer.Option("--out", "-o", help="Where the picture goes.")] = Path("catalog.png"),
     json_lines: Json = False,
 ) -> None:
@@ -236,7 +236,7 @@ def catalog(
     with _terminal(quiet=False, json_lines=json_lines) as terminal:
         studio = _studio(terminal)
         if picture is not None:
-            studio.picture(picture, out)
+            studio.picture(picture, out, kind)
             terminal.files(out.parent, [out.name])
         else:
             terminal.catalog(studio.catalog(kind))

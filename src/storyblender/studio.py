@@ -13,6 +13,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from storyblender import samples
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.materials import MATERIALS
@@ -27,7 +28,6 @@ from storyblender.errors import InputError
 from storyblender.inspection import Inspection, inspect
 from storyblender.library.embedder import load_embedder
 from storyblender.look.looks import LOOKS
-from storyblender.memory.asset_sheet import Asset, CanonicalAsset, CharacterLook, Garment
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
@@ -204,17 +204,46 @@ class Studio:
             raise InputError(f"there is no catalogue {kind!r}", mend=f"it is one of {', '.join(CATALOGS)}")
         return {name: list(entries.values()) for name, entries in CATALOGS.items() if kind in ("", name)}
 
-    def picture(self, key: str, out: Path) -> None:
-        """Render a picture of a prop, or of a garment or hair style on a person.
+    def picture(self, key: str, out: Path, kind: str = "") -> None:
+        """Render a picture of an entry: a thing alone, clothes and hair on a person, the rest as a frame of a story.
+
+        Args:
+            key: Of the entry.
+            out: The PNG.
+            kind: Its catalogue; the first that has the key if not given.
 
         Raises:
-            InputError: Nothing in the library has that key.
+            InputError: No such catalogue, or nothing in it has that key.
         """
-        asset = _sample(key)
-        with TemporaryDirectory() as folder, BlenderEngine(Path(folder), jobs=1) as engine:
-            engine.portrait(AssetJob(asset=asset), "picture.png").result()
+        kinds = [name for name, entries in self.catalog(kind).items() if any(entry.key == key for entry in entries)]
+        if not kinds:
+            raise InputError(f"nothing in the library is called {key!r}", mend="see `storyblender catalog`")
+        story = samples.story_of(kinds[0], key)
+        with TemporaryDirectory() as name:
+            folder = Path(name) / "sample"
+            made = self._portrait(kinds[0], key, folder) if story is None else self._sample(story, key, folder)
             out.parent.mkdir(parents=True, exist_ok=True)
-            out.write_bytes((Path(folder) / "picture.png").read_bytes())
+            out.write_bytes(made.read_bytes())
+
+    def _portrait(self, kind: str, key: str, folder: Path) -> Path:
+        with BlenderEngine(folder, jobs=1) as engine:
+            engine.portrait(AssetJob(asset=samples.asset_of(kind, key)), "picture.png").result()
+        return folder / "picture.png"
+
+    def _sample(self, story: ContinuityMemoryGraph, key: str, folder: Path) -> Path:
+        """Draw the one shot of a sample story, in the look that it is about."""
+        from storyblender.pipeline.materializing import materialize
+        from storyblender.pipeline.staging import stage
+
+        settings = Settings.model_validate({"look": key if key in LOOKS else "fast", "jobs": 1})
+        with Studio(settings, self._listener)._open(None, folder) as run:
+            run.project.commit(story, "user", f"a sample of {key}")
+            materialize(run)
+            stage(run)
+            pack_scenes(run)
+            film(run)
+            shoot_frames(run, run.graph.shots)
+        return folder / "frames" / f"{shot_name(1, 1)}.png"
 
     @contextmanager
     def _open(self, script: Path | None, folder: Path) -> Iterator[Run]:
@@ -279,22 +308,3 @@ def _named_shots(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[Sho
             )
             raise InputError(f"there is no shot {written!r}", mend=mend)
     return [known[name] for name in wanted] if names else list(graph.shots)
-
-
-def _sample(key: str) -> Asset:
-    """Return an asset that shows one entry of the library."""
-
-    def asset(source: str, entry: str, look: CharacterLook | None = None) -> Asset:
-        canonical = CanonicalAsset.model_validate(
-            {"source": source, "key": entry, "dimensions": (1, 1, 1), "digest": ""}
-        )
-        kind = "character" if look else "object"
-        return Asset(asset_id=entry, asset_type=kind, description=entry, look=look, canonical=canonical)
-
-    if key in PROPS:
-        return asset("catalog", key)
-    if key in GARMENTS:
-        return asset("person", key, CharacterLook(garments=(Garment(key=key),)))
-    if key in HAIRSTYLES:
-        return asset("person", key, CharacterLook(hair=key))
-    raise InputError(f"nothing in the library is called {key!r}", mend="see `storyblender catalog`")
