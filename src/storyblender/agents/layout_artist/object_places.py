@@ -28,6 +28,8 @@ _LUGGAGE = 0.42
 """Metres: what people carry and is higher than this stands on the floor, not on a table."""
 _LONG_SEAT = 1.0
 """Metres: a wider seat has room for people and things."""
+_SLEEPER = 0.66
+"""Metres across that somebody who lies takes of a bed."""
 _AT_HAND = 0.6
 """Metres from somebody to what stands on the floor beside them."""
 
@@ -122,6 +124,7 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, fl
             c, s = abs(math.cos(turn)), abs(math.sin(turn))
             width, depth = thing.box.width * c + thing.box.depth * s, thing.box.width * s + thing.box.depth * c
             taken.append(Taken(u, v, thing.box.z - anchor.box.z, width, depth))
+    taken += _lain_on(stage, anchor)
     tops = tops_of(stage.measure(stage.assets[anchor.name]))
     size = size_of(stage.measure(asset_id))
     seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
@@ -135,6 +138,16 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, fl
         smaller = (size[0] * 0.85, size[1] * 0.85, size[2])
         chosen = perch(tops, smaller, wish, taken)
     return chosen
+
+
+def _lain_on(stage: Stage, anchor: Thing) -> list[Taken]:
+    """Return what somebody takes of a bed they lie on when the scene begins, or are found on later."""
+    names = (anchor.name, stage.assets[anchor.name])
+    states = (*stage.brief.states, *stage.brief.found)
+    if not any(state.posture in ("lie", "asleep") and state.support_id in names for state in states):
+        return []
+    beds = anchors_of(stage.measure(stage.assets[anchor.name]), "bed")
+    return [Taken(*bed.location, _SLEEPER, bed.size[1]) for bed in beds]
 
 
 def angles_of(kind: str, anchor: Box) -> list[float]:

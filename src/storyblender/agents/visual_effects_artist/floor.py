@@ -312,9 +312,15 @@ class Floor:
                 return thing.world((x, y, top.location[2]))
         return None
 
-    def nearest_top(self, point: Vec2, within: float) -> Thing | None:
-        """Return the nearest thing with a top to put something on; what is sat on is none where there is another."""
-        tops = [t for t in self.things.values() if _has_room_on_top(t)]
+    def nearest_top(self, point: Vec2, within: float, highest: float = TOPS[1]) -> Thing | None:
+        """Return the nearest thing with a top to put something on; what is sat on is none where there is another.
+
+        Args:
+            point: From where.
+            within: Metres.
+            highest: Metres above the floor that a hand comes to.
+        """
+        tops = [t for t in self.things.values() if _has_room_on_top(t) and self.top_of(t, point)[2] < highest]
         away = {t.node_id: math.dist(self.top_of(t, point)[:2], point) for t in tops}
         near = [t for t in tops if away[t.node_id] < within]
         return min(near, key=lambda t: (_is_seat(t), away[t.node_id]), default=None)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
-from storyblender.agents.visual_effects_artist.floor import Thing, facing
+from storyblender.agents.visual_effects_artist.floor import TOPS, Thing, facing
 from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
@@ -37,6 +37,9 @@ INWARD, HIPS = 0.2, 0.18
 FROM_SEAT, AT_MOST, AHEAD = 0.9, 1.0, 0.42
 """Metres within which who sits puts something down, and who stands; how far ahead of one's feet a thing is put on the
 floor."""
+HIGHEST, FROM_FLOOR, TOO_FAR = 1.0, 0.6, 1.25
+"""Metres: the highest top on which who sits or leans puts something down, and who is on the floor; from where on they
+get up and go to what the script names."""
 BAG, BULK, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.2, 0.06, 0.34, 0.6
 """Metres: a bag is longer, and a case thicker, a ring smaller; how far beside one a bag is put down, and how far from
 others."""
@@ -247,10 +250,11 @@ class Handling:
         spot: Vec3 | None = None
         if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
             near = 0.0 if self._is_bag(prop, BULK) else 2.5 if person.upright else FROM_SEAT
-            thing = self.company.floor.nearest_top(person.place, near)
+            highest = TOPS[1] if person.upright else HIGHEST if person.support else FROM_FLOOR
+            thing = self.company.floor.nearest_top(person.place, near, highest)
         if thing is not None:
             spot = self._spot_on(thing, person, prop)
-            if person.upright and math.dist(spot[:2], person.place) > REACH:
+            if math.dist(spot[:2], person.place) > (REACH if person.upright else TOO_FAR):
                 stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
                 if stand is not None:
                     t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
@@ -297,6 +301,7 @@ class Handling:
         along = [(each.place[0] - x) * left[0] + (each.place[1] - y) * left[1] for each in there]
         wish = sum(along[:2]) / len(along[:2])
         half = (self.company.size_of(prop) or [0.2])[-1] / 2
+        full = person is there[0] and person.free_hand() is None  # then the other hand cannot take it across
         free: list[tuple[float, Vec3]] = []
         for step in range(-24, 25):
             s = 0.05 * step
@@ -305,7 +310,8 @@ class Handling:
             )
             clear = all(abs(s - at) > HIPS * each.k + half for at, each in zip(along, there, strict=True))
             if spot is not None and clear and self._clear_of_props(spot) == spot:
-                free.append((abs(s - wish), spot))
+                across = full and (s > 0) == (person.hand_of(prop) == "R")
+                free.append((abs(s - wish) + across, spot))
         return min(free)[1] if free else None
 
     def _clear_of_props(self, spot: Vec3) -> Vec3:

@@ -410,3 +410,21 @@ def test_nobody_stands_between_a_thing_and_the_wall_it_stands_against() -> None:
     at = solved(view)
     assert at["ana"].location[1] < room.size.y - 0.6
     assert math.dist(at["ana"].location[:2], back.location[:2]) < 2.2
+
+
+def test_nothing_lies_where_somebody_lies_on_the_bed() -> None:
+    bed = measure(
+        "bed", 1.5, 2.0, 0.56, anchors=(
+            Anchor(kind="bed", location=(0, 0, 0.56), size=(1.4, 1.9)),
+            Anchor(kind="top", location=(0, 0, 0.56), size=(1.5, 2.0)),
+        ),
+    )  # fmt: skip
+    sleeper = BodyState(asset_id="ana", posture="lie", support_id="bed")
+    view = brief(["bed", "cat"], [("cat", "on", "bed")], [sleeper])
+    for states in (view.states, ()):
+        at = solved(LayoutBrief(**{**view.__dict__, "measures": MEASURES | {"bed": bed}, "states": states}))
+        x, y = (a - b for a, b in zip(at["cat"].location[:2], at["bed"].location[:2], strict=True))
+        aside = abs(
+            x * math.cos(math.radians(at["bed"].rotation[2])) + y * math.sin(math.radians(at["bed"].rotation[2]))
+        )
+        assert (aside > 0.33) == bool(states)

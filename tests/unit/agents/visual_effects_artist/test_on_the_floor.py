@@ -24,6 +24,7 @@ from storyblender.agents.visual_effects_artist.animator import AnimatorRules
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.on_the_floor import SPANS, room_for
 from storyblender.geometry.boxes import turn_between
+from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
 
@@ -100,3 +101,29 @@ def test_who_kneels_to_somebody_on_the_floor_kneels_beside_their_breast() -> Non
     assert math.dist(rick.location[:2], breast) < 0.75
     towards = math.atan2(breast[0] - rick.location[0], rick.location[1] - breast[1])
     assert abs(turn_between(math.radians(rick.yaw), towards)) < math.radians(40)
+
+
+def test_who_sits_goes_to_the_far_table_that_they_put_something_on() -> None:
+    far = BodyState(asset_id="rick", posture="sit", support_id="stool", held=("letter",))
+    stool = _thing("stool", (0.4, 0.4, 0.45))
+    layout = LAYOUT.model_copy(update={"objects": (*LAYOUT.objects, _at("stool", -3.0, -2.4))})
+    put = _do("rick", "put_down", target_id="table", prop_id="letter")
+    view = _view(_shot(1, put, states=(far,), seconds=12))
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (stool, *ASSETS), "layout": layout})).shots
+    assert _cues(shot, "rick")[:2] == ["rise", "walk"]
+    down = next(cue for cue in shot.cues if cue.clip == "put_down")
+    assert down.mark is not None
+    assert math.dist(down.mark.location[:2], _end(shot, "rick").location[:2]) < 1.0
+    assert down.mark.location[2] == pytest.approx(0.75)
+
+
+def test_who_sits_puts_nothing_on_a_bar_behind_them() -> None:
+    bar = _thing("bar", (2.4, 0.6, 1.12), Anchor(kind="top", location=(0, 0, 1.12), size=(2.4, 0.6)))
+    objects = [item for item in LAYOUT.objects if item.node_id != "table"]
+    layout = LAYOUT.model_copy(update={"objects": (*objects, _at("bar", -1.95, 1.0, 90))})
+    sits = BodyState(asset_id="rick", posture="sit", support_id="chair_l", held=("letter",))
+    view = _view(_shot(1, _do("rick", "put_down", prop_id="letter"), states=(sits,), seconds=6))
+    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (bar, *ASSETS), "layout": layout})).shots
+    down = next(cue for cue in shot.cues if cue.clip == "put_down")
+    assert down.mark is not None
+    assert down.mark.location[2] < 1.0
