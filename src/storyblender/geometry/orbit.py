@@ -75,11 +75,6 @@ class Orbit:
         return self.sensor_width / self.aspect / (2 * self.lens)
 
     @property
-    def fov(self) -> float:
-        """Vertical field of view alpha = 2 atan(h_sensor / 2f), radians."""
-        return 2 * math.atan(self.tangent)
-
-    @property
     def frame_height(self) -> float:
         """Height of the picture at the pivot, metres (eta(d) for a viewport of height 1)."""
         return 2 * self.distance * self.tangent

@@ -80,13 +80,6 @@ class View:
         y = (1 - (np.arange(self.height, dtype=np.float32) + 0.5) / self.height * 2 + self.shift[1]) * self.half_height
         return x.astype(np.float32), y.astype(np.float32)
 
-    def camera_rays(self) -> Image:
-        """Return (h, w, 3) rays through the pixel centres in camera space, scaled to depth 1 (z = -1)."""
-        x, y = self.slopes()
-        rays = np.empty((self.height, self.width, 3), np.float32)
-        rays[..., 0], rays[..., 1], rays[..., 2] = x[None, :], y[:, None], -1.0
-        return rays
-
     def rays(self) -> Image:
         """Return the rays in world space; position = eye + ray * depth."""
         x, y = self.slopes()
