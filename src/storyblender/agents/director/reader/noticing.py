@@ -23,6 +23,7 @@ _GRASP = frozenset({"hold", "grip", "go", "grasp"})
 """``takes hold of the rope``, ``lets go of it``."""
 _APART = frozenset({"of", "like", "with", "without", "by", "off", "from", "out of"})
 """They put nothing into a hand: ``a ring of hands``, ``like a fist``."""
+_DRAWING = frozenset({"draw", "sketch", "paint", "doodle", "chalk", "scrawl"})
 _NO_THING = "manner"
 """The key of a noun that names no thing: an abstract word."""
 _LIKENING = frozenset({"like", "unlike", "as", "than"})
@@ -80,6 +81,8 @@ def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhr
     if before is not None and before.kind == "preposition" and before.text in _LIKENING:
         return True
     bare = not noun.determiner and noun.possessor is None and not noun.plural
+    if bare and stage.sentence.words[noun.index].text.istitle() and lexicon.noun_class(noun.key) == "unknown":
+        return True  # somebody who is nobody here
     if before is not None and before.text == "in" and bare and lexicon.noun_class(noun.key) == "prop":
         return True
     lately = {stage.inventory.head(thing) for thing in stage.discourse.recent_things}
@@ -113,6 +116,10 @@ def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         motion: What its people do; None where they do nothing to see.
     """
     inventory = stage.inventory
+    if motion == "write" and clause.verb in _DRAWING and not any(_is_known(noun) for noun in clause.object):
+        for thing in roles.things:
+            inventory.forget(thing)
+        roles.things = []
     how = "held" if motion in lexicon.GRIPPING else "handled" if motion in lexicon.HANDLING else "met"
     for thing in roles.things if roles.subjects else ():
         determined = _is_determined(clause.object, inventory.head(thing))
@@ -131,6 +138,11 @@ def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None
     for thing in roles.subject_things:
         if inventory.class_of(thing) == "prop":
             inventory.seen(thing, "related")
+
+
+def _is_known(noun: NounPhrase) -> bool:
+    """``paints the door``: a thing that is there, while ``draws a tree`` makes none."""
+    return noun.determiner not in ("", "a", "an") or noun.possessor is not None
 
 
 def _is_determined(nouns: Sequence[NounPhrase], head: str) -> bool:

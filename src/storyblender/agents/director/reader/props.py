@@ -134,6 +134,11 @@ class Inventory:
             item.notices[how] += 1
             item.determined |= determined and how == "held"
 
+    def forget(self, id: str) -> None:
+        """A thing that was seen is no thing: it is drawn on a wall."""
+        if id in self._by_id:
+            self._by_id[id].notices["seen"] -= 1
+
     def ids(self) -> list[str]:
         """The ids of all nouns so far."""
         return list(self._by_id)
@@ -151,7 +156,7 @@ class Inventory:
         things: list[tuple[Thing, bool]] = []
         for item in sorted(self._by_id.values(), key=lambda item: (item.first, item.id)):
             handled = bool(item.notices["handled"] + item.notices["held"])
-            if not item.notices or self._is_part(item):
+            if not item.notices.total() or self._is_part(item):
                 continue
             if item.noun_class == "set_piece":
                 head = item.key.rsplit(" ", 1)[-1]

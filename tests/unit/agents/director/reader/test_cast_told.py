@@ -85,6 +85,7 @@ def test_days_of_the_week_are_nobody() -> None:
 )
 def test_a_bust_and_who_had_been_before_are_nobody(story: str) -> None:
     assert [*told(story)] == ["nora"]
+    assert not {"Caesar", "Edward"} & {thing.name.title() for thing in read_script(read(story, "prose")).things}
 
 
 def test_who_has_a_portrait_and_speaks_is_there() -> None:

@@ -39,6 +39,7 @@ def test_what_is_only_shown_is_not_there(read_scene: Read, action: str, absent: 
         ("He puts the photograph of his wife on the desk.", "desk"),
         ("On the television stands a vase and a trumpet. He takes the trumpet.", "trumpet"),
         ("On the desk stand a portrait of the king and a clock. He takes the clock.", "clock"),
+        ("He paints the door.", "door"),
         ("On the dresser stands a wedding photograph: a young man, a cow.", "wedding photograph"),
     ],
 )
@@ -65,6 +66,7 @@ def test_who_was_on_a_screen_may_come_in(read_scene: Read) -> None:
         ("He grips the tree. He pulls its trunk to the door.", "trunk"),
         ("He tosses his partner the keys.", "partner"),
         ("He presses a button on the armrest.", "armrest"),
+        ("He draws a tree on the whiteboard.", "tree"),
     ],
 )
 def test_comparisons_parts_and_people_are_no_things(read_scene: Read, action: str, name: str) -> None:
