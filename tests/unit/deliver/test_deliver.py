@@ -7,60 +7,22 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import av
 import opentimelineio as otio
 import pytest
-from PIL import Image, ImageDraw
+from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
-from storyblender.deliver import animatic, board, contact_sheet, page, shot_list, slate, timeline
+from storyblender.deliver import animatic, board, contact_sheet, page, shot_list, timeline
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import cue_of, panels, timecode
 from storyblender.deliver.speech import speeches, subtitles
 from storyblender.errors import InputError
 from storyblender.geometry import orbit
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
-from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
-from storyblender.memory.scene_context import SceneContext, SceneSetup
-from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue, ShotContext
-
-
-@pytest.fixture
-def graph() -> ContinuityMemoryGraph:
-    speech = ScriptLine(kind="dialogue", text="=Où est 李?", span=SourceSpan(start=9, end=20), speaker_name="Élodie")
-    action = ScriptLine(kind="action", text="She waits & listens.", span=SourceSpan(start=0, end=8))
-    shots = (
-        ShotOutline(shot_id=1, shot_description="She waits.", lines=(action,)),
-        ShotOutline(shot_id=2, shot_description="She asks.", lines=(speech,)),
-    )
-    outline = SceneOutline(scene_id=1, scene_description="A bar", heading="INT. BAR - NIGHT", shots=shots)
-    contexts = tuple(
-        ShotContext(
-            scene_id=1,
-            shot_id=number,
-            duration=12,
-            camera_instruction=CameraInstruction(size="MCU", movement="push in", lens=65, kind="single"),
-        )
-        for number in (1, 2)
-    )
-    return ContinuityMemoryGraph(
-        title="Žluťoučký kůň",
-        format=ProjectFormat(fps=12),
-        outline=(outline,),
-        scenes=(SceneContext(scene_id=1, setup=SceneSetup()),),
-        shots=contexts,
-    )
-
-
-@pytest.fixture
-def frames(tmp_path: Path) -> dict[str, Path]:
-    (tmp_path / "frames").mkdir()
-    paths = {name: tmp_path / "frames" / f"{name}.png" for name in ("SC010_SH010", "SC010_SH020")}
-    for index, path in enumerate(paths.values()):
-        Image.new("RGB", (160, 90), (200 * index, 60, 60)).save(path)
-    return paths
+from storyblender.memory.outline import SceneOutline, ScriptLine, SourceSpan
+from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue
 
 
 def test_panels_are_laid_end_to_end(graph: ContinuityMemoryGraph) -> None:
@@ -365,33 +327,6 @@ def test_page_shows_words_escaped_and_names_no_network(
     film = (tmp_path / "index.html").read_text("utf-8")
     assert 'poster="frames/SC010_SH010.png"' in film and "[[1.0, 2.0, &quot;Élodie: =Où est 李?&quot;]]" in film
     assert "http" not in text.replace("http-equiv", "") and text.count("<article") == 2
-
-
-def test_slate_darkens_only_the_foot_of_a_copy(
-    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
-) -> None:
-    clean = frames["SC010_SH020"]
-    slate.burn_in(clean, panels(graph)[1], tmp_path / "slate.png")
-    with Image.open(clean) as before, Image.open(tmp_path / "slate.png") as after:
-        assert before.getpixel((5, 5)) == after.getpixel((5, 5))
-        assert before.getpixel((70, 88)) != after.getpixel((70, 88))
-
-
-def test_the_words_of_a_slate_keep_apart_in_an_upright_frame(
-    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    spans: list[tuple[float, float]] = []
-    draw = ImageDraw.ImageDraw.text
-
-    def text(self: ImageDraw.ImageDraw, xy: tuple[float, float], words: str, **style: Any) -> None:
-        spans.append(self.textbbox(xy, words, font=style["font"], anchor=style["anchor"])[::2])
-        draw(self, xy, words, **style)
-
-    monkeypatch.setattr(ImageDraw.ImageDraw, "text", text)
-    Image.new("RGB", (180, 320)).save(tmp_path / "upright.png")
-    slate.burn_in(tmp_path / "upright.png", panels(graph)[1], tmp_path / "slate.png")
-    (start, name), (left, right), (time, end) = spans
-    assert 0 <= start < name < left < right < time < end <= 180
 
 
 def test_contact_sheet_holds_all(frames: dict[str, Path], tmp_path: Path) -> None:
