@@ -10,7 +10,7 @@ from storyblender.catalog.sets.arcades import piers
 from storyblender.geometry.boxes import Box
 
 _HIGH = 4.0
-"""Metres: a solid piece of the set is taken to be this high."""
+"""Metres: a solid piece of the set is taken to be this high, unless its parameter ``tall`` says otherwise."""
 _STEP = 0.3
 """Metres: an opening with a lower sill is walked through."""
 _SLIVER = 0.02
@@ -48,4 +48,4 @@ def piece_boxes(piece: Piece) -> list[Box]:
     if not piece.solid or piece.footprint is None:
         return []
     width, depth = (size * piece.scale for size in piece.footprint)
-    return [Box(*piece.location, width, depth, _HIGH, yaw)]
+    return [Box(*piece.location, width, depth, float(piece.params.get("tall", _HIGH)), yaw)]

@@ -346,7 +346,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
         painted("lamp_cool", "#e6f0ff", tags="light tube neon glow", emission=3.0),
         painted("lampshade", "#e2c690", tags="light shade parchment", emission=0.8, roughness=0.9),
         painted("flame", "#ffb347", tags="candle match", emission=6.0, gas=True),
-        painted("fire", "#ffb52e", tags="bonfire campfire blaze", emission=0.9, gas=True),
+        painted("fire", "#ffb52e", tags="bonfire campfire blaze", emission=6.0, gas=True),
         painted("ember", "#b8300c", tags="fire coal", emission=0.7),
         painted("neon_red", "#ff3040", tags="sign light", emission=4.0),
         painted("neon_blue", "#40a0ff", tags="sign light", emission=4.0),

@@ -13,6 +13,7 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
     RulesEnvironmentDesigner,
 )
 from storyblender.agents.visual_effects_artist.furniture import prop_of, prop_size
+from storyblender.agents.visual_effects_artist.light_level import metered
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingCritic,
     LightingView,
@@ -25,7 +26,7 @@ from storyblender.catalog.light_recipes import HOURS, LAMPS, WEATHERS, area_watt
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.look.illumination import light_field
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.scene_context import Environment, Light, Relation, SceneSetup, Sky
+from storyblender.memory.scene_context import Environment, Light, Lighting, Relation, SceneSetup, Sky
 from storyblender.reflection import reflect
 
 
@@ -303,6 +304,16 @@ def test_a_lamp_that_is_raised_for_a_whole_park_does_not_drown_it_in_its_halo() 
         raised = lamp.power / recipe.watts
         assert raised > 3
         assert 1.0 < lamp.glow * lamp.power / (recipe.glow * recipe.watts) < 0.6 * raised
+
+
+def test_a_camp_fire_does_not_burn_out_who_sits_at_it() -> None:
+    plan = plan_of(Environment(kit="open_ground"))
+    fire = Light(
+        name="campfire_light", kind="POINT", role="practical", location=(0.9, 1.5, 0.8), target=(0.9, 1.5, 0), power=60
+    )
+    sky = Sky(zenith=(0.01, 0.01, 0.02), horizon=(0.02, 0.03, 0.05), ground=(0.01, 0.01, 0.01))
+    lit = metered(Lighting(lights=(fire,), sky=sky, set_luminance=0.05), plan, all_lights=False)
+    assert fire.power < lit.lights[0].power < 300
 
 
 def test_what_the_script_sees_far_off_stands_in_the_set() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan
@@ -15,6 +17,10 @@ _MEAN_OVER_GEOMETRIC = 1.6
 """How much pools of light raise the mean over the geometric mean that the renderer's meter takes."""
 _LEAST_SHARE = 0.3
 """Of the wanted level that burning lamps give at least, so that they are seen to burn."""
+_AMONG_PEOPLE, _BESIDE = 1.6, 1.2
+"""Metres: lamps lower than this burn among people, and that far from them."""
+_HOTTEST = 8.0
+"""Times the wanted level that such a lamp gives to who is beside it."""
 
 
 def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool, share: float | None = None) -> Lighting:
@@ -51,12 +57,14 @@ def metered(lighting: Lighting, plan: SetPlan, *, all_lights: bool, share: float
     gain = min(own / given, 30.0)
     # Out of doors a lamp is raised for the whole place: were its halo raised as much, there would be nothing but halo.
     air = 1.0 if all_lights else max(gain, 1.0) ** -0.5
-    lights = tuple(
-        light.model_copy(update={"power": round(light.power * gain, 3), "glow": round(light.glow * air, 4)})
-        if light in scaling
-        else light
-        for light in lighting.lights
-    )
+
+    def raised(light: Light) -> Light:
+        power = light.power * gain
+        if not all_lights and light.location[2] < _AMONG_PEOPLE:  # a fire: who sits at it is near it
+            power = min(power, _HOTTEST * wanted * 4 * math.pi**2 * _BESIDE**2)
+        return light.model_copy(update={"power": round(power, 3), "glow": round(light.glow * air, 4)})
+
+    lights = tuple(raised(light) if light in scaling else light for light in lighting.lights)
     return lighting.model_copy(
         update={"lights": lights, "ambient": scaled(lighting.ambient, gain) if all_lights else lighting.ambient}
     )

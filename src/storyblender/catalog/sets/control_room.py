@@ -23,7 +23,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room = Room("control_room", params, rng, look, view="none")
     x, y, h = room.half_x, room.half_y, params.height
     for side in ("left", "right"):
-        room.door(side, -y * 0.55, width=1.3, height=2.2, style="double", name=f"{side}_door")
+        room.door(side, -y * 0.55, width=1.3, height=2.2, style="lift" if space else "double", name=f"{side}_door")
     if space:
         room.card("stars", (-2.9, y - 0.02), (2.9, y - 0.02), 0.95, 2.75)
         room.piece("viewscreen", 0.0, y, 0.95, width=5.8, height=1.8)

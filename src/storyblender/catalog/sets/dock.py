@@ -8,11 +8,14 @@ from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets.drawing import SODIUM, SetParams, rectangle
 from storyblender.catalog.sets.ground import REACH, Ground
 from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.memory.scene_context import SceneSize
 
 _WATER, _DRAUGHT = -0.05, 0.02
 """Metres: the water stands high, so that who sits in a boat is seen over the quay; a boat's boards are dry."""
-_BEAM = 1.5
+_BEAM, _LENGTH = 1.5, 4.1
 """Metres of water that a boat takes beside the quay; its side lies at the edge, a step from where people stand."""
+_FAR = 30.0
+"""Metres to where nobody goes."""
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
@@ -31,8 +34,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         dock.piece("bollard", index * 4.0 + 1.5, edge - 0.35, footprint=(0.4, 0.4))
     dock.piece("shed", -x - 4.2, -1.0, yaw=90, footprint=(8.0, 6.0), width=8.0, depth=6.0, height=4.2)
     dock.piece("moored_ship" if not old else "mast_ship", x + 6.0, edge + 9.0, _WATER, 90, length=24.0)
-    for px in (0.9, 0.9 - 0.62 * params.width):
-        dock.furnish("rowing_boat", px, edge + 0.16 + _BEAM / 2, _WATER - _DRAUGHT, 90, required=False)
+    _moor(dock, edge)
     for index, (px, py, size) in enumerate(
         ((x - 1.0, y - 0.9, 0.9), (x - 2.0, y - 0.8, 0.75), (-x + 0.9, y - 0.8, 0.8))
     ):
@@ -53,6 +55,19 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     dock.ring("skyline", 60, 15, azimuths=(86, 274), sides=8)
     dock.entrances(back=False)
     return dock.finish()
+
+
+def _moor(dock: Ground, edge: float) -> None:
+    """Moor two boats at the quay; they are part of the stage, the water between them is not."""
+    x, reach = dock.half_x, edge + 0.3 + _BEAM
+    dock.size = SceneSize(x=x, x_negative=-x, y=reach, y_negative=-dock.half_y)
+    boats = (0.9 - 1.24 * x, 0.9)
+    for px in boats:
+        dock.furnish("rowing_boat", px, edge + 0.16 + _BEAM / 2, _WATER - _DRAUGHT, 90)
+    shores = [-_FAR, *(px + side * _LENGTH / 2 for px in boats for side in (-1, 1)), _FAR]
+    for left, right in zip(shores[::2], shores[1::2], strict=True):
+        middle, length = round((left + right) / 2, 3), round(right - left, 3)
+        dock.piece("boom", middle, edge + 0.45 + _BEAM / 2, _WATER, footprint=(length, _BEAM), length=length, tall=0.3)
 
 
 KIT = SetKit(

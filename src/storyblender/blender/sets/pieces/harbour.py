@@ -23,6 +23,15 @@ def quay_edge(builder: MeshBuilder, spec: PieceSpec) -> None:
             builder.cylinder(finish("wood_dark"), (float(x), 0.06, -drop), (float(x), 0.06, 0.35), 0.09, segments=10)
 
 
+@piece("boom")
+def boom(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Lay timber afloat along x, as it keeps ships off a quay. Parameters: length."""
+    length = spec.number("length", 10)
+    for index, x in enumerate(np.arange(-length / 2 + 1.2, length / 2 - 1.0, 2.4)):
+        ends = [(float(x) + side * 1.1, 0.03 * (index % 3), 0.0) for side in (-1, 1)]
+        builder.cylinder(finish("wood_gray"), *ends, 0.11, segments=8)
+
+
 @piece("bollard")
 def bollard(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build an iron bollard with a turn of rope."""
