@@ -21,10 +21,11 @@ def is_only_told_of(name: str, told: str) -> bool:
         told: The story without what is said.
     """
     images, acting, earlier = 0, 0, 0
-    named = list(re.finditer(rf"(?:([a-z]+) )?\b{re.escape(name)}\b(?:['’]s)?(?: ([a-z]+))?", told))
+    named = list(re.finditer(rf"(?:([a-z]+) )?\b{re.escape(name)}\b(?:['’]s)?(?: ([a-z]+))?(?= ([a-z]+))?", told))
     for match in named:
         before = told[max(0, match.start() - _NEAR) : match.start() + len(match[1] or "") + 1]
         images += _IMAGE_OF.search(before) is not None
-        earlier += match[2] == "had"
-        acting += any(word and word != "had" and form_kind(word) in _DONE for word in match.groups())
+        before_then = match[2] == "had" and form_kind(match[3] or "") in ("past", "pp", "aux")
+        earlier += before_then
+        acting += not before_then and any(word and form_kind(word) in _DONE for word in match.groups()[:2])
     return bool(named) and not acting and (images > 0 or earlier == len(named))
