@@ -220,13 +220,7 @@ class Company:
         return [p.place for p in self.people.values() if p.present and p is not person]
 
     def seat_for(self, person: Person, name: str | None, beside: Person | None = None) -> SeatPlace | None:
-        """Return the free seat of a thing that is nearest, else the nearest free seat near the person.
-
-        Args:
-            person: Who sits down.
-            name: The thing to sit on.
-            beside: Next to whom; a place on the same seat as theirs goes before a nearer chair.
-        """
+        """Return the nearest free seat of a thing, of what ``beside`` sits on before that, else one near the person."""
         next_to = beside.support if beside is not None else None
         if beside is not None and next_to and (free := self.floor.free_seats(next_to, self.others(person))):
             return self._best(free, beside.place, person)
@@ -236,11 +230,15 @@ class Company:
         return self._best(free or list(near), person.place, person)
 
     def _best(self, seats: Sequence[SeatPlace], near: Vec2, person: Person) -> SeatPlace | None:
-        """Return the nearest seat on which nothing lies and before which nobody stands, else the nearest; or None."""
+        """Return the nearest seat that is free of things and people and nobody's who is found there later; or None."""
+        absent = [
+            place for name, (place, _) in self.home.items() if name in self.people and not self.people[name].present
+        ]
 
         def unfit(seat: SeatPlace) -> bool:
             crowded = any(math.dist(seat.before(person.k), other) < PERSONAL for other in self.others(person))
-            return crowded or any(seat.takes(at) and self._carriable(prop) for prop, at in self.lying.items())
+            kept = any(math.dist(seat.edge, place) < 0.3 for place in absent)
+            return crowded or kept or any(seat.takes(at) and self._carriable(prop) for prop, at in self.lying.items())
 
         return min(seats, key=lambda seat: (unfit(seat), math.dist(seat.edge, near)), default=None)
 

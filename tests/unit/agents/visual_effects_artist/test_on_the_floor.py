@@ -127,3 +127,17 @@ def test_who_sits_puts_nothing_on_a_bar_behind_them() -> None:
     down = next(cue for cue in shot.cues if cue.clip == "put_down")
     assert down.mark is not None
     assert down.mark.location[2] < 1.0
+
+
+def test_nobody_takes_the_seat_of_who_is_found_there_later() -> None:
+    objects = [item for item in LAYOUT.objects if item.node_id != "ilsa"]
+    layout = LAYOUT.model_copy(update={"objects": (*objects, _at("ilsa", -1.06, 1.0, 90))})
+    sits = BodyState(asset_id="ilsa", posture="sit")
+    shots = (
+        _shot(1, _do("rick", "sit", target_id="chair"), on_stage=("rick",), seconds=9),
+        _shot(2, states=(sits,)),
+    )
+    view = _view(*shots).model_copy(update={"layout": layout})
+    first, second = AnimatorRules().propose(view).shots
+    assert _end(first, "rick").support_id == "chair_r"
+    assert _start(second, "ilsa").support_id == "chair_l"
