@@ -33,6 +33,12 @@ def test_every_entry_has_a_builder_and_every_builder_an_entry():
     assert set(builders()) == set(PROPS)
 
 
+def test_two_in_a_boat_have_room_for_their_knees():
+    rower, stern = (anchor for anchor in build_prop("rowing_boat", seed=3).anchors if anchor.kind == "seat")
+    assert rower.direction[1] == -stern.direction[1]
+    assert 0.95 < abs(stern.location[1] - rower.location[1]) < 1.2
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("key", PROPS)
 def test_a_prop_stands_on_the_origin_with_its_anchors_on_it(key):

@@ -171,14 +171,14 @@ def rowing_boat(b: MeshBuilder, spec: PropSpec) -> Anchors:
         )
     b.polygon(hull, section(14, 0.0))
     b.polygon(inside, section(14, 0.02)[::-1])
-    for y, z in ((-0.14, 0.42), (0.12, 0.4), (0.36, 0.42)):
+    for y, z in ((-0.2, 0.42), (0.04, 0.4), (0.36, 0.42)):
         half = float(np.interp(y + 0.5, shape, beam)) * 0.93
         b.box(inside, (0, y * d, h * z), (2 * half, 0.24, 0.03), bevel=0.006)
     for x in (-1, 1):
         b.cylinder("iron", (x * w * 0.47, 0.0, h * 0.7), (x * w * 0.47, 0.0, h * 0.84), 0.012, segments=8)
         b.cylinder(oar, (x * 0.16, 0.3, h * 0.5), (x * w * 0.34, -d * 0.42, h * 0.72), 0.02, segments=8)
         b.box(oar, (x * w * 0.345, -d * 0.44, h * 0.725), (0.14, 0.5, 0.014), bevel=0.004, rotation=(0, 0, -x * 6))
-    rower = seat((0, d * 0.12 + 0.12, h * 0.42), (w * 0.7, 0.24), (0, 1, 0), "rower")
+    rower = seat((0, d * 0.04 + 0.12, h * 0.42), (w * 0.7, 0.24), (0, 1, 0), "rower")
     return (rower, seat((0, d * 0.36 - 0.12, h * 0.44), (w * 0.6, 0.24), (0, -1, 0), "stern"))
 
 
