@@ -66,9 +66,7 @@ def apply_camera_edit(run: Run, shot: ShotContext, edit: CameraEdit) -> None:
             changes |= {"lens": None}
     if edit.movement is not None:
         changes |= {"direction": edit.direction}
-    instruction = CameraInstruction.model_validate(
-        {**shot.camera_instruction.model_dump(), **changes, "explicit": True}
-    )
+    instruction = CameraInstruction.model_validate({**shot.camera_instruction.model_dump(), **changes})
     said = ", ".join(f"{key} {value}" for key, value in edit.model_dump(exclude_none=True).items())
     fresh = shot.model_copy(update={"camera_instruction": instruction, "camera": None, "lights": ()})
     run.commit("user", f"{name}: {said}", fresh)

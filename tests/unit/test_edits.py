@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any, cast
 
 import pytest
 
-from storyblender.edits import CameraEdit, redo_edit, undo_edit
+from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.history import replace
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.project import Project
 
 
@@ -73,3 +75,16 @@ def test_a_move_may_say_where_it_goes() -> None:
     assert CameraEdit.from_words({"movement": "push in"}) == CameraEdit(movement="push in")
     with pytest.raises(InputError, match="movement cannot be 'spin left'; it is one of: static"):
         CameraEdit.from_words({"movement": "spin left"})
+
+
+def test_another_lens_asks_for_nothing_else_than_the_lens() -> None:
+    class Noted:
+        fresh: ShotContext
+
+        def commit(self, _author: str, _reason: str, fresh: ShotContext) -> None:
+            self.fresh = fresh
+
+    over = CameraInstruction(kind="ots", focus_on_ids=("anna",), over_id="tom")
+    shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=over)
+    apply_camera_edit(cast(Any, run := Noted()), shot, CameraEdit(lens=50))
+    assert run.fresh.camera_instruction == over.model_copy(update={"lens": 50.0}), "the script asked for no shoulder"
