@@ -121,7 +121,8 @@ class Handling:
             spot = self._free_beside(person, prop, hand) if person.upright else None
             if spot is None:
                 continue
-            t = self.turn_to(person, spot, t)
+            across = hand == "R" and hand_towards(person.place, person.yaw, spot[:2], LEFT) == "L"
+            t = self.sheet.face(person, facing(person.place, spot[:2]), t) if across else self.turn_to(person, spot, t)
             length = natural_seconds(MOTIONS["put_down"])
             mark = _mark_of(person, prop, spot)
             t = self.sheet.cue(person, "put_down", t, length, prop_id=prop, hand=hand, mark=mark)

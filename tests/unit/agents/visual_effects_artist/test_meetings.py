@@ -7,6 +7,8 @@ import math
 import pytest
 from tests.unit.agents.visual_effects_artist.test_animator import (
     ASSETS,
+    LAYOUT,
+    PLAN,
     _cues,
     _do,
     _end,
@@ -18,6 +20,10 @@ from tests.unit.agents.visual_effects_artist.test_animator import (
 )
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, ShotStaging
+from storyblender.agents.visual_effects_artist.company import Company
+from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.meetings import PARTED
 from storyblender.memory.shot_context import BodyState, ShotContext
 
@@ -132,3 +138,13 @@ def test_of_two_who_sit_too_far_apart_the_one_who_gives_gets_up() -> None:
     (shot,) = _stage(_shot(1, _do("rick", "touch", target_id="ilsa"), states=states, seconds=12))
     assert _cues(shot, "rick")[:2] == ["rise", "walk"]
     assert _end(shot, "ilsa").posture == "sit"
+
+
+def test_who_puts_something_aside_across_themselves_turns_to_it() -> None:
+    company = Company(Floor(LAYOUT, ASSETS, PLAN), (_thing("lamp", (0.1, 0.1, 0.3)), *ASSETS), LAYOUT.objects)
+    sheet = CueSheet(company, 9.0, 24, set(), {}, ())
+    rick, ilsa = company.people["rick"], company.people["ilsa"]
+    rick.present = ilsa.present = True
+    rick.place, rick.held, ilsa.place = (0.0, -1.0), {"R": "lamp"}, (-0.55, -1.1)  # on the right of who faces -Y
+    Handling(company, sheet).put_aside(rick, ["lamp"], 0.0)
+    assert [cue.clip for cue in sheet.cues] == ["turn", "put_down"]
