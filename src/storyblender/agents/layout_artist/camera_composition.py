@@ -68,7 +68,7 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         if aside > 0:
             text = "the frame cuts the people at its sides"
             found.append(fault("squeezed", heads[0][1].node_id, 1.0 + 10 * aside, text, dolly=-2.0, ops="zoom_out"))
-    bends = brief.walks and any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
+    bends = any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
     # The air above somebody bent is where they stood.
     return found if bends else found + _headroom(brief, [subject for _, subject in heads], over)
 

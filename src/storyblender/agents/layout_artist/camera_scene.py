@@ -196,10 +196,14 @@ def camera_brief(
     for state in shot.prop_states:
         holder = middle_of(moments).figure(state.held_by) if moments and state.visible else None
         measure = measures.get(state.asset_id)
-        if holder is not None and measure is not None:
-            node = nodes.get(state.asset_id, state.asset_id)
+        if measure is None or not state.visible:
+            continue
+        node = nodes.get(state.asset_id, state.asset_id)
+        if holder is not None:
             props[node] = held_at(holder, state.hand, size_of(measure))
             carried[state.held_by or ""] = (*carried.get(state.held_by or "", ()), node)
+        elif state.location is not None:  # brought by somebody and laid down: the layout does not know it
+            props[node] = Box(*state.location, *size_of(measure), math.radians(state.rotation[2]))
     instruction, in_frame = shot.camera_instruction, shot.in_frame
     if moments:
         over = put_away(shot, middle_of(moments).frame)

@@ -160,7 +160,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if brief.in_stride and not _tight(brief):
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
-    shown = brief.upright(lead) if brief.walks and not _tight(brief) else lead
+    shown = lead if _tight(brief) else brief.upright(lead)
     if instruction.size not in framing.WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
         shown = lead
     return framing.single(film, shown, instruction.size, azimuth, elevation, lens)

@@ -204,3 +204,15 @@ def test_nobody_of_a_group_fills_the_foreground() -> None:
     near = group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
     far = group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
     assert cost(view, Take(near, near, near)) > cost(view, Take(far, far, far)) + 0.5
+
+
+def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
+    here = person("anna", 0.0, 0.0, 90)
+    bent = replace(here, face=(0.35, 0.0, here.face[2] - 0.45))
+    wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna",)}
+    moments = (Moment(0, (here,)), Moment(24, (bent,)), Moment(47, (here,)))
+    view = replace(brief(bent, in_frame=("anna",), **wish), moments=moments, plan=None)
+    camera = start(view).camera
+    for figure in (here, bent):
+        screen, _ = project(camera, [figure.crown, figure.face])
+        assert ((screen > 0) & (screen < 1)).all()

@@ -91,6 +91,10 @@ def test_props_are_where_the_shot_has_them() -> None:
     held = graph(shown, prop_states=(PropState(asset_id="cup", held_by="anna", hand="R"),))
     box = camera_brief(held, held.shots[0], PLAN, {"cup": CUP}, moments(held.shots[0])).props["cup_1"]
     assert 0.1 < box.x - ANNA.base[0] < 0.6, "before her, who looks to +X"
+    there = (PropState(asset_id="bag", location=(-2, 1, 0.7)),)
+    laid = graph({**shown, "focus_on_ids": ("bag",)}, prop_states=there)
+    brief = camera_brief(laid, laid.shots[0], PLAN, {"bag": CUP}, moments(laid.shots[0]))
+    assert [(box.x, box.z) for box in brief.things] == [(-2, 0.7)], "brought by somebody: no layout has it"
     gone = graph(shown, prop_states=(PropState(asset_id="cup", visible=False),))
     assert camera_brief(gone, gone.shots[0], PLAN, {"cup": CUP}, moments(gone.shots[0])).props == {}
 
