@@ -53,7 +53,7 @@ class Settings(Frozen):
     sensor_width: float = Field(default=36.0, ge=4, le=70)
     """mm."""
     lens_kit: tuple[Lens, ...] = ()
-    """Lenses at hand, mm; empty allows any. A shot takes the nearest."""
+    """Lenses at hand, mm; empty allows any. A shot takes the nearest, or a wider one where the room is short."""
     seed: int = Field(default=0, ge=0)
     shots_per_scene: int = Field(default=4, ge=1, le=60)
     """About how many shots a scene may have; explicit camera directions are always kept."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
@@ -20,7 +19,6 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, ViewRequest
 from storyblender.memory.shot_context import CameraState, ShotContext
-from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.pipeline.run import Run
 from storyblender.project import write_atomic
 from storyblender.trace import Event
@@ -112,16 +110,7 @@ def film_scene(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> tuple[d
         measures_of(graph.assets),
         viewfinder.moments,
         viewfinder,
-        lens_kit=lens_kit(run.settings.lens_kit),
+        kit=run.settings.lens_kit,
         listener=events.append,
     )
     return states, events
-
-
-def lens_kit(kit: tuple[float, ...]) -> dict[ShotSize, float]:
-    """Return a lens for each size from the lenses at hand; any lens where the kit is empty."""
-    if not kit:
-        return dict(LENS_OF_SIZE)
-    return {
-        size: min(kit, key=lambda lens, wish=wish: abs(math.log(lens / wish))) for size, wish in LENS_OF_SIZE.items()
-    }

@@ -76,7 +76,7 @@ class CameraBrief:
         props: Boxes of the things by node_id, as they are during the shot.
         in_frame: node_ids of the people the shot is meant to show, besides its focus.
         film: Sensor and aspect of the project.
-        lens_kit: mm by shot size.
+        kit: mm of the lenses at hand; any lens where it is empty.
         previous: The shot before.
         reverse: The latest single of the partner in this conversation.
         side: Side of the instruction's axis used so far in the scene: 1 left of the line from its first to its
@@ -96,7 +96,7 @@ class CameraBrief:
     props: Mapping[str, Box] = field(default_factory=dict)
     in_frame: tuple[str, ...] = ()
     film: Film = field(default_factory=Film)
-    lens_kit: Mapping[ShotSize, float] = field(default_factory=lambda: LENS_OF_SIZE)
+    kit: tuple[float, ...] = ()
     previous: Cut | None = None
     reverse: Cut | None = None
     side: int = 0
@@ -264,8 +264,13 @@ class CameraBrief:
 
     @property
     def lens(self) -> float:
-        """Focal length in mm: the Director's, or the kit's for the size."""
-        return self.instruction.lens or self.lens_kit[self.instruction.size]
+        """Focal length in mm: the Director's, or the one at hand that is nearest to the size's."""
+        wish = LENS_OF_SIZE[self.instruction.size]
+        return self.instruction.lens or min(self.kit, key=lambda lens: abs(math.log(lens / wish)), default=wish)
+
+    def widened(self, lens: float) -> float:
+        """Return the longest lens at hand that is not longer than this, mm; the widest if all are."""
+        return max((each for each in self.kit if each <= lens), default=min(self.kit, default=lens))
 
     def bounds(self) -> Floats:
         """Return (n, 3) points around whom the shot is meant to show and what stands by them.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import wrapped
 from storyblender.geometry.continuity import side_of_line
+from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import Orbit
 
 _SMALLEST = 0.6
@@ -51,13 +53,19 @@ def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -
     """Return the camera of a group so far from its pivot: all walks held, or the people where they are."""
     film, size = brief.film, brief.instruction.size
     place = np.asarray(camera.pivot) + camera.axes[:, 2] * reach
-    whole = framing.group_from(film, brief.stages, size, place, camera.lens, widest)
+
+    def held(figures: Sequence[Figure]) -> Orbit:
+        fit = framing.group_from(film, figures, size, place, camera.lens, widest)
+        lens = brief.instruction.lens or brief.widened(fit.lens)
+        return fit if lens == fit.lens else framing.group_from(film, figures, size, place, lens, lens)
+
+    whole = held(brief.stages)
     screen, depth = framing.project(whole, [figure.face for figure in brief.stages])
     framed = depth.min() > 0 and screen[:, 0].min() > _EDGE and screen[:, 0].max() < 1 - _EDGE
     nearest = max(framing.head_share(whole, figure) for figure in brief.people)
     if framed and nearest > _SMALLEST * framing.SCALES[size].head and _centred(brief, whole):
         return whole
-    return framing.group_from(film, brief.people, size, place, camera.lens, widest)
+    return held(brief.people)
 
 
 def _centred(brief: CameraBrief, camera: Orbit) -> bool:

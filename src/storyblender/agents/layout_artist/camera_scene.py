@@ -19,7 +19,6 @@ from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.shot_context import CameraState, Cue, ShotContext
-from storyblender.memory.vocabulary import LENS_OF_SIZE, ShotSize
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
@@ -110,7 +109,7 @@ def shoot_scene(
     moments: Moments,
     viewfinder: Viewfinder,
     *,
-    lens_kit: Mapping[ShotSize, float] = LENS_OF_SIZE,
+    kit: tuple[float, ...] = (),
     listener: Listener = silent,
 ) -> dict[int, CameraState]:
     """Return the camera of every shot of a scene by shot id; cameras that are set stay, and the others match them.
@@ -122,7 +121,7 @@ def shoot_scene(
         measures: By asset id.
         moments: Faces of a shot.
         viewfinder: The engine's eye.
-        lens_kit: mm by shot size.
+        kit: mm of the lenses at hand; any lens where it is empty.
         listener: Receives the trace.
     """
     cameras: dict[int, CameraState] = {}
@@ -133,7 +132,7 @@ def shoot_scene(
     for shot in graph.shots_of(scene_id):
         instruction = shot.camera_instruction
         axis = instruction.axis
-        brief = replace(camera_brief(graph, shot, plan, measures, moments(shot)), lens_kit=lens_kit, previous=previous)
+        brief = replace(camera_brief(graph, shot, plan, measures, moments(shot)), kit=kit, previous=previous)
         if axis is not None and brief.axis is not None:
             faces = (brief.axis[0].face, brief.axis[1].face)
             if walked_around(lines.setdefault(axis, faces), faces):

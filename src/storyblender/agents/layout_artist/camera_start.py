@@ -28,6 +28,8 @@ _SHORTEST = {"EWS": 0.22}
 _SHORT, _TALL = 0.26, 0.4
 _HELD = 0.8
 """Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
+_EYES = 50.0
+"""mm: eyes see no narrower than this, unless a longer lens is asked for."""
 _SQUATS = 0.6
 """Metres that a face is lower than upright where a picture that cuts the body would lose it."""
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
@@ -56,10 +58,10 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
             widest = "WS" if kind == "insert" or not brief.people else brief.instruction.size
             # A lens that was asked for is the lens: then the camera only walks.
             for _ in range(0 if brief.instruction.lens else _FITTINGS):
-                fit = fitted(brief.plan, camera, widest)
-                if fit.lens == camera.lens:
+                lens = brief.widened(fitted(brief.plan, camera, widest).lens)
+                if lens == camera.lens:
                     break
-                camera = _compose(brief, fit.lens, turn, rise)
+                camera = _compose(brief, lens, turn, rise)
         if kind == "establishing" or not brief.people:
             camera = walked_in(brief.plan, camera)
     if brief.instruction.angle == "dutch":
@@ -223,7 +225,8 @@ def _pov(brief: CameraBrief, lens: float) -> Orbit | None:
         target = np.mean([figure.face for figure in brief.people], axis=0)
     elif brief.things:
         target = np.mean([corners(box).mean(0) for box in brief.things], axis=0)
-    return framing.through_eyes(brief.film, eyes, target, min(lens, 50.0))
+    lens = brief.instruction.lens or (lens if lens <= _EYES else brief.widened(_EYES))
+    return framing.through_eyes(brief.film, eyes, target, lens)
 
 
 def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:

@@ -216,3 +216,19 @@ def test_who_bends_without_a_walk_keeps_the_head_before_and_after() -> None:
     for figure in (here, bent):
         screen, _ = project(camera, [figure.crown, figure.face])
         assert ((screen > 0) & (screen < 1)).all()
+
+
+@pytest.mark.parametrize(
+    "wish",
+    [
+        {"kind": "group", "size": "FS", "focus_on_ids": NAMES},
+        {"kind": "single", "size": "FS", "focus_on_ids": ("anna",)},
+        {"kind": "pov", "size": "MCU", "focus_on_ids": ("tom",), "pov_id": "anna"},
+    ],
+)
+def test_a_room_too_short_for_a_lens_takes_another_of_the_kit(wish: dict[str, object]) -> None:
+    free = replace(brief(*APART, in_frame=NAMES, **wish), kit=())
+    view = replace(free, kit=(16.0, 21.0, 40.0, 65.0))
+    lenses = [start(view, turn).camera.lens for turn in (0, 30, -70, 125, 180)]
+    assert set(lenses) <= {*view.kit} and min(lenses) < 65
+    assert {start(free, turn).camera.lens for turn in (0, 30, -70)} - {*view.kit}, "any lens where no kit is told"

@@ -28,8 +28,8 @@ def boom(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Lay timber afloat along x, as it keeps ships off a quay. Parameters: length."""
     length = spec.number("length", 10)
     for index, x in enumerate(np.arange(-length / 2 + 1.2, length / 2 - 1.0, 2.4)):
-        ends = [(float(x) + side * 1.1, 0.03 * (index % 3), 0.0) for side in (-1, 1)]
-        builder.cylinder(finish("wood_gray"), *ends, 0.11, segments=8)
+        middle, off = float(x), 0.03 * (index % 3)
+        builder.cylinder(finish("wood_gray"), (middle - 1.1, off, 0.0), (middle + 1.1, off, 0.0), 0.11, segments=8)
 
 
 @piece("bollard")
