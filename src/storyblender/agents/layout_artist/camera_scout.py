@@ -66,7 +66,7 @@ _STANDS, _TAKEN = 0.3, 0.3
 _COMPANY, _BACK = 1.7, 3.0
 """Metres from the first person within which who is seen takes part in the picture; points for such a one's back."""
 _TURNED = 2.0
-"""Points for an establishing shot that shows all of its people from behind."""
+"""Points for an establishing shot that shows all of its people from behind; who walks into a place may show a back."""
 _HEADLESS, _SEEN = 1.2, 0.04
 """Points for a body without its head, from heads of that share of the picture's height."""
 _NO_FACE = 0.6
@@ -240,7 +240,8 @@ def _people(brief: CameraBrief, take: Take) -> float:
             whole = _framed(camera, figure) and project(camera, figure.crown)[0][0, 1] > 0
             points += 0.8 * (not whole or hidden_share(camera, figure, [*others, *solid]) > _MOST)
             if instruction.kind == "establishing":
-                points += _cut_off(camera, figure) + _TURNED * _behind(camera, figure) / len(brief.in_frame)
+                points += _cut_off(camera, figure)
+                points += 0.0 if brief.in_stride else _TURNED * _behind(camera, figure) / len(brief.in_frame)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
         elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)

@@ -257,6 +257,18 @@ def test_a_place_shows_the_faces_of_those_who_talk_in_it() -> None:
     assert talk[0].turned_from(start(view).camera.position) > 150, "the audience's side shows a back"
 
 
+def test_who_walks_into_a_place_may_show_it_a_back() -> None:
+    still = [Moment(frame, (figure("anna", 0, 0, 180),)) for frame in (0, 20, 40)]
+    walk = [Moment(frame, (figure("anna", 0, y, 180),)) for frame, y in ((0, -1.5), (20, 0), (40, 1.5))]
+    wish = {"kind": "establishing", "size": "WS", "focus_on_ids": ("anna",)}
+    stands, walks = (
+        replace(brief(moments=tuple(steps), **wish), in_frame=("anna",), duration=41) for steps in (still, walk)
+    )
+    behind = start(walks)
+    assert walks.in_stride and walks.people[0].turned_from(behind.camera.position) > 150
+    assert cost(stands, behind) > cost(walks, behind) + 1
+
+
 def test_a_place_without_people_is_where_it_plays_and_not_behind_its_houses() -> None:
     row = [
         Piece(node_id=f"house_{n}", part="facade", location=(0, y, 0), yaw=yaw, solid=True, footprint=(60.0, 0.1))
