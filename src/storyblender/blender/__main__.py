@@ -9,6 +9,7 @@ import signal
 import sys
 import threading
 import time
+import traceback
 from pathlib import Path
 
 
@@ -28,9 +29,15 @@ def main() -> None:
 
     gc.freeze()
     gc.enable()
-    serve(Session(arguments.root, arguments.models).tools, sys.stdin.buffer, wire)
-    sys.stderr.flush()
-    os._exit(0)  # an interpreter that used Blender may hang on the way out
+    status = 1
+    try:
+        serve(Session(arguments.root, arguments.models).tools, sys.stdin.buffer, wire)
+        status = 0
+    finally:
+        if status:
+            traceback.print_exc()
+        sys.stderr.flush()
+        os._exit(status)  # an interpreter that used Blender may hang on the way out, for ever
 
 
 def _end_with(client: int) -> None:
