@@ -13,6 +13,7 @@ import bpy
 from storyblender.blender.appending import append
 from storyblender.blender.measure.hashing import geometry_hash
 from storyblender.blender.measure.surfaces import find_tops
+from storyblender.blender.part_file import part_file
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.drape import drape_seated
 from storyblender.blender.people.person import build_person
@@ -64,9 +65,8 @@ class AssetStore:
         # An empty file; the add-ons stay registered, which a return to factory settings would do anew for each asset.
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
         measure = self._build(job)
-        part = path.with_suffix(".json.part")
-        part.write_text(measure.model_dump_json())
-        part.replace(path)
+        with part_file(path) as part:
+            part.write_text(measure.model_dump_json())
         return measure
 
     def append_mesh(self, asset: Asset) -> bpy.types.Mesh:
@@ -106,9 +106,8 @@ class AssetStore:
             measure = self._build_person(asset, digest, collection)
         else:
             measure = self._build_object(asset, digest, collection)
-        part = self._folder / f"{digest}.part.blend"
-        bpy.data.libraries.write(str(part), {collection}, compress=True, fake_user=True)
-        part.replace(self._folder / f"{digest}.blend")
+        with part_file(self._folder / f"{digest}.blend") as part:
+            bpy.data.libraries.write(str(part), {collection}, compress=True, fake_user=True)
         return measure
 
     def _build_person(self, asset: Asset, digest: str, collection: bpy.types.Collection) -> AssetMeasure:
@@ -121,7 +120,8 @@ class AssetStore:
         for obj in (build.armature, *build.meshes):
             collection.objects.link(obj) if obj.name not in collection.objects else None
             obj.data["digest"] = digest
-        build.body.save(self._folder / f"{digest}.npz")
+        with part_file(self._folder / f"{digest}.npz") as part:
+            build.body.save(part)
         hashes = [geometry_hash(obj.data) for obj in build.meshes]
         width = float(build.body.vertices[:, 0].max() - build.body.vertices[:, 0].min())
         depth = float(build.body.vertices[:, 1].max() - build.body.vertices[:, 1].min())

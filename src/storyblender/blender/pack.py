@@ -16,6 +16,7 @@ from storyblender.blender.doors import Door, swing_doors
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
+from storyblender.blender.part_file import part_file
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
 from storyblender.blender.tags import Surface, tag
@@ -180,9 +181,8 @@ def key_hidden(obj: bpy.types.Object, shown: list[tuple[int, bool]]) -> None:
 def save_pack(path: Path) -> None:
     """Save the open file whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f"{path.stem}.part.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)
-    part.replace(path)
+    with part_file(path) as part:
+        bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)
 
 
 def _surface(obj: bpy.types.Object) -> Surface:

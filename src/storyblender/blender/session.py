@@ -19,6 +19,7 @@ from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.measure.view import WIDTH, Sighting, viewfinder
+from storyblender.blender.part_file import part_file
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
@@ -100,10 +101,8 @@ class Session:
         save_pack(self._path(job.out))
         starts = tuple(shot_starts(job.shots).items())
         reference = PackRef(scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems)
-        record = self._path(job.record)
-        part = record.with_suffix(".part")
-        part.write_text(reference.model_dump_json())
-        part.replace(record)
+        with part_file(self._path(job.record)) as part:
+            part.write_text(reference.model_dump_json())
         return reference
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:

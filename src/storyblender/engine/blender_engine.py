@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from pathlib import Path
@@ -43,6 +44,9 @@ class BlenderEngine:
         if log.exists():
             os.truncate(log, 0)  # not unlinked: a worker that is ahead has it open
         self._pool = WorkerPool(lambda: blender_worker(root, models), jobs, ahead)
+        self._running: dict[str, Future[Any]] = {}
+        """The last job for each output: nobody starts another while it runs."""
+        self._starting = threading.Lock()
 
     def __enter__(self) -> BlenderEngine:
         return self
@@ -63,7 +67,7 @@ class BlenderEngine:
 
     def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
         """Build one canonical asset and measure it."""
-        return self._pool.submit("build_asset", {"job": _plain(job)}, AssetMeasure.model_validate)
+        return self._once(job.digest, "build_asset", {"job": _plain(job)}, AssetMeasure.model_validate)
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
         """Build one scene with the motion of all its shots; a pack that is there already is only looked up."""
@@ -72,7 +76,8 @@ class BlenderEngine:
             known: Future[PackRef] = Future()
             known.set_result(PackRef.model_validate_json(record.read_bytes()))
             return known
-        return self._in_scene(job.scene.scene_id, "pack_scene", {"job": _plain(job)}, PackRef.model_validate)
+        scene_id, arguments = job.scene.scene_id, {"job": _plain(job)}
+        return self._once(job.out, "pack_scene", arguments, PackRef.model_validate, f"scene{scene_id}")
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
         """Say where everybody's face is at frames of the scene's timeline."""
@@ -94,11 +99,12 @@ class BlenderEngine:
 
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
         """Render the board frame of one shot."""
-        return self._in_scene(job.pack.scene_id, "render_frame", {"job": _plain(job)}, FrameReport.model_validate)
+        scene_id, arguments = job.pack.scene_id, {"job": _plain(job)}
+        return self._once(job.out, "render_frame", arguments, FrameReport.model_validate, f"scene{scene_id}")
 
     def render_motion(self, job: MotionJob) -> Future[int]:
         """Render the moving frames of one shot."""
-        return self._in_scene(job.pack.scene_id, "render_motion", {"job": _plain(job)}, int)
+        return self._once(job.folder, "render_motion", {"job": _plain(job)}, int, f"scene{job.pack.scene_id}")
 
     def compile_story(self, job: StoryJob) -> Future[str]:
         """Compile the story's .blend."""
@@ -111,6 +117,16 @@ class BlenderEngine:
     def portrait(self, job: AssetJob, out: str) -> Future[str]:
         """Render a small picture of one asset."""
         return self._pool.submit("portrait", {"job": _plain(job), "out": out}, str)
+
+    def _once(
+        self, output: str, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result], affinity: str = ""
+    ) -> Future[Result]:
+        """Call a tool, or wait for the call that makes the same output already: two would write one file at once."""
+        with self._starting:
+            running = self._running.get(output)
+            if running is None or running.done():
+                running = self._running[output] = self._pool.submit(tool, arguments, read, affinity=affinity)
+            return running
 
     def _in_scene(
         self, scene_id: int, tool: str, arguments: dict[str, Any], read: Callable[[Any], Result]

@@ -61,20 +61,21 @@ def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Pat
     Returns:
         Shot name to its pictures in order.
     """
-    waiting: list[tuple[str, Path, Path, Future[int] | None]] = []
+    waiting: list[tuple[str, Path]] = []
+    drawing: dict[Path, tuple[Path, Future[int]]] = {}
     for shot in shots:
         folder = f"build/motion/{_motion_job(run, shot, '').digest}"
         done = run.project.path(folder)
-        part = run.project.path(f"{folder}.part")
-        future = None
-        if not done.is_dir():
+        waiting.append((shot_name(shot.scene_id, shot.shot_id), done))
+        if not done.is_dir() and done not in drawing:
+            part = run.project.path(f"{folder}.part")
             shutil.rmtree(part, ignore_errors=True)
-            future = run.engine.render_motion(_motion_job(run, shot, f"{folder}.part"))
-        waiting.append((shot_name(shot.scene_id, shot.shot_id), done, part, future))
+            drawing[done] = part, run.engine.render_motion(_motion_job(run, shot, f"{folder}.part"))
     clips: dict[str, list[Path]] = {}
-    for step, (name, done, part, future) in enumerate(waiting):
+    for step, (name, done) in enumerate(waiting):
         run.progress("motion", step, len(waiting), name)
-        if future is not None:
+        if done in drawing:
+            part, future = drawing.pop(done)
             future.result()
             part.rename(done)
         clips[name] = sorted(done.iterdir())

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import sys
+import threading
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
 from storyblender.errors import EngineError
-from storyblender.memory.jobs import PackRef, SceneJob
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.jobs import AssetJob, PackRef, SceneJob
 from storyblender.memory.scene_context import SceneContext, SceneSetup
 
 
@@ -43,3 +46,35 @@ def test_a_pack_that_is_there_is_looked_up_without_blender(tmp_path: Path) -> No
     with BlenderEngine(tmp_path, jobs=1) as engine:
         assert engine.pack_scene(job).result(0) == reference
     assert not (tmp_path / "build" / "engine.log").exists(), "Blender was started"
+
+
+class Builder(Worker):
+    """Builds assets in any number of processes, and notes which; each waits until the gate is open."""
+
+    def __init__(self, gate: threading.Event, built: list[str]) -> None:
+        self._gate, self._built = gate, built
+
+    def call(self, tool: str, arguments: dict[str, Any]) -> Any:
+        self._built.append(arguments["job"]["asset"]["asset_id"])
+        assert self._gate.wait(30)
+        return {"asset_id": "thing", "digest": "d", "geometry_hash": "g", "dimensions": (1, 1, 1), "faces": 6}
+
+    def close(self) -> None:
+        self._gate.set()
+
+
+def revolver(asset_id: str) -> AssetJob:
+    canonical = CanonicalAsset(source="catalog", key="revolver", dimensions=(0.2, 0.05, 0.1), digest="")
+    return AssetJob(asset=Asset(asset_id=asset_id, asset_type="object", description="", canonical=canonical))
+
+
+def test_two_assets_of_one_recipe_are_built_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    gate, built = threading.Event(), list[str]()
+    monkeypatch.setattr("storyblender.engine.blender_engine.blender_worker", lambda *_: Builder(gate, built))
+    with BlenderEngine(tmp_path, jobs=2) as engine:
+        waiting = [engine.build_asset(revolver(name)) for name in ("gun", "pistol", "gun")]
+        gate.set()
+        assert len({future.result(30).digest for future in waiting}) == 1
+        assert built == ["gun"]
+        engine.build_asset(revolver("pistol")).result(30)
+        assert built == ["gun", "pistol"], "what is done may be asked for again: its file may be gone"
