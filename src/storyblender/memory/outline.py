@@ -40,6 +40,8 @@ class ShotOutline(Frozen):
     shot_id: int = Field(ge=1)
     shot_description: str
     lines: tuple[ScriptLine, ...] = ()
+    notes: tuple[str, ...] = ()
+    """Notes (``[[ ]]``) of the script that stand in this shot's lines or after them, in order, without their marks."""
 
 
 class SceneOutline(Frozen):
@@ -52,6 +54,8 @@ class SceneOutline(Frozen):
     """The scene number written in the screenplay, if any."""
     span: SourceSpan | None = None
     shots: tuple[ShotOutline, ...] = ()
+    notes: tuple[str, ...] = ()
+    """Notes (``[[ ]]``) of the script about the scene: in its heading, or before its first line."""
 
     @property
     def title(self) -> str:

@@ -14,6 +14,7 @@ from storyblender.agents.director.left_behind import left_behind
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground, lighting, walls
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
+from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.catalog.costumes import Age, age_of
@@ -37,6 +38,7 @@ class Assembly:
         self.text = reading.screenplay.text
         self.era: Age = age_of(self.text)
         self.left_behind = left_behind(reading)
+        self.notes = notes_by_scene(reading.screenplay, reading.scenes)
         self.relations: dict[int, list[Relation]] = {}
         for index, relation in reading.relations:
             self.relations.setdefault(reading.scenes[index].id, []).append(relation)
@@ -84,6 +86,8 @@ class Assembly:
         first = next((b.unit.text for d in drafts for b in d.beats if b.unit.kind == "action"), "")
         place = scene.place or scene.heading
         where = f"{capwords(place)}, {scene.time}" if place else scene.time.capitalize()
+        lines = [tuple(self._line(beat) for beat in draft.beats) for draft in drafts]
+        notes = notes_by_shot(self.notes.get(scene.id, ()), [[line.span for line in shot] for shot in lines], self.text)
         return SceneOutline(
             scene_id=scene.id,
             scene_description=f"{where}. {one_line(first)}".strip(),
@@ -92,12 +96,14 @@ class Assembly:
             span=SourceSpan(start=scene.start, end=max(scene.start, scene.end)),
             shots=tuple(
                 ShotOutline(
-                    shot_id=number,
+                    shot_id=index + 1,
                     shot_description=shot_sentence(draft, self.text, self.company.names, capwords(place)),
-                    lines=tuple(self._line(beat) for beat in draft.beats),
+                    lines=lines[index],
+                    notes=tuple(notes.get(index, ())),
                 )
-                for number, draft in enumerate(drafts, 1)
+                for index, draft in enumerate(drafts)
             ),
+            notes=tuple(notes.get(None, ())),
         )
 
     def _line(self, beat: Beat) -> ScriptLine:
