@@ -17,6 +17,7 @@ from filelock import FileLock, Timeout
 from pydantic import ValidationError
 
 from storyblender.errors import InputError, ProjectLocked
+from storyblender.folder import Folder
 from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import SCHEMA_VERSION, ContinuityMemoryGraph
 from storyblender.memory.history import Commit, apply, changes_between
@@ -41,6 +42,8 @@ class Project:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder.resolve()
+        self.files = Folder(self.folder)
+        """The only way to write and delete here."""
         try:
             self._refuse_foreign()
             self.folder.mkdir(parents=True, exist_ok=True)
