@@ -10,8 +10,10 @@ from importlib.resources import files
 from itertools import groupby
 from pathlib import Path
 from string import Template
+from types import MappingProxyType
 
 from storyblender.deliver.checklist import Check
+from storyblender.deliver.contact_sheet import sheets_beside
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.deliver.speech import subtitles
 from storyblender.memory.base import scene_name
@@ -21,7 +23,6 @@ FILES = (
     ("story.blend", "Blender file"),
     ("board.pdf", "Board (PDF)"),
     ("board_single.pdf", "One shot a page (PDF)"),
-    ("contact_sheet.jpg", "Contact sheet"),
     ("shots.csv", "Shot list"),
     ("timeline.otio", "Timeline"),
     ("animatic.mp4", "Animatic"),
@@ -29,7 +30,11 @@ FILES = (
 
 
 def write_page(
-    graph: ContinuityMemoryGraph, frames: Mapping[str, Path], out: Path, checks: Sequence[Check] = ()
+    graph: ContinuityMemoryGraph,
+    frames: Mapping[str, Path],
+    out: Path,
+    checks: Sequence[Check] = (),
+    thumbnails: Mapping[str, Path] = MappingProxyType({}),
 ) -> None:
     """Write the page.
 
@@ -38,15 +43,20 @@ def write_page(
         frames: Shot name to picture, inside the folder of ``out``.
         out: ``index.html``.
         checks: What a person should look at, in order.
+        thumbnails: Shot name to a small picture that stands for its frame until it is enlarged.
     """
     folder = out.parent
     shots = panels(graph)
     counts = Counter(check.shot for check in checks)
     film = (folder / "animatic.mp4").exists()
     scenes, headings = [], []
-    for scene in graph.outline:
-        shown = [panel for panel in shots if panel.scene is scene]
-        cards = "\n".join(_card(panel, frames.get(panel.name), folder, counts[panel.name], film) for panel in shown)
+    pictures = {
+        name: (_source(thumbnails.get(name, path), folder), _source(path, folder)) for name, path in frames.items()
+    }
+    for _, group in groupby(shots, key=lambda panel: panel.scene.scene_id):
+        shown = list(group)
+        scene = shown[0].scene
+        cards = "\n".join(_card(panel, pictures.get(panel.name), counts[panel.name], film) for panel in shown)
         headings.append((scene_name(scene.scene_id), escape(scene.numbered_title)))
         scenes.append(f'<h2 id="{headings[-1][0]}">{headings[-1][1]}</h2>\n<div class="grid">\n{cards}\n</div>')
     counted = length_of(shots)
@@ -69,6 +79,8 @@ def write_page(
 
 def _links(folder: Path, to_check: int) -> str:
     links = [(name, label) for name, label in FILES if (folder / name).exists()]
+    for number, sheet in enumerate(sheets_beside(folder / "contact_sheet.jpg"), start=1):
+        links.append((sheet.name, "Contact sheet" if number == 1 else f"Contact sheet {number}"))
     if to_check:
         links.append(("#check", f"Please check ({to_check})"))
     return "".join(f'<a href="{name}">{label}</a>' for name, label in links)
@@ -95,12 +107,12 @@ def _video(folder: Path, shots: Sequence[Panel], frames: Mapping[str, Path]) -> 
     return f'<video controls preload="metadata" src="animatic.mp4"{poster} data-subtitles="{data}"></video>'
 
 
-def _card(panel: Panel, frame: Path | None, folder: Path, to_check: int, film: bool) -> str:
-    """One shot; where there is a film, its length is the button that plays it from there."""
+def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bool) -> str:
+    """One shot with its picture, small and enlarged; where there is a film, its length plays it from there."""
     picture, length = "", f"{panel.seconds:.1f} s"
-    if frame is not None:
+    if sources is not None:
         alt = escape(panel.outline.shot_description, quote=True)
-        image = f'<img loading="lazy" src="{_source(frame, folder)}" alt="{alt}">'
+        image = f'<img loading="lazy" decoding="async" src="{sources[0]}" data-frame="{sources[1]}" alt="{alt}">'
         picture = f'<button class="picture" aria-label="Enlarge {panel.name}">{image}</button>'
     if film:
         told = f'data-start="{panel.start / panel.fps:.3f}" data-seconds="{length}" title="Play the film from here"'

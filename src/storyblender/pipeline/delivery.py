@@ -2,31 +2,25 @@
 
 from __future__ import annotations
 
-import hashlib
-import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-
-from PIL import Image
 
 from storyblender.deliver import slate
 from storyblender.deliver.animatic import write_animatic
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import Check, checklist
-from storyblender.deliver.contact_sheet import write_contact_sheet
+from storyblender.deliver.contact_sheet import write_contact_sheets
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import panels
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
 from storyblender.pipeline.compiling import Compilation
+from storyblender.pipeline.prints import make_prints
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import shots_not_in_film
-from storyblender.project import write_atomic
 from storyblender.trace import Event
 
-PRINTS = "build/prints"
 SEGMENTS = "build/film"
-JPEG_QUALITY = 88
 
 
 def frame_paths(run: Run) -> dict[str, Path]:
@@ -50,13 +44,13 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     frames = frame_paths(run)
     steps = 6
     run.progress("deliver", 0, steps, "board.pdf")
-    prints = _prints(run, _with_slates(run, frames) if run.settings.slate else frames)
-    write_board(graph, prints, folder / "board.pdf")
-    write_board(graph, prints, folder / "board_single.pdf", "single")
+    prints = make_prints(run, _with_slates(run, frames) if run.settings.slate else frames)
+    write_board(graph, prints.small, folder / "board.pdf")
+    write_board(graph, prints.large, folder / "board_single.pdf", "single")
     run.progress("deliver", 2, steps, "shots.csv")
     write_shot_list(graph, folder / "shots.csv")
     write_timeline(graph, frames, folder / "timeline.otio")
-    write_contact_sheet(prints, folder / "contact_sheet.jpg")
+    sheets = write_contact_sheets(prints.small, folder / "contact_sheet.jpg")
     run.progress("deliver", 3, steps, "animatic.mp4")
     film = folder / "animatic.mp4"
     if clips is not None and frames:
@@ -66,32 +60,13 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         run.tell(Event(kind="warning", role="animatic.mp4", message=told))
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
-    write_page(graph, frames, folder / "index.html", checks_of(run))
+    write_page(graph, frames, folder / "index.html", checks_of(run), prints.small)
     run.progress("deliver", steps, steps)
     names = [
-        "index.html", "story.blend", "frames/", "board.pdf", "board_single.pdf", "contact_sheet.jpg", "animatic.mp4",
-        "animatic.srt", "shots.csv", "timeline.otio", "graph.json",
+        "index.html", "story.blend", "frames/", "board.pdf", "board_single.pdf", *(sheet.name for sheet in sheets),
+        "animatic.mp4", "animatic.srt", "shots.csv", "timeline.otio", "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]
-
-
-def _prints(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:
-    """Return a JPEG of every picture, named by what it shows: a board of 200 stays small, and is bound quickly."""
-    prints = {name: run.project.path(f"{PRINTS}/{_digest(path)}.jpg") for name, path in frames.items()}
-    for name, path in prints.items():
-        if not path.exists():
-            buffer = io.BytesIO()
-            with Image.open(frames[name]) as image:
-                image.convert("RGB").save(buffer, "JPEG", quality=JPEG_QUALITY)
-            write_atomic(path, buffer.getvalue())
-    for path in run.project.path(PRINTS).glob("*"):
-        if path not in prints.values():
-            path.unlink()
-    return prints
-
-
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
 def checks_of(run: Run) -> list[Check]:

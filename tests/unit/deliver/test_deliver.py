@@ -329,10 +329,33 @@ def test_page_shows_words_escaped_and_names_no_network(
     assert "http" not in text.replace("http-equiv", "") and text.count("<article") == 2
 
 
-def test_contact_sheet_holds_all(frames: dict[str, Path], tmp_path: Path) -> None:
-    contact_sheet.write_contact_sheet(frames, tmp_path / "sheet.png", columns=2, width=100)
-    with Image.open(tmp_path / "sheet.png") as sheet:
-        assert sheet.width == 218
+def test_a_long_story_has_contact_sheets_of_a_height_that_a_jpeg_may_have(
+    frames: dict[str, Path], tmp_path: Path
+) -> None:
+    picture = frames["SC010_SH010"]
+    story = {f"SC010_SH{number:03d}": picture for number in range(1200)}
+    sheets = contact_sheet.write_contact_sheets(story, tmp_path / "sheet.jpg", columns=2, width=100)
+    assert [path.name for path in sheets[:2]] == ["sheet.jpg", "sheet_2.jpg"]
+    shown = 0
+    for path in sheets:
+        with Image.open(path) as sheet:
+            assert sheet.width == 218 and sheet.height <= contact_sheet.TALLEST
+            shown += sheet.height // (56 + contact_sheet.LABEL + contact_sheet.GAP) * 2
+    assert 1200 <= shown < 1202
+    assert contact_sheet.write_contact_sheets(frames, tmp_path / "sheet.jpg") == sheets[:1]
+    assert [path.name for path in tmp_path.glob("sheet*")] == ["sheet.jpg"], "those of the longer story are gone"
+
+
+def test_the_page_shows_thumbnails_until_a_picture_is_enlarged(
+    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
+) -> None:
+    small = {name: tmp_path / "thumbnails" / f"{name}.jpg" for name in frames}
+    for name in ("contact_sheet.jpg", "contact_sheet_2.jpg"):
+        (tmp_path / name).touch()
+    page.write_page(graph, frames, tmp_path / "index.html", thumbnails=small)
+    text = (tmp_path / "index.html").read_text("utf-8")
+    assert text.count('src="thumbnails/SC010_SH020.jpg" data-frame="frames/SC010_SH020.png"') == 1
+    assert 'href="contact_sheet_2.jpg"' in text and text.count('loading="lazy"') == 2
 
 
 def test_a_scene_without_heading_is_called_by_how_it_begins() -> None:
