@@ -13,6 +13,7 @@ import bpy
 
 from storyblender.blender.asset_store import AssetStore, CastMember
 from storyblender.blender.doors import Door, swing_doors
+from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
@@ -157,25 +158,6 @@ def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:
         starts[shot.shot_id] = frame
         frame += shot.duration
     return starts
-
-
-def key_hidden(obj: bpy.types.Object, shown: list[tuple[int, bool]]) -> None:
-    """Hide an object over time.
-
-    Args:
-        obj: The object.
-        shown: Frame and whether it is seen from there on; keys are written only where that changes.
-    """
-    if all(visible for _, visible in shown):
-        return
-    last: bool | None = None
-    for frame, visible in shown:
-        if visible == last:
-            continue
-        last = visible
-        obj.hide_render = obj.hide_viewport = not visible
-        for path in ("hide_render", "hide_viewport"):
-            obj.keyframe_insert(path, frame=frame)
 
 
 def save_pack(path: Path) -> None:

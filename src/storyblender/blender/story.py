@@ -14,10 +14,11 @@ import bpy
 from storyblender.blender.appending import append
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.cameras import make_camera
+from storyblender.blender.hiding import is_hidden, key_hidden
 from storyblender.blender.light import make_lights
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.opening import open_on
-from storyblender.blender.pack import key_hidden, save_pack
+from storyblender.blender.pack import save_pack
 from storyblender.blender.sets.world import set_world
 from storyblender.blender.tags import tag
 from storyblender.memory.asset_sheet import Asset
@@ -95,7 +96,9 @@ def _add_scene(job: StoryJob, pack: PackRef, context: SceneContext, shots: tuple
     for obj in scene.objects:
         away = hidden.get(str(obj.get("node_id", "")))
         if away:
-            key_hidden(obj, [(pack.start_of(shot.shot_id), shot.shot_id not in away) for shot in shots])
+            starts = [(shot.shot_id, pack.start_of(shot.shot_id)) for shot in shots]
+            shown = [(start, shot_id not in away and not is_hidden(obj, start)) for shot_id, start in starts]
+            key_hidden(obj, shown)
     scene.frame_set(1)
 
 
