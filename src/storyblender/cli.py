@@ -2,55 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
 from storyblender import __version__
-from storyblender.errors import StoryBlenderError
+from storyblender.shell import Commands, shown
 from storyblender.terminal import Terminal
 
 if TYPE_CHECKING:
     from storyblender.engine.worker import Worker
     from storyblender.studio import Studio
 
-_NEED_BLENDER = ("render", "check", "export")
-"""Commands on finished projects that Blender answers."""
-
-
-class _Commands(TyperGroup):
-    """Starts Blender before the words are even read: reading them takes a quarter of the time that it needs."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        ctx.obj = ahead = _started_for(args)
-        if ahead is not None:
-            ctx.call_on_close(ahead.close)
-        return super().parse_args(ctx, args)
-
-
-def _started_for(words: Sequence[str]) -> Worker | None:
-    """Return Blender's worker, coming up, for a command on a finished project; the first word that names one counts."""
-    from storyblender.engine.worker import blender_worker
-
-    for word in words[1:] if words and words[0] in _NEED_BLENDER else ():
-        try:
-            if Path(word, "graph.json").is_file():
-                worker = blender_worker(Path(word))
-                worker.start()
-                return worker
-        except OSError:  # the command itself will say what is wrong with the folder
-            return None
-    return None
-
-
 app = typer.Typer(
-    cls=_Commands,
-    no_args_is_help=True,
+    cls=Commands,
     rich_markup_mode="rich",
     add_completion=False,
     help="From a script to an editable 3D storyboard.\n\n"
@@ -116,7 +83,7 @@ def make(
         look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
         shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate,
     )  # fmt: skip
-    with _terminal(quiet, json_lines) as terminal:
+    with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, script, **settings)
         delivery = studio.make(script, out or _folder_of(script))
         terminal.files(delivery.folder, delivery.files)
@@ -136,7 +103,7 @@ def plan(
 ) -> None:
     """Read a script into the memory graph only: cast, scenes, shots. No Blender."""
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
-    with _terminal(quiet, json_lines) as terminal:
+    with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, script, **settings)
         delivery = studio.plan(script, out or _folder_of(script))
         terminal.plan(delivery.graph)
@@ -162,7 +129,7 @@ def render(
     camera = {"size": size, "angle": angle, "lens": lens, "movement": move}
     change = {key: value for key, value in camera.items() if value is not None}
     settings: dict[str, Any] = dict(look=look, jobs=jobs, animatic=animatic)
-    with _terminal(quiet, json_lines) as terminal:
+    with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, project=folder, ahead=context.obj, **settings)
         delivery = studio.render(folder, shot or [], change)
         terminal.files(delivery.folder, delivery.files)
@@ -171,7 +138,7 @@ def render(
 @app.command()
 def undo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
     """Take back the last change of a project. `render` then draws only what that changes."""
-    with _terminal(quiet, json_lines) as terminal:
+    with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal)
         terminal.commits("undone", studio.undo(folder))
 
@@ -179,7 +146,7 @@ def undo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None
 @app.command()
 def redo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None:
     """Make the change again that was undone last."""
-    with _terminal(quiet, json_lines) as terminal:
+    with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal)
         terminal.commits("redone", studio.redo(folder))
 
@@ -187,7 +154,7 @@ def redo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None
 @app.command()
 def check(context: typer.Context, folder: Folder, json_lines: Json = False) -> None:
     """Check a project: layout, framing, continuity, collisions, people in frame. Exits 1 if something is wrong."""
-    with _terminal(quiet=False, json_lines=json_lines) as terminal:
+    with shown(quiet=False, json_lines=json_lines) as terminal:
         studio = _studio(terminal, project=folder, ahead=context.obj)
         report = studio.check(folder)
         terminal.check(report)
@@ -203,7 +170,7 @@ def export(
     json_lines: Json = False,
 ) -> None:
     """Write the scenes as glTF or USD, or the timeline as EDL or FCPXML."""
-    with _terminal(quiet, json_lines) as terminal:
+    with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, project=folder, ahead=context.obj)
         delivery = studio.export(folder, [str(name.value) for name in to])
         terminal.files(delivery.folder, delivery.files)
@@ -215,7 +182,7 @@ def examine(json_lines: Json = False) -> None:
     from storyblender import doctor
 
     findings = doctor.examine()
-    with _terminal(quiet=False, json_lines=json_lines) as terminal:
+    with shown(quiet=False, json_lines=json_lines) as terminal:
         terminal.findings(findings)
     raise typer.Exit(0 if all(finding.healthy for finding in findings) else 1)
 
@@ -233,7 +200,7 @@ def catalog(
     json_lines: Json = False,
 ) -> None:
     """List what the built-in library can make, or render a picture of an entry."""
-    with _terminal(quiet=False, json_lines=json_lines) as terminal:
+    with shown(quiet=False, json_lines=json_lines) as terminal:
         studio = _studio(terminal)
         if picture is not None:
             studio.picture(picture, out, kind)
@@ -243,11 +210,16 @@ def catalog(
 
 
 @app.callback(invoke_without_command=True)
-def main(version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False) -> None:
+def main(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
     """Global options."""
     if version:
         typer.echo(f"storyblender {__version__}")
         raise typer.Exit
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 def _studio(
@@ -266,24 +238,3 @@ def _studio(
 
 def _folder_of(script: Path) -> Path:
     return script.parent / f"{script.stem}.storyboard"
-
-
-@contextmanager
-def _terminal(quiet: bool, json_lines: bool) -> Iterator[Terminal]:
-    """Show what happens; turn the errors we raise on purpose into one sentence and exit code 2."""
-    terminal = Terminal(quiet=quiet, json_lines=json_lines)
-    try:
-        with terminal:
-            yield terminal
-    except StoryBlenderError as error:
-        terminal.error(str(error))
-        raise typer.Exit(2) from error
-    except BrokenPipeError:  # whoever read our words has read enough
-        raise
-    except OSError as error:  # no room, no permission, no such disk: the machine's sentence, and what to do
-        where = f"{error.filename}: " if error.filename else ""
-        terminal.error(f"{where}{error.strerror or error}; mend that, then run the same command again to go on")
-        raise typer.Exit(2) from error
-    except KeyboardInterrupt as error:
-        terminal.error("stopped; run the same command again to go on")
-        raise typer.Exit(130) from error

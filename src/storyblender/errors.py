@@ -6,11 +6,7 @@ from pathlib import Path
 
 
 class StoryBlenderError(Exception):
-    """Base of every error raised on purpose. ``str(error)`` is shown to the user as it is."""
-
-
-class InputError(StoryBlenderError):
-    """What the user gave cannot be used; the CLI exits with code 2.
+    """Base of every error raised on purpose. ``str(error)`` is the sentence that the user reads.
 
     Args:
         problem: What is wrong, one clause.
@@ -25,6 +21,10 @@ class InputError(StoryBlenderError):
         where = "" if path is None else f"{path}:{line}: " if line is not None else f"{path}: "
         super().__init__(f"{where}{problem}" + (f"; {mend}" if mend else ""))
         self.problem, self.mend, self.path, self.line = problem, mend, path, line
+
+
+class InputError(StoryBlenderError):
+    """What the user gave cannot be used; the CLI exits with code 2."""
 
 
 class Rejected(StoryBlenderError):

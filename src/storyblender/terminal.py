@@ -21,6 +21,7 @@ from rich.table import Table
 if TYPE_CHECKING:
     from storyblender.catalog.registry import Entry
     from storyblender.doctor import Finding
+    from storyblender.errors import StoryBlenderError
     from storyblender.inspection import Inspection
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
@@ -176,11 +177,13 @@ class Terminal:
                 table.add_row(entry.key, escape(entry.name), escape(", ".join(entry.tags[:6])))
             self._results.print(table)
 
-    def error(self, message: str) -> None:
+    def error(self, error: StoryBlenderError) -> None:
         """Print an error to standard error; as JSON to standard output too, where a machine listens."""
         if self._json:
-            self._write({"error": message})
-        Console(stderr=True, highlight=False).print(f"[red]storyblender:[/] {escape(message)}", soft_wrap=True)
+            file = None if error.path is None else str(error.path)
+            parts = {"problem": error.problem, "file": file, "line": error.line, "mend": error.mend or None}
+            self._write({"error": str(error), **parts})
+        Console(stderr=True, highlight=False).print(f"[red]storyblender:[/] {escape(str(error))}", soft_wrap=True)
 
     def _advance(self, event: Event) -> None:
         if event.role not in self._tasks:

@@ -202,7 +202,8 @@ def test_a_disk_that_takes_no_more(number: int, script: Path, tmp_path: Path, mo
 
 def test_errors_reach_a_machine_as_json(tmp_path: Path) -> None:
     done = CliRunner().invoke(app, ["plan", str(tmp_path / "none.txt"), "--json"])
-    assert "no such file" in json.loads(done.stdout)["error"]
+    told = json.loads(done.stdout)
+    assert "no such file" in told["problem"] and told["file"] == str(tmp_path / "none.txt") and told["mend"]
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -51,3 +53,36 @@ def test_blender_comes_up_first_for_a_project_and_never_outlives_the_command(
         assert CliRunner().invoke(app, ["render", str(tmp_path), *mistake]).exit_code == 2
         assert worker.told == ["start", "close"], mistake
         worker.told.clear()
+
+
+@pytest.mark.parametrize("words", [["--help"], ["catalog"], ["plan", "nowhere.txt", "--json"]])
+def test_a_closed_pipe_is_no_error(words: list[str], tmp_path: Path) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [sys.executable, "-c", "from storyblender.cli import app; app()", *words]
+    done = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (141, "")
+
+
+@pytest.mark.parametrize(
+    ("words", "problem", "help_of"),
+    [
+        (["make"], "missing argument 'SCRIPT'", "storyblender make"),
+        (["make", "a.txt", "--nonsense"], "no such option: --nonsense", "storyblender make"),
+        (["fly"], "no such command 'fly'", "storyblender"),
+        (["export", "p", "--to", "docx"], "invalid value for '--to'", "storyblender export"),
+    ],
+)
+def test_what_is_mistyped_is_one_sentence_and_json_too(words: list[str], problem: str, help_of: str) -> None:
+    done = CliRunner().invoke(app, [*words, "--json"], prog_name="storyblender")
+    told = json.loads(done.stdout)
+    assert done.exit_code == 2 and done.stderr == f"storyblender: {told['error']}\n"
+    assert told["problem"].startswith(problem) and told["mend"] == f"see `{help_of} --help`"
+    assert told["file"] is told["line"] is None
+    assert CliRunner().invoke(app, words).stdout == ""
+
+
+def test_no_words_at_all_are_answered_with_help() -> None:
+    done = CliRunner().invoke(app, [])
+    assert done.exit_code == 0 and "Commands" in done.stdout and "make" in done.stdout

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from storyblender.errors import InputError, StoryBlenderError
 from storyblender.inspection import CheckRow, Inspection
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -58,7 +59,7 @@ def test_quiet_and_json_show_no_table(capsys: pytest.CaptureFixture[str], quiet:
 
 
 def test_errors_are_said_even_when_quiet(capsys: pytest.CaptureFixture[str]) -> None:
-    Terminal(quiet=True, json_lines=False).error("no such [b]script[/b]")
+    Terminal(quiet=True, json_lines=False).error(InputError("no such [b]script[/b]"))
     assert capsys.readouterr().err == "storyblender: no such [b]script[/b]\n"
 
 
@@ -76,9 +77,14 @@ def test_a_plan_names_people_as_the_script_does(capsys: pytest.CaptureFixture[st
 
 
 def test_an_error_is_json_too_where_a_machine_listens(capsys: pytest.CaptureFixture[str]) -> None:
-    Terminal(quiet=False, json_lines=True).error("no such script")
+    terminal = Terminal(quiet=False, json_lines=True)
+    terminal.error(InputError("cannot be read", mend="mend it", path=Path("a.toml"), line=3))
+    terminal.error(StoryBlenderError("Blender was stopped"))
     out, err = capsys.readouterr()
-    assert json.loads(out) == {"error": "no such script"} and "no such script" in err
+    whole, bare = (json.loads(line) for line in out.splitlines())
+    assert whole.pop("error") == "a.toml:3: cannot be read; mend it" and "a.toml:3: cannot" in err
+    assert whole == {"problem": "cannot be read", "file": "a.toml", "line": 3, "mend": "mend it"}
+    assert bare == {"error": (said := "Blender was stopped"), "problem": said, "file": None, "line": None, "mend": None}
 
 
 def test_a_terminal_without_the_letters_shows_their_codes(monkeypatch: pytest.MonkeyPatch) -> None:

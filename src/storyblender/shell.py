@@ -1,0 +1,124 @@
+"""What every command shares with the shell it is called from: Blender started ahead, errors in a sentence or as JSON,
+and an end without noise where whoever reads the output has read enough.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+from typer.core import TyperGroup
+from typer.exceptions import TyperException
+
+from storyblender.errors import InputError, StoryBlenderError
+from storyblender.terminal import Terminal
+
+if TYPE_CHECKING:
+    from storyblender.engine.worker import Worker
+
+CLOSED_PIPE = 141
+"""Exit code of a program whose output nobody reads any more: 128 and the number of SIGPIPE, as shells count it."""
+_NEED_BLENDER = ("render", "check", "export")
+"""Commands on finished projects that Blender answers."""
+
+
+class Commands(TyperGroup):
+    """The group of all commands.
+
+    Starts Blender before the words are even read: reading them takes a quarter of the time that it needs.
+    """
+
+    def main(
+        self,
+        args: Sequence[str] | None = None,
+        prog_name: str | None = None,
+        complete_var: str | None = None,
+        standalone_mode: bool = True,
+        windows_expand_args: bool = True,
+        **extra: Any,
+    ) -> Any:
+        """Run a command and exit; what was mistyped is refused like every other input."""
+        words = sys.argv[1:] if args is None else args
+        try:
+            code = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+            sys.stdout.flush()
+        except TyperException as error:
+            Terminal(quiet=True, json_lines="--json" in words).error(_mistyped(error))
+            sys.exit(2)
+        except (BrokenPipeError, SystemExit) as error:  # rich and typer answer a closed pipe with an exit of their own
+            if not isinstance(error, BrokenPipeError) and not isinstance(error.__context__, BrokenPipeError):
+                raise
+            _hush()
+            sys.exit(CLOSED_PIPE)
+        sys.exit(code or 0)
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Start Blender if the words ask for it, then read them."""
+        ctx.obj = ahead = _started_for(args)
+        if ahead is not None:
+            ctx.call_on_close(ahead.close)
+        return super().parse_args(ctx, args)
+
+
+@contextmanager
+def shown(quiet: bool, json_lines: bool) -> Iterator[Terminal]:
+    """Show what happens; turn the errors we raise on purpose into one sentence and exit code 2.
+
+    Args:
+        quiet: Say nothing but errors.
+        json_lines: Write events, results and errors as JSON, one a line.
+    """
+    terminal = Terminal(quiet=quiet, json_lines=json_lines)
+    try:
+        with terminal:
+            yield terminal
+    except StoryBlenderError as error:
+        terminal.error(error)
+        raise typer.Exit(2) from error
+    except BrokenPipeError:  # whoever read our words has read enough
+        raise
+    except OSError as error:  # no room, no permission, no such disk: the machine's sentence, and what to do
+        mend = "mend that, then run the same command again to go on"
+        terminal.error(InputError(error.strerror or str(error), mend=mend, path=error.filename))
+        raise typer.Exit(2) from error
+    except KeyboardInterrupt as error:
+        terminal.error(StoryBlenderError("stopped", mend="run the same command again to go on"))
+        raise typer.Exit(130) from error
+
+
+def _mistyped(error: Exception) -> InputError:
+    """Return what is wrong with a command line as an error of ours."""
+    said = error.format_message() if hasattr(error, "format_message") else str(error)  # type: ignore[attr-defined]
+    context = getattr(error, "ctx", None)
+    command = context.command_path if context is not None else "storyblender"
+    return InputError(said[:1].lower() + said[1:].rstrip("."), mend=f"see `{command} --help`")
+
+
+def _hush() -> None:
+    """Send what is left to say nowhere, so that the interpreter does not complain of the closed pipe at its end."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except OSError:
+            os.dup2(nowhere, stream.fileno())
+
+
+def _started_for(words: Sequence[str]) -> Worker | None:
+    """Return Blender's worker, coming up, for a command on a finished project; the first word that names one counts."""
+    from storyblender.engine.worker import blender_worker
+
+    for word in words[1:] if words and words[0] in _NEED_BLENDER else ():
+        try:
+            if Path(word, "graph.json").is_file():
+                worker = blender_worker(Path(word))
+                worker.start()
+                return worker
+        except OSError:  # the command itself will say what is wrong with the folder
+            return None
+    return None
