@@ -22,7 +22,7 @@ def main() -> None:
     arguments = parser.parse_args()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
-    from storyblender.blender.server import serve, take_wire
+    from storyblender.blender.server import lines_of, serve, take_wire
 
     wire = take_wire()  # before Blender is imported: it prints as it likes
     from storyblender.blender.session import Session
@@ -31,7 +31,7 @@ def main() -> None:
     gc.enable()
     status = 1
     try:
-        serve(Session(arguments.root, arguments.models).tools, sys.stdin.buffer, wire)
+        serve(Session(arguments.root, arguments.models).tools, lines_of(sys.stdin.buffer), wire)
         status = 0
     finally:
         if status:

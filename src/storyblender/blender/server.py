@@ -11,7 +11,8 @@ import json
 import os
 import sys
 import traceback
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import cached_property
 from inspect import signature
 from typing import Any, BinaryIO, get_type_hints
@@ -23,7 +24,11 @@ from storyblender import __version__
 
 PROTOCOLS = ("2024-11-05", "2025-03-26", "2025-06-18", "2025-11-25")
 """Versions of the Model Context Protocol that are spoken; to a client of any other the newest is offered."""
-METHOD_NOT_FOUND, INVALID_PARAMS, PARSE_ERROR = -32601, -32602, -32700
+PARSE_ERROR, INVALID_REQUEST, METHOD_NOT_FOUND, INVALID_PARAMS = -32700, -32600, -32601, -32602
+LONGEST = 1 << 28
+"""Bytes of the longest request that is read: the .blend of a feature asks for some ten million."""
+_QUOTED = 80
+"""Characters of a client's words in an answer."""
 
 
 class Tool:
@@ -52,10 +57,11 @@ class Tool:
         try:
             checked = self._arguments.model_validate(arguments)
             value = to_jsonable_python(self._function(**dict(checked)))
+            text = json.dumps(value, ensure_ascii=False)
         except Exception as error:  # noqa: BLE001 - carried to the client, and told in the log
-            traceback.print_exc(file=sys.stderr)
+            with suppress(OSError):  # a log on a full disk
+                traceback.print_exc(file=sys.stderr)
             return {"content": [{"type": "text", "text": str(error)}], "isError": True}
-        text = json.dumps(value, ensure_ascii=False)
         return {"content": [{"type": "text", "text": text}], "structuredContent": {"result": value}, "isError": False}
 
 
@@ -82,15 +88,34 @@ def serve(functions: Sequence[Callable[..., Any]], requests: Iterable[bytes], an
             answers.flush()
 
 
+def lines_of(stream: BinaryIO, longest: int = LONGEST) -> Iterator[bytes]:
+    """Yield the lines of a stream; an empty one in place of each that is too long to be held."""
+    while line := stream.readline(longest + 1):
+        if len(line) <= longest:
+            yield line
+            continue
+        while line and not line.endswith(b"\n"):
+            line = stream.readline(longest)
+        yield b""
+
+
 def _answer(tools: dict[str, Tool], line: bytes) -> dict[str, Any] | None:
-    """Return the answer to a message; None to a notification, which wants none."""
+    """Return the answer to a line, whatever is in it; None to a notification, which wants none."""
     try:
         message = json.loads(line)
-    except ValueError:
-        return {"id": None, "error": {"code": PARSE_ERROR, "message": "not JSON"}}
+    except (ValueError, RecursionError):
+        return _refusal(None, PARSE_ERROR, "not JSON")
+    if not isinstance(message, dict):
+        return _refusal(None, INVALID_REQUEST, "a message is an object")
     if "id" not in message:
         return None
-    method, parameters = message.get("method"), message.get("params") or {}
+    number, method, parameters = message["id"], message.get("method"), message.get("params")
+    if not isinstance(number, str | int) or isinstance(number, bool):
+        return _refusal(None, INVALID_REQUEST, "an id is a string or a whole number")
+    if parameters is None:
+        parameters = {}
+    if not isinstance(parameters, dict):
+        return _refusal(number, INVALID_PARAMS, "params are an object")
     match method:
         case "initialize":
             result = _welcome(str(parameters.get("protocolVersion")))
@@ -99,13 +124,20 @@ def _answer(tools: dict[str, Tool], line: bytes) -> dict[str, Any] | None:
         case "tools/list":
             result = {"tools": [tool.described() for tool in tools.values()]}
         case "tools/call":
-            name = parameters.get("name")
-            if name not in tools:
-                return {"id": message["id"], "error": {"code": INVALID_PARAMS, "message": f"no tool {name!r}"}}
-            result = tools[name].called(parameters.get("arguments") or {})
+            name, arguments = parameters.get("name"), parameters.get("arguments")
+            tool = tools.get(name) if isinstance(name, str) else None
+            if tool is None:
+                return _refusal(number, INVALID_PARAMS, f"no tool {repr(name)[:_QUOTED]}")
+            if arguments is not None and not isinstance(arguments, dict):
+                return _refusal(number, INVALID_PARAMS, "arguments are an object")
+            result = tool.called(arguments or {})
         case _:
-            return {"id": message["id"], "error": {"code": METHOD_NOT_FOUND, "message": f"no method {method!r}"}}
-    return {"id": message["id"], "result": result}
+            return _refusal(number, METHOD_NOT_FOUND, f"no method {repr(method)[:_QUOTED]}")
+    return {"id": number, "result": result}
+
+
+def _refusal(number: str | int | None, code: int, words: str) -> dict[str, Any]:
+    return {"id": number, "error": {"code": code, "message": words}}
 
 
 def _welcome(protocol: str) -> dict[str, Any]:

@@ -80,7 +80,15 @@ class WorkerPool:
         Raises:
             EngineError: The pool is closed.
         """
-        job = _Job(affinity, lambda worker: read(worker.call(tool, arguments)))
+
+        def work(worker: Worker) -> Result:
+            answer = worker.call(tool, arguments)
+            try:
+                return read(answer)
+            except (TypeError, ValueError) as error:
+                raise EngineError(f"{tool}: Blender's answer cannot be read ({error})") from error
+
+        job = _Job(affinity, work)
         with self._condition:
             if self._closing:
                 raise EngineError(f"{tool}: Blender was stopped")

@@ -1,13 +1,13 @@
 """One Blender process, spoken to as an MCP server over its standard input and output.
 
-A tool that fails raises EngineError; a process that dies is started again and the call is repeated, because every
-tool is a pure function of its request and of files in the project folder. The client is written out here: the SDKs
-cost two seconds of processor to import, in every command (measured); the tests hold it against one of them.
+A tool that fails raises EngineError; a process that dies, hangs or talks nonsense is started again and the call is
+repeated, because every tool is a pure function of its request and of files in the project folder. The client is written
+out here and in ``wire``: the SDKs cost two seconds of processor to import, in every command (measured); the tests hold
+it against one of them.
 """
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
 import threading
@@ -15,20 +15,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from storyblender.engine.wire import LONGEST, PROTOCOL, Lost, Refused, answer_in, request_line, value_in
 from storyblender.errors import EngineError
 
-PROTOCOL = "2025-06-18"
-"""Version of the Model Context Protocol."""
 LOG = "build/engine.log"
 """Blender's words, in the project folder."""
-
-
-class _Lost(Exception):
-    """The process is gone, or says what is no message."""
-
-
-class _Refused(Exception):
-    """The server answered with an error."""
+_PARTING = 5.0
+"""Seconds that a process which closed its output may take to end by itself."""
 
 
 class Worker:
@@ -38,7 +31,7 @@ class Worker:
         command: Starts the server; its first word is the program.
         log: Where the process's standard error goes.
         attempts: Starts per call before giving up.
-        timeout: Seconds one call may take.
+        timeout: Seconds that one attempt at a call may take, from the start of the process to the end of the answer.
     """
 
     def __init__(self, command: Sequence[str], log: Path, *, attempts: int = 3, timeout: float = 900) -> None:
@@ -70,17 +63,12 @@ class Worker:
             if self._closed:
                 raise EngineError(f"{tool}: Blender was stopped")
             try:
-                result = self._request("tools/call", {"name": tool, "arguments": arguments})
-            except _Refused as error:
+                return value_in(self._request("tools/call", {"name": tool, "arguments": arguments}))
+            except Refused as error:
                 raise EngineError(f"{tool}: {error}") from error
-            except (_Lost, OSError) as error:
+            except (Lost, OSError) as error:
                 trouble = error
                 self._end()
-                continue
-            if result.get("isError"):
-                raise EngineError(f"{tool}: {' '.join(part.get('text', '') for part in result['content'])}")
-            content = result.get("structuredContent") or {}
-            return content["result"] if set(content) == {"result"} else content
         raise EngineError(f"{tool}: Blender died {self._attempts} times ({trouble})")
 
     def close(self) -> None:
@@ -95,41 +83,47 @@ class Worker:
             process.wait()
 
     def _request(self, method: str, parameters: dict[str, Any]) -> dict[str, Any]:
+        """Greet the server if nobody has, send a request and return the answer; all of it within the timeout."""
         self.start()
-        if not self._greeted:
-            client = {"name": "storyblender", "version": "1"}
-            self._exchange("initialize", {"protocolVersion": PROTOCOL, "capabilities": {}, "clientInfo": client})
-            self._send({"method": "notifications/initialized"})
-            self._greeted = True
-        return self._exchange(method, parameters)
+        process, late = self._process, threading.Event()
+        if process is None:
+            raise Lost("stopped")
 
-    def _exchange(self, method: str, parameters: dict[str, Any]) -> dict[str, Any]:
-        """Send a request and wait for its answer; whatever else the server says meanwhile is passed over."""
-        process = self._process
-        if process is None or process.stdout is None:
-            raise _Lost("stopped")
-        self._sent += 1
-        self._send({"id": self._sent, "method": method, "params": parameters})
-        alarm = threading.Timer(self._timeout, process.kill)
+        def stop() -> None:
+            late.set()
+            process.kill()  # whoever waits for it, to read or to write, meets the end of the pipe
+
+        alarm = threading.Timer(self._timeout, stop)
         alarm.daemon = True
         alarm.start()
         try:
-            while line := process.stdout.readline():
-                message = _read(line)
-                if message.get("id") == self._sent and "method" not in message:
-                    if "error" in message:
-                        raise _Refused(message["error"].get("message", "refused"))
-                    return message["result"]
+            if not self._greeted:
+                client = {"name": "storyblender", "version": "1"}
+                greeting = {"protocolVersion": PROTOCOL, "capabilities": {}, "clientInfo": client}
+                self._exchange(process, "initialize", greeting)
+                _send(process, {"method": "notifications/initialized"})
+                self._greeted = True
+            return self._exchange(process, method, parameters)
+        except (Lost, OSError) as error:
+            if late.is_set():
+                raise Lost(f"no answer within {self._timeout:g} s") from error
+            raise
         finally:
             alarm.cancel()
-        raise _Lost(f"exit {process.wait()}")
 
-    def _send(self, message: dict[str, Any]) -> None:
-        process = self._process
-        if process is None or process.stdin is None:
-            raise _Lost("stopped")
-        process.stdin.write(json.dumps({"jsonrpc": "2.0", **message}).encode() + b"\n")
-        process.stdin.flush()
+    def _exchange(self, process: subprocess.Popen[bytes], method: str, parameters: dict[str, Any]) -> dict[str, Any]:
+        """Send a request and wait for its answer; whatever else the server says meanwhile is passed over."""
+        assert process.stdout is not None, "started with pipes"
+        self._sent += 1
+        _send(process, {"id": self._sent, "method": method, "params": parameters})
+        while line := process.stdout.readline(LONGEST + 1):
+            result = answer_in(line, self._sent)
+            if result is not None:
+                return result
+        try:
+            raise Lost(f"exit {process.wait(_PARTING)}")
+        except subprocess.TimeoutExpired as error:
+            raise Lost("it closed its output") from error
 
 
 def blender_worker(root: Path, models: Path | None = None) -> Worker:
@@ -144,8 +138,7 @@ def blender_worker(root: Path, models: Path | None = None) -> Worker:
     return Worker(command if models is None else [*command, "--models", str(models)], root / LOG)
 
 
-def _read(line: bytes) -> dict[str, Any]:
-    try:
-        return json.loads(line)
-    except ValueError as error:
-        raise _Lost(f"no message: {line[:80]!r}") from error
+def _send(process: subprocess.Popen[bytes], message: dict[str, Any]) -> None:
+    assert process.stdin is not None, "started with pipes"
+    process.stdin.write(request_line(message))
+    process.stdin.flush()
