@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.camera_scene import story_moment
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
-from storyblender.deliver.checklist import names_of, picture_flaws, plain
+from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line, walked_around
 from storyblender.geometry.framing import Figure, Film
@@ -20,13 +20,15 @@ from storyblender.memory.base import Frozen, Vec3, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, Collision, ViewRequest
-from storyblender.memory.shot_context import CameraPose, ShotContext
+from storyblender.memory.shot_context import CameraPose, Flaw, ShotContext
 
 HIDDEN = 0.30
 SEEN = 0.0004
 """Share of the frame from which a person counts as seen: a figure in the distance."""
 WIDE = ("EWS", "WS", "FS")
 """Sizes in which people who are on stage may be seen without being what the shot is about."""
+REACH = STAGING["unreachable"][0]
+"""Metres that a hand may stay from its target; the page tells a person the same ones."""
 OCCM_EPSILON = 1e-6
 CUTS = ("jump", "eyeline")
 """Words of the camera's critic for cuts: the 30-degree rule, and two who look past each other."""
@@ -91,6 +93,7 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
         _line_row(graph, sights, findings),
         _cut_row(graph, findings),
         _collision_row(collisions, findings),
+        _reach_row(packs, findings),
         _staging_row(packs, findings),
     ]
     names = names_of(graph)
@@ -247,8 +250,21 @@ def _collision_row(collisions: list[Collision], findings: list[str]) -> CheckRow
     return CheckRow(name="people through furniture", value=str(len(collisions)), ok=not collisions)
 
 
+def _reach_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
+    """Hands that end further than ``REACH`` from what they were sent to, and people who cannot get near it."""
+    misses = [problem for pack in packs for problem in pack.problems if _misses(problem)]
+    findings += [f"{miss.shot}: {miss.message}" for miss in misses]
+    worst = max((miss.weight for miss in misses), default=0.0)
+    told = f" (up to {worst:.2f} m)" if misses else ""
+    return CheckRow(name="hands off their target", value=f"{len(misses)}{told}", ok=not misses)
+
+
+def _misses(problem: Flaw) -> bool:
+    return problem.kind == "unreachable" and problem.weight > REACH
+
+
 def _staging_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
-    problems = [problem for pack in packs for problem in pack.problems]
+    problems = [problem for pack in packs for problem in pack.problems if not _misses(problem)]
     findings += [f"{problem.shot}: {problem.message}" for problem in problems]
     return CheckRow(name="staging problems", value=str(len(problems)), ok=True)
 

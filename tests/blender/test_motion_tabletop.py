@@ -144,3 +144,12 @@ def test_a_ring_goes_on_a_finger_of_the_other_hand_and_stays_there(bodies: dict[
     assert (meeting - play.joint("hand.L", 36)).length < 0.38 and meeting.z > 1.05, "before the chest"
     last = len(path) - 1
     assert (Vector(path[last].tolist()) - play.joint("hand.R", last)).length < 0.15
+
+
+def test_a_hand_that_does_not_reach_is_told_by_how_much_and_from_what(bodies: dict[str, Body]) -> None:
+    furniture = {"chair": chair_at(0, 0.24), "table": table_at(0, -1.2)}
+    cup = {"cup": StageProp(world_at(0.1, -1.4, 0.75), (0.08, 0.08, 0.1))}
+    shot = perform(bodies, (SEATED,), (cue_of("man", "pick_up", 4, prop_id="cup"),), 4, furniture=furniture, props=cup)
+    (miss,) = (problem for problem in shot.problems if problem.kind == "unreachable")
+    assert miss.message == f"man's hand misses cup by {miss.amount:.2f} m"
+    assert 0.3 < miss.amount < 1.5

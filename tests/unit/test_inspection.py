@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import cast
+from concurrent.futures import Future
+from typing import TypeVar, cast
 
 from storyblender.engine.blender_engine import BlenderEngine
-from storyblender.inspection import Inspection, inspect
+from storyblender.inspection import REACH, Inspection, inspect
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import PackRef
 from storyblender.memory.scene_context import (
     Environment,
     Layout,
@@ -18,6 +20,7 @@ from storyblender.memory.scene_context import (
 )
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw, ShotContext
 
+T = TypeVar("T")
 POSE = CameraPose(pivot=(0, 0, 0), rotation=(1, 0, 0, 0), distance=2, lens=35)
 DESK = CanonicalAsset(source="catalog", key="desk", dimensions=(1.6, 0.8, 0.76), digest="d", geometry_hash="g")
 
@@ -46,6 +49,32 @@ def report(*flaws: Flaw, second: tuple[float, float, float] = (2, 0, 0)) -> Insp
     return inspect(graph, cast(BlenderEngine, None), [])
 
 
+def staged(*problems: Flaw) -> Inspection:
+    """Inspect a story of nothing but a pack with these problems."""
+    pack = PackRef(scene_id=1, path="build/scenes/SC010-0.blend", starts=((1, 1),), problems=problems)
+    return inspect(ContinuityMemoryGraph(), cast(BlenderEngine, Blind()), [pack])
+
+
+class Blind:
+    """An engine that sees nothing wrong."""
+
+    def look(self, *_: object) -> Future[list[object]]:
+        return self._answer([])
+
+    read_figures = look
+
+    def find_collisions(self, pack: PackRef) -> Future[list[object]]:
+        return self._answer([])
+
+    def measure_drift(self, pack: PackRef) -> Future[float]:
+        return self._answer(0.0)
+
+    def _answer(self, value: T) -> Future[T]:
+        future: Future[T] = Future()
+        future.set_result(value)
+        return future
+
+
 def value(inspection: Inspection, name: str) -> tuple[str, bool]:
     return next((row.value, row.ok) for row in inspection.rows if row.name == name)
 
@@ -64,3 +93,15 @@ def test_framing_and_cuts_are_told_where_a_director_would_mind() -> None:
     assert value(report(*minded), "jump cuts and eyelines") == ("0", True)
     apart = report(Flaw(kind="eyeline", weight=1.5, message="both look left"))
     assert (value(apart, "jump cuts and eyelines"), value(apart, "framing")) == (("1", False), ("0", True))
+
+
+def test_a_hand_that_misses_by_half_a_metre_is_not_ok() -> None:
+    def miss(metres: float) -> Flaw:
+        message = f"ada's hand misses cup by {metres:.2f} m"
+        return Flaw(kind="unreachable", subject="ada", weight=metres, message=message, shot="SC010_SH030")
+
+    near, far = staged(miss(REACH - 0.01)), staged(miss(REACH - 0.01), miss(0.5))
+    assert value(near, "hands off their target") == ("0", True)
+    assert (value(far, "hands off their target"), far.clean) == (("1 (up to 0.50 m)", False), False)
+    assert "SC010_SH030: ada's hand misses cup by 0.50 m" in far.findings
+    assert len(far.findings) == 2, "each is told once"

@@ -162,9 +162,16 @@ def _record(stage: Stage, frames: np.ndarray, ends: dict[str, float]) -> Perform
             _, who, side, beat = contacts.pop(0)
             missed = who.missed[side]
             if missed > MISSED:
-                stage.report("unreachable", who, beat, f"{who.asset_id}'s hand misses by {missed:.2f} m", missed)
+                told = f"{who.asset_id}'s hand misses{_target_of(beat)} by {missed:.2f} m"
+                stage.report("unreachable", who, beat, told, missed)
     tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
     return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps)
+
+
+def _target_of(beat: Beat) -> str:
+    """Return what a hand was sent to, with a space before it; nothing where the cue names none."""
+    target = beat.prop or beat.target
+    return f" {target.asset_id}" if target is not None and target.asset_id else ""
 
 
 class _Rows:
