@@ -62,6 +62,8 @@ class Settings(Frozen):
     on_twos: bool = True
     slate: bool = False
     """Burn the shot's name, lens and timecode into the frames."""
+    start_timecode: str = Field(default="01:00:00:00", pattern=r"^([01]\d|2[0-3]):[0-5]\d:[0-5]\d:\d\d$")
+    """Timecode of the first frame, ``HH:MM:SS:FF``, in the timeline, the shot list and on slates."""
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Path | None = None

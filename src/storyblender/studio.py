@@ -181,14 +181,15 @@ class Studio:
             InputError: The project has no story.blend yet, or an adapter is missing.
         """
         from storyblender.deliver.timeline import EXTRA_FORMATS, write_extra
-        from storyblender.pipeline.delivery import frame_paths
+        from storyblender.pipeline.delivery import clip_paths, frame_paths
 
         read_project_graph(folder)
         with self._open(None, folder) as run:
             files: list[str] = []
             for kind in kinds:
                 if kind in EXTRA_FORMATS:
-                    path = write_extra(run.graph, frame_paths(run), run.project.path("timeline.otio"), kind)
+                    out, start = run.project.path("timeline.otio"), self._settings.start_timecode
+                    path = write_extra(run.graph, frame_paths(run), clip_paths(run), out, kind, start)
                     files.append(path.name)
                 else:
                     files += self._export_scenes(run, kind)
@@ -264,7 +265,7 @@ class Studio:
         story = Compilation(run)
         from storyblender.pipeline.delivery import deliver
 
-        clips = shoot_motion(run, shots) if self._settings.animatic else None
+        clips = shoot_motion(run, run.graph.shots) if self._settings.animatic else None
         if len(shots) == len(run.graph.shots):
             prune(run, run.graph.shots)
         return Delivery(run.project.folder, deliver(run, clips, story), run.graph)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -24,6 +25,8 @@ Format: Layer, Start, End, Style, Name, MarginL, MarginR, MarginV, Effect, Text
 """
 """White words at the foot of the picture, in the one language that the encoder reads styles in."""
 _MILLISECOND = Fraction(1, 1000)
+_MARKUP = re.compile(r"[<&\\]")
+_BRACES = str.maketrans("{}", "｛｝")
 
 
 def write_animatic(
@@ -33,7 +36,7 @@ def write_animatic(
     out: Path,
     kept: Path,
     processes: int = 1,
-) -> None:
+) -> dict[str, Path]:
     """Write the film with a subtitle track that a player can switch off and, beside it, the same as ``.srt``.
 
     Args:
@@ -43,6 +46,9 @@ def write_animatic(
         out: The ``.mp4``.
         kept: A folder of its own for the encoded shots; the next film encodes only those that changed.
         processes: How many shots are encoded at a time.
+
+    Returns:
+        Shot name to the shot by itself, a film without words in ``kept``.
     """
     shots, size = panels(graph), _size(clips, stills)
     pieces = [
@@ -57,14 +63,24 @@ def write_animatic(
         join([(path, piece.length) for path, piece in zip(paths, pieces, strict=True)], graph.format.fps, film, track)
     part.replace(out)
     out.with_suffix(".srt").write_text(subrip(shots), encoding="utf-8")
+    return {panel.name: path for panel, path in zip(shots, paths, strict=True)}
 
 
 def subrip(shots: Sequence[Panel]) -> str:
-    """Return the dialogue as SubRip text."""
+    """Return the dialogue as SubRip text; what players would take for markup in it is shown as it is written."""
     return "\n".join(
-        f"{number}\n{_srt_time(piece.start)} --> {_srt_time(piece.end)}\n{piece.text}\n"
+        f"{number}\n{_srt_time(piece.start)} --> {_srt_time(piece.end)}\n{_unmarked(piece.text)}\n"
         for number, piece in enumerate(subtitles(shots), start=1)
     )
+
+
+def _unmarked(text: str) -> str:
+    """Return words for SubRip, which has no way to escape its markup.
+
+    A joiner, which nobody sees, keeps ``<i>`` and ``&lt;`` from being read as codes. Players hide all that stands in
+    braces, whatever it is, so braces become those of full width.
+    """
+    return _MARKUP.sub("\\g<0>\u2060", text).translate(_BRACES)
 
 
 def _add_subtitles(container: OutputContainer, pieces: Sequence[Subtitle]) -> None:

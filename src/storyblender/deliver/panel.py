@@ -196,9 +196,15 @@ def _goes_on(line: ScriptLine) -> bool:
 
 
 def timecode(frame: int, fps: int) -> str:
-    """Return ``HH:MM:SS:FF``."""
+    """Return a frame as ``HH:MM:SS:FF``; after 24 hours a clock begins again."""
     seconds, frames = divmod(frame, fps)
-    return f"{seconds // 3600:02d}:{seconds // 60 % 60:02d}:{seconds % 60:02d}:{frames:02d}"
+    return f"{seconds // 3600 % 24:02d}:{seconds // 60 % 60:02d}:{seconds % 60:02d}:{frames:02d}"
+
+
+def frame_of(time: str, fps: int) -> int:
+    """Return the frame that a timecode ``HH:MM:SS:FF`` counts."""
+    hours, minutes, seconds, frames = map(int, time.split(":"))
+    return ((hours * 60 + minutes) * 60 + seconds) * fps + frames
 
 
 def cue_of(line: ScriptLine) -> str:

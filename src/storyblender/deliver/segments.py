@@ -13,11 +13,15 @@ from pathlib import Path
 import av
 from av.container import OutputContainer
 from av.video.frame import PictureType
-from av.video.reformatter import ColorRange
+from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc, Interpolation
 from av.video.stream import VideoStream
 
 _CODEC = {"crf": "20", "preset": "veryfast", "threads": "1"}
 """One thread an encoder: its result is the same on every machine; segments are encoded side by side."""
+_COLORS = (ColorPrimaries.BT709, ColorTrc.BT709, Colorspace.ITU709, ColorRange.MPEG)
+"""What the numbers of a picture mean, written into the file: without it every player guesses, and not all alike."""
+_SCALING = Interpolation.BILINEAR | Interpolation.ACCURATE_RND | Interpolation.BITEXACT
+"""Exact rounding: the quick one makes every picture darker by a step or two."""
 _SEEK = 4
 """Seconds at most between pictures that a player can jump to; every cut is one."""
 
@@ -41,7 +45,7 @@ class Segment:
     @property
     def digest(self) -> str:
         """Names what it shows: equal digests, equal segments."""
-        settings = (av.__version__, sorted(_CODEC.items()), _SEEK, self.length, self.size, self.fps)
+        settings = (av.__version__, sorted(_CODEC.items()), _COLORS, _SCALING, _SEEK, self.length, self.size, self.fps)
         content = hashlib.sha256(repr(settings).encode())
         for path in self.pictures:
             content.update(hashlib.sha256(path.read_bytes()).digest())
@@ -102,6 +106,8 @@ def _encode(segment: Segment, path: Path) -> None:
         stream.pix_fmt = "yuv420p"
         stream.options = {**_CODEC, "g": str(_SEEK * segment.fps)}
         stream.time_base = rate = Fraction(1, segment.fps)
+        codec = stream.codec_context
+        codec.color_primaries, codec.color_trc, codec.colorspace, codec.color_range = _COLORS
         shown, frame = b"", None
         for index in range(segment.length):
             content = segment.pictures[index * len(segment.pictures) // segment.length].read_bytes()
@@ -114,10 +120,19 @@ def _encode(segment: Segment, path: Path) -> None:
 
 
 def _frame(content: bytes, size: tuple[int, int]) -> av.VideoFrame:
-    """Return a picture as the codec wants it; JPEGs stay what they are within, which halves the cost."""
+    """Return a picture as the codec wants it, in the colours that the film says it has."""
     with av.open(BytesIO(content), "r") as image:
         picture = next(image.decode(video=0))
-    full, film = ColorRange.JPEG, ColorRange.MPEG
-    frame = picture.reformat(*size, format="yuv420p", src_color_range=full, dst_color_range=film)
+    primaries, transfer, matrix, limited = _COLORS
+    frame = picture.reformat(
+        *size,
+        format="yuv420p",
+        interpolation=_SCALING,
+        dst_colorspace=matrix,
+        src_color_range=ColorRange.JPEG,
+        dst_color_range=limited,
+        dst_color_trc=transfer,
+        dst_color_primaries=primaries,
+    )
     frame.pict_type = PictureType.NONE  # a picture by itself is a key frame; in the film the codec decides
     return frame

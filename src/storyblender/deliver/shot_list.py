@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from pathlib import Path
 
-from storyblender.deliver.panel import panels, timecode
+from storyblender.deliver.panel import frame_of, panels, timecode
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 COLUMNS: tuple[str, ...] = (
@@ -15,8 +15,15 @@ COLUMNS: tuple[str, ...] = (
 )  # fmt: skip
 
 
-def write_shot_list(graph: ContinuityMemoryGraph, out: Path) -> None:
-    """Write the list. UTF-8 with a byte order mark, so that spreadsheets read names rightly."""
+def write_shot_list(graph: ContinuityMemoryGraph, out: Path, start: str = "00:00:00:00") -> None:
+    """Write the list. UTF-8 with a byte order mark, so that spreadsheets read names rightly.
+
+    Args:
+        graph: The story.
+        out: The CSV file.
+        start: Timecode of the first frame.
+    """
+    first = frame_of(start, graph.format.fps)
     names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
     with out.open("w", encoding="utf-8-sig", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS)
@@ -38,8 +45,8 @@ def write_shot_list(graph: ContinuityMemoryGraph, out: Path) -> None:
                 "f_number": f"{shot.camera.f_number:g}" if shot.camera else "",
                 "frames": shot.duration,
                 "seconds": f"{panel.seconds:.2f}",
-                "record_in": timecode(panel.start, panel.fps),
-                "record_out": timecode(panel.start + shot.duration, panel.fps),
+                "record_in": timecode(first + panel.start, panel.fps),
+                "record_out": timecode(first + panel.start + shot.duration, panel.fps),
                 "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.shown),
                 "action": panel.action,
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),

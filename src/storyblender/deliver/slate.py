@@ -10,19 +10,20 @@ from storyblender.deliver.fonts import font_file
 from storyblender.deliver.panel import Panel, timecode
 
 
-def burn_in(source: Path, panel: Panel, out: Path) -> None:
+def burn_in(source: Path, panel: Panel, out: Path, first: int = 0) -> None:
     """Write a copy of a frame with its slate on a translucent band.
 
     Args:
         source: The clean frame; it is never changed.
         panel: What the slate says.
         out: The copy.
+        first: Frame that the story's timecode begins at.
     """
     with Image.open(source) as image:
         picture = image.convert("RGB")
     band = max(18, picture.height // 22)
     name, facts = panel.name, f"{panel.framing}  {panel.lens:.0f} mm"
-    time = f"{timecode(panel.start, panel.fps)}  {panel.shot.duration}f"
+    time = f"{timecode(first + panel.start, panel.fps)}  {panel.shot.duration}f"
     font = _fitting(f"{name}  {facts}  {time}", round(band * 0.62), picture.width - band)
     left, right = band / 2, picture.width - band / 2
     y = picture.height - band / 2

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
@@ -23,6 +24,8 @@ from storyblender.geometry import orbit
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.outline import SceneOutline, ScriptLine, SourceSpan
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue
+
+START = "01:00:00:00"
 
 
 def test_panels_are_laid_end_to_end(graph: ContinuityMemoryGraph) -> None:
@@ -93,12 +96,48 @@ def test_shot_list_rows_are_verbatim_and_inert(graph: ContinuityMemoryGraph, tmp
 def test_timeline_reads_back_with_relative_media(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
-    timeline.write_timeline(graph, frames, tmp_path / "timeline.otio")
+    timeline.write_timeline(graph, frames, {}, tmp_path / "timeline.otio", START)
     read = otio.adapters.read_from_file(str(tmp_path / "timeline.otio"))
     assert read.duration().value == 24
     clips = list(read.find_clips())
+    assert otio.opentime.to_timecode(read.global_start_time.rescaled_to(24)) == START
     assert clips[0].media_reference.target_url == "frames/SC010_SH010.png"
     assert clips[1].markers[0].name.startswith("Élodie")
+
+
+def test_every_timeline_shows_moving_pictures_where_there_are_any(
+    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
+) -> None:
+    graph = graph.model_copy(update={"title": "One\n& two \x07", "format": ProjectFormat(fps=25, width=160)})
+    moving = animatic.write_animatic(graph, {}, frames, tmp_path / "animatic.mp4", tmp_path / "clips")
+    clips = {"SC010_SH020": moving["SC010_SH020"]}
+    still, shown = timeline.build_timeline(graph, frames, clips, tmp_path, START).find_clips()
+    assert still.media_reference.target_url == "frames/SC010_SH010.png"
+    assert shown.media_reference.target_url == f"clips/{clips['SC010_SH020'].name}"
+    assert shown.media_references()[timeline.STILL].target_url == "frames/SC010_SH020.png"
+
+    path = timeline.write_extra(graph, frames, clips, tmp_path / "timeline.otio", "fcpxml", START)
+    root = ElementTree.parse(path).getroot()
+    formats = {item.get("id"): item for item in root.iter("format")}
+    assets = {item.get("id"): item for item in root.iter("asset")}
+    sequence = next(root.iter("sequence"))
+    assert [sequence.get(key) for key in ("duration", "tcStart", "tcFormat")] == ["24/25s", "3600s", "NDF"]
+    made = formats[sequence.get("format")]
+    assert [made.get(key) for key in ("frameDuration", "width", "height")] == ["1/25s", "160", "88"]
+    picture, clip = next(root.iter("spine"))
+    assert [(item.tag, item.get("offset")) for item in (picture, clip)] == [
+        ("clip", "3600s"),
+        ("asset-clip", "90012/25s"),
+    ]
+    assert assets[next(picture.iter("video")).get("ref")].get("src") == "./frames/SC010_SH010.png"
+    source = assets[clip.get("ref")]
+    assert formats[source.get("format")].get("height") == "90" and (tmp_path / (source.get("src") or "")).is_file()
+    assert [marker.get("value") for marker in clip.iter("marker")] == ["Élodie: =Où est 李?"]
+    assert next(root.iter("project")).get("name") == "One & two  "
+    if "fcpx_xml" in otio.adapters.available_adapter_names():
+        read = otio.adapters.read_from_file(str(path), adapter_name="fcpx_xml")
+        lengths = [item.duration().to_frames() for item in read.find_clips()]
+        assert lengths == [12, 12], lengths
 
 
 def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_path: Path, layout: str) -> list[str]:
@@ -249,7 +288,7 @@ def test_the_film_is_read_in_pieces_while_mouths_move(graph: ContinuityMemoryGra
     assert all(len(piece.text) <= 84 for piece in pieces) and len(pieces) == 6
     assert pieces[0].start == pytest.approx(14 / 12) and pieces[-1].end == pytest.approx(2.0)
     assert all(a.end <= b.start + 1e-9 for a, b in pairwise(pieces))
-    marker = list(timeline.build_timeline(graph, {}, tmp_path).find_clips())[1].markers[0]
+    marker = list(timeline.build_timeline(graph, {}, {}, tmp_path).find_clips())[1].markers[0]
     assert (marker.marked_range.start_time.value, marker.marked_range.duration.value) == (2, 4)
 
 
@@ -307,10 +346,32 @@ def test_animatic_has_every_frame_and_subtitles(
         pictures = [frame.to_ndarray(format="rgb24").mean(axis=(0, 1)) for frame in film.decode(video=0)]
         film.seek(0)
         words = [(packet.pts, packet.duration, bytes(packet)[2:].decode()) for packet in film.demux(subtitles=0)]
+        told = film.streams.video[0].codec_context
+        colors = (told.color_primaries, told.color_trc, told.colorspace, told.color_range)
     assert len(pictures) == 24
+    assert colors == (1, 1, 1, 1), "Rec. 709 within the limits of television"
     assert (1000, 1000, "Élodie: =Où est 李?") in words, "the film carries its dialogue"
     assert pictures[0][0] < 60 < pictures[7][0], "the second moving frame fills the second half of the shot"
     assert "00:00:01,000 --> 00:00:02,000\nÉlodie: =Où est 李?" in (tmp_path / "animatic.srt").read_text("utf-8")
+
+
+@pytest.mark.parametrize("said", ["<i>Go</i>", r"{\an8}Up", "{gone}", "2 < 3 &lt; 4", r"a\Nb"])
+def test_markup_in_subtitles_is_read_as_it_is_written(
+    graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path, said: str
+) -> None:
+    outline = graph.outline[0]
+    line = outline.shots[1].lines[0].model_copy(update={"text": said, "speaker_name": "Jo"})
+    spoken = outline.shots[1].model_copy(update={"lines": (line,)})
+    graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], spoken)}),)})
+    animatic.write_animatic(graph, {}, frames, tmp_path / "a.mp4", tmp_path / "kept")
+    plain = str.maketrans({"\u2060": None, "｛": "{", "｝": "}"})
+    with av.open(str(tmp_path / "a.mp4")) as film:
+        carried = [bytes(packet)[2:].decode() for packet in film.demux(subtitles=0) if packet.size > 2]
+    assert [text.translate(plain) for text in carried] == [f"Jo: {said}"]
+    with av.open(str(tmp_path / "a.srt")) as words:  # as players read it: codes in braces, after eight fields
+        read = [item for packet in words.demux() for found in packet.decode() for item in (found.ass.decode(),)]
+    text = read[0].split(",", 8)[-1]
+    assert "{" not in text and text.translate(plain) == f"Jo: {said}"
 
 
 def test_page_shows_words_escaped_and_names_no_network(
@@ -372,9 +433,10 @@ def test_an_edl_has_one_reel_a_shot_and_one_line_a_marker(
     said = graph.outline[0].shots[1].model_copy(update={"lines": (lines[0].model_copy(update={"text": "One.\nTwo."}),)})
     scene = graph.outline[0].model_copy(update={"shots": (graph.outline[0].shots[0], said)})
     with pytest.raises(InputError, match="cannot count 12 frames a second"):
-        timeline.write_extra(graph, frames, tmp_path / "timeline.otio", "edl")
+        timeline.write_extra(graph, frames, {}, tmp_path / "timeline.otio", "edl", START)
     graph = graph.model_copy(update={"outline": (scene,), "format": ProjectFormat(fps=25)})
-    path = timeline.write_extra(graph, frames, tmp_path / "timeline.otio", "edl")
+    path = timeline.write_extra(graph, frames, {}, tmp_path / "timeline.otio", "edl", START)
     events = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line[:3].isdigit()]
     assert [event[1] for event in events] == ["010_010", "010_020"]
+    assert [event[6] for event in events] == ["01:00:00:00", "01:00:00:12"], "the record begins where the setting says"
     assert "ONE. TWO." in path.read_text(encoding="utf-8") and "TRUNCATED" not in path.read_text(encoding="utf-8")

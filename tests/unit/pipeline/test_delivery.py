@@ -1,0 +1,52 @@
+"""Clips for editors: under the names of their shots, and only of shots that look as they do in the film."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import cast
+
+import pytest
+
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.outline import SceneOutline, ShotOutline
+from storyblender.memory.scene_context import SceneContext, SceneSetup
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
+from storyblender.pipeline.delivery import _place_clips, clip_paths
+from storyblender.pipeline.run import Run
+from storyblender.project import Project
+from storyblender.settings import Settings
+from storyblender.trace import silent
+
+
+def story() -> ContinuityMemoryGraph:
+    outlines = tuple(ShotOutline(shot_id=number, shot_description="") for number in (1, 2))
+    shots = tuple(
+        ShotContext(scene_id=1, shot_id=number, camera_instruction=CameraInstruction(), duration=24)
+        for number in (1, 2)
+    )
+    return ContinuityMemoryGraph(
+        outline=(SceneOutline(scene_id=1, scene_description="", shots=outlines),),
+        scenes=(SceneContext(scene_id=1, setup=SceneSetup()),),
+        shots=shots,
+    )
+
+
+def test_a_shot_has_its_clip_until_it_looks_otherwise(tmp_path: Path) -> None:
+    segments = {"SC010_SH010": tmp_path / "one.mp4", "SC010_SH020": tmp_path / "two.mp4"}
+    for name, path in segments.items():
+        path.write_bytes(name.encode())
+    with Project(tmp_path / "p") as project:
+        project.commit(story(), "user", "a story")
+        run = Run(project, cast(BlenderEngine, None), lambda: pytest.fail("no words"), Settings(), silent)
+        assert clip_paths(run) == {}
+        _place_clips(run, segments)
+        placed = clip_paths(run)
+        assert {name: path.read_bytes().decode() for name, path in placed.items()} == {name: name for name in segments}
+        before = placed["SC010_SH020"].stat().st_ino
+        _place_clips(run, segments)
+        assert placed["SC010_SH020"].stat().st_ino == before, "what is the same is not written again"
+        (project.folder / "clips" / "my edit.mp4").touch()
+        _place_clips(run, {"SC010_SH020": placed["SC010_SH020"]})
+        assert list(clip_paths(run)) == ["SC010_SH020"]
+        assert (project.folder / "clips" / "my edit.mp4").exists()
