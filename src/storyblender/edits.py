@@ -81,14 +81,15 @@ def undo_edit(project: Project) -> list[Commit]:
     Raises:
         InputError: Nothing was changed since the script was read.
     """
-    if not any(commit.author in PEOPLES for commit in project.log()[1:]):
-        raise InputError("there is nothing to undo", mend="nothing was changed since the script was read")
     undone: list[Commit] = []
-    while not (undone and undone[0].author in PEOPLES):
-        commit = project.undo()
-        assert commit is not None, "the change was seen in the log"
+    for commit in project.backwards():
+        if commit.revision == 1:
+            break
         undone.insert(0, commit)
-    return undone
+        if commit.author in PEOPLES:
+            project.go_to(commit.revision - 1)
+            return undone
+    raise InputError("there is nothing to undo", mend="nothing was changed since the script was read")
 
 
 def redo_edit(project: Project) -> list[Commit]:
@@ -101,9 +102,11 @@ def redo_edit(project: Project) -> list[Commit]:
         InputError: Nothing was undone, or something else was changed since.
     """
     redone: list[Commit] = []
-    while (commit := project.next_commit()) is not None and not (redone and commit.author in PEOPLES):
-        project.redo()
+    for commit in project.forwards():
+        if redone and commit.author in PEOPLES:
+            break
         redone.append(commit)
     if not redone:
         raise InputError("there is nothing to redo", mend="a change can be redone until another one is made")
+    project.go_to(redone[-1].revision)
     return redone

@@ -2,31 +2,26 @@
 
 A commit is written as ``history/NNNNNN.json`` and then made current by ``history/HEAD``; ``graph.json`` is a
 checkpoint brought up to HEAD on opening. Killed at any instant, the folder opens at the last whole commit.
+``history_files`` reads all three.
 """
 
 from __future__ import annotations
 
-import json
 import os
-from collections.abc import Callable
+from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import Any
 
 from filelock import FileLock, Timeout
-from pydantic import ValidationError
 
-from storyblender.errors import InputError, ProjectLocked
+from storyblender import history_files
+from storyblender.errors import InputError, ProjectLocked, Rejected
 from storyblender.folder import Folder
+from storyblender.history_files import GRAPH, HEAD, HISTORY, Saved, commit_name
 from storyblender.memory.gatekeeper import Gatekeeper
-from storyblender.memory.graph import SCHEMA_VERSION, ContinuityMemoryGraph
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit, apply, changes_between
 from storyblender.trace import Event
-
-_RESTORE = "restore it from a copy, or delete the folder and make it again"
-
-UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}
-"""From schema version n to n + 1; kept forever, so that every saved project opens."""
 
 
 class Project:
@@ -56,11 +51,19 @@ class Project:
             self._lock.acquire()
         except Timeout as error:
             raise ProjectLocked(f"{folder}: another run is writing here; wait for it or give another --out") from error
+        except OSError as error:
+            raise InputError(f"cannot be locked ({error.strerror})", mend="give another --out", path=folder) from error
         try:
-            self.graph, self.revision = self._load()
-        except InputError:
+            saved = history_files.load(self.folder)
+            self.files.make_folder(HISTORY)  # from here on a project, even if killed before its first commit
+        except BaseException:
             self._lock.release()
             raise
+        self.graph, self.revision, self._digest = saved.graph, saved.revision, saved.digest
+        self.rebuilt = saved.rebuilt
+        """What was missing on opening and is rebuilt, one sentence each."""
+        if self.rebuilt:
+            self._move_head(saved)
 
     def __enter__(self) -> Project:
         return self
@@ -68,8 +71,10 @@ class Project:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
     ) -> None:
-        self.checkpoint()
-        self._lock.release()
+        try:
+            self.checkpoint()
+        finally:
+            self._lock.release()
 
     def path(self, *parts: str) -> Path:
         """Return a path inside the folder, with its parent made. Raises InputError if it would leave the folder."""
@@ -88,19 +93,25 @@ class Project:
         changes = changes_between(self.graph, graph)
         if not changes:
             return None
+        commit = Commit(
+            revision=self.revision + 1, author=author, reason=reason, changes=changes, parent=self._digest
+        ).sealed()
+        try:
+            graph = apply(self.graph, commit)  # as it will be read again
+        except ValueError as error:
+            raise Rejected((str(error),)) from error
         Gatekeeper(self.graph).admit(graph, changes)
         self._forget_undone()
-        commit = Commit(revision=self.revision + 1, author=author, reason=reason, changes=changes)
-        write_atomic(self._commit_path(commit.revision), commit.model_dump_json())
-        self._move_head(commit.revision, graph)
+        self.files.write(commit_name(commit.revision), commit.model_dump_json())
+        self._move_head(Saved(graph, commit.revision, commit.digest))
         return commit
 
     def undo(self) -> Commit | None:
         """Step back one commit and return it; None at the beginning."""
         if self.revision == 0:
             return None
-        commit = self._read_commit(self.revision)
-        self._move_head(self.revision - 1, apply(self.graph, commit, backwards=True))
+        commit = history_files.read_commit(self.folder, self.revision)
+        self.go_to(self.revision - 1)
         return commit
 
     def redo(self) -> Commit | None:
@@ -108,22 +119,44 @@ class Project:
         commit = self.next_commit()
         if commit is None:
             return None
-        self._move_head(commit.revision, apply(self.graph, commit))
+        self.go_to(commit.revision)
         return commit
+
+    def go_to(self, revision: int) -> None:
+        """Undo or redo as many commits as lie between, all or none.
+
+        Raises:
+            InputError: A commit between is missing or damaged.
+        """
+        self._move_head(history_files.moved(self._saved, revision, self.folder))
 
     def next_commit(self) -> Commit | None:
         """Return the commit that ``redo`` would make again, if any."""
-        known = self._commit_path(self.revision + 1).exists()
-        return self._read_commit(self.revision + 1) if known else None
+        return next(self.forwards(), None)
 
     def log(self) -> list[Commit]:
         """Return every commit up to the current revision, oldest first."""
-        return [self._read_commit(revision) for revision in range(1, self.revision + 1)]
+        return [*self.backwards()][::-1]
+
+    def forwards(self) -> Iterator[Commit]:
+        """Yield every commit that was undone, the next one first."""
+        for revision in range(self.revision + 1, 10**9):
+            if not (self.folder / commit_name(revision)).exists():
+                return
+            yield history_files.read_commit(self.folder, revision)
+
+    def backwards(self) -> Iterator[Commit]:
+        """Yield every commit from the current revision back, reading only as many as are taken."""
+        for revision in range(self.revision, 0, -1):
+            yield history_files.read_commit(self.folder, revision)
 
     def checkpoint(self) -> None:
         """Write ``graph.json`` at the current revision."""
-        body = {"revision": self.revision, **self.graph.model_dump(mode="json")}
-        write_atomic(self.path("graph.json"), json.dumps(body, indent=1, ensure_ascii=False))
+        self.files.write(GRAPH, history_files.graph_text(self._saved))
+
+    @property
+    def _saved(self) -> Saved:
+        return Saved(self.graph, self.revision, self._digest)
 
     def record(self, event: Event) -> None:
         """Append an event to ``trace.jsonl``."""
@@ -136,54 +169,22 @@ class Project:
             return
         if not self.folder.is_dir():
             raise InputError("is a file, not a project folder", mend="give another --out", path=self.folder)
-        ours = any((self.folder / name).exists() for name in ("graph.json", "history"))
+        ours = any((self.folder / name).exists() for name in (GRAPH, HISTORY))
         if not ours and any(item.name != ".lock" for item in self.folder.iterdir()):
             raise InputError("is not empty and not a project", mend="give another --out", path=self.folder)
 
-    def _load(self) -> tuple[ContinuityMemoryGraph, int]:
-        path = self.folder / "graph.json"
-        graph, revision = ContinuityMemoryGraph(), 0
-        if path.exists():
-            graph, revision = _read_graph(path)
-        (self.folder / "history").mkdir(exist_ok=True)  # from here on a project, even if killed before its first commit
-        head = self._head()
-        while revision < head:
-            graph, revision = apply(graph, self._read_commit(revision + 1)), revision + 1
-        while revision > head:
-            graph, revision = apply(graph, self._read_commit(revision), backwards=True), revision - 1
-        return graph, revision
-
     def _forget_undone(self) -> None:
         """A new commit ends what could be redone. Latest first, and only once no checkpoint needs the way back."""
-        undone = [path for path in self._history() if int(path.stem) > self.revision]
+        undone = [revision for revision in history_files.commit_revisions(self.folder) if revision > self.revision]
         if undone:
             self.checkpoint()
-        for path in reversed(undone):
-            path.unlink()
+        for revision in reversed(undone):
+            self.files.delete(commit_name(revision))
 
-    def _history(self) -> list[Path]:
-        return sorted((self.folder / "history").glob("[0-9]*.json"))
-
-    def _head(self) -> int:
-        path = self.folder / "history" / "HEAD"
-        try:
-            return int(path.read_bytes()) if path.exists() else 0
-        except ValueError as error:
-            raise InputError("the history is damaged here", mend=_RESTORE, path=path) from error
-
-    def _move_head(self, revision: int, graph: ContinuityMemoryGraph) -> None:
-        write_atomic(self.path("history", "HEAD"), str(revision))
-        self.graph, self.revision = graph, revision  # at once: a run that is stopped here writes its checkpoint
-
-    def _commit_path(self, revision: int) -> Path:
-        return self.path("history", f"{revision:06d}.json")
-
-    def _read_commit(self, revision: int) -> Commit:
-        path = self._commit_path(revision)
-        try:
-            return Commit.model_validate_json(path.read_bytes())
-        except (OSError, ValidationError) as error:
-            raise InputError("the history is damaged here", mend=_RESTORE, path=path) from error
+    def _move_head(self, saved: Saved) -> None:
+        self.files.write(HEAD, history_files.head_text(saved.revision, saved.digest))
+        # At once: a run that is stopped here writes its checkpoint.
+        self.graph, self.revision, self._digest = saved.graph, saved.revision, saved.digest
 
 
 def read_project_graph(folder: Path) -> ContinuityMemoryGraph:
@@ -192,13 +193,13 @@ def read_project_graph(folder: Path) -> ContinuityMemoryGraph:
     Raises:
         InputError: There is no project in the folder, or one that was killed before it was made.
     """
-    path = folder / "graph.json"
-    if not path.is_file() and (folder / "history").is_dir():
+    if not any((folder / name).exists() for name in (GRAPH, HISTORY)):
+        raise InputError("is not a StoryBlender project", mend="make one with `storyblender make SCRIPT`", path=folder)
+    saved = history_files.load(folder)
+    if saved.revision == 0:
         mend = "run the same `storyblender make` again: it goes on where it was stopped"
         raise InputError("was stopped before it was made", mend=mend, path=folder)
-    if not path.is_file():
-        raise InputError("is not a StoryBlender project", mend="make one with `storyblender make SCRIPT`", path=folder)
-    return _read_graph(path)[0]
+    return saved.graph
 
 
 def write_atomic(path: Path, content: str | bytes) -> None:
@@ -214,18 +215,3 @@ def write_atomic(path: Path, content: str | bytes) -> None:
     except OSError:
         temporary.unlink(missing_ok=True)
         raise
-
-
-def _read_graph(path: Path) -> tuple[ContinuityMemoryGraph, int]:
-    try:
-        body: dict[str, Any] = json.loads(path.read_bytes())
-        revision = int(body.pop("revision", 0))
-        version = int(body.get("schema_version", 0))
-        if version > SCHEMA_VERSION:
-            raise InputError("was written by a newer StoryBlender", mend="update StoryBlender", path=path)
-        while version < SCHEMA_VERSION:
-            body = UPGRADES[version](body)
-            version += 1
-        return ContinuityMemoryGraph.model_validate(body), revision
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise InputError("cannot be read as a project graph", mend=_RESTORE, path=path) from error

@@ -154,7 +154,7 @@ def test_no_project(tmp_path: Path, command: str) -> None:
         ("graph.json", '{"schema_version": 99}', "newer StoryBlender"),
         ("graph.json", '{"schema_version": 0}', "cannot be read as a project graph"),
         ("history/HEAD", "one", "HEAD: the history is damaged"),
-        ("history/HEAD", "7", "the history is damaged"),
+        ("history/HEAD", "7", "HEAD: names change 7, and the last one here is 1"),
         ("history/HEAD", "-2", "the history is damaged"),
         ("settings.json", '{"look": ', "cannot be read as settings"),
         ("settings.json", "[1]", "cannot be read as settings"),

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from storyblender.errors import InputError, ProjectLocked, Rejected
+from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.history import replace
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
@@ -33,8 +34,7 @@ def test_commits_survive_a_kill_before_the_checkpoint(tmp_path: Path) -> None:
     add(project, "key")
     project._lock.release()  # killed: nothing else ran
     assert not (tmp_path / "p" / "graph.json").exists()
-    with pytest.raises(InputError, match=r"stopped before it was made.*make"):
-        read_project_graph(tmp_path / "p")
+    assert [item.asset_id for item in read_project_graph(tmp_path / "p").assets] == ["cup", "key"]
     with Project(tmp_path / "p") as again:
         assert names(again) == ["cup", "key"] and again.revision == 2
 
@@ -71,8 +71,10 @@ def test_a_new_commit_ends_what_could_be_redone(tmp_path: Path) -> None:
 
 def test_killed_before_the_first_commit_it_is_a_project_all_the_same(tmp_path: Path) -> None:
     project = Project(tmp_path / "p")
-    write_atomic(project.path("script.fountain"), "INT. ROOM - DAY")
+    project.files.write("script.fountain", "INT. ROOM - DAY")
     project._lock.release()
+    with pytest.raises(InputError, match=r"stopped before it was made.*make"):
+        read_project_graph(tmp_path / "p")
     with Project(tmp_path / "p") as again:
         assert again.revision == 0
 
@@ -162,15 +164,18 @@ def test_write_atomic_replaces_whole(tmp_path: Path) -> None:
 def test_stopped_between_the_head_and_its_graph_the_checkpoint_is_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def stopped(path: Path, content: str | bytes) -> None:
-        write_atomic(path, content)
-        if path.name == "HEAD":
+    def stopped(folder: Folder, name: str, content: str | bytes) -> None:
+        write(folder, name, content)
+        if name == "history/HEAD":
             raise KeyboardInterrupt
+
+    write = Folder.write
 
     with Project(tmp_path / "p") as project:
         add(project, "cup")
-        monkeypatch.setattr("storyblender.project.write_atomic", stopped)
+        monkeypatch.setattr(Folder, "write", stopped)
         with pytest.raises(KeyboardInterrupt):
             add(project, "key")
+        monkeypatch.undo()
     with Project(tmp_path / "p") as again:
         assert names(again) == ["cup", "key"] and again.revision == 2

@@ -38,15 +38,12 @@ class Gatekeeper:
             raise Rejected(violations)
 
     def _violations(self, graph: ContinuityMemoryGraph, changes: Sequence[Change]) -> Iterator[str]:
-        yield from _duplicates("asset", [asset.asset_id for asset in graph.assets])
-        yield from _duplicates("scene", [str(scene.scene_id) for scene in graph.scenes])
+        yield from _duplicate_items(graph)
         removed = any(change.after is None for change in changes)
         touched = {(change.layer, change.key) for change in changes}
         assets = {asset.asset_id for asset in graph.assets}
         scenes = {scene.scene_id: scene for scene in graph.scenes}
-        for asset in graph.assets:
-            if asset.reference_character and asset.reference_character not in assets:
-                yield f"{asset.asset_id} refers to an unknown character {asset.reference_character!r}"
+        yield from _cast_violations(graph, assets)
         for scene in graph.scenes:
             if removed or ("scenes", (scene.scene_id,)) in touched:
                 yield from _scene_violations(scene, scenes, assets)
@@ -67,6 +64,31 @@ class Gatekeeper:
             for field in old.locked:
                 if field in new.locked and getattr(old, field) != getattr(new, field):
                     yield f"the {field} of shot {old.scene_id}/{old.shot_id} is locked"
+
+
+def faults_of(graph: ContinuityMemoryGraph) -> Iterator[str]:
+    """Yield one sentence for everything that the Gatekeeper would not have let in, in the whole graph."""
+    assets = {asset.asset_id for asset in graph.assets}
+    scenes = {scene.scene_id: scene for scene in graph.scenes}
+    yield from _duplicate_items(graph)
+    yield from _cast_violations(graph, assets)
+    for scene in graph.scenes:
+        yield from _scene_violations(scene, scenes, assets)
+    for shot in graph.shots:
+        yield from _shot_violations(shot, scenes, assets)
+
+
+def _duplicate_items(graph: ContinuityMemoryGraph) -> Iterator[str]:
+    yield from _duplicates("asset", [asset.asset_id for asset in graph.assets])
+    yield from _duplicates("scene", [str(scene.scene_id) for scene in graph.scenes])
+    yield from _duplicates("outline of scene", [str(scene.scene_id) for scene in graph.outline])
+    yield from _duplicates("shot", [f"{shot.scene_id}/{shot.shot_id}" for shot in graph.shots])
+
+
+def _cast_violations(graph: ContinuityMemoryGraph, assets: set[str]) -> Iterator[str]:
+    for asset in graph.assets:
+        if asset.reference_character and asset.reference_character not in assets:
+            yield f"{asset.asset_id} refers to an unknown character {asset.reference_character!r}"
 
 
 def _duplicates(what: str, names: list[str]) -> Iterator[str]:

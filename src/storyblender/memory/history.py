@@ -1,7 +1,7 @@
 """Commits to the graph: item-sized changes with author and reason, applied forwards and backwards.
 
 A commit holds only what changed, so its cost does not grow with the story; the history is the write-ahead log
-from which a killed run resumes.
+from which a killed run resumes. Each commit carries its digest and that of the commit before it.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from typing import Any, Literal
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
-Layer = Literal["outline", "assets", "scenes", "shots", "head"]
+Layer = Literal["outline", "assets", "scenes", "shots", "head", "order"]
 Item = SceneOutline | Asset | SceneContext | ShotContext
 
 HEAD_FIELDS = ("title", "script_name", "plan_digest", "format", "story_summary")
@@ -25,7 +25,10 @@ HEAD_FIELDS = ("title", "script_name", "plan_digest", "format", "story_summary")
 
 
 class Change(Frozen):
-    """One item replaced, added (no ``before``) or removed (no ``after``)."""
+    """One item replaced, added (no ``before``) or removed (no ``after``).
+
+    The layer ``order`` is the order of the asset sheet, written where it does not follow from the other changes.
+    """
 
     layer: Layer
     key: tuple[int | str, ...]
@@ -41,6 +44,22 @@ class Commit(Frozen):
     """Role, ``user`` or ``sync``."""
     reason: str
     changes: tuple[Change, ...]
+    parent: str = ""
+    """Digest of the commit before this one; empty for the first one and in projects of schema 1."""
+    digest: str = ""
+    """Hash of all of the above; empty in projects of schema 1."""
+
+    def sealed(self) -> Commit:
+        """Return the commit with its digest."""
+        return self.model_copy(update={"digest": self._hash()})
+
+    @property
+    def intact(self) -> bool:
+        """Whether the content is as it was when the digest was written."""
+        return self.digest in ("", self._hash())
+
+    def _hash(self) -> str:
+        return content_hash(self.model_dump(mode="json", exclude={"digest"}))
 
 
 def layer_of(item: Item) -> Layer:
@@ -73,32 +92,65 @@ def changes_between(old: ContinuityMemoryGraph, new: ContinuityMemoryGraph) -> t
     before, after = _head(old), _head(new)
     if before != after:
         changes.append(Change(layer="head", key=(), before=before, after=after))
-    for layer in ("outline", "assets", "scenes", "shots"):
+    for layer in _MODELS:
         olds = {key_of(item): item for item in getattr(old, layer)}
         news = {key_of(item): item for item in getattr(new, layer)}
         for key in [*olds, *(key for key in news if key not in olds)]:
             past, present = olds.get(key), news.get(key)
             if past is not present and past != present:
                 changes.append(Change(layer=layer, key=key, before=_dump(past), after=_dump(present)))
-    return tuple(changes)
+    return (*changes, *_reordering(old, new))
+
+
+def _reordering(old: ContinuityMemoryGraph, new: ContinuityMemoryGraph) -> tuple[Change, ...]:
+    """Return the change of the order of assets, if it is not that the new ones come last."""
+    olds, news = ([asset.asset_id for asset in graph.assets] for graph in (old, new))
+    follows = news[: len(olds)] == olds
+    return () if follows else (Change(layer="order", key=(), before={"assets": olds}, after={"assets": news}),)
 
 
 def apply(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = False) -> ContinuityMemoryGraph:
-    """Return the graph after the commit, or before it."""
+    """Return the graph after the commit, or before it.
+
+    Raises:
+        ValueError: The content of the commit is no item of the graph.
+    """
     updates: dict[str, Any] = {}
-    for layer, model in _MODELS.items():
-        changes = {c.key: (c.before if backwards else c.after) for c in commit.changes if c.layer == layer}
-        if not changes:
-            continue
-        items = [item for item in getattr(graph, layer) if key_of(item) not in changes]
-        items += [model.model_validate(value) for value in changes.values() if value is not None]
-        updates[layer] = _ordered(layer, items, graph)
+    order = [asset.asset_id for asset in graph.assets]
     for change in commit.changes:
+        value = change.before if backwards else change.after
         if change.layer == "head":
-            value = change.before if backwards else change.after
             loaded = ContinuityMemoryGraph.model_validate(value or {})
             updates |= {field: getattr(loaded, field) for field in HEAD_FIELDS}
+        elif change.layer == "order":
+            order = list((value or {}).get("assets", order))
+    for layer in _MODELS:
+        changes = {c.key: _item(c, c.before if backwards else c.after) for c in commit.changes if c.layer == layer}
+        items = [item for item in getattr(graph, layer) if key_of(item) not in changes]
+        items += [item for item in changes.values() if item is not None]
+        if changes or layer == "assets":
+            updates[layer] = _ordered(layer, items, order)
     return graph.model_copy(update=updates)
+
+
+def follows(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = False) -> bool:
+    """Tell whether a commit was made on this very graph, or backwards, whether it led to it.
+
+    Raises:
+        ValueError: The content of the commit is no item of the graph.
+    """
+    present = {layer: {key_of(item): item for item in getattr(graph, layer)} for layer in _MODELS}
+    for change in commit.changes:
+        value = change.after if backwards else change.before
+        if change.layer == "head":
+            expected, found = _head(ContinuityMemoryGraph.model_validate(value or {})), _head(graph)
+        elif change.layer == "order":
+            expected, found = (value or {}).get("assets"), [asset.asset_id for asset in graph.assets]
+        else:
+            expected, found = _item(change, value), present[change.layer].get(change.key)
+        if expected != found:
+            return False
+    return True
 
 
 def replace(graph: ContinuityMemoryGraph, *items: Item) -> ContinuityMemoryGraph:
@@ -109,11 +161,11 @@ def replace(graph: ContinuityMemoryGraph, *items: Item) -> ContinuityMemoryGraph
         if not fresh:
             continue
         kept = [fresh.pop(key_of(item), item) for item in getattr(graph, layer)]
-        updates[layer] = _ordered(layer, [*kept, *fresh.values()], graph)
+        updates[layer] = _ordered(layer, [*kept, *fresh.values()], [asset.asset_id for asset in graph.assets])
     return graph.model_copy(update=updates)
 
 
-_MODELS: dict[str, type[Item]] = {
+_MODELS: dict[Layer, type[Item]] = {
     "outline": SceneOutline,
     "assets": Asset,
     "scenes": SceneContext,
@@ -121,11 +173,20 @@ _MODELS: dict[str, type[Item]] = {
 }
 
 
-def _ordered(layer: str, items: list[Any], graph: ContinuityMemoryGraph) -> tuple[Any, ...]:
+def _item(change: Change, value: dict[str, Any] | None) -> Item | None:
+    if value is None:
+        return None
+    item = _MODELS[change.layer].model_validate(value)
+    if key_of(item) != change.key:
+        raise ValueError(f"the key of a change is {change.key}, its item is {key_of(item)}")
+    return item
+
+
+def _ordered(layer: Layer, items: list[Any], assets: list[str]) -> tuple[Any, ...]:
     """Story order for scenes and shots; assets keep the order in which they joined."""
     if layer != "assets":
         return tuple(sorted(items, key=key_of))
-    rank = {asset.asset_id: index for index, asset in enumerate(graph.assets)}
+    rank = {asset_id: index for index, asset_id in enumerate(assets)}
     return tuple(sorted(items, key=lambda asset: rank.get(asset.asset_id, len(rank))))
 
 

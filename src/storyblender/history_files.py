@@ -1,0 +1,270 @@
+"""``graph.json`` and ``history/`` on disk: read, checked against each other, rebuilt where a part is missing.
+
+``graph.json`` is the graph at some revision, with a digest of its text. ``history/NNNNNN.json`` are the commits, each
+with its digest and that of the one before. ``history/HEAD`` names the current revision and the digest of its commit.
+The rule for all three: what is missing is rebuilt from what is whole; what is damaged is refused with what to do, and
+never overwritten.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import from_json
+
+from storyblender.errors import InputError
+from storyblender.memory.gatekeeper import faults_of
+from storyblender.memory.graph import SCHEMA_VERSION, ContinuityMemoryGraph
+from storyblender.memory.history import Commit, apply, follows
+
+GRAPH, HISTORY, HEAD = "graph.json", "history", "history/HEAD"
+FROM_COPY = "restore it from a copy of the project, or make the storyboard anew in another folder (--out)"
+_REBUILD_GRAPH = "delete this file and nothing else, and it is rebuilt from history/"
+_REBUILD_HEAD = "delete this file and nothing else, and it is rebuilt from the commits beside it"
+_DIGEST_LINE = re.compile(rb'\A\{\n "digest": "([0-9a-f]{16})",\n')
+_HEAD_LINE = re.compile(rb"\A(\d{1,9})(?: ([0-9a-f]{16}))?\s*\Z")
+_COMMIT_NAME = re.compile(r"\A(\d{6,9})\.json\Z")
+
+UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {1: lambda body: body | {"schema_version": 2}}
+"""From schema version n to n + 1; kept forever, so that every saved project opens. Schema 2 added fields only."""
+
+
+@dataclass(frozen=True)
+class Saved:
+    """A project's state.
+
+    Attributes:
+        graph: At ``revision``.
+        revision: Of the last commit that is in the graph; 0 before the first one.
+        digest: Of that commit; empty where it is not known.
+        rebuilt: One sentence for each part that was missing.
+    """
+
+    graph: ContinuityMemoryGraph = field(default_factory=ContinuityMemoryGraph)
+    revision: int = 0
+    digest: str = ""
+    rebuilt: tuple[str, ...] = ()
+
+
+def commit_name(revision: int) -> str:
+    """Return the name of a commit's file in the project folder."""
+    return f"{HISTORY}/{revision:06d}.json"
+
+
+def commit_revisions(folder: Path) -> list[int]:
+    """Return the revisions that have a commit file, in order."""
+    try:
+        matches = [_COMMIT_NAME.match(path.name) for path in (folder / HISTORY).iterdir()]
+    except FileNotFoundError:
+        return []
+    except OSError as error:
+        raise InputError(f"cannot be read ({error.strerror})", mend=FROM_COPY, path=folder / HISTORY) from error
+    return sorted(int(match[1]) for match in matches if match)
+
+
+def head_text(revision: int, digest: str) -> str:
+    """Return the content of ``history/HEAD``."""
+    return f"{revision} {digest}".strip()
+
+
+def graph_text(saved: Saved) -> str:
+    """Return the content of ``graph.json``: the digest of the rest, then the rest."""
+    body = {"revision": saved.revision, "commit": saved.digest, **saved.graph.model_dump(mode="json")}
+    rest = json.dumps(body, indent=1, ensure_ascii=False).removeprefix("{\n")
+    return f'{{\n "digest": "{_text_digest(rest.encode())}",\n{rest}'
+
+
+def read_commit(folder: Path, revision: int) -> Commit:
+    """Read one commit.
+
+    Raises:
+        InputError: It is missing, damaged or another one.
+    """
+    path = folder / commit_name(revision)
+    try:
+        commit = Commit.model_validate(from_json(path.read_bytes(), allow_inf_nan=False))
+    except FileNotFoundError as error:
+        raise InputError("this part of the history is missing", mend=FROM_COPY, path=path) from error
+    except (OSError, ValueError) as error:
+        raise InputError("the history is damaged here", mend=FROM_COPY, path=path) from error
+    if commit.revision != revision or not commit.intact:
+        raise InputError("the history is damaged here: this is not what was written", mend=FROM_COPY, path=path)
+    return commit
+
+
+def step(saved: Saved, commit: Commit, folder: Path, *, backwards: bool = False) -> Saved:
+    """Return the state after a commit, or before it.
+
+    Raises:
+        InputError: The commit was not made on this state, or did not lead to it.
+    """
+    known = commit.digest if backwards else commit.parent
+    try:
+        fits = not known or not saved.digest or known == saved.digest
+        if fits and follows(saved.graph, commit, backwards=backwards):
+            graph = apply(saved.graph, commit, backwards=backwards)
+            return Saved(graph, commit.revision - backwards, commit.parent if backwards else commit.digest)
+    except ValueError as error:
+        raise InputError("the history is damaged here", mend=FROM_COPY, path=folder / HISTORY) from error
+    problem = f"graph.json and {commit_name(commit.revision)} do not belong together"
+    raise InputError(problem, mend=FROM_COPY, path=folder)
+
+
+def moved(saved: Saved, revision: int, folder: Path) -> Saved:
+    """Return the state at a revision, forwards or backwards from another one.
+
+    Raises:
+        InputError: A commit between them is missing or damaged, or does not belong to the state.
+    """
+    try:
+        return _moved(saved, revision, folder)
+    except InputError as error:
+        if (folder / GRAPH).exists() and _replayed(folder, revision):
+            problem = "does not belong to the history beside it"
+            raise InputError(problem, mend=_REBUILD_GRAPH, path=folder / GRAPH) from error
+        raise
+
+
+def load(folder: Path) -> Saved:
+    """Read a project's state without changing anything on disk.
+
+    Raises:
+        InputError: A part is damaged, or too much is missing; the sentence says what to do.
+    """
+    head, start, revisions = _read_head(folder), _read_graph(folder / GRAPH), commit_revisions(folder)
+    if head is None and start is None and not revisions:
+        return Saved()
+    rebuilt: list[str] = []
+    start = start or Saved()
+    if start.revision and not revisions:
+        rebuilt.append("the commits in history/ are missing; what was done before cannot be undone")
+    if head is None:
+        revision, digest = _last_reached(folder, start.revision, revisions), ""
+        rebuilt.append(f"history/HEAD was missing; the project is at its last change, number {revision}")
+    else:
+        revision, digest = head
+        _refuse_missing_end(folder, start.revision, revision, revisions)
+    saved = moved(start, revision, folder)
+    if head is not None and saved.digest and saved.digest != digest:
+        if (folder / GRAPH).exists() and (other := _replayed(folder, revision)) and other.digest == digest:
+            raise InputError("does not belong to the history beside it", mend=_REBUILD_GRAPH, path=folder / GRAPH)
+        raise _damaged_head(folder)
+    return Saved(saved.graph, revision, saved.digest or digest, tuple(rebuilt))
+
+
+def _moved(saved: Saved, revision: int, folder: Path) -> Saved:
+    """Return the state at a revision, forwards or backwards from another one."""
+    while saved.revision < revision:
+        saved = step(saved, read_commit(folder, saved.revision + 1), folder)
+    while saved.revision > revision:
+        saved = step(saved, read_commit(folder, saved.revision), folder, backwards=True)
+    return saved
+
+
+def _replayed(folder: Path, revision: int) -> Saved | None:
+    """Return the state at a revision from the commits alone; None where that is not possible."""
+    try:
+        return _moved(Saved(), revision, folder)
+    except InputError:
+        return None
+
+
+def _last_reached(folder: Path, start: int, revisions: list[int]) -> int:
+    """Return the revision that the commits lead to, where ``history/HEAD`` does not say it."""
+    last = start
+    while last + 1 in revisions:
+        last += 1
+    if revisions and revisions[-1] > last:
+        read_commit(folder, last + 1)  # says that it is missing
+    return last
+
+
+def _refuse_missing_end(folder: Path, start: int, revision: int, revisions: list[int]) -> None:
+    """Refuse a current revision that no commit leads to; what is there can be gone on from."""
+    last = max([start, *revisions])
+    if revision > last:
+        raise InputError(
+            f"names change {revision}, and the last one here is {last}",
+            mend=f"restore history/ from a copy of the project, or delete this file to go on from change {last}",
+            path=folder / HEAD,
+        )
+
+
+def _read_head(folder: Path) -> tuple[int, str] | None:
+    """Return the current revision and the digest of its commit; None where the file is missing."""
+    try:
+        match = _HEAD_LINE.match((folder / HEAD).read_bytes())
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise InputError(f"cannot be read ({error.strerror})", mend=FROM_COPY, path=folder / HEAD) from error
+    if match is None:
+        raise _damaged_head(folder)
+    return int(match[1]), (match[2] or b"").decode()
+
+
+def _read_graph(path: Path) -> Saved | None:
+    """Return what ``graph.json`` says; None where it is missing."""
+    try:
+        text = path.read_bytes()
+        body = from_json(text, allow_inf_nan=False)
+        version = int(body.get("schema_version", 0))
+        if version > SCHEMA_VERSION:
+            raise InputError("was written by a newer StoryBlender", mend="update StoryBlender", path=path)
+        digest = _DIGEST_LINE.match(text)
+        if digest and body.pop("digest") != _text_digest(text[digest.end() :]):
+            raise InputError("was changed since StoryBlender wrote it", mend=_graph_mend(path.parent), path=path)
+        revision, commit = int(body.pop("revision", 0)), str(body.pop("commit", ""))
+        while version < SCHEMA_VERSION:
+            body = UPGRADES[version](body)
+            version += 1
+        graph = ContinuityMemoryGraph.model_validate(body)
+        fault = next(faults_of(graph), None)
+        if fault is not None:
+            raise InputError(f"is no sound project graph: {fault}", mend=_graph_mend(path.parent), path=path)
+        return Saved(graph, revision, commit)
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError) as error:
+        mend = _graph_mend(path.parent)
+        raise InputError(f"cannot be read as a project graph{_where(error)}", mend=mend, path=path) from error
+
+
+def _where(error: Exception) -> str:
+    """Return which field is wrong, where the file can be read so far."""
+    if not isinstance(error, ValidationError):
+        return ""
+    fault = error.errors()[0]
+    place = ".".join(str(part) for part in fault["loc"])
+    return f" ({place}: {fault['msg'][:1].lower()}{fault['msg'][1:]})" if place else f" ({fault['msg']})"
+
+
+def _graph_mend(folder: Path) -> str:
+    """Return what to do about a ``graph.json`` that cannot be used; that it will do was tried."""
+    try:
+        head, revisions = _read_head(folder), commit_revisions(folder)
+        revision = head[0] if head else _last_reached(folder, 0, revisions)
+    except InputError:
+        return FROM_COPY
+    return _REBUILD_GRAPH if revision and _replayed(folder, revision) else FROM_COPY
+
+
+def _damaged_head(folder: Path) -> InputError:
+    """Return the refusal of a ``history/HEAD`` that cannot be right; that its advice will do was tried."""
+    try:
+        start = _read_graph(folder / GRAPH) or Saved()
+        _moved(start, _last_reached(folder, start.revision, commit_revisions(folder)), folder)
+    except InputError:
+        return InputError("the history is damaged here", mend=FROM_COPY, path=folder / HEAD)
+    return InputError("the history is damaged here", mend=_REBUILD_HEAD, path=folder / HEAD)
+
+
+def _text_digest(text: bytes) -> str:
+    return hashlib.sha256(text).hexdigest()[:16]
