@@ -73,6 +73,9 @@ class Project:
     ) -> None:
         try:
             self.checkpoint()
+        except InputError:
+            if error is None:  # else that error is the one to hear of, and the history has all
+                raise
         finally:
             self._lock.release()
 

@@ -40,7 +40,7 @@ from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import prune, shoot_frames, shoot_motion
 from storyblender.project import Project, read_project_graph, write_atomic
 from storyblender.settings import REMEMBERED, Settings
-from storyblender.trace import Listener, silent
+from storyblender.trace import Event, Listener, silent
 
 CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,
@@ -146,7 +146,7 @@ class Studio:
             InputError: No such project, or nothing to undo.
         """
         read_project_graph(folder)
-        with Project(folder) as project:
+        with self._project(folder) as project:
             return undo_edit(project)
 
     def redo(self, folder: Path) -> list[Commit]:
@@ -156,7 +156,7 @@ class Studio:
             InputError: No such project, or nothing to redo.
         """
         read_project_graph(folder)
-        with Project(folder) as project:
+        with self._project(folder) as project:
             return redo_edit(project)
 
     def check(self, folder: Path) -> Inspection:
@@ -257,8 +257,16 @@ class Studio:
             load(script)  # a script that cannot be read is refused before there is a folder
         ahead, self._ahead = self._ahead, None
         jobs = self._settings.jobs
-        with Project(folder) as project, BlenderEngine(project.folder, models, jobs, ahead=ahead) as engine:
+        with self._project(folder) as project, BlenderEngine(project.folder, models, jobs, ahead=ahead) as engine:
             yield Run(project, engine, load_embedder, self._settings, self._listener)
+
+    @contextmanager
+    def _project(self, folder: Path) -> Iterator[Project]:
+        """Open a project, and say what was missing in it."""
+        with Project(folder) as project:
+            for sentence in project.rebuilt:
+                self._listener(Event(kind="warning", role="project", subject=folder.name, message=sentence))
+            yield project
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
         shoot_frames(run, shots)
