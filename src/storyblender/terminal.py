@@ -1,6 +1,7 @@
 """What a person sees: progress on standard error, results on standard output; or JSON lines for a machine.
 
-Progress is bars and scores on a terminal, and a plain line as each stage begins and ends everywhere else.
+Progress is bars and scores on a terminal. Everywhere else it is plain lines: as a stage begins and ends and, where it
+has many steps, in between, with an estimate of what is left.
 """
 
 from __future__ import annotations
@@ -10,12 +11,21 @@ import sys
 from collections.abc import Mapping, Sequence
 from io import TextIOWrapper
 from pathlib import Path
+from time import monotonic
 from types import TracebackType
 from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.markup import escape
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TaskID,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
 from rich.table import Table
 
 if TYPE_CHECKING:
@@ -27,6 +37,7 @@ if TYPE_CHECKING:
     from storyblender.memory.history import Commit
     from storyblender.trace import Event
 
+_CONTROLS = {code: "\N{REPLACEMENT CHARACTER}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\t\n"}
 LABELS = {
     "ground": "Reading the script",
     "materialize": "Building people and props",
@@ -38,6 +49,8 @@ LABELS = {
     "deliver": "Binding the board",
     "export": "Writing the scenes",
 }
+LINES, LEAST_STEPS = 50, 5
+"""A log says of a stage how far it has come this many times at most, and never before so many steps more are done."""
 PLAIN_WIDTH = 240
 """Columns of a table that goes to a file or a pipe: enough that nothing is cut."""
 
@@ -58,20 +71,21 @@ class Terminal:
                 )  # a name never stops a run for a terminal that lacks letters
         self._json = json_lines
         silent = quiet or json_lines
-        self._console = Console(stderr=True, quiet=silent, highlight=False)
+        self._console = Console(stderr=True, quiet=silent, highlight=False, emoji=False)
         width = None if sys.stdout.isatty() else PLAIN_WIDTH
-        self._results = Console(file=sys.stdout, quiet=silent, highlight=False, width=width)
+        self._results = Console(file=sys.stdout, quiet=silent, highlight=False, emoji=False, width=width)
         self._progress = Progress(
             TextColumn("{task.description:28}"),
             BarColumn(bar_width=28),
             MofNCompleteColumn(),
             TimeElapsedColumn(),
+            TimeRemainingColumn(),
             TextColumn("[dim]{task.fields[note]}"),
             console=self._console,
             disable=silent or not self._console.is_terminal,
         )
         self._tasks: dict[str, TaskID] = {}
-        self._begun: set[str] = set()
+        self._begun: dict[str, tuple[float, int]] = {}  # when a stage began, and the step that is told next
 
     def __enter__(self) -> Terminal:
         self._progress.start()
@@ -95,16 +109,16 @@ class Terminal:
             self._note(f"{event.role} {event.subject} {event.kind}s {event.message}")
         elif event.kind in ("handover", "reject", "warning"):
             text = f"{event.role} {event.subject} {event.message}"
-            self._console.print(f"[yellow]{event.kind}[/] {escape(text)}", soft_wrap=True)
+            self._console.print(f"[yellow]{event.kind}[/] {_plain(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str]) -> None:
         """Say where everything is."""
         self._progress.stop()
         if self._json:
             self._write({"folder": str(folder), "files": list(names)})
-        self._results.print(f"[bold]{escape(str(folder))}[/]", soft_wrap=True)
+        self._results.print(f"[bold]{_plain(str(folder))}[/]", soft_wrap=True)
         for name in names:
-            self._results.print(f"  {escape(name)}")
+            self._results.print(f"  {_plain(name)}")
 
     def commits(self, done: str, commits: Sequence[Commit]) -> None:
         """Say what was undone or redone, and that the pictures follow.
@@ -116,9 +130,9 @@ class Terminal:
         self._progress.stop()
         if self._json:
             self._write({done: [{"author": commit.author, "reason": commit.reason} for commit in commits]})
-        self._results.print(f"[bold]{done}[/] {escape(commits[0].reason)}", soft_wrap=True)
+        self._results.print(f"[bold]{done}[/] {_plain(commits[0].reason)}", soft_wrap=True)
         for commit in commits[1:]:
-            self._results.print(f"  {escape(f'{commit.author}: {commit.reason}')}", soft_wrap=True)
+            self._results.print(f"  {_plain(f'{commit.author}: {commit.reason}')}", soft_wrap=True)
         self._results.print("`storyblender render` draws what this changes")
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
@@ -128,12 +142,12 @@ class Terminal:
         self._progress.stop()
         names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
         cast = [names[asset.asset_id] for asset in graph.assets if asset.asset_type == "character"]
-        self._results.print(f"[bold]Cast[/] {escape(', '.join(cast) or 'nobody')}")
+        self._results.print(f"[bold]Cast[/] {_plain(', '.join(cast) or 'nobody')}")
         table = Table("scene", "shots", "heading", "on stage", box=None)
         for scene in graph.outline:
             shots = graph.shots_of(scene.scene_id)
             people = dict.fromkeys(names[person] for shot in shots for person in shot.on_stage)
-            table.add_row(str(scene.scene_id), str(len(shots)), escape(scene.title), escape(", ".join(people)))
+            table.add_row(str(scene.scene_id), str(len(shots)), _plain(scene.title), _plain(", ".join(people)))
         self._results.print(table)
 
     def check(self, report: Inspection) -> None:
@@ -146,7 +160,7 @@ class Terminal:
             table.add_row(row.name, row.value, "[green]ok[/]" if row.ok else "[red]look[/]")
         self._results.print(table)
         for finding in report.findings:
-            self._results.print(f"  [yellow]{escape(finding)}[/]", soft_wrap=True)
+            self._results.print(f"  [yellow]{_plain(finding)}[/]", soft_wrap=True)
 
     def findings(self, findings: Sequence[Finding]) -> None:
         """Print what the doctor found."""
@@ -162,9 +176,9 @@ class Terminal:
                     }
                 )
             mark = "[green]ok [/]" if finding.healthy else "[red]bad[/]"
-            self._results.print(f"{mark} {finding.name:18} {escape(finding.says)}")
+            self._results.print(f"{mark} {finding.name:18} {_plain(finding.says)}")
             if finding.mend:
-                self._results.print(f"    [bold]{escape(finding.mend)}[/]")
+                self._results.print(f"    [bold]{_plain(finding.mend)}[/]")
 
     def catalog(self, catalogs: Mapping[str, Sequence[Entry]]) -> None:
         """Print catalogues."""
@@ -174,7 +188,7 @@ class Terminal:
                 self._write({"kind": kind, "keys": [entry.key for entry in entries]})
             table = Table(f"{kind} ({len(entries)})", "name", "also", box=None)
             for entry in entries:
-                table.add_row(entry.key, escape(entry.name), escape(", ".join(entry.tags[:6])))
+                table.add_row(entry.key, _plain(entry.name), _plain(", ".join(entry.tags[:6])))
             self._results.print(table)
 
     def error(self, error: StoryBlenderError) -> None:
@@ -183,31 +197,54 @@ class Terminal:
             file = None if error.path is None else str(error.path)
             parts = {"problem": error.problem, "file": file, "line": error.line, "mend": error.mend or None}
             self._write({"error": str(error), **parts})
-        Console(stderr=True, highlight=False).print(f"[red]storyblender:[/] {escape(str(error))}", soft_wrap=True)
+        Console(stderr=True, highlight=False, emoji=False).print(
+            f"[red]storyblender:[/] {_plain(str(error))}", soft_wrap=True
+        )
 
     def _advance(self, event: Event) -> None:
         if event.role not in self._tasks:
             label = LABELS.get(event.role, event.role)
             self._tasks[event.role] = self._progress.add_task(label, total=event.total, note="")
         note = event.subject or event.message
-        self._progress.update(self._tasks[event.role], completed=event.step, total=event.total, note=escape(note))
+        self._progress.update(self._tasks[event.role], completed=event.step, total=event.total, note=_plain(note))
 
     def _say_stage(self, event: Event) -> None:
-        """One line as a stage begins and one as it ends."""
-        label, ended = LABELS.get(event.role, event.role), event.step == event.total
+        """One line as a stage begins, one as it ends, and one now and then between."""
+        label, step, total = LABELS.get(event.role, event.role), event.step or 0, event.total or 0
+        note = f" ({event.subject})" if event.subject else ""
+        period = max(LEAST_STEPS, -(-total // LINES))
         if event.role not in self._begun:
-            self._begun.add(event.role)
+            self._begun[event.role] = monotonic(), step + period
             self._console.print(f"{label} ...", soft_wrap=True)
-        if ended:
-            self._begun.remove(event.role)
-            note = f" ({event.subject})" if event.subject else ""
-            self._console.print(f"{label}: {event.step} of {event.total}{escape(note)}", soft_wrap=True)
+        began, due = self._begun[event.role]
+        if step == total:
+            del self._begun[event.role]
+            self._console.print(f"{label}: {step} of {total}{_plain(note)}", soft_wrap=True)
+        elif step >= due:
+            self._begun[event.role] = began, step + period
+            left = roughly((monotonic() - began) / step * (total - step))
+            self._console.print(f"{label}: {step} of {total}{_plain(note)}, {left} left", soft_wrap=True)
 
     def _note(self, text: str) -> None:
         if self._tasks:
             last = list(self._tasks.values())[-1]
-            self._progress.update(last, note=escape(text[: max(20, self._console.width - 70)]))
+            self._progress.update(last, note=_plain(text[: max(20, self._console.width - 70)]))
 
     def _write(self, value: object) -> None:
         sys.stdout.write(json.dumps(value, ensure_ascii=False) + "\n")
         sys.stdout.flush()
+
+
+def roughly(seconds: float) -> str:
+    """Return a length of time as people say it: ``about 40 seconds``, ``about 3 hours 20 minutes``."""
+    minutes, hours = round(seconds / 60), round(seconds / 60) // 60
+    if minutes < 2:
+        return f"about {max(1, round(seconds))} second{'s' * (round(seconds) > 1)}"
+    if hours < 1:
+        return f"about {minutes} minutes"
+    return f"about {hours} hour{'s' * (hours > 1)} {minutes % 60} minutes"
+
+
+def _plain(text: str) -> str:
+    """Return text for rich, in which nothing is markup and nothing steers the terminal."""
+    return escape(text.translate(_CONTROLS))

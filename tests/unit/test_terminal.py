@@ -15,7 +15,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.terminal import Terminal
+from storyblender.terminal import Terminal, roughly
 from storyblender.trace import Event
 
 REPORT = Inspection(rows=(CheckRow(name="SDE", value="0", ok=True),), findings=("a sentence " * 30 + "end",))
@@ -33,6 +33,34 @@ def test_stages_begin_and_end_on_plain_lines(capsys: pytest.CaptureFixture[str])
         terminal.show(progress("frames", 3, 3))
         assert capsys.readouterr().err == "Drawing the frames: 3 of 3 (item 3)\n"
     assert capsys.readouterr() == ("", "")
+
+
+def test_a_log_of_a_feature_says_now_and_then_how_far_it_has_come(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clock = iter(range(100, 10_000_000, 60))
+    monkeypatch.setattr("storyblender.terminal.monotonic", lambda: next(clock))
+    with Terminal(quiet=False, json_lines=False) as terminal:
+        for step in range(1214):
+            terminal.show(progress("frames", step, 1213))
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "Drawing the frames ..." and lines[-1] == "Drawing the frames: 1213 of 1213 (item 1213)"
+    assert lines[1] == "Drawing the frames: 25 of 1213 (item 25), about 48 minutes left", "a minute for 25 steps"
+    assert 40 <= len(lines) <= 52
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"),
+    [
+        (0.2, "1 second"),
+        (40, "40 seconds"),
+        (200, "3 minutes"),
+        (3700, "1 hour 2 minutes"),
+        (12000, "3 hours 20 minutes"),
+    ],
+)
+def test_what_is_left_is_said_as_people_say_it(seconds: float, said: str) -> None:
+    assert roughly(seconds) == f"about {said}"
 
 
 def test_results_are_alone_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
@@ -59,8 +87,8 @@ def test_quiet_and_json_show_no_table(capsys: pytest.CaptureFixture[str], quiet:
 
 
 def test_errors_are_said_even_when_quiet(capsys: pytest.CaptureFixture[str]) -> None:
-    Terminal(quiet=True, json_lines=False).error(InputError("no such [b]script[/b]"))
-    assert capsys.readouterr().err == "storyblender: no such [b]script[/b]\n"
+    Terminal(quiet=True, json_lines=False).error(InputError("no such [b]script[/b] :bomb: \x1b[31m"))
+    assert capsys.readouterr().err == "storyblender: no such [b]script[/b] :bomb: \ufffd[31m\n", "as it is written"
 
 
 def test_a_plan_names_people_as_the_script_does(capsys: pytest.CaptureFixture[str]) -> None:
