@@ -5,18 +5,17 @@ A project remembers those it was made with, so that a later ``render`` draws in 
 
 from __future__ import annotations
 
-import json
-import tomllib
-from collections.abc import Callable
+import re
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BeforeValidator, Field, ValidationError
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import Look
+from storyblender.settings_file import SettingsFile, short
 
 Role = Literal[
     "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser", "spatial_planner", "animator",
@@ -36,6 +35,14 @@ def _ratio(value: Any) -> Any:
         return value
 
 
+def _clock(value: str) -> str:
+    if not re.fullmatch(r"([01]\d|2[0-3])(:[0-5]\d){2}:\d\d", value, re.ASCII):
+        raise ValueError("it should be hours, minutes, seconds and frames, for example 01:00:00:00")
+    return value
+
+
+LARGEST = 7680
+"""Pixels across and down."""
 REMEMBERED = "settings.json"
 """In the project folder."""
 
@@ -43,18 +50,21 @@ REMEMBERED = "settings.json"
 class Settings(Frozen):
     """Everything a run can be told. Every field has a default that just works."""
 
+    model_config = ConfigDict(allow_inf_nan=False)
+
     look: Look = "board"
     crew: Literal["rules"] = "rules"
     """Policy of every role; language models plug in here."""
     aspect: Annotated[float, BeforeValidator(_ratio)] = Field(default=16 / 9, ge=0.4, le=4)
-    width: int = Field(default=960, ge=160, le=7680, multiple_of=4)
+    width: int = Field(default=960, ge=160, le=LARGEST, multiple_of=4)
     """Pixels of a frame; the height follows the aspect ratio."""
     fps: int = Field(default=24, ge=6, le=120)
     sensor_width: float = Field(default=36.0, ge=4, le=70)
     """mm."""
-    lens_kit: tuple[Lens, ...] = ()
+    lens_kit: Annotated[tuple[Lens, ...], Field(max_length=50)] = ()
     """Lenses at hand, mm; empty allows any. A shot takes the nearest, or a wider one where the room is short."""
-    seed: int = Field(default=0, ge=0)
+    seed: int = Field(default=0, ge=0, lt=2**32)
+    """Another number, another choice wherever several would do: faces, clothes, how a set is filled."""
     shots_per_scene: int = Field(default=4, ge=1, le=60)
     """About how many shots a scene may have; explicit camera directions are always kept."""
     animatic: bool = True
@@ -62,16 +72,29 @@ class Settings(Frozen):
     on_twos: bool = True
     slate: bool = False
     """Burn the shot's name, lens and timecode into the frames."""
-    start_timecode: str = Field(default="01:00:00:00", pattern=r"^([01]\d|2[0-3]):[0-5]\d:[0-5]\d:\d\d$")
+    start_timecode: Annotated[str, AfterValidator(_clock)] = "01:00:00:00"
     """Timecode of the first frame, ``HH:MM:SS:FF``, in the timeline, the shot list and on slates."""
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Path | None = None
-    """A folder of the user's own .glb and .blend files, searched before the built-in library."""
+    """A folder of the user's own .glb and .blend files, searched before the built-in library. In ``storyblender.toml``
+    it is named from there."""
     thresholds: dict[Role, Annotated[float, Field(ge=0, le=10)]] = {}
     """tau by role; the paper's 8 where not given."""
     horizons: dict[Role, Annotated[int, Field(ge=1, le=100)]] = {}
     """T_max by role."""
+
+    @model_validator(mode="after")
+    def _fit_together(self) -> Self:
+        height = self.width / self.aspect
+        if height > LARGEST:
+            raise ValueError(
+                f"a picture {self.width} wide at this aspect is {height:.0f} high, and {LARGEST} is the most"
+            )
+        frames = int(self.start_timecode[-2:])
+        if frames >= self.fps:
+            raise ValueError(f"start_timecode ends in frame {frames}, and there are {self.fps} frames a second")
+        return self
 
     @classmethod
     def load(cls, script: Path | None = None, project: Path | None = None, **overrides: Any) -> Settings:
@@ -85,43 +108,36 @@ class Settings(Frozen):
         Raises:
             InputError: A setting is unknown or out of range.
         """
-        path, values = None, {}
+        file = None
         if script is not None:
-            path = script.parent / "storyblender.toml"
-            values = _read(path, tomllib.loads)
+            file = SettingsFile.read(script.parent / "storyblender.toml")
         elif project is not None:
-            path = project / REMEMBERED
-            values = _read(path, json.loads)
+            file = SettingsFile.read(project / REMEMBERED)
+        values = dict(file.values) if file else {}
+        if file and isinstance(models := values.get("models"), str):
+            values["models"] = file.path.parent / models
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values | given)
         except ValidationError as error:
-            first = error.errors()[0]
-            raise cls._refusal(first, path=None if first["loc"][0] in given else path) from error
+            fault = error.errors()[0]
+            ours = file is None or bool(fault["loc"] and fault["loc"][0] in given)
+            raise cls._refusal(fault, None if ours else file) from error
 
     @classmethod
-    def _refusal(cls, fault: ErrorDetails, path: Path | None) -> InputError:
-        """Say what is wrong with a setting, and in which file if it is from one."""
+    def _refusal(cls, fault: ErrorDetails, file: SettingsFile | None) -> InputError:
+        """Say what is wrong with a setting, and in which line of which file if it is from one."""
         name = ".".join(str(part) for part in fault["loc"] if part != "[key]")
+        path, line = (file.path, file.line_of(name)) if file else (None, None)
         if fault["type"] == "extra_forbidden":
             known = ", ".join(cls.model_fields)
-            return InputError(f"there is no setting {name!r}", mend=f"it is one of {known}", path=path)
-        mend = fault["msg"].replace("Input should", "it should")
-        return InputError(f"setting {name!r} cannot be {fault['input']!r}", mend=mend, path=path)
+            return InputError(f"there is no setting {short(name)}", mend=f"it is one of {known}", path=path, line=line)
+        mend = fault["msg"].removeprefix("Value error, ").replace("Input should", "it should").replace("tuple", "list")
+        if not name:
+            return InputError("the settings do not fit together", mend=mend, path=path)
+        problem = f"setting {short(name)} cannot be {short(fault['input'])}"
+        return InputError(problem, mend=mend, path=path, line=line)
 
     def remembered(self) -> str:
         """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine."""
         return self.model_dump_json(exclude_defaults=True, exclude={"jobs", "models"}, indent=1)
-
-
-def _read(path: Path, parse: Callable[[str], dict[str, Any]]) -> dict[str, Any]:
-    """Return the settings in a file; none where there is no file."""
-    if not path.is_file():
-        return {}
-    try:
-        values = parse(path.read_text(encoding="utf-8"))
-        if not isinstance(values, dict):
-            raise ValueError("it is a list of names and values")
-        return values
-    except ValueError as error:
-        raise InputError(f"cannot be read as settings ({error})", mend="mend or delete it", path=path) from error

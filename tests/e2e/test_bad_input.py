@@ -158,7 +158,7 @@ def test_no_project(tmp_path: Path, command: str) -> None:
         ("history/HEAD", "-2", "the history is damaged"),
         ("settings.json", '{"look": ', "cannot be read as settings"),
         ("settings.json", "[1]", "cannot be read as settings"),
-        ("settings.json", '{"look": "oil"}', "settings.json: setting 'look' cannot be 'oil'"),
+        ("settings.json", '{"look": "oil"}', "settings.json:1: setting 'look' cannot be 'oil'"),
     ],
 )
 def test_a_damaged_project(planned: Path, name: str, content: str, words: str) -> None:
