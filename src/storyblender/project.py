@@ -7,8 +7,8 @@ checkpoint brought up to HEAD on opening. Killed at any instant, the folder open
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 from types import TracebackType
 
@@ -21,7 +21,14 @@ from storyblender.history_files import GRAPH, HEAD, HISTORY, Saved, commit_name
 from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit, apply, changes_between
+from storyblender.outputs import Outputs
 from storyblender.trace import Event
+
+_FOLDERS = (
+    ".", "history", "frames", "thumbnails", "clips", "assets", "export", "build", "build/scenes", "build/figures",
+    "build/frames", "build/motion", "build/prints", "build/film",
+)  # fmt: skip
+"""Where files are written."""
 
 
 class Project:
@@ -39,6 +46,7 @@ class Project:
         self.folder = folder.resolve()
         self.files = Folder(self.folder)
         """The only way to write and delete here."""
+        self.files.path(".lock")
         try:
             self._refuse_foreign()
             self.folder.mkdir(parents=True, exist_ok=True)
@@ -54,6 +62,7 @@ class Project:
         except OSError as error:
             raise InputError(f"cannot be locked ({error.strerror})", mend="give another --out", path=folder) from error
         try:
+            self.files.clear_parts(*_FOLDERS)
             saved = history_files.load(self.folder)
             self.files.make_folder(HISTORY)  # from here on a project, even if killed before its first commit
         except BaseException:
@@ -79,13 +88,14 @@ class Project:
         finally:
             self._lock.release()
 
+    @cached_property
+    def outputs(self) -> Outputs:
+        """What the program wrote here, but for the graph and its history."""
+        return Outputs(self.files)
+
     def path(self, *parts: str) -> Path:
-        """Return a path inside the folder, with its parent made. Raises InputError if it would leave the folder."""
-        path = self.folder.joinpath(*parts).resolve()
-        if not path.is_relative_to(self.folder):
-            raise InputError(f"{'/'.join(parts)!r} leaves the project folder")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        return path
+        """Return where a file lies. Raises InputError if that is outside the folder or behind a link."""
+        return self.files.path(*parts)
 
     def commit(self, graph: ContinuityMemoryGraph, author: str, reason: str) -> Commit | None:
         """Write ``graph`` as the next revision if the Gatekeeper lets it in; None where nothing changed.
@@ -163,8 +173,7 @@ class Project:
 
     def record(self, event: Event) -> None:
         """Append an event to ``trace.jsonl``."""
-        with self.path("trace.jsonl").open("a", encoding="utf-8") as file:
-            file.write(event.model_dump_json(exclude_defaults=True) + "\n")
+        self.files.append("trace.jsonl", event.model_dump_json(exclude_defaults=True) + "\n")
 
     def _refuse_foreign(self) -> None:
         """Refuse a file, and a folder of something else, before a lock is put there."""
@@ -203,18 +212,3 @@ def read_project_graph(folder: Path) -> ContinuityMemoryGraph:
         mend = "run the same `storyblender make` again: it goes on where it was stopped"
         raise InputError("was stopped before it was made", mend=mend, path=folder)
     return saved.graph
-
-
-def write_atomic(path: Path, content: str | bytes) -> None:
-    """Write a file whole or not at all: a temporary neighbour is flushed, then renamed over it."""
-    temporary = path.with_name(f".{path.name}.part")
-    data = content.encode() if isinstance(content, str) else content
-    try:
-        with temporary.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        temporary.replace(path)
-    except OSError:
-        temporary.unlink(missing_ok=True)
-        raise

@@ -119,6 +119,6 @@ def _started_for(words: Sequence[str]) -> Worker | None:
                 worker = blender_worker(Path(word))
                 worker.start()
                 return worker
-        except OSError:  # the command itself will say what is wrong with the folder
+        except (OSError, StoryBlenderError):  # the command itself will say what is wrong with the folder
             return None
     return None

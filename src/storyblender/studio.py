@@ -25,6 +25,7 @@ from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_ed
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
 from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.inspection import Inspection, inspect
 from storyblender.library.embedder import load_embedder
 from storyblender.look.looks import LOOKS
@@ -33,12 +34,13 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob, ExportJob
 from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import prune, shoot_frames, shoot_motion
-from storyblender.project import Project, read_project_graph, write_atomic
+from storyblender.project import Project, read_project_graph
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener, silent
 
@@ -106,7 +108,7 @@ class Studio:
 
         with self._open(script, folder) as run:
             ground(run, script)
-            write_atomic(run.project.path(REMEMBERED), self._settings.remembered())
+            run.project.files.write(REMEMBERED, self._settings.remembered())
             materialize(run)
             stage(run)
             pack_scenes(run)
@@ -135,6 +137,7 @@ class Studio:
                 edit = CameraEdit.from_words(camera)
                 for shot in shots:
                     apply_camera_edit(run, shot, edit)
+            _restore_assets(run)
             pack_scenes(run)
             film(run)
             return self._shoot(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
@@ -171,6 +174,7 @@ class Studio:
             if any(shot.camera is None for shot in run.graph.shots):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
                 raise InputError("has shots without a camera yet", mend=mend, path=run.project.folder)
+            _restore_assets(run)
             pack_scenes(run)
             return inspect(run.graph, run.engine, list(run.packs.values()))
 
@@ -188,9 +192,10 @@ class Studio:
             files: list[str] = []
             for kind in kinds:
                 if kind in EXTRA_FORMATS:
-                    out, start = run.project.path("timeline.otio"), self._settings.start_timecode
-                    path = write_extra(run.graph, frame_paths(run), clip_paths(run), out, kind, start)
-                    files.append(path.name)
+                    start = self._settings.start_timecode
+                    files.append(f"timeline{EXTRA_FORMATS[kind]}")
+                    with run.delivering(files[-1]) as part:
+                        write_extra(run.graph, frame_paths(run), clip_paths(run), part, run.project.folder, kind, start)
                 else:
                     files += self._export_scenes(run, kind)
             return Delivery(run.project.folder, files, run.graph)
@@ -223,8 +228,7 @@ class Studio:
         with TemporaryDirectory() as name:
             folder = Path(name) / "sample"
             made = self._portrait(kinds[0], key, folder) if story is None else self._sample(story, key, folder)
-            out.parent.mkdir(parents=True, exist_ok=True)
-            out.write_bytes(made.read_bytes())
+            Folder(out.parent).write(out.name, made.read_bytes())
 
     def _portrait(self, kind: str, key: str, folder: Path) -> Path:
         with BlenderEngine(folder, jobs=1) as engine:
@@ -295,8 +299,17 @@ class Studio:
         run.progress("export", 0, len(jobs), kind)
         for step, future in enumerate(waiting, start=1):
             files.append(future.result())
+            run.outputs.note(files[-1])
             run.progress("export", step, len(jobs), files[-1])
         return files
+
+
+def _restore_assets(run: Run) -> None:
+    """Build assets again whose files are gone or damaged. Who decides on assets is loaded only then."""
+    if assets_to_build(run):
+        from storyblender.pipeline.materializing import materialize
+
+        materialize(run)
 
 
 def _refuse_unmade(run: Run) -> None:

@@ -12,7 +12,7 @@ from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.history import replace
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.project import Project, read_project_graph, write_atomic
+from storyblender.project import Project, read_project_graph
 from storyblender.trace import Event
 
 
@@ -152,13 +152,6 @@ def test_events_are_appended_as_lines(tmp_path: Path) -> None:
         project.record(Event(kind="refine", role="camera_operator"))
     lines = (tmp_path / "p" / "trace.jsonl").read_text().splitlines()
     assert [json.loads(line)["kind"] for line in lines] == ["score", "refine"]
-
-
-def test_write_atomic_replaces_whole(tmp_path: Path) -> None:
-    path = tmp_path / "a.txt"
-    write_atomic(path, "one")
-    write_atomic(path, b"two")
-    assert path.read_text() == "two" and [item.name for item in tmp_path.iterdir()] == ["a.txt"]
 
 
 def test_stopped_between_the_head_and_its_graph_the_checkpoint_is_whole(

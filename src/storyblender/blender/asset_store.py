@@ -5,6 +5,7 @@ Content-addressed: the same recipe is built once, by whichever worker comes firs
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +14,6 @@ import bpy
 from storyblender.blender.appending import append
 from storyblender.blender.measure.hashing import geometry_hash
 from storyblender.blender.measure.surfaces import find_tops
-from storyblender.blender.part_file import part_file
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.drape import drape_seated
 from storyblender.blender.people.person import build_person
@@ -21,10 +21,12 @@ from storyblender.blender.props.build import PropBuild, build_prop
 from storyblender.blender.props.imported import build_from_file
 from storyblender.blender.props.stand_in import build_stand_in
 from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset, CharacterLook
-from storyblender.memory.base import content_hash
-from storyblender.memory.jobs import AssetJob
+from storyblender.memory.base import Frozen, content_hash
+from storyblender.memory.jobs import ASSETS, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure
+from storyblender.outputs import digest_of
 
 
 @dataclass(frozen=True)
@@ -42,31 +44,42 @@ class CastMember:
     body: Body
 
 
+class AssetRecord(Frozen):
+    """What lies beside a built asset; it is written last."""
+
+    measure: AssetMeasure
+    files: dict[str, str]
+    """Suffix and digest of the files with its geometry."""
+
+
 class AssetStore:
-    """Builds assets into a folder and appends them to the open file.
+    """Builds assets into the project and appends them to the open file.
 
     Args:
-        folder: ``assets`` of the project.
+        files: The project folder.
         models: The user's folder of models, for assets that came from files.
     """
 
-    def __init__(self, folder: Path, models: Path | None = None) -> None:
-        self._folder, self._models = folder, models
-        folder.mkdir(parents=True, exist_ok=True)
+    def __init__(self, files: Folder, models: Path | None = None) -> None:
+        self._files, self._models = files, models
 
     def measure(self, job: AssetJob) -> AssetMeasure:
-        """Return the measure of an asset, building it into the store first where it is not there yet.
+        """Return the measure of an asset, building it into the store first where it is not there or is damaged.
 
         The open Blender file is replaced while building.
         """
-        path = self._folder / f"{job.digest}.json"
-        if path.exists():
-            return AssetMeasure.model_validate_json(path.read_bytes())
+        record, suffixes = self._path(job.digest, ".json"), asset_suffixes(job.asset)
+        try:
+            known = AssetRecord.model_validate_json(record.read_bytes())
+            if known.files == self._digests(job.digest, suffixes):
+                return known.measure
+        except (OSError, ValueError):
+            pass
         # An empty file; the add-ons stay registered, which a return to factory settings would do anew for each asset.
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
         measure = self._build(job)
-        with part_file(path) as part:
-            part.write_text(measure.model_dump_json())
+        known = AssetRecord(measure=measure, files=self._digests(job.digest, suffixes))
+        self._files.write(self._files.name_of(record), known.model_dump_json())
         return measure
 
     def append_mesh(self, asset: Asset) -> bpy.types.Mesh:
@@ -91,10 +104,16 @@ class AssetStore:
 
     def body(self, digest: str) -> Body:
         """Return a person's measures for the motion solver."""
-        return Body.load(self._folder / f"{digest}.npz")
+        return Body.load(self._path(digest, ".npz"))
+
+    def _path(self, digest: str, suffix: str) -> Path:
+        return self._files.path(ASSETS, f"{digest}{suffix}")
+
+    def _digests(self, digest: str, suffixes: Sequence[str]) -> dict[str, str]:
+        return {suffix: digest_of(self._path(digest, suffix)) for suffix in suffixes}
 
     def _append(self, digest: str) -> list[bpy.types.Object]:
-        (collection,) = append(self._folder / f"{digest}.blend", "collections")
+        (collection,) = append(self._path(digest, ".blend"), "collections")
         objects = sorted(collection.objects, key=lambda obj: obj.name)
         bpy.data.collections.remove(collection)
         return objects
@@ -106,7 +125,7 @@ class AssetStore:
             measure = self._build_person(asset, digest, collection)
         else:
             measure = self._build_object(asset, digest, collection)
-        with part_file(self._folder / f"{digest}.blend") as part:
+        with self._files.writing(f"{ASSETS}/{digest}.blend") as part:
             bpy.data.libraries.write(str(part), {collection}, compress=True, fake_user=True)
         return measure
 
@@ -120,7 +139,7 @@ class AssetStore:
         for obj in (build.armature, *build.meshes):
             collection.objects.link(obj) if obj.name not in collection.objects else None
             obj.data["digest"] = digest
-        with part_file(self._folder / f"{digest}.npz") as part:
+        with self._files.writing(f"{ASSETS}/{digest}.npz") as part:
             build.body.save(part)
         hashes = [geometry_hash(obj.data) for obj in build.meshes]
         width = float(build.body.vertices[:, 0].max() - build.body.vertices[:, 0].min())

@@ -13,14 +13,14 @@ _PLACED = ("location", "rotation_quaternion", "rotation_euler", "scale")
 """What of an object glTF can move."""
 
 
-def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out: Path) -> None:
+def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], part: Path) -> None:
     """Write one scene of the story's file.
 
     Args:
         story: The compiled .blend, opened with scripts disabled.
         scene_name: For example ``SC010``.
         kind: ``glb`` or ``usd``.
-        out: The file to write.
+        part: The file to write.
 
     Raises:
         EngineError: The file has no such scene.
@@ -34,7 +34,7 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out:
         _lighten(scene)
         _string(scene)
         bpy.ops.export_scene.gltf(
-            filepath=str(out),
+            filepath=str(part),
             export_format="GLB",
             use_active_scene=True,
             export_cameras=True,
@@ -46,7 +46,7 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], out:
             export_optimize_animation_keep_anim_object=True,  # who stands still in a shot stands there
         )
     else:
-        bpy.ops.wm.usd_export(filepath=str(out), export_animation=True, export_armatures=True, export_lights=True)
+        bpy.ops.wm.usd_export(filepath=str(part), export_animation=True, export_armatures=True, export_lights=True)
 
 
 def _lighten(scene: bpy.types.Scene) -> None:

@@ -17,7 +17,6 @@ from storyblender.blender.hiding import key_hidden
 from storyblender.blender.merge import merge_duplicates
 from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
-from storyblender.blender.part_file import part_file
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
 from storyblender.blender.tags import Surface, tag
@@ -160,11 +159,9 @@ def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:
     return starts
 
 
-def save_pack(path: Path) -> None:
-    """Save the open file whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with part_file(path) as part:
-        bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)
+def save_pack(part: Path) -> None:
+    """Save the open file."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)
 
 
 def _surface(obj: bpy.types.Object) -> Surface:

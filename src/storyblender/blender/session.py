@@ -19,14 +19,13 @@ from storyblender.blender.measure.collisions import find_collisions
 from storyblender.blender.measure.drift import spatial_drift
 from storyblender.blender.measure.figures import figures
 from storyblender.blender.measure.view import WIDTH, Sighting, viewfinder
-from storyblender.blender.part_file import part_file
 from storyblender.blender.render.frame import FrameRequest, PersonHead, render_frame
 from storyblender.blender.render.motion_frames import GROWN_HEAD, render_motion
 from storyblender.blender.render.picture import write_png
 from storyblender.blender.still import held_still
 from storyblender.blender.windows import light_windows
 from storyblender.catalog.hair import HAIRSTYLES
-from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.look.grade import AGX_CONTRAST, display_of
 from storyblender.memory.base import scene_name, shot_name
@@ -56,7 +55,7 @@ class Session:
     """
 
     def __init__(self, root: Path, models: Path | None = None) -> None:
-        self._root = root.resolve()
+        self._files = Folder(root)
         self._models = models
         self._open = ""
         self._held = ExitStack()
@@ -68,7 +67,7 @@ class Session:
     def _store(self) -> AssetStore:
         from storyblender.blender.asset_store import AssetStore
 
-        return AssetStore(self._root / "assets", self._models)
+        return AssetStore(self._files, self._models)
 
     @property
     def tools(self) -> list[Callable[..., Any]]:
@@ -93,17 +92,15 @@ class Session:
         return self._store.measure(job)
 
     def pack_scene(self, job: SceneJob) -> PackRef:
-        """Build one scene; its record comes last, so a pack with a record is whole."""
+        """Build one scene."""
         from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
 
         self._put_away()
         problems = ScenePacker(job, self._store).build()
-        save_pack(self._path(job.out))
+        with self._files.writing(job.out) as part:
+            save_pack(part)
         starts = tuple(shot_starts(job.shots).items())
-        reference = PackRef(scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems)
-        with part_file(self._path(job.record)) as part:
-            part.write_text(reference.model_dump_json())
-        return reference
+        return PackRef(scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems)
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
         """Return everybody's faces at frames of the scene's timeline."""
@@ -160,7 +157,8 @@ class Session:
                 result = render_frame(still, camera, job.lighting, heads, request)
             finally:
                 _remove_camera(camera)
-        write_png(result.image, self._path(job.out))
+        with self._files.writing(job.out) as part:
+            write_png(result.image, part)
         cast = {str(obj["node_id"]) for obj in scene.objects if obj.get("kind") == "character"}
         return FrameReport(
             out=job.out,
@@ -179,21 +177,12 @@ class Session:
         assert job.shot.camera is not None, "make_camera has made sure"
         height = ProjectFormat(aspect=job.format.aspect, width=job.width).height
         frames = range(start, start + job.shot.duration, job.step)
-        folder = self._path(job.folder)
-        folder.mkdir(parents=True, exist_ok=True)
+        hidden = job.shot.camera.hidden_node_ids
         try:
-            return len(
-                render_motion(
-                    scene,
-                    camera,
-                    frames,
-                    job.width,
-                    height,
-                    folder,
-                    job.lighting,
-                    hidden_node_ids=job.shot.camera.hidden_node_ids,
+            with self._files.writing_tree(job.folder) as part:
+                return len(
+                    render_motion(scene, camera, frames, job.width, height, part, job.lighting, hidden_node_ids=hidden)
                 )
-            )
         finally:
             _remove_camera(camera)
 
@@ -202,7 +191,7 @@ class Session:
         from storyblender.blender.story import compile_story
 
         self._put_away()
-        compile_story(job, self._root, self._path(job.out))
+        compile_story(job, self._files)
         return job.out
 
     def export_scene(self, job: ExportJob) -> str:
@@ -210,7 +199,8 @@ class Session:
         from storyblender.blender.export import export_scene
 
         self._put_away()
-        export_scene(self._path(job.story), scene_name(job.scene_id), job.format, self._path(job.out))
+        with self._files.writing(job.out) as part:
+            export_scene(self._files.path(job.story), scene_name(job.scene_id), job.format, part)
         return job.out
 
     def portrait(self, job: AssetJob, out: str) -> str:
@@ -227,7 +217,8 @@ class Session:
             parts = list(self._store.append_person(asset).meshes)
         else:
             parts = [bpy.data.objects.new(asset.asset_id, self._store.append_mesh(asset))]
-        render_portrait(parts, self._path(out), head=canonical.key in HAIRSTYLES)
+        with self._files.writing(out) as part:
+            render_portrait(parts, part, head=canonical.key in HAIRSTYLES)
         return out
 
     def _finder(self, pack: PackRef, frame: int, height: int) -> Callable[[Sighting], CameraView]:
@@ -251,18 +242,11 @@ class Session:
     def _open_pack(self, pack: PackRef) -> bpy.types.Scene:
         self._let_go()
         if self._open != pack.path:
-            bpy.ops.wm.open_mainfile(filepath=str(self._path(pack.path)), load_ui=False, use_scripts=False)
+            bpy.ops.wm.open_mainfile(filepath=str(self._files.path(pack.path)), load_ui=False, use_scripts=False)
             self._open = pack.path
         scene = bpy.data.scenes[scene_name(pack.scene_id)]
         bpy.context.window.scene = scene
         return scene
-
-    def _path(self, name: str) -> Path:
-        path = (self._root / name).resolve()
-        if not path.is_relative_to(self._root):
-            raise InputError(f"{name!r} leaves the project folder")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        return path
 
 
 def _head(figure: Figure, in_frame: Sequence[str]) -> PersonHead:

@@ -7,7 +7,6 @@ assets marked for the Asset Browser, an EDIT scene with one strip per shot. Noth
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import bpy
 
@@ -21,6 +20,7 @@ from storyblender.blender.opening import open_on
 from storyblender.blender.pack import save_pack
 from storyblender.blender.sets.world import set_world
 from storyblender.blender.tags import tag
+from storyblender.folder import Folder
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import PackRef, StoryJob
@@ -31,33 +31,33 @@ LIBRARY = "00_ASSET_LIBRARY"
 EDIT = "EDIT"
 
 
-def compile_story(job: StoryJob, root: Path, out: Path) -> None:
+def compile_story(job: StoryJob, files: Folder) -> None:
     """Compile and save the file, or put the changed scenes into it anew.
 
     Args:
-        job: The story and its packs.
-        root: The project folder, which the packs' paths are relative to.
-        out: The .blend; it is there already where only some scenes changed.
+        job: The story and its packs; the .blend is there already where only some scenes changed.
+        files: The project folder, which the paths are relative to.
     """
     changed = job.changed
     if changed is None:
         bpy.ops.wm.read_factory_settings(use_empty=True)
         bpy.context.scene.name = LIBRARY
     else:
-        bpy.ops.wm.open_mainfile(filepath=str(out), load_ui=False, use_scripts=False)
+        bpy.ops.wm.open_mainfile(filepath=str(files.path(job.out)), load_ui=False, use_scripts=False)
         _take_out([EDIT, *map(scene_name, changed)])
     scenes = {scene.scene_id: scene for scene in job.scenes}
     for pack in job.packs:
         if changed is None or pack.scene_id in changed:
             shots = tuple(shot for shot in job.shots if shot.scene_id == pack.scene_id)
-            _add_scene(job, pack, scenes[pack.scene_id], shots, root)
+            _add_scene(job, pack, scenes[pack.scene_id], shots, files)
     if changed is None:
-        _add_library(job, bpy.data.scenes[LIBRARY], AssetStore(root / "assets"))
+        _add_library(job, bpy.data.scenes[LIBRARY], AssetStore(files))
     merge_duplicates()
     _add_edit(job)
     open_on(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
     bpy.data.orphans_purge(do_recursive=True)
-    save_pack(out)
+    with files.writing(job.out) as part:
+        save_pack(part)
 
 
 def _take_out(names: list[str]) -> None:
@@ -69,9 +69,11 @@ def _take_out(names: list[str]) -> None:
     bpy.data.orphans_purge(do_recursive=True)
 
 
-def _add_scene(job: StoryJob, pack: PackRef, context: SceneContext, shots: tuple[ShotContext, ...], root: Path) -> None:
+def _add_scene(
+    job: StoryJob, pack: PackRef, context: SceneContext, shots: tuple[ShotContext, ...], files: Folder
+) -> None:
     name = scene_name(pack.scene_id)
-    (scene,) = append(root / pack.path, "scenes", [name])
+    (scene,) = append(files.path(pack.path), "scenes", [name])
     bpy.context.window.scene = scene
     scene.render.resolution_x, scene.render.resolution_y = job.format.width, job.format.height
     scene.render.resolution_percentage = 100

@@ -13,7 +13,7 @@ from av.subtitles.subtitle import SubtitleSet
 from PIL import Image
 
 from storyblender.deliver.panel import Panel, panels
-from storyblender.deliver.segments import Segment, add_track, encoded, join
+from storyblender.deliver.segments import Segment, add_track, join
 from storyblender.deliver.speech import Subtitle, subtitles
 from storyblender.memory.graph import ContinuityMemoryGraph
 
@@ -29,41 +29,42 @@ _MARKUP = re.compile(r"[<&\\]")
 _BRACES = str.maketrans("{}", "｛｝")
 
 
-def write_animatic(
-    graph: ContinuityMemoryGraph,
-    clips: Mapping[str, Sequence[Path]],
-    stills: Mapping[str, Path],
-    out: Path,
-    kept: Path,
-    processes: int = 1,
-) -> dict[str, Path]:
-    """Write the film with a subtitle track that a player can switch off and, beside it, the same as ``.srt``.
+def film_segments(
+    graph: ContinuityMemoryGraph, clips: Mapping[str, Sequence[Path]], stills: Mapping[str, Path]
+) -> list[Segment]:
+    """Return the shots of the film, in order.
 
     Args:
         graph: The story; its format gives the rate.
         clips: Shot name to its moving frames in order; each is held so that together they fill the shot.
         stills: Shot name to its board frame, for a shot without moving frames.
-        out: The ``.mp4``.
-        kept: A folder of its own for the encoded shots; the next film encodes only those that changed.
-        processes: How many shots are encoded at a time.
-
-    Returns:
-        Shot name to the shot by itself, a film without words in ``kept``.
     """
-    shots, size = panels(graph), _size(clips, stills)
-    pieces = [
+    size = _size(clips, stills)
+    return [
         Segment(tuple(clips.get(panel.name) or [stills[panel.name]]), panel.shot.duration, size, panel.fps)
-        for panel in shots
+        for panel in panels(graph)
     ]
-    paths = encoded(pieces, kept, processes)
-    part = out.with_name(f".{out.name}.part")
+
+
+def write_animatic(graph: ContinuityMemoryGraph, segments: Sequence[Path], part: Path) -> None:
+    """Write the film with a subtitle track that a player can switch off.
+
+    Args:
+        graph: The story; its format gives the rate.
+        segments: Every shot, encoded, in order.
+        part: The ``.mp4``.
+    """
+    shots = panels(graph)
+    pieces = [(path, panel.shot.duration) for path, panel in zip(segments, shots, strict=True)]
     with av.open(str(part), "w", format="mp4", options={"movflags": "faststart"}) as film:
-        track = add_track(film, paths[0])
+        track = add_track(film, segments[0])
         _add_subtitles(film, subtitles(shots))
-        join([(path, piece.length) for path, piece in zip(paths, pieces, strict=True)], graph.format.fps, film, track)
-    part.replace(out)
-    out.with_suffix(".srt").write_text(subrip(shots), encoding="utf-8")
-    return {panel.name: path for panel, path in zip(shots, paths, strict=True)}
+        join(pieces, graph.format.fps, film, track)
+
+
+def write_subtitles(graph: ContinuityMemoryGraph, part: Path) -> None:
+    """Write the dialogue as an ``.srt`` file."""
+    part.write_text(subrip(panels(graph)), encoding="utf-8")
 
 
 def subrip(shots: Sequence[Panel]) -> str:

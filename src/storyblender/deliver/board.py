@@ -53,7 +53,7 @@ class _Print(ImageReader):
 def write_board(
     graph: ContinuityMemoryGraph,
     frames: Mapping[str, Path],
-    out: Path,
+    part: Path,
     layout: Literal["grid", "single"] = "grid",
 ) -> None:
     """Write the board.
@@ -61,12 +61,12 @@ def write_board(
     Args:
         graph: The story.
         frames: Shot name to picture, JPEG for a small file; a missing one is drawn as an empty frame.
-        out: The PDF.
+        part: The PDF.
         layout: ``grid`` sets six panels on a page, ``single`` one.
     """
     fonts.register()
     rl_config.useA85 = 0  # pictures as the bytes they are: to write them as text takes nine tenths of the time
-    canvas = Canvas(str(out), pagesize=(PAGE_WIDTH, PAGE_HEIGHT), invariant=1)
+    canvas = Canvas(str(part), pagesize=(PAGE_WIDTH, PAGE_HEIGHT), invariant=1)
     canvas.setTitle(graph.title or "Storyboard")
     canvas.setAuthor("StoryBlender")
     shots = panels(graph)

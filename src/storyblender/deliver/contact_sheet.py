@@ -16,41 +16,37 @@ TALLEST = 4000
 """Pixels down at most, unless a single row is taller: a screen shows it, and a JPEG ends at 65,500."""
 
 
-def write_contact_sheets(frames: Mapping[str, Path], out: Path, columns: int = 4, width: int = 400) -> list[Path]:
-    """Write as many sheets as it takes, and delete those that a longer story had.
+COLUMNS, WIDTH = 4, 400
+"""Pictures across, and pixels of one."""
+
+
+def sheet_pages(frames: Mapping[str, Path]) -> list[dict[str, Path]]:
+    """Return the pictures of each sheet, by shot name in order: as many sheets as it takes."""
+    shown = list(frames.items())
+    height = _height(shown[0][1], WIDTH) if shown else 0
+    most = COLUMNS * max(1, (TALLEST - GAP) // (height + LABEL + GAP))
+    return [dict(shown[at : at + most]) for at in range(0, len(shown), most)]
+
+
+def write_contact_sheet(frames: Mapping[str, Path], part: Path) -> None:
+    """Write one sheet.
 
     Args:
-        frames: Shot name to picture, in order.
-        out: The first sheet, ``.jpg`` or ``.png``; the second is ``contact_sheet_2.jpg`` and so on.
-        columns: Pictures across.
-        width: Pixels of one picture.
-
-    Returns:
-        The sheets, in order.
+        frames: Shot name to picture, in order; one of the ``sheet_pages``.
+        part: ``.jpg`` or ``.png``.
     """
     shown = list(frames.items())
-    height = _height(shown[0][1], width) if shown else 0
-    rows = max(1, (TALLEST - GAP) // (height + LABEL + GAP))
-    pages = [shown[at : at + rows * columns] for at in range(0, len(shown), rows * columns)]
-    sheets = [_sheet_path(out, number) for number in range(1, len(pages) + 1)]
-    for path, page in zip(sheets, pages, strict=True):
-        _sheet(page, columns, (width, height)).save(path)
-    for stale in sheets_beside(out)[len(sheets) :]:
-        stale.unlink()
-    return sheets
+    _sheet(shown, COLUMNS, (WIDTH, _height(shown[0][1], WIDTH))).save(part)
 
 
-def sheets_beside(first: Path) -> list[Path]:
-    """Return the sheets that there are, in order.
-
-    Args:
-        first: The first of them.
-    """
-    return list(takewhile(Path.exists, (_sheet_path(first, number) for number in count(1))))
+def sheet_name(number: int) -> str:
+    """Return the name of a sheet's file; the first is number 1."""
+    return "contact_sheet.jpg" if number == 1 else f"contact_sheet_{number}.jpg"
 
 
-def _sheet_path(out: Path, number: int) -> Path:
-    return out if number == 1 else out.with_stem(f"{out.stem}_{number}")
+def sheets_in(folder: Path) -> list[str]:
+    """Return the names of the sheets that there are, in order."""
+    return list(takewhile(lambda name: (folder / name).exists(), map(sheet_name, count(1))))
 
 
 def _height(picture: Path, width: int) -> int:

@@ -25,7 +25,12 @@ _NO_XML = {code: " " for code in (*range(32), 127, 0xFFFE, 0xFFFF) if chr(code) 
 
 
 def write_fcpxml(
-    graph: ContinuityMemoryGraph, frames: Mapping[str, Path], clips: Mapping[str, Path], out: Path, first: int
+    graph: ContinuityMemoryGraph,
+    frames: Mapping[str, Path],
+    clips: Mapping[str, Path],
+    part: Path,
+    folder: Path,
+    first: int,
 ) -> None:
     """Write the file.
 
@@ -33,7 +38,8 @@ def write_fcpxml(
         graph: The story.
         frames: Shot name to picture.
         clips: Shot name to moving picture; it stands in place of the frame.
-        out: The file; media are named relative to its folder.
+        part: The file.
+        folder: Where it is opened: media are named relative to it.
         first: Frame that the timeline's timecode begins at.
     """
     shots, fps = panels(graph), graph.format.fps
@@ -50,10 +56,10 @@ def write_fcpxml(
     spine = SubElement(SubElement(project, "sequence", timing), "spine")
     for panel in shots:
         media = clips.get(panel.name) or frames.get(panel.name)
-        _shot(resources, spine, panel, media and media.relative_to(out.parent), panel.name in clips, first)
+        _shot(resources, spine, panel, media and media.relative_to(folder), panel.name in clips, first)
     ElementTree.indent(root, "  ")
     text = ElementTree.tostring(root, encoding="unicode")
-    out.write_text(f'<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE fcpxml>\n{text}\n', encoding="utf-8")
+    part.write_text(f'<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE fcpxml>\n{text}\n', encoding="utf-8")
 
 
 def _shot(resources: Element, spine: Element, panel: Panel, media: Path | None, moving: bool, first: int) -> None:

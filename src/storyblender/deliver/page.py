@@ -13,7 +13,7 @@ from string import Template
 from types import MappingProxyType
 
 from storyblender.deliver.checklist import Check
-from storyblender.deliver.contact_sheet import sheets_beside
+from storyblender.deliver.contact_sheet import sheets_in
 from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.deliver.speech import subtitles
 from storyblender.memory.base import scene_name
@@ -32,7 +32,8 @@ FILES = (
 def write_page(
     graph: ContinuityMemoryGraph,
     frames: Mapping[str, Path],
-    out: Path,
+    part: Path,
+    folder: Path,
     checks: Sequence[Check] = (),
     thumbnails: Mapping[str, Path] = MappingProxyType({}),
 ) -> None:
@@ -40,12 +41,12 @@ def write_page(
 
     Args:
         graph: The story.
-        frames: Shot name to picture, inside the folder of ``out``.
-        out: ``index.html``.
+        frames: Shot name to picture, inside the folder.
+        part: ``index.html``, wherever it is written.
+        folder: Where it is opened; the files there are linked.
         checks: What a person should look at, in order.
         thumbnails: Shot name to a small picture that stands for its frame until it is enlarged.
     """
-    folder = out.parent
     shots = panels(graph)
     counts = Counter(check.shot for check in checks)
     film = (folder / "animatic.mp4").exists()
@@ -62,7 +63,7 @@ def write_page(
     counted = length_of(shots)
     summary = f"{escape(graph.story_summary)} <br>{counted}" if graph.story_summary else counted
     page = Template((files("storyblender.deliver") / "page.html").read_text(encoding="utf-8"))
-    out.write_text(
+    part.write_text(
         page.substitute(
             title=escape(graph.title or "Storyboard"),
             summary=summary,
@@ -79,8 +80,8 @@ def write_page(
 
 def _links(folder: Path, to_check: int) -> str:
     links = [(name, label) for name, label in FILES if (folder / name).exists()]
-    for number, sheet in enumerate(sheets_beside(folder / "contact_sheet.jpg"), start=1):
-        links.append((sheet.name, "Contact sheet" if number == 1 else f"Contact sheet {number}"))
+    for number, sheet in enumerate(sheets_in(folder), start=1):
+        links.append((sheet, "Contact sheet" if number == 1 else f"Contact sheet {number}"))
     if to_check:
         links.append(("#check", f"Please check ({to_check})"))
     return "".join(f'<a href="{name}">{label}</a>' for name, label in links)

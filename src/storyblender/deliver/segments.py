@@ -16,6 +16,10 @@ from av.video.frame import PictureType
 from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc, Interpolation
 from av.video.stream import VideoStream
 
+from storyblender.folder import Folder
+from storyblender.outputs import Outputs
+
+SEGMENTS = "build/film"
 _CODEC = {"crf": "20", "preset": "veryfast", "threads": "1"}
 """One thread an encoder: its result is the same on every machine; segments are encoded side by side."""
 _COLORS = (ColorPrimaries.BT709, ColorTrc.BT709, Colorspace.ITU709, ColorRange.MPEG)
@@ -52,22 +56,26 @@ class Segment:
         return content.hexdigest()[:16]
 
 
-def encoded(segments: Sequence[Segment], folder: Path, processes: int = 1) -> list[Path]:
-    """Return a file for each segment, in order; only those that are new are encoded, and those not named are deleted.
+def encoded(segments: Sequence[Segment], files: Folder, outputs: Outputs, processes: int = 1) -> list[Path]:
+    """Return a file for each segment, in order; only those that are new are encoded, and those of no use deleted.
 
     Args:
         segments: The film.
-        folder: Where they are kept; made if it does not exist.
+        files: The project.
+        outputs: What was written into it.
         processes: How many are encoded at a time.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = [folder / f"{segment.digest}.mp4" for segment in segments]
-    new = {path: segment for path, segment in zip(paths, segments, strict=True) if not path.exists()}
+    names = [f"{SEGMENTS}/{segment.digest}.mp4" for segment in segments]
+    new = {name: segment for name, segment in zip(names, segments, strict=True) if not outputs.whole(name)}
+
+    def encode(name: str) -> None:
+        with outputs.writing(name) as part:
+            _encode(new[name], part)
+
     with ThreadPoolExecutor(processes) as threads:
-        list(threads.map(_encode, new.values(), new))
-    for path in set(folder.iterdir()) - set(paths):
-        path.unlink()
-    return paths
+        list(threads.map(encode, new))
+    outputs.keep_only(f"{SEGMENTS}/", names)
+    return [files.path(name) for name in names]
 
 
 def add_track(film: OutputContainer, segment: Path) -> VideoStream:
@@ -98,8 +106,7 @@ def join(segments: Sequence[tuple[Path, int]], fps: int, film: OutputContainer, 
         start += length
 
 
-def _encode(segment: Segment, path: Path) -> None:
-    part = path.with_suffix(".part")
+def _encode(segment: Segment, part: Path) -> None:
     with av.open(str(part), "w", format="mp4") as container:
         stream = container.add_stream("libx264", rate=segment.fps)
         stream.width, stream.height = segment.size
@@ -116,7 +123,6 @@ def _encode(segment: Segment, path: Path) -> None:
             frame.pts, frame.time_base = index, rate
             container.mux(stream.encode(frame))
         container.mux(stream.encode(None))
-    part.replace(path)
 
 
 def _frame(content: bytes, size: tuple[int, int]) -> av.VideoFrame:

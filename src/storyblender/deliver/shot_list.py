@@ -15,17 +15,17 @@ COLUMNS: tuple[str, ...] = (
 )  # fmt: skip
 
 
-def write_shot_list(graph: ContinuityMemoryGraph, out: Path, start: str = "00:00:00:00") -> None:
+def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:00:00:00") -> None:
     """Write the list. UTF-8 with a byte order mark, so that spreadsheets read names rightly.
 
     Args:
         graph: The story.
-        out: The CSV file.
+        part: The CSV file.
         start: Timecode of the first frame.
     """
     first = frame_of(start, graph.format.fps)
     names = {asset.asset_id: asset.name or asset.asset_id for asset in graph.assets}
-    with out.open("w", encoding="utf-8-sig", newline="") as file:
+    with part.open("w", encoding="utf-8-sig", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS)
         writer.writeheader()
         for panel in panels(graph):

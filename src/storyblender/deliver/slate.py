@@ -10,13 +10,13 @@ from storyblender.deliver.fonts import font_file
 from storyblender.deliver.panel import Panel, timecode
 
 
-def burn_in(source: Path, panel: Panel, out: Path, first: int = 0) -> None:
+def burn_in(source: Path, panel: Panel, part: Path, first: int = 0) -> None:
     """Write a copy of a frame with its slate on a translucent band.
 
     Args:
         source: The clean frame; it is never changed.
         panel: What the slate says.
-        out: The copy.
+        part: The copy.
         first: Frame that the story's timecode begins at.
     """
     with Image.open(source) as image:
@@ -33,7 +33,7 @@ def burn_in(source: Path, panel: Panel, out: Path, first: int = 0) -> None:
     between = (left + font.getlength(name) + right - font.getlength(time)) / 2
     draw.text((between, y), facts, font=font, fill="white", anchor="mm")
     draw.text((right, y), time, font=font, fill="white", anchor="rm")
-    picture.save(out)
+    picture.save(part)
 
 
 def _fitting(line: str, size: int, room: float) -> ImageFont.FreeTypeFont:

@@ -46,34 +46,38 @@ def build_timeline(
 
 
 def write_timeline(
-    graph: ContinuityMemoryGraph, frames: Mapping[str, Path], clips: Mapping[str, Path], out: Path, start: str
+    graph: ContinuityMemoryGraph,
+    frames: Mapping[str, Path],
+    clips: Mapping[str, Path],
+    part: Path,
+    folder: Path,
+    start: str,
 ) -> None:
-    """Write ``timeline.otio``; the arguments are those of ``build_timeline``."""
-    otio.adapters.write_to_file(build_timeline(graph, frames, clips, out.parent, start), str(out))
+    """Write ``timeline.otio`` to ``part``; the other arguments are those of ``build_timeline``."""
+    otio.adapters.write_to_file(build_timeline(graph, frames, clips, folder, start), str(part))
 
 
 def write_extra(
     graph: ContinuityMemoryGraph,
     frames: Mapping[str, Path],
     clips: Mapping[str, Path],
-    out: Path,
+    part: Path,
+    folder: Path,
     name: str,
     start: str,
-) -> Path:
-    """Write the timeline as ``edl`` or ``fcpxml`` beside ``out`` and return its path.
+) -> None:
+    """Write the timeline to ``part`` as ``edl`` or ``fcpxml``; the other arguments are those of ``build_timeline``.
 
     Raises:
         InputError: The adapter is not installed, or an EDL has no timecode for the rate.
     """
-    path = out.with_suffix(EXTRA_FORMATS[name])
     if name == "edl":
-        _write_edl(build_timeline(graph, frames, clips, out.parent, start), path, graph.format.fps)
+        _write_edl(build_timeline(graph, frames, clips, folder, start), part, graph.format.fps)
     else:
-        write_fcpxml(graph, frames, clips, path, frame_of(start, graph.format.fps))
-    return path
+        write_fcpxml(graph, frames, clips, part, folder, frame_of(start, graph.format.fps))
 
 
-def _write_edl(timeline: otio.schema.Timeline, path: Path, rate: int) -> None:
+def _write_edl(timeline: otio.schema.Timeline, part: Path, rate: int) -> None:
     if _EDL not in otio.adapters.available_adapter_names():
         raise InputError("edl needs an extra", mend="pip install 'storyblender[edl]'")
     if not otio.opentime.RationalTime(0, rate).is_valid_timecode_rate(rate):
@@ -82,7 +86,7 @@ def _write_edl(timeline: otio.schema.Timeline, path: Path, rate: int) -> None:
         )
     before = otio.opentime.TimeRange(otio.opentime.RationalTime(0, rate), timeline.global_start_time)
     timeline.tracks[0].insert(0, otio.schema.Gap(source_range=before))  # the adapter counts from zero, whatever we say
-    otio.adapters.write_to_file(timeline, str(path), adapter_name=_EDL, rate=rate)
+    otio.adapters.write_to_file(timeline, str(part), adapter_name=_EDL, rate=rate)
 
 
 def reel_of(panel: Panel) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
@@ -14,6 +13,7 @@ from pydantic import TypeAdapter
 
 from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import LOG, Worker, blender_worker
+from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
@@ -39,10 +39,7 @@ class BlenderEngine:
     """
 
     def __init__(self, root: Path, models: Path | None = None, jobs: int = 0, *, ahead: Worker | None = None) -> None:
-        self._root = root
-        log = root / LOG
-        if log.exists():
-            os.truncate(log, 0)  # not unlinked: a worker that is ahead has it open
+        Folder(root).empty(LOG)  # not deleted: a worker that is ahead has it open
         self._pool = WorkerPool(lambda: blender_worker(root, models), jobs, ahead)
         self._running: dict[str, Future[Any]] = {}
         """The last job for each output: nobody starts another while it runs."""
@@ -70,12 +67,7 @@ class BlenderEngine:
         return self._once(job.digest, "build_asset", {"job": _plain(job)}, AssetMeasure.model_validate)
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
-        """Build one scene with the motion of all its shots; a pack that is there already is only looked up."""
-        pack, record = self._root / job.out, self._root / job.record
-        if pack.exists() and record.exists():
-            known: Future[PackRef] = Future()
-            known.set_result(PackRef.model_validate_json(record.read_bytes()))
-            return known
+        """Build one scene with the motion of all its shots."""
         scene_id, arguments = job.scene.scene_id, {"job": _plain(job)}
         return self._once(job.out, "pack_scene", arguments, PackRef.model_validate, f"scene{scene_id}")
 

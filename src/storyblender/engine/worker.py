@@ -8,15 +8,18 @@ it against one of them.
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import threading
 from collections.abc import Sequence
+from io import FileIO
 from pathlib import Path
 from typing import Any
 
 from storyblender.engine.wire import LONGEST, PROTOCOL, Lost, Refused, answer_in, request_line, value_in
-from storyblender.errors import EngineError
+from storyblender.errors import EngineError, InputError
+from storyblender.folder import Folder
 
 LOG = "build/engine.log"
 """Blender's words, in the project folder."""
@@ -29,13 +32,13 @@ class Worker:
 
     Args:
         command: Starts the server; its first word is the program.
-        log: Where the process's standard error goes.
+        files: The folder with the log, where the process's standard error goes.
         attempts: Starts per call before giving up.
         timeout: Seconds that one attempt at a call may take, from the start of the process to the end of the answer.
     """
 
-    def __init__(self, command: Sequence[str], log: Path, *, attempts: int = 3, timeout: float = 900) -> None:
-        self._command, self._log = command, log
+    def __init__(self, command: Sequence[str], files: Folder, *, attempts: int = 3, timeout: float = 900) -> None:
+        self._command, self._files = command, files
         self._attempts, self._timeout = attempts, timeout
         self._process: subprocess.Popen[bytes] | None = None
         self._greeted = self._closed = False
@@ -44,8 +47,7 @@ class Worker:
     def start(self) -> None:
         """Start the process, if it does not run, without waiting until it can take a call."""
         if self._process is None:
-            self._log.parent.mkdir(parents=True, exist_ok=True)
-            with self._log.open("ab") as log:
+            with _log_of(self._files) as log:
                 self._process = subprocess.Popen(
                     self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log
                 )
@@ -133,9 +135,19 @@ def blender_worker(root: Path, models: Path | None = None) -> Worker:
         root: The project folder it may write to.
         models: The user's folder of models it may read.
     """
-    root = root.resolve()
-    command = [sys.executable, "-m", "storyblender.blender", "--root", str(root)]
-    return Worker(command if models is None else [*command, "--models", str(models)], root / LOG)
+    files = Folder(root)
+    command = [sys.executable, "-m", "storyblender.blender", "--root", str(files.root)]
+    return Worker(command if models is None else [*command, "--models", str(models)], files)
+
+
+def _log_of(files: Folder) -> FileIO:
+    """Return the log; a disk that has no room for it stops nobody."""
+    try:
+        return files.log(LOG)
+    except InputError as error:
+        if not isinstance(error.__cause__, OSError):
+            raise
+        return FileIO(os.devnull, "wb")
 
 
 def _send(process: subprocess.Popen[bytes], message: dict[str, Any]) -> None:

@@ -23,6 +23,15 @@ DRAWING_VERSION = 5
 """Raised when the same request is drawn otherwise, as when the golden pictures change: old projects draw anew."""
 
 
+ASSETS = "assets"
+"""Folder of the built assets, each named by its digest."""
+
+
+def asset_suffixes(asset: Asset) -> tuple[str, ...]:
+    """Return how the names of the files with an asset's geometry end: of people also what their motion needs."""
+    return (".blend", ".npz") if asset.asset_type == "character" else (".blend",)
+
+
 class AssetJob(Frozen):
     """Build one canonical asset and measure it."""
 

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 from concurrent.futures import Future
-from pathlib import Path
-
-from pydantic import ValidationError
 
 from storyblender import __version__
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.jobs import GEOMETRY_VERSION, StoryJob
 from storyblender.pipeline.run import Run
-from storyblender.project import write_atomic
 
 STORY = "story.blend"
 RECORD = "build/story.json"
@@ -21,8 +16,6 @@ RECORD = "build/story.json"
 class StoryRecord(Frozen):
     """What the file on disk was compiled from."""
 
-    file: str = ""
-    """Hash of its bytes: a file that was changed by hand since is compiled whole."""
     common: str
     """Hash of what all scenes share."""
     scenes: dict[int, str]
@@ -37,14 +30,14 @@ class Compilation:
     """
 
     def __init__(self, run: Run) -> None:
-        self._file, self._record = run.project.path(STORY), run.project.path(RECORD)
-        job = _story_job(run)
-        self._fresh, former = _record_of(job), _former(self._record)
+        self._outputs, job = run.outputs, _story_job(run)
+        self._fresh, former = _record_of(job), run.outputs.read(RECORD, StoryRecord.model_validate_json)
         changed = None
-        if former is not None and former.common == self._fresh.common and former.file == _file_hash(self._file):
+        if former is not None and former.common == self._fresh.common and run.outputs.whole(STORY):
             changed = tuple(key for key, digest in self._fresh.scenes.items() if former.scenes.get(key) != digest)
         self._compiled: Future[str] | None = None
         if changed != ():
+            run.copy_aside(STORY)
             self._compiled = run.engine.compile_story(job.model_copy(update={"changed": changed}))
 
     def finish(self) -> None:
@@ -55,8 +48,8 @@ class Compilation:
         """
         if self._compiled is not None:
             self._compiled.result()
-            record = self._fresh.model_copy(update={"file": _file_hash(self._file)})
-            write_atomic(self._record, record.model_dump_json())
+            self._outputs.note(STORY)
+            self._outputs.write(RECORD, self._fresh.model_dump_json())
 
 
 def _story_job(run: Run) -> StoryJob:
@@ -80,14 +73,3 @@ def _record_of(job: StoryJob) -> StoryRecord:
         scenes[pack.scene_id] = content_hash(pack, list(of_scene))
     common = [plain[name] for name in ("format", "outline", "assets")]
     return StoryRecord(common=content_hash(__version__, GEOMETRY_VERSION, common, list(scenes)), scenes=scenes)
-
-
-def _former(path: Path) -> StoryRecord | None:
-    try:
-        return StoryRecord.model_validate_json(path.read_bytes())
-    except (OSError, ValidationError):
-        return None
-
-
-def _file_hash(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16] if path.exists() else "none"

@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-import filecmp
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from storyblender.deliver import slate
-from storyblender.deliver.animatic import write_animatic
+from storyblender.deliver.animatic import film_segments, write_animatic, write_subtitles
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import Check, checklist
-from storyblender.deliver.contact_sheet import write_contact_sheets
+from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, write_contact_sheet
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import frame_of, panels
+from storyblender.deliver.segments import encoded
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.prints import make_prints
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import shots_not_in_film
-from storyblender.project import write_atomic
 from storyblender.trace import Event
 
-SEGMENTS = "build/film"
 CLIPS = "clips"
 
 
@@ -54,27 +52,36 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     steps = 6
     run.progress("deliver", 0, steps, "board.pdf")
     prints = make_prints(run, _with_slates(run, frames) if run.settings.slate else frames)
-    write_board(graph, prints.small, folder / "board.pdf")
-    write_board(graph, prints.large, folder / "board_single.pdf", "single")
+    with run.delivering("board.pdf") as part:
+        write_board(graph, prints.small, part)
+    with run.delivering("board_single.pdf") as part:
+        write_board(graph, prints.large, part, "single")
     run.progress("deliver", 2, steps, "shots.csv")
-    write_shot_list(graph, folder / "shots.csv", run.settings.start_timecode)
-    sheets = write_contact_sheets(prints.small, folder / "contact_sheet.jpg")
+    with run.delivering("shots.csv") as part:
+        write_shot_list(graph, part, run.settings.start_timecode)
+    sheets = _contact_sheets(run, prints.small)
     run.progress("deliver", 3, steps, "animatic.mp4")
     film = folder / "animatic.mp4"
     if clips is not None and frames:
-        kept = run.project.path(SEGMENTS)
-        _place_clips(run, write_animatic(graph, clips, frames, film, kept, run.engine.processes))
+        segments = encoded(film_segments(graph, clips, frames), run.project.files, run.outputs, run.engine.processes)
+        with run.delivering("animatic.mp4") as part:
+            write_animatic(graph, segments, part)
+        with run.delivering("animatic.srt") as part:
+            write_subtitles(graph, part)
+        _place_clips(run, {panel.name: path for panel, path in zip(panels(graph), segments, strict=True)})
     elif film.exists() and (stale := shots_not_in_film(run)):
         told = f"still shows {', '.join(stale)} as before; `storyblender render --animatic` shoots it again"
         run.tell(Event(kind="warning", role="animatic.mp4", message=told))
         _place_clips(run, {name: path for name, path in clip_paths(run).items() if name not in stale})
-    write_timeline(graph, frames, clip_paths(run), folder / "timeline.otio", run.settings.start_timecode)
+    with run.delivering("timeline.otio") as part:
+        write_timeline(graph, frames, clip_paths(run), part, folder, run.settings.start_timecode)
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
-    write_page(graph, frames, folder / "index.html", checks_of(run), prints.small)
+    with run.delivering("index.html") as part:
+        write_page(graph, frames, part, folder, checks_of(run), prints.small)
     run.progress("deliver", steps, steps)
     names = [
-        "index.html", "story.blend", "frames/", "board.pdf", "board_single.pdf", *(sheet.name for sheet in sheets),
+        "index.html", "story.blend", "frames/", "board.pdf", "board_single.pdf", *sheets,
         "animatic.mp4", "animatic.srt", "clips/", "shots.csv", "timeline.otio", "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]
@@ -84,12 +91,11 @@ def _place_clips(run: Run, clips: Mapping[str, Path]) -> None:
     """Give the shots of the film their names for editors, and take away those of shots that look otherwise now."""
     names = {f"{CLIPS}/{name}.mp4": path for name, path in clips.items()}
     for name, path in names.items():
-        target = run.project.path(name)
-        if target != path and not (target.exists() and filecmp.cmp(path, target, shallow=False)):
-            write_atomic(target, path.read_bytes())
-    for path in run.project.path(CLIPS).glob("SC*_SH*.mp4"):
-        if f"{CLIPS}/{path.name}" not in names:
-            path.unlink()
+        kept = run.project.files.name_of(path)
+        if name != kept and (run.outputs.digest(name) != run.outputs.digest(kept) or not run.outputs.whole(name)):
+            run.copy_aside(name)
+            run.outputs.write(name, path.read_bytes())
+    run.outputs.keep_only(f"{CLIPS}/", names)
 
 
 def checks_of(run: Run) -> list[Check]:
@@ -103,6 +109,19 @@ def _with_slates(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:
     first = frame_of(run.settings.start_timecode, run.graph.format.fps)
     for panel in panels(run.graph):
         if panel.name in frames:
-            slated[panel.name] = run.project.path("frames", f"slate_{panel.name}.png")
-            slate.burn_in(frames[panel.name], panel, slated[panel.name], first)
+            name = f"frames/slate_{panel.name}.png"
+            with run.delivering(name) as part:
+                slate.burn_in(frames[panel.name], panel, part, first)
+            slated[panel.name] = run.project.path(name)
     return slated
+
+
+def _contact_sheets(run: Run, frames: Mapping[str, Path]) -> list[str]:
+    """Write the contact sheets, delete those that a longer story had, and return their names."""
+    names: list[str] = []
+    for number, page in enumerate(sheet_pages(frames), start=1):
+        names.append(sheet_name(number))
+        with run.delivering(names[-1]) as part:
+            write_contact_sheet(page, part)
+    run.outputs.keep_only("contact_sheet", names)
+    return names

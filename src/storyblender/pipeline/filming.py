@@ -20,7 +20,6 @@ from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, ViewRequest
 from storyblender.memory.shot_context import CameraState, ShotContext
 from storyblender.pipeline.run import Run
-from storyblender.project import write_atomic
 from storyblender.trace import Event
 
 FIGURES = "build/figures"
@@ -54,16 +53,15 @@ class PackViewfinder:
     @cached_property
     def _figures(self) -> dict[int, list[Figure]]:
         """Everybody's faces, by frame of the scene's timeline."""
-        record = self._run.project.path(FIGURES, f"{Path(self._pack.path).stem}.json")
-        known = _RECORD.validate_json(record.read_bytes()) if record.exists() else {}
+        outputs, record = self._run.outputs, f"{FIGURES}/{Path(self._pack.path).stem}.json"
+        known = outputs.read(record, _RECORD.validate_json) or {}
         wanted = [self._pack.start_of(shot.shot_id) + frame for shot in self._shots for frame in telling_frames(shot)]
         missing = [frame for frame in wanted if frame not in known]
         if missing:
             figures = self._run.engine.read_figures(self._pack, missing).result()
             known |= dict(zip(missing, figures, strict=True))
-            for former in record.parent.glob(f"{scene_name(self._pack.scene_id)}-*"):
-                former.unlink()
-            write_atomic(record, _RECORD.dump_json(known))
+            outputs.keep_only(f"{FIGURES}/{scene_name(self._pack.scene_id)}-", ())
+            outputs.write(record, _RECORD.dump_json(known))
         return known
 
 

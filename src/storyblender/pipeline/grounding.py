@@ -11,7 +11,6 @@ from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.pipeline.materializing import model_files
 from storyblender.pipeline.run import Run
-from storyblender.project import write_atomic
 from storyblender.screenplay.model import Screenplay
 from storyblender.screenplay.source import load
 from storyblender.trace import Event
@@ -31,7 +30,7 @@ def ground(run: Run, script: Path) -> None:
     screenplay = load(script)
     digest = _plan_digest(run, screenplay)
     if run.graph.plan_digest != digest:
-        write_atomic(run.project.path(f"script{script.suffix}"), script.read_bytes())
+        run.project.files.write(f"script{script.suffix}", script.read_bytes())
         graph = _plan(run, script, screenplay, digest)
         run.project.commit(graph, "director", f"plans {script.name}")
         for shot in graph.shots:

@@ -18,6 +18,7 @@ from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
+from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
 from storyblender.trace import Event
@@ -26,8 +27,8 @@ MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj")
 
 
 def materialize(run: Run) -> None:
-    """Decide, size, build and measure every asset that is not built yet; one commit for all of them."""
-    missing = [asset for asset in run.graph.assets if asset.canonical is None or not asset.canonical.geometry_hash]
+    """Decide, size, build and measure every asset that is not built yet or whose files are damaged; one commit."""
+    missing = assets_to_build(run)
     if not missing:
         return
     concept = ConceptArtist(run)
@@ -37,6 +38,7 @@ def materialize(run: Run) -> None:
     for step, (asset, future) in enumerate(waiting):
         run.progress("materialize", step, len(waiting), asset.asset_id)
         built.append(_built(run, concept, asset, future))
+        note_asset(run, built[-1])
     run.progress("materialize", len(waiting), len(waiting))
     run.commit("asset_formatter", f"{len(built)} assets built", *built)
 
@@ -48,7 +50,7 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     try:
         return _measured(asset, future.result())
     except EngineError as error:
-        if canonical.source != "file":
+        if canonical.source != "file" or canonical.geometry_hash:
             raise
         message = f"{error}; something else stands in for it"
         run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=message))

@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
+
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.jobs import SceneJob
+from storyblender.memory.jobs import PackRef, SceneJob
 from storyblender.pipeline.run import Run
 
 
 def pack_scenes(run: Run) -> None:
     """Build the packs, all at once over the pool; a pack that is there already is only looked up."""
     staged = [scene.scene_id for scene in run.graph.scenes if scene.layout is not None]
-    waiting = {scene_id: run.engine.pack_scene(scene_job(run.graph, scene_id)) for scene_id in staged}
-    for step, (scene_id, future) in enumerate(waiting.items()):
-        run.progress("pack", step, len(waiting), scene_name(scene_id))
-        run.packs[scene_id] = future.result()
-    run.progress("pack", len(waiting), len(waiting))
+    jobs = {scene_id: scene_job(run.graph, scene_id) for scene_id in staged}
+    waiting: dict[int, Future[PackRef]] = {}
+    for scene_id, job in jobs.items():
+        known = run.outputs.read(job.record, PackRef.model_validate_json) if run.outputs.whole(job.out) else None
+        if known is None:
+            waiting[scene_id] = run.engine.pack_scene(job)
+        else:
+            run.packs[scene_id] = known
+    for step, (scene_id, job) in enumerate(jobs.items()):
+        run.progress("pack", step, len(jobs), scene_name(scene_id))
+        if scene_id in waiting:
+            run.packs[scene_id] = waiting[scene_id].result()
+            run.outputs.note(job.out)
+            run.outputs.write(job.record, run.packs[scene_id].model_dump_json())
+    run.progress("pack", len(jobs), len(jobs))
 
 
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:

@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import hashlib
 import io
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from PIL import Image
 
+from storyblender.outputs import Outputs
 from storyblender.pipeline.run import Run
-from storyblender.project import write_atomic
 
 PRINTS = "build/prints"
 THUMBNAILS = "thumbnails"
@@ -44,29 +44,28 @@ def make_prints(run: Run, frames: Mapping[str, Path]) -> Prints:
         run: The run.
         frames: Shot name to picture.
     """
-    folder = run.project.path(PRINTS, "x").parent
+    outputs, path = run.outputs, run.project.path
     with ThreadPoolExecutor(run.engine.processes) as threads:
-        pairs = list(threads.map(lambda frame: _printed(frame, folder), frames.values()))
-    small: dict[str, Path] = {}
-    for name, (_, thumbnail) in zip(frames, pairs, strict=True):
-        small[name] = run.project.path(THUMBNAILS, f"{name}.jpg")
-        content = thumbnail.read_bytes()
-        if not small[name].exists() or small[name].read_bytes() != content:
-            write_atomic(small[name], content)
-    _delete_others(folder, {path for pair in pairs for path in pair})
-    _delete_others(run.project.path(THUMBNAILS, "x").parent, small.values())
-    return Prints({name: large for name, (large, _) in zip(frames, pairs, strict=True)}, small)
+        pairs = list(threads.map(lambda frame: _printed(frame, outputs), frames.values()))
+    small = {name: f"{THUMBNAILS}/{name}.jpg" for name in frames}
+    for name, (_, thumbnail) in zip(small.values(), pairs, strict=True):
+        if outputs.digest(name) != outputs.digest(thumbnail) or not outputs.whole(name):
+            outputs.write(name, path(thumbnail).read_bytes())
+    outputs.keep_only(f"{PRINTS}/", {name for pair in pairs for name in pair})
+    outputs.keep_only(f"{THUMBNAILS}/", small.values())
+    large = {name: path(printed) for name, (printed, _) in zip(frames, pairs, strict=True)}
+    return Prints(large, {name: path(thumbnail) for name, thumbnail in small.items()})
 
 
-def _printed(frame: Path, folder: Path) -> tuple[Path, Path]:
-    """Return the print and the thumbnail of a picture, made where they are missing."""
+def _printed(frame: Path, outputs: Outputs) -> tuple[str, str]:
+    """Return the names of the print and the thumbnail of a picture, made where they are missing or damaged."""
     digest = hashlib.sha256(frame.read_bytes()).hexdigest()[:16]
-    large, small = folder / f"{digest}.jpg", folder / f"{digest}_small.jpg"
-    if not (large.exists() and small.exists()):
+    large, small = f"{PRINTS}/{digest}.jpg", f"{PRINTS}/{digest}_small.jpg"
+    if not (outputs.whole(large) and outputs.whole(small)):
         with Image.open(frame) as image:
             picture = image.convert("RGB")
-        write_atomic(large, _jpeg(picture, PRINT_WIDTH))
-        write_atomic(small, _jpeg(picture, THUMBNAIL_WIDTH))
+        outputs.write(large, _jpeg(picture, PRINT_WIDTH))
+        outputs.write(small, _jpeg(picture, THUMBNAIL_WIDTH))
     return large, small
 
 
@@ -79,8 +78,3 @@ def _jpeg(picture: Image.Image, width: int) -> bytes:
     buffer = io.BytesIO()
     picture.save(buffer, "JPEG", quality=JPEG_QUALITY)
     return buffer.getvalue()
-
-
-def _delete_others(folder: Path, kept: Iterable[Path]) -> None:
-    for path in set(folder.glob("*.jpg")) - set(kept):
-        path.unlink()

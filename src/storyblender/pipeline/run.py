@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from datetime import datetime
 from functools import cached_property
+from pathlib import Path
 from typing import TypeVar
 
 from storyblender.engine.blender_engine import BlenderEngine
@@ -12,6 +15,7 @@ from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import PackRef
+from storyblender.outputs import Outputs
 from storyblender.ports import Embedder
 from storyblender.project import Project
 from storyblender.reflection import Critic, Outcome, Policy, reflect
@@ -48,6 +52,11 @@ class Run:
         return self.load_embedder()
 
     @property
+    def outputs(self) -> Outputs:
+        """What the program wrote into the project."""
+        return self.project.outputs
+
+    @property
     def graph(self) -> ContinuityMemoryGraph:
         """The graph as it is committed."""
         return self.project.graph
@@ -56,6 +65,28 @@ class Run:
         """Show an event and keep it in the trace."""
         self.project.record(event)
         self.listener(event)
+
+    @contextmanager
+    def delivering(self, name: str) -> Iterator[Path]:
+        """Let somebody write a file that people open; if a person changed the former one, a copy stays beside it.
+
+        Args:
+            name: In the project.
+
+        Yields:
+            The path to write to; it becomes the file at the end.
+        """
+        if self.outputs.known(name):
+            self.copy_aside(name)
+        with self.outputs.writing(name) as part:
+            yield part
+
+    def copy_aside(self, name: str) -> None:
+        """Copy a file that is not as the program wrote it before it is overwritten, and say so."""
+        copy = self.outputs.copy_aside(name, datetime.now())
+        if copy is not None:
+            message = f"was changed by hand; what it was is kept as {self.project.files.name_of(copy)}"
+            self.tell(Event(kind="warning", role=name, message=message))
 
     def progress(self, stage: str, step: int, total: int, subject: str = "") -> None:
         """Say how far a stage has come."""

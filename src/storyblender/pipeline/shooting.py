@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Collection
 from concurrent.futures import Future
 from pathlib import Path
@@ -13,7 +12,6 @@ from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
-from storyblender.project import write_atomic
 
 MOTION_WIDTH_STEP = 4
 
@@ -34,20 +32,21 @@ def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRep
     Returns:
         Shot name to report; the pictures lie in ``frames/``.
     """
-    waiting: list[tuple[ShotContext, FrameJob, Future[FrameReport] | None]] = []
+    waiting: list[tuple[ShotContext, FrameJob, FrameReport | Future[FrameReport]]] = []
     for shot in shots:
         job = _frame_job(run, shot, run.settings.look)
-        known = run.project.path(f"{job.out}.json").exists() and run.project.path(job.out).exists()
-        waiting.append((shot, job, None if known else run.engine.render_frame(job)))
+        drawn = run.outputs.whole(job.out)
+        known = run.outputs.read(f"{job.out}.json", FrameReport.model_validate_json) if drawn else None
+        waiting.append((shot, job, run.engine.render_frame(job) if known is None else known))
     reports: dict[str, FrameReport] = {}
-    for step, (shot, job, future) in enumerate(waiting):
+    for step, (shot, job, report) in enumerate(waiting):
         name = shot_name(shot.scene_id, shot.shot_id)
         run.progress("frames", step, len(waiting), name)
-        record = run.project.path(f"{job.out}.json")
-        if future is not None:
-            write_atomic(record, future.result().model_dump_json())
-        report = FrameReport.model_validate_json(record.read_bytes())
-        _place(run.project.path(job.out), run.project.path("frames", f"{name}.png"))
+        if isinstance(report, Future):
+            report = report.result()
+            run.outputs.note(job.out)
+            run.outputs.write(f"{job.out}.json", report.model_dump_json())
+        _place(run, job.out, f"frames/{name}.png")
         current = run.graph.shot(shot.scene_id, shot.shot_id)
         run.commit("lighting_arranger", f"face lights of {name}", current.model_copy(update={"lights": report.lights}))
         reports[name] = report
@@ -61,24 +60,20 @@ def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Pat
     Returns:
         Shot name to its pictures in order.
     """
-    waiting: list[tuple[str, Path]] = []
-    drawing: dict[Path, tuple[Path, Future[int]]] = {}
+    waiting: list[tuple[str, str]] = []
+    drawing: dict[str, Future[int]] = {}
     for shot in shots:
-        folder = f"build/motion/{_motion_job(run, shot, '').digest}"
-        done = run.project.path(folder)
-        waiting.append((shot_name(shot.scene_id, shot.shot_id), done))
-        if not done.is_dir() and done not in drawing:
-            part = run.project.path(f"{folder}.part")
-            shutil.rmtree(part, ignore_errors=True)
-            drawing[done] = part, run.engine.render_motion(_motion_job(run, shot, f"{folder}.part"))
+        folder = _motion_folder(run, shot)
+        waiting.append((shot_name(shot.scene_id, shot.shot_id), folder))
+        if folder not in drawing and not run.outputs.whole(folder):
+            drawing[folder] = run.engine.render_motion(_motion_job(run, shot, folder))
     clips: dict[str, list[Path]] = {}
-    for step, (name, done) in enumerate(waiting):
+    for step, (name, folder) in enumerate(waiting):
         run.progress("motion", step, len(waiting), name)
-        if done in drawing:
-            part, future = drawing.pop(done)
-            future.result()
-            part.rename(done)
-        clips[name] = sorted(done.iterdir())
+        if folder in drawing:
+            drawing.pop(folder).result()
+            run.outputs.note(folder)
+        clips[name] = sorted(run.project.path(folder).iterdir())
     run.progress("motion", len(waiting), len(waiting))
     return clips
 
@@ -88,24 +83,20 @@ def shots_not_in_film(run: Run) -> list[str]:
     return [
         shot_name(shot.scene_id, shot.shot_id)
         for shot in run.graph.shots
-        if not (run.project.folder / f"build/motion/{_motion_job(run, shot, '').digest}").is_dir()
+        if not run.outputs.whole(_motion_folder(run, shot))
     ]
 
 
 def prune(run: Run, shots: Collection[ShotContext]) -> None:
-    """Delete pictures, moving frames and packs that no shot of the story uses any more."""
+    """Delete pictures, moving frames and packs of ours that no shot of the story uses any more."""
     kept = {pack.path for pack in run.packs.values()} | {f"{pack.path[:-6]}.json" for pack in run.packs.values()}
     for shot in shots:
         job = _frame_job(run, shot, run.settings.look)
-        kept |= {job.out, f"{job.out}.json", f"build/motion/{_motion_job(run, shot, '').digest}"}
-    names = {f"frames/{shot_name(shot.scene_id, shot.shot_id)}.png" for shot in shots}
-    root = run.project.folder
-    for folder in ("build/frames", "build/motion", "build/scenes", "frames"):
-        for path in sorted((root / folder).glob("*")):
-            name = path.relative_to(root).as_posix()
-            if name in kept or name in names or path.name.startswith("slate_"):
-                continue
-            shutil.rmtree(path) if path.is_dir() else path.unlink()
+        name = shot_name(shot.scene_id, shot.shot_id)
+        kept |= {job.out, f"{job.out}.json", _motion_folder(run, shot)}
+        kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
+    for folder in ("build/frames/", "build/motion/", "build/scenes/", "frames/"):
+        run.outputs.keep_only(folder, kept)
 
 
 def _frame_job(run: Run, shot: ShotContext, look: Look) -> FrameJob:
@@ -134,7 +125,16 @@ def _motion_job(run: Run, shot: ShotContext, folder: str) -> MotionJob:
     )
 
 
-def _place(source: Path, target: Path) -> None:
-    """Give the picture its name for people; a copy, so that an artist may paint on it."""
-    if not target.exists() or target.read_bytes() != source.read_bytes():
-        write_atomic(target, source.read_bytes())
+def _motion_folder(run: Run, shot: ShotContext) -> str:
+    return f"build/motion/{_motion_job(run, shot, '').digest}"
+
+
+def _place(run: Run, picture: str, name: str) -> None:
+    """Give a picture its name for people; a copy, so that an artist may paint on it."""
+    if run.outputs.digest(name) == run.outputs.digest(picture) and run.outputs.whole(name):
+        return
+    content = run.project.path(picture).read_bytes()
+    target = run.project.path(name)
+    if not target.exists() or target.read_bytes() != content:
+        run.copy_aside(name)
+    run.outputs.write(name, content)

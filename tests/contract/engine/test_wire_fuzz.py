@@ -18,6 +18,7 @@ from storyblender.engine import wire, worker
 from storyblender.engine.wire import Lost, Refused, answer_in, value_in
 from storyblender.engine.worker import Worker
 from storyblender.errors import EngineError
+from storyblender.folder import Folder
 
 CASES = 4000
 ODD_SERVER = [sys.executable, "-S", "-E", str(Path(__file__).with_name("odd_server.py"))]
@@ -108,7 +109,7 @@ def odd(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..
     made: list[Worker] = []
 
     def make(*arguments: str, attempts: int = 1, timeout: float = 20) -> Worker:
-        log = tmp_path / "engine.log"
+        log = Folder(tmp_path)
         made.append(Worker([*ODD_SERVER, *arguments], log, attempts=attempts, timeout=timeout))
         return made[-1]
 

@@ -11,13 +11,14 @@ import pytest
 from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import Worker
 from storyblender.errors import EngineError
+from storyblender.folder import Folder
 
 SERVER = [sys.executable, str(Path(__file__).with_name("frail_server.py"))]
 
 
 @pytest.fixture
 def worker(tmp_path: Path) -> Iterator[Worker]:
-    worker = Worker(SERVER, tmp_path / "engine.log", attempts=3, timeout=30)
+    worker = Worker(SERVER, Folder(tmp_path), attempts=3, timeout=30)
     yield worker
     worker.close()
 
@@ -50,7 +51,7 @@ def test_a_call_that_always_crashes_is_given_up(worker: Worker, tmp_path: Path) 
 
 
 def test_the_pool_uses_all_workers_and_returns_every_result(tmp_path: Path) -> None:
-    pool = WorkerPool(lambda: Worker(SERVER, tmp_path / "engine.log", timeout=30), size=2)
+    pool = WorkerPool(lambda: Worker(SERVER, Folder(tmp_path), timeout=30), size=2)
     try:
         futures = [pool.submit("describe", {"name": str(index)}, dict) for index in range(12)]
         failing = pool.submit("refuse", {}, int)

@@ -15,17 +15,30 @@ import pytest
 from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
-from storyblender.deliver import animatic, board, contact_sheet, page, shot_list, timeline
+from storyblender.deliver import animatic, board, contact_sheet, page, segments, shot_list, timeline
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import cue_of, panels, timecode
 from storyblender.deliver.speech import speeches, subtitles
 from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.geometry import orbit
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.memory.outline import SceneOutline, ScriptLine, SourceSpan
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Cue
+from storyblender.outputs import Outputs
 
 START = "01:00:00:00"
+
+
+def film_of(
+    graph: ContinuityMemoryGraph, clips: dict[str, list[Path]], frames: dict[str, Path], folder: Path
+) -> list[Path]:
+    """Write film and subtitles into a folder, and return its shots."""
+    files = Folder(folder)
+    paths = segments.encoded(animatic.film_segments(graph, clips, frames), files, Outputs(files))
+    animatic.write_animatic(graph, paths, folder / "animatic.mp4")
+    animatic.write_subtitles(graph, folder / "animatic.srt")
+    return paths
 
 
 def test_panels_are_laid_end_to_end(graph: ContinuityMemoryGraph) -> None:
@@ -96,7 +109,7 @@ def test_shot_list_rows_are_verbatim_and_inert(graph: ContinuityMemoryGraph, tmp
 def test_timeline_reads_back_with_relative_media(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
-    timeline.write_timeline(graph, frames, {}, tmp_path / "timeline.otio", START)
+    timeline.write_timeline(graph, frames, {}, tmp_path / "timeline.otio", tmp_path, START)
     read = otio.adapters.read_from_file(str(tmp_path / "timeline.otio"))
     assert read.duration().value == 24
     clips = list(read.find_clips())
@@ -109,14 +122,14 @@ def test_every_timeline_shows_moving_pictures_where_there_are_any(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
     graph = graph.model_copy(update={"title": "One\n& two \x07", "format": ProjectFormat(fps=25, width=160)})
-    moving = animatic.write_animatic(graph, {}, frames, tmp_path / "animatic.mp4", tmp_path / "clips")
-    clips = {"SC010_SH020": moving["SC010_SH020"]}
+    clips = {"SC010_SH020": film_of(graph, {}, frames, tmp_path)[1]}
     still, shown = timeline.build_timeline(graph, frames, clips, tmp_path, START).find_clips()
     assert still.media_reference.target_url == "frames/SC010_SH010.png"
-    assert shown.media_reference.target_url == f"clips/{clips['SC010_SH020'].name}"
+    assert shown.media_reference.target_url == f"build/film/{clips['SC010_SH020'].name}"
     assert shown.media_references()[timeline.STILL].target_url == "frames/SC010_SH020.png"
 
-    path = timeline.write_extra(graph, frames, clips, tmp_path / "timeline.otio", "fcpxml", START)
+    path = tmp_path / "timeline.fcpxml"
+    timeline.write_extra(graph, frames, clips, path, tmp_path, "fcpxml", START)
     root = ElementTree.parse(path).getroot()
     formats = {item.get("id"): item for item in root.iter("format")}
     assets = {item.get("id"): item for item in root.iter("asset")}
@@ -341,7 +354,7 @@ def test_animatic_has_every_frame_and_subtitles(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
     clips = {"SC010_SH010": list(frames.values())}
-    animatic.write_animatic(graph, clips, frames, tmp_path / "animatic.mp4", tmp_path / "kept")
+    film_of(graph, clips, frames, tmp_path)
     with av.open(str(tmp_path / "animatic.mp4")) as film:
         pictures = [frame.to_ndarray(format="rgb24").mean(axis=(0, 1)) for frame in film.decode(video=0)]
         film.seek(0)
@@ -363,12 +376,12 @@ def test_markup_in_subtitles_is_read_as_it_is_written(
     line = outline.shots[1].lines[0].model_copy(update={"text": said, "speaker_name": "Jo"})
     spoken = outline.shots[1].model_copy(update={"lines": (line,)})
     graph = graph.model_copy(update={"outline": (outline.model_copy(update={"shots": (outline.shots[0], spoken)}),)})
-    animatic.write_animatic(graph, {}, frames, tmp_path / "a.mp4", tmp_path / "kept")
+    film_of(graph, {}, frames, tmp_path)
     plain = str.maketrans({"\u2060": None, "｛": "{", "｝": "}"})
-    with av.open(str(tmp_path / "a.mp4")) as film:
+    with av.open(str(tmp_path / "animatic.mp4")) as film:
         carried = [bytes(packet)[2:].decode() for packet in film.demux(subtitles=0) if packet.size > 2]
     assert [text.translate(plain) for text in carried] == [f"Jo: {said}"]
-    with av.open(str(tmp_path / "a.srt")) as words:  # as players read it: codes in braces, after eight fields
+    with av.open(str(tmp_path / "animatic.srt")) as words:  # as players read it: codes in braces, after eight fields
         read = [item for packet in words.demux() for found in packet.decode() for item in (found.ass.decode(),)]
     text = read[0].split(",", 8)[-1]
     assert "{" not in text and text.translate(plain) == f"Jo: {said}"
@@ -378,13 +391,13 @@ def test_page_shows_words_escaped_and_names_no_network(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
     check = Check("SC010_SH020", "Who says <this>?", "storyblender make my.fountain")
-    page.write_page(graph, frames, tmp_path / "index.html", [check])
+    page.write_page(graph, frames, tmp_path / "index.html", tmp_path, [check])
     text = (tmp_path / "index.html").read_text("utf-8")
     assert "She waits &amp; listens." in text and "Who says &lt;this&gt;?" in text
     assert "1 to check" in text and 'id="check-SC010_SH020"><a href="#SC010_SH020">' in text
     assert 'href="#check"' in text and "1 scene, 2 shots, 0:02 minutes" in text and "<video" not in text
     (tmp_path / "animatic.mp4").write_bytes(b"")
-    page.write_page(graph, frames, tmp_path / "index.html")
+    page.write_page(graph, frames, tmp_path / "index.html", tmp_path)
     film = (tmp_path / "index.html").read_text("utf-8")
     assert 'poster="frames/SC010_SH010.png"' in film and "[[1.0, 2.0, &quot;Élodie: =Où est 李?&quot;]]" in film
     assert "http" not in text.replace("http-equiv", "") and text.count("<article") == 2
@@ -394,17 +407,16 @@ def test_a_long_story_has_contact_sheets_of_a_height_that_a_jpeg_may_have(
     frames: dict[str, Path], tmp_path: Path
 ) -> None:
     picture = frames["SC010_SH010"]
-    story = {f"SC010_SH{number:03d}": picture for number in range(1200)}
-    sheets = contact_sheet.write_contact_sheets(story, tmp_path / "sheet.jpg", columns=2, width=100)
-    assert [path.name for path in sheets[:2]] == ["sheet.jpg", "sheet_2.jpg"]
-    shown = 0
-    for path in sheets:
-        with Image.open(path) as sheet:
-            assert sheet.width == 218 and sheet.height <= contact_sheet.TALLEST
-            shown += sheet.height // (56 + contact_sheet.LABEL + contact_sheet.GAP) * 2
-    assert 1200 <= shown < 1202
-    assert contact_sheet.write_contact_sheets(frames, tmp_path / "sheet.jpg") == sheets[:1]
-    assert [path.name for path in tmp_path.glob("sheet*")] == ["sheet.jpg"], "those of the longer story are gone"
+    story = {f"SC010_SH{number:04d}": picture for number in range(1200)}
+    pages = contact_sheet.sheet_pages(story)
+    assert [name for shown in pages for name in shown] == list(story)
+    for shown in (pages[0], pages[-1]):
+        contact_sheet.write_contact_sheet(shown, tmp_path / "sheet.jpg")
+        with Image.open(tmp_path / "sheet.jpg") as sheet:
+            assert sheet.width == 1630 and sheet.height <= contact_sheet.TALLEST
+            rows = -(-len(shown) // contact_sheet.COLUMNS)
+            assert sheet.height == rows * (225 + contact_sheet.LABEL + contact_sheet.GAP) + contact_sheet.GAP
+    assert len(contact_sheet.sheet_pages(frames)) == 1 and contact_sheet.sheet_pages({}) == []
 
 
 def test_the_page_shows_thumbnails_until_a_picture_is_enlarged(
@@ -413,7 +425,7 @@ def test_the_page_shows_thumbnails_until_a_picture_is_enlarged(
     small = {name: tmp_path / "thumbnails" / f"{name}.jpg" for name in frames}
     for name in ("contact_sheet.jpg", "contact_sheet_2.jpg"):
         (tmp_path / name).touch()
-    page.write_page(graph, frames, tmp_path / "index.html", thumbnails=small)
+    page.write_page(graph, frames, tmp_path / "index.html", tmp_path, thumbnails=small)
     text = (tmp_path / "index.html").read_text("utf-8")
     assert text.count('src="thumbnails/SC010_SH020.jpg" data-frame="frames/SC010_SH020.png"') == 1
     assert 'href="contact_sheet_2.jpg"' in text and text.count('loading="lazy"') == 2
@@ -433,9 +445,10 @@ def test_an_edl_has_one_reel_a_shot_and_one_line_a_marker(
     said = graph.outline[0].shots[1].model_copy(update={"lines": (lines[0].model_copy(update={"text": "One.\nTwo."}),)})
     scene = graph.outline[0].model_copy(update={"shots": (graph.outline[0].shots[0], said)})
     with pytest.raises(InputError, match="cannot count 12 frames a second"):
-        timeline.write_extra(graph, frames, {}, tmp_path / "timeline.otio", "edl", START)
+        timeline.write_extra(graph, frames, {}, tmp_path / "timeline.edl", tmp_path, "edl", START)
     graph = graph.model_copy(update={"outline": (scene,), "format": ProjectFormat(fps=25)})
-    path = timeline.write_extra(graph, frames, {}, tmp_path / "timeline.otio", "edl", START)
+    path = tmp_path / "timeline.edl"
+    timeline.write_extra(graph, frames, {}, tmp_path / "timeline.edl", tmp_path, "edl", START)
     events = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line[:3].isdigit()]
     assert [event[1] for event in events] == ["010_010", "010_020"]
     assert [event[6] for event in events] == ["01:00:00:00", "01:00:00:12"], "the record begins where the setting says"

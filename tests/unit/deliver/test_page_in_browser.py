@@ -73,7 +73,7 @@ def project(folder: Path) -> Path:
         for _ in range(48):
             film.mux(stream.encode(av.VideoFrame.from_image(Image.new("RGB", (64, 36)))))
         film.mux(stream.encode())
-    write_page(graph, frames, folder / "index.html")
+    write_page(graph, frames, folder / "index.html", folder)
     return folder / "index.html"
 
 

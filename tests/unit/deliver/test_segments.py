@@ -10,6 +10,8 @@ import pytest
 from PIL import Image
 
 from storyblender.deliver.segments import Segment, add_track, encoded, join
+from storyblender.folder import Folder
+from storyblender.outputs import Outputs
 
 FPS = 24
 LENGTHS = (30, 7, 111)
@@ -25,6 +27,11 @@ def segment(folder: Path, number: int, length: int, grey: int) -> Segment:
     return Segment(tuple(paths), length, SIZE, FPS)
 
 
+def made(segments: list[Segment], folder: Path, processes: int = 1) -> list[Path]:
+    files = Folder(folder)
+    return encoded(segments, files, Outputs(files), processes)
+
+
 def joined(paths: list[Path], out: Path) -> list[tuple[float, float]]:
     with av.open(str(out), "w") as film:
         track = add_track(film, paths[0])
@@ -35,7 +42,7 @@ def joined(paths: list[Path], out: Path) -> list[tuple[float, float]]:
 
 def test_joined_they_are_one_film(tmp_path: Path) -> None:
     segments = [segment(tmp_path, number, length, 40 + 60 * number) for number, length in enumerate(LENGTHS)]
-    seen = joined(encoded(segments, tmp_path / "kept", 2), tmp_path / "film.mp4")
+    seen = joined(made(segments, tmp_path, 2), tmp_path / "film.mp4")
     shown = [
         40 + 60 * n + i * ((length + 1) // 2) // length // 2 for n, length in enumerate(LENGTHS) for i in range(length)
     ]
@@ -45,7 +52,7 @@ def test_joined_they_are_one_film(tmp_path: Path) -> None:
 
 def test_a_player_can_jump_to_every_cut_and_every_four_seconds(tmp_path: Path) -> None:
     segments = [segment(tmp_path, number, length, 40) for number, length in enumerate(LENGTHS)]
-    joined(encoded(segments, tmp_path / "kept"), tmp_path / "film.mp4")
+    joined(made(segments, tmp_path), tmp_path / "film.mp4")
     with av.open(str(tmp_path / "film.mp4")) as film:
         stops = [
             round(packet.pts * packet.time_base * FPS)
@@ -56,16 +63,16 @@ def test_a_player_can_jump_to_every_cut_and_every_four_seconds(tmp_path: Path) -
     assert max(after - before for before, after in pairwise([*stops, sum(LENGTHS)])) <= 4 * FPS
 
 
-def test_only_what_is_new_is_encoded_and_what_is_gone_is_deleted(tmp_path: Path) -> None:
-    kept = tmp_path / "kept"
+def test_only_what_is_new_or_damaged_is_encoded_and_what_is_of_no_use_is_deleted(tmp_path: Path) -> None:
     segments = [segment(tmp_path, number, length, 40 + 60 * number) for number, length in enumerate(LENGTHS)]
-    before = encoded(segments, kept)
-    for path in before:
-        path.write_bytes(b"as it was")
-    (kept / "killed.part").touch()
-    after = encoded([segments[0], segment(tmp_path, 1, LENGTHS[1], 90), segments[2]], kept)
-    assert [path.read_bytes() == b"as it was" for path in after] == [True, False, True]
-    assert sorted(kept.iterdir()) == sorted(after)
+    before = made(segments, tmp_path)
+    untouched = before[0].stat().st_ino
+    content = before[2].read_bytes()
+    before[2].write_bytes(content[: len(content) // 2])
+    (before[0].parent / "mine.mp4").write_bytes(b"mine")
+    after = made([segments[0], segment(tmp_path, 1, LENGTHS[1], 90), segments[2]], tmp_path)
+    assert after[0].stat().st_ino == untouched and after[1] != before[1] and after[2].read_bytes() == content
+    assert sorted(after[0].parent.iterdir()) == sorted([*after, after[0].parent / "mine.mp4"])
 
 
 def test_equal_pictures_of_equal_length_are_one_segment(tmp_path: Path) -> None:

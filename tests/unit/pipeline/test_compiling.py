@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from concurrent.futures import Future
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
 
+from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.jobs import PackRef, StoryJob
@@ -17,6 +18,7 @@ from storyblender.pipeline.run import Run
 from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.studio import Studio
+from storyblender.trace import Event
 
 SCRIPT = "INT. ROOM - DAY\n\nANNA waits.\n\nEXT. STREET - NIGHT\n\nANNA runs.\n"
 
@@ -43,8 +45,10 @@ def graph(tmp_path_factory: pytest.TempPathFactory) -> ContinuityMemoryGraph:
     return Studio(Settings()).plan(script, folder / "p").graph
 
 
-def test_only_what_changed_is_compiled(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
-    compiler = Compiler(tmp_path)
+def test_only_what_changed_is_compiled_and_what_a_person_changed_is_kept(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compiler, told = Compiler(tmp_path), list[Event]()
     packs = {
         scene.scene_id: PackRef(scene_id=scene.scene_id, path=f"{scene.scene_id}.blend", starts=((1, 1),))
         for scene in graph.scenes
@@ -52,8 +56,10 @@ def test_only_what_changed_is_compiled(graph: ContinuityMemoryGraph, tmp_path: P
 
     def compiled(graph: ContinuityMemoryGraph) -> list[Any]:
         compiler.asked.clear()
-        run = SimpleNamespace(graph=graph, packs=packs, project=project, engine=compiler)
-        Compilation(cast(Run, run)).finish()
+        run = Run(project, cast(BlenderEngine, compiler), lambda: pytest.fail("no words"), Settings(), told.append)
+        run.packs.update(packs)
+        monkeypatch.setattr(Run, "graph", graph)
+        Compilation(run).finish()
         return list(compiler.asked)
 
     with Project(tmp_path) as project:
@@ -67,7 +73,17 @@ def test_only_what_changed_is_compiled(graph: ContinuityMemoryGraph, tmp_path: P
         assert compiled(graph) == [(1,)]
         wider = graph.model_copy(update={"format": graph.format.model_copy(update={"width": 1280})})
         assert compiled(wider) == [None]
-        (tmp_path / "story.blend").write_text("painted over")
-        assert compiled(wider) == [None]
         (tmp_path / "build" / "story.json").write_text("{")
         assert compiled(wider) == [None]
+        assert not told and not list(tmp_path.glob("story *"))
+        for content in ("painted over", "painted again"):
+            (tmp_path / "story.blend").write_text(content)
+            assert compiled(wider) == [None] and compiled(wider) == []
+        copies = sorted(tmp_path.glob("story *.blend"), key=lambda path: path.stat().st_mtime_ns)
+        assert [path.read_text() for path in copies] == ["painted over", "painted again"]
+        assert [event.message.rpartition(" as ")[2] for event in told] == [path.name for path in copies]
+        assert re.fullmatch(r"story \d{4}-\d\d-\d\d \d\d\.\d\d\.blend", copies[0].name)
+    (tmp_path / "outputs.jsonl").unlink()
+    with Project(tmp_path) as project:
+        assert compiled(wider) == [None]
+        assert len(list(tmp_path.glob("story *.blend"))) == 3, "what is unknown may be a person's"

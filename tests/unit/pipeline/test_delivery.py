@@ -33,10 +33,9 @@ def story() -> ContinuityMemoryGraph:
 
 
 def test_a_shot_has_its_clip_until_it_looks_otherwise(tmp_path: Path) -> None:
-    segments = {"SC010_SH010": tmp_path / "one.mp4", "SC010_SH020": tmp_path / "two.mp4"}
-    for name, path in segments.items():
-        path.write_bytes(name.encode())
     with Project(tmp_path / "p") as project:
+        shots = ("SC010_SH010", "SC010_SH020")
+        segments = {name: project.outputs.write(f"build/film/{name[-1:-4:-1]}.mp4", name) for name in shots}
         project.commit(story(), "user", "a story")
         run = Run(project, cast(BlenderEngine, None), lambda: pytest.fail("no words"), Settings(), silent)
         assert clip_paths(run) == {}

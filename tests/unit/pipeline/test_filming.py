@@ -48,7 +48,7 @@ def test_the_faces_of_a_scene_are_read_once(tmp_path: Path) -> None:
     with Project(tmp_path) as project:
 
         def finder(path: str) -> PackViewfinder:
-            run = cast(Run, SimpleNamespace(project=project, engine=eyes))
+            run = cast(Run, SimpleNamespace(project=project, outputs=project.outputs, engine=eyes))
             return PackViewfinder(run, PackRef(scene_id=1, path=path, starts=((1, 1), (2, 49))), shots)
 
         first = finder("build/scenes/SC010-a.blend")

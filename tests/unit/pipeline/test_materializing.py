@@ -48,6 +48,7 @@ def materialized(models: Path, broken: tuple[str, ...]) -> tuple[list[Asset], li
         graph=ContinuityMemoryGraph(assets=(chair,)),
         settings=Settings(models=models),
         engine=Builder(broken),
+        outputs=SimpleNamespace(note=lambda name: None),
         embedder=None,
         tell=told.append,
         progress=lambda *_: None,

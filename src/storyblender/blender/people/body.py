@@ -40,10 +40,10 @@ class Body:
     weights: Floats
     shape_keys: tuple[str, ...]
 
-    def save(self, path: Path) -> None:
+    def save(self, part: Path) -> None:
         """Write the archive."""
         np.savez_compressed(
-            path,
+            part,
             bone_names=np.array(self.bone_names),
             parents=np.array(self.parents),
             rest=self.rest,

@@ -18,13 +18,13 @@ HEAD = 0.12
 
 
 def render_portrait(
-    parts: Sequence[bpy.types.Object], path: Path, size: tuple[int, int] = (512, 512), *, head: bool = False
+    parts: Sequence[bpy.types.Object], part: Path, size: tuple[int, int] = (512, 512), *, head: bool = False
 ) -> None:
     """Render objects alone with Workbench on a plain ground and write a PNG. The scene they are in is not changed.
 
     Args:
         parts: The mesh objects of one thing or person, about one origin.
-        path: Of the PNG.
+        part: The PNG.
         size: Pixels across and down.
         head: Only the head of a person, by which a picture of a hair style is known.
     """
@@ -48,7 +48,7 @@ def render_portrait(
     camera.rotation_euler = (-away).to_track_quat("-Z", "Y").to_euler()
     camera.data.clip_start, camera.data.clip_end = distance / 100, distance * 10
     scene.camera = camera
-    _shade(scene, size, path)
+    _shade(scene, size, part)
     window = bpy.context.window
     before = window.scene
     try:
@@ -63,14 +63,14 @@ def render_portrait(
         bpy.data.scenes.remove(scene)
 
 
-def _shade(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> None:
+def _shade(scene: bpy.types.Scene, size: tuple[int, int], part: Path) -> None:
     scene.world = bpy.data.worlds.new("portrait_world")
     scene.world.color = (0.62, 0.61, 0.58)
     render, shading = scene.render, scene.display.shading
     render.engine = "BLENDER_WORKBENCH"
     render.resolution_x, render.resolution_y, render.resolution_percentage = *size, 100
     render.image_settings.file_format = "PNG"
-    render.filepath = str(path)
+    render.filepath = str(part)
     render.dither_intensity = 0
     scene.display.render_aa = "8"
     scene.view_settings.view_transform = "Standard"

@@ -44,7 +44,7 @@ def render_motion(
     frames: range,
     width: int,
     height: int,
-    out_dir: Path,
+    part: Path,
     lighting: Lighting,
     *,
     hidden_node_ids: Sequence[str] = (),
@@ -59,7 +59,7 @@ def render_motion(
         frames: Timeline frames to draw; every second one for an animatic on twos.
         width: Pixels.
         height: Pixels.
-        out_dir: An existing folder.
+        part: An existing folder.
         lighting: The scene's light plan as designed.
         hidden_node_ids: Wild walls, taken away for this shot.
         in_frame: asset_ids of the people who get lamps of their own; None is everybody.
@@ -80,7 +80,7 @@ def render_motion(
         told = stack.enter_context(animatic_workbench(session, movement))
         film = zip(frames, people, movement.anew, draw_flat(session, frames, movement, told), strict=True)
         for number, heads, anew, flat in film:
-            paths.append(out_dir / f"{number:05d}.jpg")
+            paths.append(part / f"{number:05d}.jpg")
             if plan.rain > 0:
                 flat = replace(flat, changed=np.ones_like(flat.changed))
             elif not anew:

@@ -1,0 +1,29 @@
+"""The files of the assets in ``assets/``: which are missing or damaged, so that they are built again."""
+
+from __future__ import annotations
+
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.jobs import ASSETS, asset_suffixes
+from storyblender.pipeline.run import Run
+
+
+def assets_to_build(run: Run) -> list[Asset]:
+    """Return the assets that are not built yet, or whose files are not as they were built."""
+    return [
+        asset
+        for asset in run.graph.assets
+        if asset.canonical is None
+        or not asset.canonical.geometry_hash
+        or not all(run.outputs.whole(name) for name in _names(asset))
+    ]
+
+
+def note_asset(run: Run, asset: Asset) -> None:
+    """Note the files of an asset that was just built."""
+    for name in _names(asset):
+        run.outputs.note(name)
+
+
+def _names(asset: Asset) -> list[str]:
+    assert asset.canonical is not None, "only what is built has files"
+    return [f"{ASSETS}/{asset.canonical.digest}{suffix}" for suffix in (*asset_suffixes(asset), ".json")]
