@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -10,6 +10,8 @@ from storyblender.memory.base import Color, Frozen, Identifier, Vec2, Vec3
 from storyblender.memory.vocabulary import AssetType, Gender
 
 ParamValue = float | str | bool
+_Length = Annotated[float, Field(ge=0, le=1e5)]
+"""Metres."""
 
 
 class Garment(Frozen):
@@ -54,7 +56,7 @@ class Anchor(Frozen):
     """top: up; grip: the palm's normal, out of the palm into the object."""
     size: Vec2 = (0.0, 0.0)
     """seat: width, depth; bed: width, length; top: extent in x, y."""
-    clearance: float | None = None
+    clearance: _Length | None = None
     """top: free height above it in metres; None means open."""
     curl: Vec3 = (0.6, 0.6, 0.4)
     """grip: finger curls 0..1 of index, fingers, thumb."""
@@ -67,7 +69,7 @@ class CanonicalAsset(Frozen):
     key: str
     """Catalog key, or the path of an imported file in the user's folder."""
     params: dict[str, ParamValue] = {}
-    dimensions: Vec3
+    dimensions: tuple[_Length, _Length, _Length]
     """Width x, depth y, height z in metres."""
     anchors: tuple[Anchor, ...] = ()
     digest: str
@@ -81,9 +83,9 @@ class CanonicalAsset(Frozen):
 class AssetDimension(Frozen):
     """The one dimension the Dimension Estimator is surest of (paper, appendix); the others follow the shape."""
 
-    width: float | None = None
-    depth: float | None = None
-    height: float | None = None
+    width: _Length | None = None
+    depth: _Length | None = None
+    height: _Length | None = None
 
 
 class Asset(Frozen):

@@ -6,22 +6,30 @@ import hashlib
 import json
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, StringConstraints
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 Identifier = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 """A snake_case name, safe as a file name and as a Blender name. Never a path."""
 
-Vec2 = tuple[float, float]
-Vec3 = tuple[float, float, float]
+SceneId = Annotated[int, Field(ge=1, le=99_999)]
+ShotId = Annotated[int, Field(ge=1, le=99_999)]
+Frames = Annotated[int, Field(ge=0, le=432_000)]
+"""A length or a moment of a shot: an hour at most, at 120 frames a second."""
+
+Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
+"""Metres, degrees, or a part of a direction."""
+Vec2 = tuple[Coordinate, Coordinate]
+Vec3 = tuple[Coordinate, Coordinate, Coordinate]
 """Metres, world frame, right-handed, Z up, +X = viewer's right, unless a field says otherwise."""
-Color = tuple[float, float, float]
-"""Scene-linear RGB, 0 to 1."""
+_Share = Annotated[float, Field(ge=0, le=1e4)]
+Color = tuple[_Share, _Share, _Share]
+"""Scene-linear RGB, 0 to 1; what glows may be brighter."""
 
 
 class Frozen(BaseModel):
-    """An immutable value of the graph; unknown fields are an error, so a typo never passes silently."""
+    """An immutable value of the graph: floats are finite, and unknown fields are an error, so no typo passes silently."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
 def content_hash(*parts: BaseModel | dict[str, object] | list[object] | str | int | float | None) -> str:

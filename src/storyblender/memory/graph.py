@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TypeVar
 
+from pydantic import Field
+
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen
 from storyblender.memory.outline import SceneOutline
@@ -29,11 +31,12 @@ class Storyboard(Frozen):
 class ProjectFormat(Frozen):
     """What the whole project is made for; stored in the graph because frames depend on it."""
 
-    fps: int = 24
-    aspect: float = 16 / 9
-    width: int = 960
-    sensor_width: float = 36.0
-    seed: int = 0
+    fps: int = Field(default=24, ge=1, le=240)
+    aspect: float = Field(default=16 / 9, ge=0.1, le=10)
+    width: int = Field(default=960, ge=4, le=16_384)
+    sensor_width: float = Field(default=36.0, ge=1, le=100)
+    """mm."""
+    seed: int = Field(default=0, ge=0, lt=2**63)
 
     @property
     def height(self) -> int:

@@ -7,7 +7,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Frozen, SceneId, ShotId
 
 LINE = 90
 """Characters of a title."""
@@ -37,7 +37,7 @@ class ScriptLine(Frozen):
 class ShotOutline(Frozen):
     """A single shot within the outline."""
 
-    shot_id: int = Field(ge=1)
+    shot_id: ShotId
     shot_description: str
     lines: tuple[ScriptLine, ...] = ()
     notes: tuple[str, ...] = ()
@@ -47,7 +47,7 @@ class ShotOutline(Frozen):
 class SceneOutline(Frozen):
     """A single scene within the outline."""
 
-    scene_id: int = Field(ge=1)
+    scene_id: SceneId
     scene_description: str
     heading: str = ""
     script_number: str = ""

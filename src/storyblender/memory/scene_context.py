@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import ParamValue
-from storyblender.memory.base import Color, Frozen, Identifier, Vec3
+from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3
 from storyblender.memory.vocabulary import Facing, RelationKind, Relationship, SceneType, TimeOfDay, Weather
 
 
@@ -24,7 +24,7 @@ class Relation(Frozen):
 class SceneSetup(Frozen):
     """What the scene starts with (the paper's SceneSetup, extended)."""
 
-    reference_scene_id: int | None = None
+    reference_scene_id: SceneId | None = None
     """An earlier scene in the same place: its set and furniture are reused."""
     asset_ids: tuple[Identifier, ...] = ()
     """Characters and objects present in the scene at any time, in order of appearance."""
@@ -45,10 +45,10 @@ class SceneSetup(Frozen):
 class SceneSize(Frozen):
     """Extent of the playing area in metres; walls stand on these lines indoors."""
 
-    x: float
-    x_negative: float
-    y: float
-    y_negative: float
+    x: Coordinate
+    x_negative: Coordinate
+    y: Coordinate
+    y_negative: Coordinate
 
 
 class LayoutObject(Frozen):
@@ -93,14 +93,14 @@ class Light(Frozen):
     location: Vec3 = (0.0, 0.0, 3.0)
     target: Vec3 = (0.0, 0.0, 0.0)
     """Where it points; for SUN only the direction location -> target counts."""
-    power: float = Field(ge=0)
+    power: float = Field(ge=0, le=1e9)
     color: Color = (1.0, 1.0, 1.0)
-    size: float = 0.3
+    size: float = Field(default=0.3, ge=0, le=1e4)
     """Metres: radius of POINT and SPOT, diameter of AREA; degrees of angular diameter for SUN."""
-    cone: float = 60.0
+    cone: float = Field(default=60.0, ge=0, le=180)
     """SPOT: full cone in degrees."""
-    blend: float = 0.5
-    glow: float = 0.0
+    blend: float = Field(default=0.5, ge=0, le=1)
+    glow: float = Field(default=0.0, ge=0, le=1e4)
     """Strength of its halo in the air, 0 to 1."""
     for_asset: Identifier | None = None
     """key and rim: the person it lights."""
@@ -118,9 +118,9 @@ class Fog(Frozen):
     """Exponential fog with height falloff, composited after rendering."""
 
     color: Color
-    density: float
-    start: float = 0.0
-    height: float = 50.0
+    density: float = Field(ge=0, le=1e4)
+    start: Coordinate = 0.0
+    height: float = Field(default=50.0, gt=0, le=1e6)
     sun_direction: Vec3 | None = None
     sun_color: Color = (0.0, 0.0, 0.0)
 
@@ -132,20 +132,20 @@ class Lighting(Frozen):
     sky: Sky
     ambient: Color = (0.02, 0.02, 0.02)
     fog: Fog | None = None
-    rain: float = 0.0
+    rain: float = Field(default=0.0, ge=0, le=1)
     """0 none, 1 downpour."""
-    face_luminance: float = 0.2
-    set_luminance: float = 0.05
+    face_luminance: float = Field(default=0.2, ge=0, le=1e4)
+    set_luminance: float = Field(default=0.05, ge=0, le=1e4)
     key_color: Color = (1.0, 0.86, 0.68)
     fill_color: Color = (0.62, 0.75, 1.0)
     rim_color: Color = (0.75, 0.85, 1.0)
-    key_fill_ratio: float = 4.0
+    key_fill_ratio: float = Field(default=4.0, gt=0, le=1e4)
 
 
 class SceneContext(Frozen):
     """Everything static about one scene. Fields that an agent has not reached yet are None."""
 
-    scene_id: int = Field(ge=1)
+    scene_id: SceneId
     setup: SceneSetup
     environment: Environment | None = None
     layout: Layout | None = None

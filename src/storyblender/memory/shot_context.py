@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+import math
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
-from storyblender.memory.base import Frozen, Identifier, Vec3
+from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3
 from storyblender.memory.scene_context import Light, Lighting
 from storyblender.memory.vocabulary import (
     Angle,
@@ -42,7 +43,7 @@ class CharacterAction(Frozen):
     """Key of the motion vocabulary: walk, sit, give, look, talk, ..."""
     target_id: Identifier | None = None
     prop_id: Identifier | None = None
-    distance: float | None = None
+    distance: Coordinate | None = None
     """Metres travelled, where the script says so."""
     mood: Mood = "neutral"
     line_index: int | None = None
@@ -76,7 +77,7 @@ class CameraInstruction(Frozen):
     """OTS: over whose shoulder."""
     pov_id: Identifier | None = None
     """POV: through whose eyes."""
-    lens: float | None = None
+    lens: float | None = Field(default=None, gt=0, le=10_000)
     """mm; None takes the lens kit's default for the size."""
     axis: tuple[Identifier, Identifier] | None = None
     """The pair that defines the 180-degree line."""
@@ -101,7 +102,7 @@ class Mark(Frozen):
     asset_id: Identifier
     location: Vec3
     """Floor point under the hips while standing; the seat's front edge point while sitting."""
-    yaw: float
+    yaw: Coordinate
     """Degrees; 0 faces -Y."""
     posture: Posture = "stand"
     support_id: Identifier | None = None
@@ -125,8 +126,8 @@ class Cue(Frozen):
     asset_id: Identifier
     clip: Identifier
     """Key of ``catalog.motions``."""
-    start: int = Field(ge=0)
-    duration: int | None = None
+    start: Frames
+    duration: Frames | None = None
     """Frames; None lets the clip take its natural length."""
     target_id: Identifier | None = None
     """node_id or asset_id of a person or thing."""
@@ -149,15 +150,28 @@ class PropState(Frozen):
     """None where it is held in no hand: it is in their clothes."""
 
 
+_Quarter = Annotated[float, Field(ge=-1.01, le=1.01)]
+"""A quarter of a unit quaternion."""
+
+
 class CameraPose(Frozen):
     """The orbital state at one frame (paper, appendix: pivot, rotation, distance)."""
 
-    frame: int = 0
+    frame: Frames = 0
     pivot: Vec3
-    rotation: tuple[float, float, float, float]
+    rotation: tuple[_Quarter, _Quarter, _Quarter, _Quarter]
     """Unit quaternion w, x, y, z: world from camera; the camera looks along its -Z."""
-    distance: float = Field(gt=0)
-    lens: float = Field(gt=0)
+    distance: float = Field(gt=0, le=1e6)
+    """Metres."""
+    lens: float = Field(gt=0, le=10_000)
+    """mm."""
+
+    @field_validator("rotation")
+    @classmethod
+    def _is_rotation(cls, value: tuple[float, ...]) -> tuple[float, ...]:
+        if not 0.98 < math.hypot(*value) < 1.02:
+            raise ValueError("should be a unit quaternion")
+        return value
 
 
 class Flaw(Frozen):
@@ -185,8 +199,9 @@ class CameraState(Frozen):
     """The camera of a shot: one pose if static, two or more if it moves; eased between."""
 
     poses: tuple[CameraPose, ...]
-    sensor_width: float = 36.0
-    f_number: float = 2.8
+    sensor_width: float = Field(default=36.0, ge=1, le=100)
+    """mm."""
+    f_number: float = Field(default=2.8, gt=0, le=1000)
     hidden_node_ids: tuple[Identifier, ...] = ()
     """Wild walls: set pieces taken away for this shot."""
     leaves_out: tuple[Identifier, ...] = ()
@@ -199,8 +214,8 @@ class CameraState(Frozen):
 class ShotContext(Frozen):
     """Everything about one shot."""
 
-    scene_id: int = Field(ge=1)
-    shot_id: int = Field(ge=1)
+    scene_id: SceneId
+    shot_id: ShotId
     on_stage: tuple[Identifier, ...] = ()
     """Characters present in the space of the scene during the shot."""
     in_frame: tuple[Identifier, ...] = ()
@@ -212,7 +227,7 @@ class ShotContext(Frozen):
     new_lighting_description: str | None = None
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
-    duration: int = Field(default=48, ge=1)
+    duration: int = Field(default=48, ge=1, le=432_000)
     """Frames at the project's rate."""
     flags: tuple[Flag, ...] = ()
     blocking: tuple[Blocking, ...] = ()
