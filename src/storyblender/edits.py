@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import get_args
 
-from pydantic import Field, ValidationError
+from pydantic import ValidationError
 
 from storyblender.errors import InputError
-from storyblender.memory.base import Frozen, shot_name
+from storyblender.memory.base import shot_name
 from storyblender.memory.history import Commit
-from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.memory.vocabulary import DISTANCE_OF_SIZE, Angle, CameraDirection, Movement, ShotSize
+from storyblender.memory.shot_context import CameraDecision, ShotContext
+from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotSize
 from storyblender.pipeline.run import Run
 from storyblender.project import Project
 
@@ -20,56 +20,47 @@ PEOPLES = ("user", "director")
 CHOICES = {"size": get_args(ShotSize), "angle": get_args(Angle), "movement": get_args(Movement)}
 
 
-class CameraEdit(Frozen):
-    """What a person wants another camera to be; fields left out stay as they are."""
-
-    size: ShotSize | None = None
-    angle: Angle | None = None
-    movement: Movement | None = None
-    direction: CameraDirection | None = None
-    """Where a move goes; it is said with the move, as in ``pan left``."""
-    lens: float | None = Field(default=None, ge=4, le=1200)
-    """mm."""
-
-    @classmethod
-    def from_words(cls, words: Mapping[str, str | float]) -> CameraEdit:
-        """Read an edit; ``movement`` may end in its direction.
-
-        Raises:
-            InputError: A word is not in the vocabulary.
-        """
-        said = dict(words)
-        move, _, way = str(words.get("movement", "")).rpartition(" ")
-        if way in get_args(CameraDirection):
-            said |= {"movement": move, "direction": way}
-        try:
-            return cls.model_validate(said)
-        except ValidationError as error:
-            name = str(error.errors()[0]["loc"][0])
-            mend = f"it is one of: {', '.join(CHOICES[name])}" if name in CHOICES else "it is a number of mm, 4 to 1200"
-            raise InputError(f"{name} cannot be {words[name]!r}", mend=mend) from error
-
-
-def apply_camera_edit(run: Run, shot: ShotContext, edit: CameraEdit) -> None:
-    """Commit a changed camera instruction; the Camera Operator sets that one camera anew.
+def camera_decision(words: Mapping[str, str | float]) -> CameraDecision:
+    """Read what a person says about a camera; ``movement`` may end in its direction.
 
     Raises:
-        InputError: The camera of the shot is locked.
+        InputError: A word is not in the vocabulary.
     """
-    name = shot_name(shot.scene_id, shot.shot_id)
-    if "camera" in shot.locked:
-        raise InputError(f"the camera of {name} is locked", mend="unlock it first")
-    changes = edit.model_dump(exclude_none=True)
-    if edit.size is not None:
-        changes |= {"distance": DISTANCE_OF_SIZE[edit.size]}
-        if edit.lens is None:
-            changes |= {"lens": None}
-    if edit.movement is not None:
-        changes |= {"direction": edit.direction}
-    instruction = CameraInstruction.model_validate({**shot.camera_instruction.model_dump(), **changes})
-    said = ", ".join(f"{key} {value}" for key, value in edit.model_dump(exclude_none=True).items())
-    fresh = shot.model_copy(update={"camera_instruction": instruction, "camera": None, "lights": ()})
-    run.commit("user", f"{name}: {said}", fresh)
+    said = dict(words)
+    move, _, way = str(words.get("movement", "")).rpartition(" ")
+    if way in get_args(CameraDirection):
+        said |= {"movement": move, "direction": way}
+    try:
+        return CameraDecision.model_validate(said)
+    except ValidationError as error:
+        name = str(error.errors()[0]["loc"][0])
+        mend = f"it is one of: {', '.join(CHOICES[name])}" if name in CHOICES else "it is a number of mm, 4 to 1200"
+        raise InputError(f"{name} cannot be {words[name]!r}", mend=mend) from error
+
+
+def decide_cameras(run: Run, shots: Sequence[ShotContext], decision: CameraDecision) -> None:
+    """Commit what a person decided about the cameras of some shots; the Camera Operator sets those cameras anew.
+
+    Raises:
+        InputError: The camera of a shot is locked; then none is changed.
+    """
+    names = [shot_name(shot.scene_id, shot.shot_id) for shot in shots]
+    for shot, name in zip(shots, names, strict=True):
+        if "camera" in shot.locked:
+            raise InputError(f"the camera of {name} is locked", mend="unlock it first")
+    which = ", ".join(names) if len(names) <= 4 else f"{names[0]} to {names[-1]} ({len(names)} shots)"
+    run.commit("user", f"{which}: {decision.words}", *(_decided(shot, decision) for shot in shots))
+
+
+def _decided(shot: ShotContext, decision: CameraDecision) -> ShotContext:
+    return shot.model_copy(
+        update={
+            "camera_instruction": decision.applied(shot.camera_instruction),
+            "camera_decision": (shot.camera_decision or CameraDecision()).then(decision),
+            "camera": None,
+            "lights": (),
+        }
+    )
 
 
 def undo_edit(project: Project) -> list[Commit]:

@@ -151,6 +151,11 @@ class Project:
         """Return every commit up to the current revision, oldest first."""
         return [*self.backwards()][::-1]
 
+    @property
+    def has_undone(self) -> bool:
+        """Whether there is something to redo."""
+        return (self.folder / commit_name(self.revision + 1)).exists()
+
     def forwards(self) -> Iterator[Commit]:
         """Yield every commit that was undone, the next one first."""
         for revision in range(self.revision + 1, 10**9):

@@ -21,7 +21,7 @@ from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
-from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_edit
+from storyblender.edits import camera_decision, decide_cameras, redo_edit, undo_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
 from storyblender.errors import InputError
@@ -127,16 +127,14 @@ class Studio:
             InputError: No such project or shot, a project that is only planned, or a camera without a shot.
         """
         read_project_graph(folder)
-        with self._open(None, folder) as run:
+        with self._open_made(folder) as run:
             shots = _named_shots(run.graph, names)
             if camera and not names:
                 raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
             _refuse_unmade(run)
             if camera:
                 run.engine.warm()
-                edit = CameraEdit.from_words(camera)
-                for shot in shots:
-                    apply_camera_edit(run, shot, edit)
+                decide_cameras(run, shots, camera_decision(camera))
             _restore_assets(run)
             pack_scenes(run)
             film(run)
@@ -169,7 +167,7 @@ class Studio:
             InputError: No such project, one that is only planned, or one that was stopped before its cameras were set.
         """
         read_project_graph(folder)
-        with self._open(None, folder) as run:
+        with self._open_made(folder) as run:
             _refuse_unmade(run)
             if any(shot.camera is None for shot in run.graph.shots):
                 mend = "run `storyblender render` first: it goes on where it was stopped"
@@ -188,7 +186,7 @@ class Studio:
         from storyblender.pipeline.delivery import clip_paths, frame_paths
 
         read_project_graph(folder)
-        with self._open(None, folder) as run:
+        with self._open_made(folder) as run:
             files: list[str] = []
             for kind in kinds:
                 if kind in EXTRA_FORMATS:
@@ -265,6 +263,15 @@ class Studio:
             yield Run(project, engine, load_embedder, self._settings, self._listener)
 
     @contextmanager
+    def _open_made(self, folder: Path) -> Iterator[Run]:
+        """Open a project for its finishing touches, in the look that it was made in."""
+        with self._open(None, folder) as run:
+            if not (folder / REMEMBERED).exists():
+                message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
+                run.tell(Event(kind="warning", role="project", subject=folder.name, message=message))
+            yield run
+
+    @contextmanager
     def _project(self, folder: Path) -> Iterator[Project]:
         """Open a project, and say what was missing in it."""
         with Project(folder) as project:
@@ -313,7 +320,10 @@ def _restore_assets(run: Run) -> None:
 
 
 def _refuse_unmade(run: Run) -> None:
-    if any(scene.layout is None for scene in run.graph.scenes):
+    scenes = run.graph.scenes
+    if not scenes or any(
+        scene.layout is None or scene.environment is None or scene.lighting is None for scene in scenes
+    ):
         raise InputError(
             "is planned, not made yet", mend="run `storyblender make SCRIPT` first", path=run.project.folder
         )

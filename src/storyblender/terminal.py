@@ -130,10 +130,8 @@ class Terminal:
         self._progress.stop()
         if self._json:
             self._write({done: [{"author": commit.author, "reason": commit.reason} for commit in commits]})
-        self._results.print(f"[bold]{done}[/] {_plain(commits[0].reason)}", soft_wrap=True)
-        for commit in commits[1:]:
-            self._results.print(f"  {_plain(f'{commit.author}: {commit.reason}')}", soft_wrap=True)
-        self._results.print("`storyblender render` draws what this changes")
+        draws = "`storyblender render` draws what this changes"
+        self._results.print(f"[bold]{done}[/] {_plain(commits[0].reason)}; {draws}", soft_wrap=True)
 
     def plan(self, graph: ContinuityMemoryGraph) -> None:
         """Print cast and shots."""

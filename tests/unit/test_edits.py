@@ -7,11 +7,11 @@ from typing import Any, cast
 
 import pytest
 
-from storyblender.edits import CameraEdit, apply_camera_edit, redo_edit, undo_edit
+from storyblender.edits import camera_decision, decide_cameras, redo_edit, undo_edit
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.history import replace
-from storyblender.memory.shot_context import CameraInstruction, ShotContext
+from storyblender.memory.shot_context import CameraDecision, CameraInstruction, ShotContext
 from storyblender.project import Project
 
 
@@ -67,24 +67,51 @@ def test_nothing_to_redo_after_another_change(project: Project) -> None:
 @pytest.mark.parametrize("words", [{"lens": 0.0}, {"lens": 9000.0}, {"size": "HUGE"}])
 def test_a_camera_that_cannot_be_is_refused_with_what_can(words: dict[str, str | float]) -> None:
     with pytest.raises(InputError, match=r"it is (one of|a number)"):
-        CameraEdit.from_words(words)
+        camera_decision(words)
 
 
 def test_a_move_may_say_where_it_goes() -> None:
-    assert CameraEdit.from_words({"movement": "pan left"}) == CameraEdit(movement="pan", direction="left")
-    assert CameraEdit.from_words({"movement": "push in"}) == CameraEdit(movement="push in")
+    assert camera_decision({"movement": "pan left"}) == CameraDecision(movement="pan", direction="left")
+    assert camera_decision({"movement": "push in"}) == CameraDecision(movement="push in")
     with pytest.raises(InputError, match="movement cannot be 'spin left'; it is one of: static"):
-        CameraEdit.from_words({"movement": "spin left"})
+        camera_decision({"movement": "spin left"})
+
+
+class Noted:
+    """A run that notes what is committed."""
+
+    commits: list[tuple[str, tuple[ShotContext, ...]]]
+
+    def __init__(self) -> None:
+        self.commits = []
+
+    def commit(self, _author: str, reason: str, *fresh: ShotContext) -> None:
+        self.commits.append((reason, fresh))
 
 
 def test_another_lens_asks_for_nothing_else_than_the_lens() -> None:
-    class Noted:
-        fresh: ShotContext
-
-        def commit(self, _author: str, _reason: str, fresh: ShotContext) -> None:
-            self.fresh = fresh
-
     over = CameraInstruction(kind="ots", focus_on_ids=("anna",), over_id="tom")
     shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=over)
-    apply_camera_edit(cast(Any, run := Noted()), shot, CameraEdit(lens=50))
-    assert run.fresh.camera_instruction == over.model_copy(update={"lens": 50.0}), "the script asked for no shoulder"
+    decide_cameras(cast(Any, run := Noted()), [shot], CameraDecision(lens=50))
+    [(reason, [fresh])] = run.commits
+    assert fresh.camera_instruction == over.model_copy(update={"lens": 50.0}), "the script asked for no shoulder"
+    assert fresh.camera_decision == CameraDecision(lens=50) and reason == "SC010_SH010: lens 50"
+
+
+def test_one_command_is_one_commit() -> None:
+    shots = [ShotContext(scene_id=1, shot_id=n, camera_instruction=CameraInstruction(lens=35)) for n in (1, 2, 3)]
+    decide_cameras(cast(Any, run := Noted()), shots, CameraDecision(size="CU"))
+    [(reason, fresh)] = run.commits
+    assert reason == "SC010_SH010, SC010_SH020, SC010_SH030: size CU"
+    assert all(shot.camera_instruction.size == "CU" and shot.camera_instruction.lens is None for shot in fresh)
+    locked = shots[2].model_copy(update={"locked": ("camera",)})
+    with pytest.raises(InputError, match="camera of SC010_SH030 is locked"):
+        decide_cameras(cast(Any, run), [*shots[:2], locked], CameraDecision(size="WS"))
+    assert len(run.commits) == 1, "all or none"
+
+
+def test_a_later_decision_stands_on_an_earlier_one() -> None:
+    first = CameraDecision(size="CU", lens=85, movement="pan", direction="left")
+    assert first.then(CameraDecision(angle="low angle")) == first.model_copy(update={"angle": "low angle"})
+    assert first.then(CameraDecision(size="WS")) == CameraDecision(size="WS", movement="pan", direction="left")
+    assert first.then(CameraDecision(movement="push in")) == CameraDecision(size="CU", lens=85, movement="push in")

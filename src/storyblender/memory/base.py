@@ -27,7 +27,7 @@ Color = tuple[_Share, _Share, _Share]
 
 
 class Frozen(BaseModel):
-    """An immutable value of the graph: floats are finite, and unknown fields are an error, so no typo passes silently."""
+    """An immutable value of the graph. Unknown fields are an error, so that no typo passes, and floats are finite."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 

@@ -10,6 +10,7 @@ from pydantic import Field, field_validator, model_validator
 from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3
 from storyblender.memory.scene_context import Light, Lighting
 from storyblender.memory.vocabulary import (
+    DISTANCE_OF_SIZE,
     Angle,
     BodyPart,
     CameraDirection,
@@ -84,6 +85,40 @@ class CameraInstruction(Frozen):
     description: str = ""
     explicit: bool = False
     """Written in the script: never overruled by taste."""
+
+
+class CameraDecision(Frozen):
+    """What a person decided about the camera of a shot; fields left out are the crew's to choose."""
+
+    size: ShotSize | None = None
+    angle: Angle | None = None
+    movement: Movement | None = None
+    direction: CameraDirection | None = None
+    """Where a move goes; it is said with the move, as in ``pan left``."""
+    lens: float | None = Field(default=None, ge=4, le=1200)
+    """mm."""
+
+    @property
+    def words(self) -> str:
+        """The decision as a person reads it, e.g. ``size CU, lens 50``."""
+        said = self.model_dump(exclude_none=True).items()
+        return ", ".join(f"{key} {value:g}" if isinstance(value, float) else f"{key} {value}" for key, value in said)
+
+    def then(self, later: CameraDecision) -> CameraDecision:
+        """Return this decision with a later one on top: a new size drops the old lens, a new move its direction."""
+        dropped = {"lens"} if later.size else set()
+        dropped |= {"direction"} if later.movement else set()
+        kept = self.model_dump(exclude_none=True, exclude=dropped)
+        return CameraDecision.model_validate({**kept, **later.model_dump(exclude_none=True)})
+
+    def applied(self, instruction: CameraInstruction) -> CameraInstruction:
+        """Return an instruction as it was decided."""
+        changes = self.model_dump(exclude_none=True)
+        if self.size is not None:
+            changes = {"lens": None, **changes, "distance": DISTANCE_OF_SIZE[self.size]}
+        if self.movement is not None:
+            changes = {"direction": None, **changes}
+        return CameraInstruction.model_validate({**instruction.model_dump(), **changes})
 
 
 class Flag(Frozen):
@@ -227,6 +262,9 @@ class ShotContext(Frozen):
     new_lighting_description: str | None = None
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
+    """As the Director planned it, with ``camera_decision`` on top."""
+    camera_decision: CameraDecision | None = None
+    """What a person decided; it stays with the words of the shot when the script changes."""
     duration: int = Field(default=48, ge=1, le=432_000)
     """Frames at the project's rate."""
     flags: tuple[Flag, ...] = ()

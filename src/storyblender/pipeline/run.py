@@ -14,12 +14,12 @@ from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
-from storyblender.memory.jobs import PackRef
+from storyblender.memory.jobs import Look, PackRef
 from storyblender.outputs import Outputs
 from storyblender.ports import Embedder
 from storyblender.project import Project
 from storyblender.reflection import Critic, Outcome, Policy, reflect
-from storyblender.settings import Role, Settings
+from storyblender.settings import REMEMBERED, Role, Settings
 from storyblender.trace import Event, Listener
 
 View = TypeVar("View")
@@ -50,6 +50,13 @@ class Run:
     def embedder(self) -> Embedder:
         """Likeness of meaning, for retrieval."""
         return self.load_embedder()
+
+    @cached_property
+    def made_in_look(self) -> Look:
+        """The look that the project was made in, whatever this run draws."""
+        if not (self.project.folder / REMEMBERED).exists():
+            return self.settings.look
+        return Settings.load(project=self.project.folder).look
 
     @property
     def outputs(self) -> Outputs:

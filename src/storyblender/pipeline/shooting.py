@@ -47,11 +47,18 @@ def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRep
             run.outputs.note(job.out)
             run.outputs.write(f"{job.out}.json", report.model_dump_json())
         _place(run, job.out, f"frames/{name}.png")
-        current = run.graph.shot(shot.scene_id, shot.shot_id)
-        run.commit("lighting_arranger", f"face lights of {name}", current.model_copy(update={"lights": report.lights}))
+        _keep_lights(run, run.graph.shot(shot.scene_id, shot.shot_id), report)
         reports[name] = report
     run.progress("frames", len(waiting), len(waiting))
     return reports
+
+
+def _keep_lights(run: Run, shot: ShotContext, report: FrameReport) -> None:
+    """Commit the face lights of a new camera; drawing in another look, or after an undo, changes nothing."""
+    looked_at = run.settings.look != run.made_in_look or run.project.has_undone
+    if not shot.lights or not looked_at:
+        name = shot_name(shot.scene_id, shot.shot_id)
+        run.commit("lighting_arranger", f"face lights of {name}", shot.model_copy(update={"lights": report.lights}))
 
 
 def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Path]]:

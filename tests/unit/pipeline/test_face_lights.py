@@ -1,0 +1,57 @@
+"""Face lights belong to a camera: to look at a project in another look leaves the history as it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import cast
+
+import pytest
+
+from storyblender.engine.blender_engine import BlenderEngine
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
+from storyblender.memory.jobs import FrameReport, Look
+from storyblender.memory.scene_context import Light, SceneContext, SceneSetup
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.shooting import _keep_lights
+from storyblender.project import Project
+from storyblender.settings import REMEMBERED, Settings
+from storyblender.trace import silent
+
+SHOT = ShotContext(scene_id=1, shot_id=1, camera_instruction=CameraInstruction())
+
+
+def report(name: str) -> FrameReport:
+    return FrameReport(out="", lights=(Light(name=name, kind="AREA", power=10),))
+
+
+def run_in(project: Project, look: Look) -> Run:
+    engine = cast(BlenderEngine, None)
+    return Run(project, engine, lambda: pytest.fail("no words are compared"), Settings(look=look), silent)
+
+
+def lights(project: Project) -> list[str]:
+    return [light.name for light in project.graph.shots[0].lights]
+
+
+def test_another_look_changes_nothing_and_can_be_followed_by_redo(tmp_path: Path) -> None:
+    with Project(tmp_path / "p") as project:
+        project.files.write(REMEMBERED, Settings(look="board").remembered())
+        story = ContinuityMemoryGraph(scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(SHOT,))
+        project.commit(story, "director", "plans")
+        board = run_in(project, "board")
+        _keep_lights(board, project.graph.shots[0], report("key"))
+        assert lights(project) == ["key"], "a new camera has none yet"
+        _keep_lights(run_in(project, "pencil"), project.graph.shots[0], report("pencil"))
+        assert lights(project) == ["key"]
+        _keep_lights(board, project.graph.shots[0], report("better"))
+        assert lights(project) == ["better"], "a newer StoryBlender lights it otherwise"
+
+        cup = Asset(asset_id="cup", asset_type="object", description="")
+        project.commit(replace(project.graph, cup), "user", "adds a cup")
+        project.undo()
+        for look in ("board", "pencil"):
+            _keep_lights(run_in(project, look), project.graph.shots[0], report("other"))
+        assert lights(project) == ["better"] and project.redo() is not None
