@@ -8,7 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Mention, Word, tokenize
 from storyblender.agents.director.reader.manuscript import QUOTATION, QUOTATION_MARKS, Paragraph
-from storyblender.agents.director.reader.page.sentences import Sentence, Speech
+from storyblender.agents.director.reader.page.sentences import Sentence, Speech, of_readable_length
 from storyblender.agents.director.reader.people.mentions import mark_mentions
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
@@ -94,7 +94,7 @@ def _split(words: list[Word]) -> list[list[Word]]:
             word.closes and _starts_anew(following)
         ):
             sentences.append([])
-    return [sentence for sentence in sentences if sentence]
+    return [part for sentence in sentences for part in of_readable_length(sentence)]
 
 
 def _starts_anew(following: list[Word]) -> bool:

@@ -18,6 +18,10 @@ _ON_A_SCREEN = re.compile(
 )
 _SHOWING = re.compile(r"\b(?:show|depict)(?:s|ed)\b(?! up)")
 _NAMING_MARKS = frozenset({":", "--", "—", "–"})
+_LONGEST = 150
+"""Words of the longest sentence that is read as one; so the time to read a page does not depend on where it has stops.
+"""
+_PAUSES = frozenset({",", ";", ":", "--", "—", "–"})
 _ABBREVIATIONS = frozenset({"mr", "mrs", "ms", "dr", "prof", "st", "sgt", "lt", "vs", "jr", "capt"})
 
 
@@ -93,7 +97,19 @@ def split_sentences(words: list[Word]) -> list[list[Word]]:
         if (word.text == "." and before in _ABBREVIATIONS) or after in ('"', "”", "'"):
             continue
         sentences.append([])
-    return [sentence for sentence in sentences if sentence]
+    return [part for sentence in sentences for part in of_readable_length(sentence)]
+
+
+def of_readable_length(words: list[Word]) -> list[list[Word]]:
+    """Cut a row of words without a full stop that is too long for a sentence, after its last pause if it has one."""
+    parts: list[list[Word]] = []
+    at = 0
+    while len(words) - at > _LONGEST:
+        pauses = (i for i in range(at + _LONGEST, at, -1) if words[i - 1].text in _PAUSES)
+        end = next(pauses, at + _LONGEST)
+        parts.append(words[at:end])
+        at = end
+    return [*parts, words[at:]] if at < len(words) else parts
 
 
 def _named_at_last(words: list[Word]) -> list[tuple[list[Word], bool]]:
