@@ -8,15 +8,13 @@ word of the script is lost: what a dropped shot covered goes to its neighbour. T
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
-from itertools import pairwise
+from heapq import heappop, heappush
 
 from storyblender.agents.director.cutting import step
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import shot_seconds
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
-
-Pair = tuple[ShotDraft, ShotDraft]
 
 
 def economise(
@@ -30,74 +28,132 @@ def economise(
         text: The script.
         settings: Target and longest shot.
     """
-    kept = list(drafts)
     if settings.shots_per_scene is None:
-        return kept
-    scene = _Economy(kept, people, text, settings)
-    for give_up in (scene.insert, scene.reaction, scene.talk, scene.actor, scene.neighbours):
-        while len(kept) > settings.shots_per_scene and give_up():
-            pass
-    return kept
+        return list(drafts)
+    scene = _Economy(list(drafts), people, text, settings)
+    for give_up in (scene.inserts, scene.split_speeches, scene.reactions, scene.talk, scene.actor, scene.neighbours):
+        give_up()
+    return scene.drafts
 
 
 class _Economy:
+    """Gives up shots of one scene; every step takes time in proportion to the shots (times their logarithm)."""
+
     def __init__(self, drafts: list[ShotDraft], people: Collection[str], text: str, settings: DirectorSettings) -> None:
         self.drafts = drafts
         self.people = people
         self.text = text
         self.settings = settings
+        self.target = settings.shots_per_scene or 0
 
-    def insert(self) -> bool:
-        """Drop an insert without a line; the shot before widens to show the thing."""
-        for index, draft in enumerate(self.drafts):
-            if draft.kind == "insert" and not draft.beats and not draft.explicit and index:
-                before = self.drafts[index - 1]
-                if not before.explicit:
-                    before.look_at(*draft.focus)
-                    before.size, before.kind = _wider(before.size, "MS"), "action"
-                del self.drafts[index]
-                return True
-        return False
-
-    def reaction(self) -> bool:
-        """Give a long speech back to its speaker, or fold a reaction into the shot beside it."""
-        for index, draft in enumerate(self.drafts):
-            if draft.kind != "reaction" or draft.explicit or not index:
+    def inserts(self) -> None:
+        """Drop inserts without a line; the shot before widens to show the thing."""
+        kept: list[ShotDraft] = []
+        surplus = len(self.drafts) - self.target
+        for draft in self.drafts:
+            if surplus <= 0 or draft.kind != "insert" or draft.beats or draft.explicit or not kept:
+                kept.append(draft)
                 continue
-            before = self.drafts[index - 1]
-            if draft.beats and before.beats and before.beats[-1].unit is draft.beats[0].unit:
-                before.beats[-1] = Beat.whole(before.beats[-1].unit)
-                before.beats += draft.beats[1:]
-                del self.drafts[index]
-                return True
-        pairs = [pair for pair in self._pairs() if any(draft.kind == "reaction" for draft in pair)]
-        return self._join_best(pairs, self._distance)
+            surplus -= 1
+            if not kept[-1].explicit:
+                kept[-1].look_at(*draft.focus)
+                kept[-1].size, kept[-1].kind = _wider(kept[-1].size, "MS"), "action"
+        self.drafts = kept
 
-    def talk(self) -> bool:
+    def split_speeches(self) -> None:
+        """Give a long speech that was cut to its listener back to the speaker."""
+        kept: list[ShotDraft] = []
+        surplus = len(self.drafts) - self.target
+        for draft in self.drafts:
+            before = kept[-1].beats if kept else []
+            goes_on = draft.beats and before and before[-1].unit is draft.beats[0].unit
+            if surplus <= 0 or draft.kind != "reaction" or draft.explicit or not goes_on:
+                kept.append(draft)
+                continue
+            surplus -= 1
+            before[-1] = Beat.whole(before[-1].unit)
+            before += draft.beats[1:]
+        self.drafts = kept
+
+    def reactions(self) -> None:
+        """Fold a reaction into the shot beside it."""
+        self._join_closest(lambda a, b: a.kind == "reaction" or b.kind == "reaction", self._distance)
+
+    def talk(self) -> None:
         """Join neighbouring speeches of one conversation into the two-shot; the last word is kept longest."""
-        pairs = [(a, b) for a, b in self._pairs() if a.speech and b.speech and _one_conversation(a, b)]
-        speeches = [draft for draft in self.drafts if draft.speech]
-        return self._join_best(pairs, lambda a, b: self._seconds(a, b) + (3.0 if b is speeches[-1] else 0.0))
+        last = next((draft for draft in reversed(self.drafts) if draft.speech), None)
 
-    def actor(self) -> bool:
+        def cost(a: ShotDraft, b: ShotDraft) -> float:
+            return self._seconds(a, b) + (3.0 if b is last else 0.0)
+
+        def joined(a: ShotDraft, b: ShotDraft) -> None:
+            nonlocal last
+            last = a if b is last else last
+
+        self._join_closest(lambda a, b: a.speech and b.speech and _one_conversation(a, b), cost, joined)
+
+    def actor(self) -> None:
         """Join what one actor does, and says right after it."""
-        pairs = [(a, b) for a, b in self._pairs() if self._faces(a) and _nested(self._faces(a), self._faces(b))]
-        return self._join_best([(a, b) for a, b in pairs if a.kind != "establishing"], self._distance)
 
-    def neighbours(self) -> bool:
+        def fits(a: ShotDraft, b: ShotDraft) -> bool:
+            return a.kind != "establishing" and _nested(self._faces(a), self._faces(b))
+
+        self._join_closest(fits, self._distance)
+
+    def neighbours(self) -> None:
         """Join whatever is short and close."""
-        return self._join_best(self._pairs(), self._distance)
+        self._join_closest(lambda a, b: True, self._distance)
 
-    def _pairs(self) -> list[Pair]:
-        """Neighbours that may share a shot: short enough together, and only one of them wants a picture of its own."""
-        return [
-            (a, b)
-            for a, b in pairwise(self.drafts)
-            if not (a.explicit or b.explicit or (a.strong and b.strong))
-            and a.beats
-            and b.beats
-            and self._seconds(a, b) <= self._limit(a, b)
-        ]
+    def _join_closest(
+        self,
+        fits: Callable[[ShotDraft, ShotDraft], bool],
+        cost: Callable[[ShotDraft, ShotDraft], float],
+        joined: Callable[[ShotDraft, ShotDraft], None] = lambda a, b: None,
+    ) -> None:
+        """Join the two neighbours that cost least, then the next two, until the target is met; the first wins a tie.
+
+        Args:
+            fits: Whether two neighbours may be joined here, besides that they may share a shot at all.
+            cost: Of joining two neighbours; depends on these two alone.
+            joined: Told of every join.
+        """
+        drafts: list[ShotDraft | None] = [*self.drafts]
+        after = list(range(1, len(drafts) + 1))
+        before = list(range(-1, len(drafts) - 1))
+        changes = [0] * len(drafts)
+        queue: list[tuple[float, int, int, int, int]] = []
+
+        def offer(left: int, right: int) -> None:
+            if left < 0 or right >= len(drafts):
+                return
+            a, b = drafts[left], drafts[right]
+            if a and b and self._may_share(a, b) and fits(a, b):
+                heappush(queue, (cost(a, b), left, right, changes[left], changes[right]))
+
+        for index in range(len(drafts) - 1):
+            offer(index, index + 1)
+        surplus = len(drafts) - self.target
+        while surplus > 0 and queue:
+            _, left, right, *versions = heappop(queue)
+            a, b = drafts[left], drafts[right]
+            if a is None or b is None or versions != [changes[left], changes[right]]:
+                continue
+            self._join(a, b)
+            joined(a, b)
+            surplus -= 1
+            drafts[right] = None
+            changes[left] += 1
+            after[left] = after[right]
+            if after[left] < len(drafts):
+                before[after[left]] = left
+            offer(before[left], left)
+            offer(left, after[left])
+        self.drafts = [draft for draft in drafts if draft]
+
+    def _may_share(self, a: ShotDraft, b: ShotDraft) -> bool:
+        """Whether neighbours are short enough together, and only one of them wants a picture of its own."""
+        ordered = a.explicit or b.explicit or (a.strong and b.strong)
+        return not ordered and bool(a.beats and b.beats) and self._seconds(a, b) <= self._limit(a, b)
 
     def _limit(self, a: ShotDraft, b: ShotDraft) -> float:
         return self.settings.longest_talk if a.speech and b.speech else self.settings.longest_action
@@ -113,14 +169,6 @@ class _Economy:
         strangers += 4.0 if len({*self._faces(a), *self._faces(b)}) > 2 else 0.0
         mixed = 4.0 if a.speech != b.speech and (a.whole_body or b.whole_body) else 0.0
         return self._seconds(a, b) + abs(step(a.size, b.size)) + apart + alone + strangers + mixed
-
-    def _join_best(self, pairs: list[Pair], cost: Callable[[ShotDraft, ShotDraft], float]) -> bool:
-        if not pairs:
-            return False
-        a, b = min(pairs, key=lambda pair: cost(*pair))
-        self._join(a, b)
-        self.drafts[:] = [draft for draft in self.drafts if draft is not b]
-        return True
 
     def _faces(self, draft: ShotDraft) -> list[str]:
         return [each for each in draft.focus if each in self.people]
