@@ -50,9 +50,10 @@ _PLACES: Final[dict[str, Homeland]] = {
 _NAMED: Final = {name.replace("_", " "): homeland for names, homeland in _PLACES.items() for name in names.split()}
 
 
+_PLACE_NAME: Final = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, sorted(_NAMED, key=len, reverse=True)))})(?!\w)")
+
+
 def homeland_of(words: str) -> Homeland | None:
     """Return what is usual in the last place of the world that the words name, or None where they name none."""
-    lowered = words.lower()
-    named = {name: [*re.finditer(rf"(?<!\w){re.escape(name)}(?!\w)", lowered)] for name in _NAMED}
-    found = [(matches[-1].start(), name) for name, matches in named.items() if matches]
-    return _NAMED[max(found)[1]] if found else None
+    names = _PLACE_NAME.findall(words.lower())
+    return _NAMED[names[-1]] if names else None

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import accumulate
 from string import capwords
 
 from storyblender.agents.director.casting import called, cast, describe, introduction
@@ -38,6 +40,11 @@ class Assembly:
         self.text = reading.screenplay.text
         self.era: Age = age_of(self.text)
         self.left_behind = left_behind(reading)
+        self.handled = {thing.id for thing in reading.things if thing.handled and thing.kind == "prop"}
+        self.inanimate = company.assets - company.actors
+        self.starts = [scene.start for scene in reading.scenes]
+        self.homelands = [homeland_of(scene.heading) for scene in reading.scenes]
+        self.reached = list(accumulate(self.homelands, lambda before, here: here or before))
         self.notes = notes_by_scene(reading.screenplay, reading.scenes)
         self.relations: dict[int, list[Relation]] = {}
         for index, relation in reading.relations:
@@ -65,9 +72,9 @@ class Assembly:
 
     def _look(self, person: Person) -> CharacterLook:
         """How somebody looks where the story has come to when they are first named, or else begins."""
-        headings = [scene.heading for scene in self.reading.scenes]
-        reached = [scene.heading for scene in self.reading.scenes if scene.start <= person.first]
-        homeland = homeland_of(" / ".join(reached)) or homeland_of(" / ".join(reversed(headings)))
+        scene = bisect_right(self.starts, person.first) - 1
+        reached = self.reached[scene] if scene >= 0 else None
+        homeland = reached or next((homeland for homeland in self.homelands if homeland), None)
         aged = person if person.age else replace(person, age=called(person, self.text))
         return cast(aged, introduction(person, self.text), self.era, homeland)
 
@@ -159,20 +166,19 @@ class Assembly:
         handling = [deed for unit in units for deed in unit.deeds if deed.prop and deed.motion in GETTING | PARTING]
         first = {deed.prop: deed.motion for deed in reversed(handling)}
         placed = {prop for prop, motion in first.items() if motion in ("put_down", "throw", "drop")}
-        handled = {thing.id for thing in self.reading.things if thing.handled and thing.kind == "prop"}
         found: dict[str, Relation] = {}
         for relation in self.relations.get(scene.id, []):
             ends = {relation.asset_id, relation.anchor_asset_id}
             if len(ends) < 2 or not ends <= self.company.assets:
                 continue
             if relation.asset_id in self.company.actors:
-                holds = relation.asset_id in staging.opening and relation.anchor_asset_id not in handled
+                holds = relation.asset_id in staging.opening and relation.anchor_asset_id not in self.handled
             else:
                 holds = relation.asset_id not in placed and relation.anchor_asset_id not in self.company.actors
             if holds:
                 found.setdefault(relation.asset_id, relation)
         for relation in self.left_behind[scene.id]:
-            if {relation.asset_id, relation.anchor_asset_id} <= self.company.assets - self.company.actors:
+            if {relation.asset_id, relation.anchor_asset_id} <= self.inanimate:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())
 

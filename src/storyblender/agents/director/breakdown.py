@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from storyblender.agents.director.assembly import Assembly
 from storyblender.agents.director.company import Company
 from storyblender.agents.director.copies import hand_out
-from storyblender.agents.director.coverage import cover
+from storyblender.agents.director.coverage import Coverage
 from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, breathe
 from storyblender.agents.director.directions import attach_notes
 from storyblender.agents.director.draft import ShotDraft
@@ -13,7 +15,7 @@ from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
-from storyblender.agents.director.shot_details import ShotDetails
+from storyblender.agents.director.shot_details import ScriptFlags, ShotDetails
 from storyblender.agents.director.wording import listed, one_line
 from storyblender.memory.graph import Storyboard
 
@@ -32,7 +34,8 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
     reading = hand_out(expand_groups(reading))
     company = Company(reading)
     assembly = Assembly(reading, company)
-    notes = attach_notes(reading)
+    coverage = Coverage(reading)
+    notes, flags = attach_notes(reading), ScriptFlags(reading.flags)
     units_of: dict[int, list[int]] = {}
     for number, unit in enumerate(reading.units):
         units_of.setdefault(unit.scene, []).append(number)
@@ -41,10 +44,10 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         numbers = units_of.get(index, [])
         units = [reading.units[number] for number in numbers]
         own_notes = {place: notes[number] for place, number in enumerate(numbers) if number in notes}
-        drafts = cut(reading, cover(reading, scene, units, own_notes), settings)
+        drafts = cut(coverage.shots(scene, units, own_notes), coverage.names.people, reading.screenplay.text, settings)
         outline.append(assembly.scene_outline(scene, drafts))
         details.append(assembly.scene_context(scene, units))
-        shots += ShotDetails(reading, company, scene, units).write(drafts, settings.fps)
+        shots += ShotDetails(reading.screenplay.text, company, scene, units, flags).write(drafts, settings.fps)
     return Storyboard(
         story_summary=_summary(reading, company),
         storyboard_outline=tuple(outline),
@@ -54,13 +57,19 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
     )
 
 
-def cut(reading: Reading, drafts: list[ShotDraft], settings: DirectorSettings) -> list[ShotDraft]:
-    """Return the final cut of a scene: joined to its budget, turned from face to face, without jump cuts."""
-    people = {person.id for person in reading.people}
-    kept = economise(drafts, people, reading.screenplay.text, settings)
+def cut(drafts: list[ShotDraft], people: Collection[str], text: str, settings: DirectorSettings) -> list[ShotDraft]:
+    """Return the final cut of a scene: joined to its budget, turned from face to face, without jump cuts.
+
+    Args:
+        drafts: Full coverage.
+        people: Ids of people, to tell faces from things in a focus.
+        text: The script.
+        settings: How finely to cut.
+    """
+    kept = economise(drafts, people, text, settings)
     alternate(kept)
     avoid_jump_cuts(kept)
-    breathe(kept, reading.screenplay.text)
+    breathe(kept, text)
     return kept
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from storyblender.agents.director.reading import Deed, Reading, Thing, Unit
@@ -20,9 +21,10 @@ def hand_out(reading: Reading) -> Reading:
     copies: list[Thing] = []
     owners: Owners = {}
     taken = {each.id for each in (*reading.people, *reading.things)}
+    shared = _shared(reading.units)
     for thing in reading.things:
-        sharing = [unit for unit in reading.units if thing.kind == "prop" and _is_plural(thing, unit)]
-        users = list(dict.fromkeys(who for unit in sharing for who in _users(unit, thing.id)))
+        sharing = [(unit, who) for unit, who in shared.get(thing.id, ()) if thing.kind == "prop"]
+        users = list(dict.fromkeys(each for unit, who in sharing if _is_plural(thing, unit) for each in who))
         for number, who in enumerate(users[1:], 2):
             copy = replace(thing, id=f"{thing.id[:60]}_{number}")
             if copy.id not in taken:
@@ -35,10 +37,18 @@ def hand_out(reading: Reading) -> Reading:
     )
 
 
-def _users(unit: Unit, thing: str) -> list[str]:
-    """Who uses a thing in a unit, if they are several."""
-    users = list(dict.fromkeys(deed.actor for deed in unit.deeds if deed.prop == thing))
-    return users if len(users) > 1 else []
+def _shared(units: Sequence[Unit]) -> dict[str, list[tuple[Unit, list[str]]]]:
+    """The units in which several people use a thing, and who they are, by thing."""
+    found: dict[str, list[tuple[Unit, list[str]]]] = {}
+    for unit in units:
+        users: dict[str, list[str]] = {}
+        for deed in unit.deeds:
+            if deed.prop and deed.actor not in users.setdefault(deed.prop, []):
+                users[deed.prop].append(deed.actor)
+        for thing, who in users.items():
+            if len(who) > 1:
+                found.setdefault(thing, []).append((unit, who))
+    return found
 
 
 def _is_plural(thing: Thing, unit: Unit) -> bool:

@@ -31,32 +31,49 @@ _TOGETHER: Final = 5
 """No more faces than this in one group."""
 
 
-def cover(
-    reading: Reading, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]
-) -> list[ShotDraft]:
-    """Return every shot a scene calls for, in order.
+class Coverage:
+    """Finds the shots that the scenes of a story call for.
 
     Args:
-        reading: Names and text.
-        scene: The scene.
-        units: Its units.
-        notes: Camera directions by index into ``units``.
+        reading: What the script says.
     """
-    return _Coverage(reading, scene, units, notes).shots()
 
-
-class _Coverage:
-    def __init__(
-        self, reading: Reading, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]
-    ) -> None:
-        self.scene = scene
-        self.units = units
-        self.notes = notes
+    def __init__(self, reading: Reading) -> None:
         self.text = reading.screenplay.text
         self.names = Names(reading)
         self.props = {thing.id for thing in reading.things if thing.kind == "prop"}
         self.things = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] not in FIXTURES}
-        self.establish = _is_new(reading, scene)
+        self._scenes = {scene.id: scene for scene in reading.scenes}
+
+    def shots(self, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]) -> list[ShotDraft]:
+        """Return every shot a scene calls for, in order.
+
+        Args:
+            scene: The scene.
+            units: Its units.
+            notes: Camera directions by index into ``units``.
+        """
+        return _SceneCoverage(self, scene, units, notes).shots()
+
+    def is_new(self, scene: SceneReading) -> bool:
+        """Whether the audience has not seen this place at this hour."""
+        earlier = self._scenes.get(scene.reference or 0)
+        return earlier is None or earlier.time != scene.time
+
+
+class _SceneCoverage:
+    def __init__(
+        self, story: Coverage, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]
+    ) -> None:
+        self.scene = scene
+        self.units = units
+        self.notes = notes
+        self.text = story.text
+        self.names = story.names
+        self.props = story.props
+        self.things = story.things
+        self.establish = story.is_new(scene)
+        self.last_speech = max((index for index, unit in enumerate(units) if unit.kind == "dialogue"), default=-1)
         self.drafts: list[ShotDraft] = []
         self.talk = 0
         """Speeches since the geography was last shown."""
@@ -250,8 +267,7 @@ class _Coverage:
             self._stay(unit)
             return
         self.talk += 1
-        final = all(later.kind != "dialogue" for later in self.units[index + 1 :])
-        draft = self._speaking(unit, speaker, listener, final=final)
+        draft = self._speaking(unit, speaker, listener, final=index == self.last_speech)
         draft.axis = self._axis(speaker, listener)
         if draft.kind == "single" and any(deed.motion == "shout" for deed in unit.deeds):
             draft.angle = "low angle"
@@ -344,9 +360,3 @@ def _middle(text: str, unit: Unit) -> tuple[int, int] | None:
             end, start = min(gaps, key=lambda gap: abs(gap[0] - len(words) / 2))
             return unit.start + end, unit.start + start
     return None
-
-
-def _is_new(reading: Reading, scene: SceneReading) -> bool:
-    """Whether the audience has not seen this place at this hour."""
-    earlier = next((other for other in reading.scenes if other.id == scene.reference), None)
-    return earlier is None or earlier.time != scene.time

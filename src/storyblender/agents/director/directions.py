@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from typing import cast, get_args
 
 from storyblender.agents.director.camera_phrases import parse_note
@@ -30,6 +31,8 @@ class Names:
     def __init__(self, reading: Reading) -> None:
         self.people = {person.id for person in reading.people}
         self._ids: dict[str, list[str]] = {}
+        self._starting: dict[str, list[str]] = {}
+        self._order: dict[str, int] = {}
         for person in reading.people:
             self._name(person.id, person.name, *person.aliases, person.role)
         for thing in reading.things:
@@ -37,13 +40,18 @@ class Names:
 
     def _name(self, id_: str, *names: str) -> None:
         for name in {name.lower(): None for name in names if name}:
-            self._ids.setdefault(name, []).append(id_)
+            if name not in self._ids:
+                self._ids[name], self._order[name] = [], len(self._order)
+                self._starting.setdefault(_first_word(name), []).append(name)
+            self._ids[name].append(id_)
 
     def find(self, words: str) -> list[str]:
         """Return the ids named in ``words``, in order; the longest name wins a place."""
         found: list[tuple[int, str]] = []
         rest = words
-        for name in sorted(self._ids, key=len, reverse=True):
+        words_in = {"", *re.findall(r"\w+", words.lower())}
+        named = [name for word in words_in for name in self._starting.get(word, ())]
+        for name in sorted(named, key=lambda name: (-len(name), self._order[name])):
             match = re.search(rf"(?<!\w){re.escape(name)}(?!\w)", rest, re.IGNORECASE)
             if match:
                 rest = rest[: match.start()] + " " * len(match[0]) + rest[match.end() :]
@@ -57,28 +65,27 @@ def attach_notes(reading: Reading) -> dict[int, CameraNote]:
     A note after the last unit of a scene belongs to that unit.
     """
     notes = {index: unit.camera for index, unit in enumerate(reading.units) if unit.camera}
+    starts = [unit.start for unit in reading.units]
+    headings = [element.start for element in reading.screenplay.elements if element.kind == "heading"]
     for element in reading.screenplay.elements:
         note = parse_note(element.text) if element.kind == "note" else None
         if note is None:
             continue
-        before = [index for index, unit in enumerate(reading.units) if unit.start < element.start]
-        after = len(before)
-        same_scene = after < len(reading.units) and (
-            not before
-            or reading.units[after].scene == reading.units[before[-1]].scene
-            or _opens(reading, element.start)
-        )
-        target = after if same_scene else before[-1] if before else None
+        after = bisect_left(starts, element.start)
+        last = reading.units[after - 1] if after else None
+        heading = headings[at - 1] if (at := bisect_left(headings, element.start)) else -1
+        opens = last is None or heading > last.start  # under a heading that comes after the last unit
+        same_scene = after < len(starts) and (opens or last is None or reading.units[after].scene == last.scene)
+        target = after if same_scene else after - 1 if after else None
         if target is not None:
             notes.setdefault(target, note)
     return notes
 
 
-def _opens(reading: Reading, offset: int) -> bool:
-    """Whether a note stands under a heading that comes after the last unit before it."""
-    headings = [element.start for element in reading.screenplay.elements if element.kind == "heading"]
-    last_unit = max((unit.start for unit in reading.units if unit.start < offset), default=-1)
-    return any(last_unit < heading < offset for heading in headings)
+def _first_word(name: str) -> str:
+    """The first run of letters of a name; empty where it has none."""
+    word = re.search(r"\w+", name)
+    return word[0] if word else ""
 
 
 def directed_shot(

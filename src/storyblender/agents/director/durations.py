@@ -25,12 +25,14 @@ def word_count(text: str) -> int:
     return len(re.findall(r"[^\W_]+(?:['’-][^\W_]+)*", _UNSPACED.sub(" ", text))) + (unspaced + 1) // 2
 
 
+@lru_cache(maxsize=8192)
 def speech_seconds(text: str, parenthetical: str = "") -> float:
     """Return how long a speech takes to say; ``(beat)`` adds a second."""
     pause = 1.0 if _PAUSE.search(parenthetical) else 0.0
     return max(SHORTEST, word_count(text) / WORDS_PER_SECOND + 0.4 + pause)
 
 
+@lru_cache(maxsize=8192)
 def action_seconds(text: str) -> float:
     """Return how long a sentence of action takes to play; looks in brackets take no time."""
     return min(LONGEST_ACTION, max(SHORTEST, 0.2 * word_count(_BRACKETS.sub(" ", text)) + 0.5))

@@ -12,6 +12,8 @@ from storyblender.memory.scene_context import Relation
 MOST = 4
 """Bodies for one group; a crowd is suggested, not counted."""
 
+_NUMBER = 60
+"""Characters before a group in which its number stands."""
 _Value = TypeVar("_Value")
 
 
@@ -45,7 +47,7 @@ def expand_groups(reading: Reading) -> Reading:
 
 def _count(group: Person, text: str) -> int:
     """The number word before the group's first mention, else what the reader counted."""
-    before = text[: group.first].split()[-1:]
+    before = text[max(0, group.first - _NUMBER) : group.first].split()[-1:]
     stated = lexicon.NUMBERS.get(before[0].lower(), 0) if before and group.count > 1 else 0
     return stated if stated > 1 else group.count
 

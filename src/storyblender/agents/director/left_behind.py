@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from storyblender.agents.director.reading import Reading
+from storyblender.agents.director.reading import Reading, Unit
 from storyblender.memory.scene_context import Relation
 
 _LYING = ("on", "in", "under")
@@ -18,27 +18,36 @@ def left_behind(reading: Reading) -> dict[int, list[Relation]]:
     roots: dict[int, int] = {}
     lying: dict[int, dict[str, Relation]] = {}
     found: dict[int, list[Relation]] = {}
+    where: dict[str, set[int]] = {}
+    stated_in: dict[int, list[Relation]] = {}
+    for index, relation in reading.relations:
+        stated_in.setdefault(index, []).append(relation)
+    units_of: dict[int, list[Unit]] = {}
+    for unit in reading.units:
+        units_of.setdefault(unit.scene, []).append(unit)
     for index, scene in enumerate(reading.scenes):
         root = roots[scene.id] = roots.get(scene.reference or scene.id, scene.id)
         here = lying.setdefault(root, {})
         found[scene.id] = list(here.values())
-        for stated, relation in reading.relations:
-            if stated == index and relation.asset_id in props:
-                _place(relation, here)
-        last = {
-            deed.prop: deed.motion for unit in reading.units if unit.scene == index for deed in unit.deeds if deed.prop
-        }
+        for relation in stated_in.get(index, ()):
+            if relation.asset_id in props and _place(relation, here):
+                where.setdefault(relation.asset_id, set()).add(root)
+        last = {deed.prop: deed.motion for unit in units_of.get(index, ()) for deed in unit.deeds if deed.prop}
         for thing, motion in last.items():
-            for place in lying.values():
-                if place is not here or motion != "put_down":
-                    place.pop(thing, None)
+            kept = where.get(thing, set()) & {root} if motion == "put_down" else set[int]()
+            for other in where.get(thing, set()) - kept:
+                del lying[other][thing]
+            where[thing] = kept
     return found
 
 
-def _place(relation: Relation, here: dict[str, Relation]) -> None:
-    """Note where a thing lies; what is put beside another lies where that lies."""
+def _place(relation: Relation, here: dict[str, Relation]) -> bool:
+    """Note where a thing lies; what is put beside another lies where that lies. Return whether it lies somewhere."""
     beside = here.get(relation.anchor_asset_id)
     if relation.kind in _LYING:
         here[relation.asset_id] = relation
     elif relation.kind == "next_to" and beside:
         here[relation.asset_id] = beside.model_copy(update={"asset_id": relation.asset_id})
+    else:
+        return False
+    return True

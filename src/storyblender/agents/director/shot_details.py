@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Sequence
 from string import capwords
 
@@ -10,7 +11,7 @@ from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
-from storyblender.agents.director.reading import Deed, Reading, SceneReading, Unit
+from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import camera_sentence, deed_words, mood_of
 from storyblender.catalog.sets import SETS
@@ -35,22 +36,45 @@ _POV_LENS = 35.0
 """mm: about what an eye takes in."""
 
 
+class ScriptFlags:
+    """Finds the flags of the reader by their place in the script.
+
+    Args:
+        flags: As the reader raised them; they are found in this order.
+    """
+
+    def __init__(self, flags: Sequence[Flag]) -> None:
+        self._flags = flags
+        self._order = sorted(range(len(flags)), key=lambda index: flags[index].start)
+        self._starts = [flags[index].start for index in self._order]
+
+    def of(self, units: Sequence[Unit]) -> list[Flag]:
+        """Return the flags that were raised about the words of some units."""
+        found: set[int] = set()
+        for unit in units:
+            first = bisect_left(self._starts, unit.start)
+            found.update(self._order[first : bisect_left(self._starts, max(unit.end, unit.start + 1))])
+        return [self._flags[index] for index in sorted(found)]
+
+
 class ShotDetails:
     """Writes the shots of one scene, in order.
 
     Args:
-        reading: What the script says.
+        text: The script.
         company: Who and what is on the sheet.
         scene: The scene.
         units: Its units.
+        flags: What the reader was not sure of in the whole script.
     """
 
-    def __init__(self, reading: Reading, company: Company, scene: SceneReading, units: Sequence[Unit]) -> None:
+    def __init__(
+        self, text: str, company: Company, scene: SceneReading, units: Sequence[Unit], flags: ScriptFlags
+    ) -> None:
         self.company = company
         self.scene = scene
-        self.text = reading.screenplay.text
-        start, end = min((unit.start for unit in units), default=0), max((unit.end for unit in units), default=0)
-        self.flags = [flag for flag in reading.flags if start <= flag.start <= end]
+        self.text = text
+        self.flags = flags
         kit = SETS[find_kit(scene.place_kind, scene.place, scene.scene_type)]
         self.staging = Staging(units, company.assets, seated=kit.seated, on_foot=kit.on_foot)
         self.told: set[int] = set()
@@ -92,11 +116,7 @@ class ShotDetails:
 
     def _flags(self, draft: ShotDraft, units: Sequence[Unit]) -> list[Flag]:
         """What the reader was not sure of in these words, and what of a direction cannot be staged."""
-        found = [
-            flag
-            for flag in self.flags
-            if any(unit.start <= flag.start < max(unit.end, unit.start + 1) for unit in units)
-        ]
+        found = self.flags.of(units)
         if draft.note and draft.note.kind in _UNSTAGED and draft.beats:
             unit, what = draft.beats[0].unit, draft.note.kind.replace("_", " ")
             reason = f"{what} is recognised but not staged"
@@ -142,7 +162,7 @@ class ShotDetails:
                     hand = f"in the hand of {self.company.names.get(deed.actor, deed.actor)}"
                     found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
             for change in unit.changes:
-                if change.subject in self.company.assets | self.company.fixtures:
+                if change.subject in self.company.assets or change.subject in self.company.fixtures:
                     found.append(
                         AssetModification(
                             asset_id=change.subject,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from functools import cache
+from typing import NamedTuple
 
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.evidence import told_by_things
@@ -154,7 +156,7 @@ def _hall_of(setup: SceneSetup) -> str | None:
 
 def _names(words: str, key: str) -> bool:
     """Return whether a heading has a particular word for a kit: a prairie is open ground, and no mere fallback."""
-    return any(_score(tag, "", words) >= _SURE for tag in SETS[key].tags if tag not in _VAGUE)
+    return any(_score(tag, _heading("", words)) >= _SURE for tag in SETS[key].tags if tag not in _VAGUE)
 
 
 def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
@@ -166,8 +168,9 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
         scene_type: INT or EXT: an outdoor scene never gets a ceiling, an indoor one always does.
     """
     scores: dict[str, float] = {}
+    told = _heading(place_kind, words)
     for kit in SETS.values():
-        score = max((_score(tag, place_kind, words) for tag in (kit.key.replace("_", " "), *kit.tags)), default=0.0)
+        score = max((_score(tag, told) for tag in (kit.key.replace("_", " "), *kit.tags)), default=0.0)
         if score > 0:
             scores[kit.key] = score
     if not scores:
@@ -184,21 +187,40 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
     return _INSIDE_OF.get(best, "room") if indoor else _OUTSIDE_OF.get(best, "street")
 
 
-def _score(tag: str, place_kind: str, words: str) -> float:
-    """Return how strongly a tag is meant: longer phrases, particular words, and the last word named count most."""
-    phrase = _tokens(tag)
-    weight = 10.0 * len(phrase) - (6.0 if len(phrase) == 1 and phrase[0] in _VAGUE else 0.0)
-    score = weight + 6.0 if _tokens(place_kind.replace("_", " ")) == phrase else 0.0
+class _Heading(NamedTuple):
+    """A place in words: the Director's key of it, and each part of the words with its last piece and its weight."""
+
+    kind: list[str]
+    parts: tuple[tuple[list[str], list[str], float], ...]
+
+
+def _heading(place_kind: str, words: str) -> _Heading:
     head, *owners = _BESIDE.split(words.lower(), maxsplit=1)
-    for text, share in ((head, 1.0), *((owner, 0.5) for owner in owners)):
-        tokens = _tokens(text)
-        last = _tokens(_PARTS.split(text.strip())[-1])
+    parts = ((head, 1.0), *((owner, 0.5) for owner in owners))
+    told = tuple((_tokens(text), _tokens(_PARTS.split(text.strip())[-1]), share) for text, share in parts)
+    return _Heading(_tokens(place_kind.replace("_", " ")), told)
+
+
+def _score(tag: str, heading: _Heading) -> float:
+    """Return how strongly a tag is meant: longer phrases, particular words, and the last word named count most."""
+    phrase = _phrase(tag)
+    weight = 10.0 * len(phrase) - (6.0 if len(phrase) == 1 and phrase[0] in _VAGUE else 0.0)
+    score = weight + 6.0 if heading.kind == phrase else 0.0
+    for tokens, last, share in heading.parts:
         if phrase in (tokens, last) and share == 1.0:  # the heading, or its last part, says this and nothing else
             score = max(score, weight + 12.0)
+        if phrase[:1] and phrase[0] not in tokens:
+            continue
         for start in range(len(tokens) - len(phrase) + 1):
             if tokens[start : start + len(phrase)] == phrase:
                 score = max(score, share * weight + (start + len(phrase)) / (1 + len(tokens)))
     return score
+
+
+@cache
+def _phrase(tag: str) -> list[str]:
+    """The words of a tag of the catalogue."""
+    return _tokens(tag)
 
 
 def _tokens(text: str) -> list[str]:

@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from handmade import Script
 
-from storyblender.agents.director.coverage import cover
+from storyblender.agents.director.coverage import Coverage
 from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, step
 from storyblender.agents.director.directions import attach_notes
 from storyblender.agents.director.draft import ShotDraft
@@ -21,7 +21,7 @@ def shots(script: Script, *, known: bool = True) -> list[ShotDraft]:
     if known:
         reading.scenes.insert(0, SceneReading(9, "", "ROOM", "", "indoor", "day"))
         scene.reference = 9
-    return cover(reading, scene, reading.units, attach_notes(reading))
+    return Coverage(reading).shots(scene, reading.units, attach_notes(reading))
 
 
 def forms(drafts: list[ShotDraft]) -> list[tuple[str, str]]:
@@ -148,7 +148,7 @@ def test_an_establishing_shot_takes_in_no_strong_act() -> None:
     script = Script("Ann", "Bob").action("Both wait.", ("ann", "idle"), element=3)
     script.action("Ann hugs Bob.", ("ann", "hug", "bob"), element=3)
     reading = script.read()
-    drafts = cover(reading, reading.scenes[0], reading.units, {})
+    drafts = Coverage(reading).shots(reading.scenes[0], reading.units, {})
     assert [draft.kind for draft in drafts] == ["establishing", "action"]
 
 
@@ -157,7 +157,7 @@ def test_an_establishing_shot_of_somebody_is_not_about_the_furniture() -> None:
     script.action("An upright piano.", things=["piano"], element=3)
     reading = script.read()
     reading.things[0].kind = "set_piece"
-    (shot,) = cover(reading, reading.scenes[0], reading.units, {})
+    (shot,) = Coverage(reading).shots(reading.scenes[0], reading.units, {})
     assert (shot.kind, shot.focus) == ("establishing", ["ann"])
 
 

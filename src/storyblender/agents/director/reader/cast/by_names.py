@@ -10,7 +10,8 @@ from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
 _NICKNAMED = re.compile(
-    rf"(?P<first>[{UPPER}]{{2,}}(?: [{UPPER}]{{2,}})?) [\"“'‘(](?P<nick>[{UPPER}][\w'’]*(?: [{UPPER}]\w+)?)[\"”'’)] "
+    rf"(?<![{UPPER}])(?P<first>[{UPPER}]{{2,}}(?: [{UPPER}]{{2,}})?) "
+    rf"[\"“'‘(](?P<nick>[{UPPER}][\w'’]*(?: [{UPPER}]\w+)?)[\"”'’)] "
     rf"(?P<last>[{UPPER}][{UPPER}'’-]+)"
 )
 _TAGGED = re.compile(
