@@ -90,7 +90,7 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
     last: str | None = None
     for sentence in sentences:
         named = [
-            (index, word.mention.candidates[0].id)
+            (index, word.mention.candidates[0])
             for index, word in enumerate(sentence.words)
             if word.mention
             and len(word.mention.candidates) == 1
@@ -101,19 +101,19 @@ def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> No
             last = None
             continue
         first = lexicon.PRONOUNS.get(sentence.words[0].low) if sentence.words else None
-        animal = last is not None and any(p.id == last and p.kind == "animal" for p in roster.people)
+        before = roster.person(last or "")
+        animal = before is not None and before.kind == "animal"
         if last and not animal and first in ("male", "female"):
             votes[last][first] += 1
-        alone = len({person for _, person in named}) == 1
+        alone = len({person.id for _, person in named}) == 1
         if alone:
-            start, person = named[0]
-            kind = next(p.kind for p in roster.people if p.id == person)
-            voting = ("he", "she") if kind == "animal" else tuple(lexicon.PRONOUNS)
+            start, one = named[0]
+            voting = ("he", "she") if one.kind == "animal" else tuple(lexicon.PRONOUNS)
             own = (w for at, w in enumerate(sentence.words) if at >= start and not _another(sentence.words, at))
             kinds = (lexicon.PRONOUNS[word.low] for word in own if word.low in voting)
-            votes[person].update(kind for kind in kinds if kind in ("male", "female"))
+            votes[one.id].update(kind for kind in kinds if kind in ("male", "female"))
         gendered = any(lexicon.PRONOUNS.get(word.low) in ("male", "female") for word in sentence.words)
-        last = named[0][1] if alone and not gendered else None
+        last = named[0][1].id if alone and not gendered else None
     for person in roster.people:
         count = votes[person.id]
         gender, most = count.most_common(1)[0] if count else ("", 0)

@@ -144,7 +144,12 @@ class Stage:
 
     def on_stage(self) -> list[Person]:
         """Everybody on stage, in the order of the cast."""
-        return [person for person in self.roster.people if person.id in self.scene.on]
+        return self.roster.in_order(filter(None, map(self.roster.person, self.scene.on)))
+
+    def told_of(self) -> list[Person]:
+        """Everybody on stage or spoken of in this scene, in the order of the cast."""
+        ids = dict.fromkeys((*self.scene.on, *self.scene.named))
+        return self.roster.in_order(filter(None, map(self.roster.person, ids)))
 
     def spoken_of(self) -> list[Person]:
         """Everybody on stage whom ``they`` or ``the man`` may mean: not who tells the story."""
@@ -152,7 +157,7 @@ class Stage:
 
     def person(self, id: str) -> Person | None:
         """The person of an id."""
-        return next((person for person in self.roster.people if person.id == id), None)
+        return self.roster.person(id)
 
     def enter(self, person: Person) -> None:
         """Bring somebody on stage, unless they are seen on a screen."""

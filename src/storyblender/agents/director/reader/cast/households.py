@@ -42,7 +42,7 @@ def link_surnames(roster: Roster) -> None:
         family = [person for person in roster.people if person is not head and _surname(person) == _surname(head)]
         if title in _HUSBANDS:
             for person in family:
-                person.aliases = tuple(alias for alias in person.aliases if alias != _surname(head))
+                roster.call_no_longer(person, _surname(head))
         if any(_title(person) in _COUPLE for person in family):
             roster.call(head, _COUPLE[title])
         children = [person for person in family if not _title(person)]

@@ -332,7 +332,7 @@ def join(roster: Roster, named: Person, nameless: Person) -> None:
     for look in ("age", "hair", "face", "outfit", "build"):
         if not getattr(named, look):
             setattr(named, look, getattr(nameless, look))
-    roster.people.remove(nameless)
+    roster.remove(nameless)
 
 
 def call_by_nouns(roster: Roster, text: str) -> None:

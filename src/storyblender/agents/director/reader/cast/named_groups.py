@@ -28,7 +28,7 @@ def name_groups(roster: Roster, text: str) -> None:
         found = [roster.find(name) or roster.find(name.split()[-1]) for name in names]
         members = [people[0] for people in found if people]
         if len(members) == len(names) == group.count and _are_others(members, group):
-            roster.people.remove(group)
+            roster.remove(group)
             for member in members:
                 _join(roster, member, group)
 

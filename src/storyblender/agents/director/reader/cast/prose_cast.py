@@ -102,7 +102,7 @@ def find_prose_cast(script: Manuscript) -> Roster:
     call_by_trade(roster, script.text, whole)
     name_the_nameless(roster, whole, namings(script))
     call_by_trade(roster, script.text, whole)
-    roster.people.sort(key=lambda person: person.first)
+    roster.sort()
     roster.link_variants()
     return roster
 
@@ -131,7 +131,7 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
     elif fresh and (name := announced(roster, spoken, role.at, phrase.noun)):
         person = roster.add(name, role.at)
         person.gender = person.gender if person.gender != "unknown" else lexicon.gender_of_word(phrase.noun)
-        describe(person, look)
+        describe(roster, person, look)
     elif named:
         person = roster.add(named.group(1), role.at)
         if person.gender == "unknown":
@@ -139,16 +139,16 @@ def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, s
         person.role = person.role or phrase.noun
         person.kind = "animal" if person.role in lexicon.ANIMALS else person.kind
         roster.call(person, phrase.noun)
-        describe(person, look)
+        describe(roster, person, look)
     elif _is_another(roster, role, text, apposed):
         _add_role(roster, role, look, f"{look} {phrase.noun}")
     elif old := _is_not_the_old_one(roster, role, text, apposed):
-        old.aliases = tuple(alias for alias in old.aliases if alias != phrase.noun)
-        old.name = f"Old {phrase.noun}"
+        roster.call_no_longer(old, phrase.noun)
+        roster.rename(old, f"Old {phrase.noun}")
         _add_role(roster, role, look)
     elif known := [person for person in roster.people if person.role == phrase.noun]:
         for person in known if not (phrase.noun in _LATER and lexicon.AGED & set(phrase.adjectives)) else ():
-            describe(person, look)
+            describe(roster, person, look)
     elif not _is_somebody_known(roster, role, text):
         _add_role(roster, role, look)
 
@@ -252,7 +252,7 @@ def _names_before(roster: Roster, role: _Role, text: str) -> bool:
         return False
     roster.call(person, bare(role.phrase.noun))
     person.role = person.role or role.phrase.noun
-    describe(person, " ".join(role.phrase.adjectives))
+    describe(roster, person, " ".join(role.phrase.adjectives))
     return True
 
 
@@ -291,7 +291,7 @@ def _add_role(roster: Roster, role: _Role, look: str, name: str = "") -> None:
     if person.count > 1 and person.kind == "human":
         person.kind = "group"
     if look:
-        describe(person, look)
+        describe(roster, person, look)
         roster.call(person, f"{look} {phrase.noun}")
 
 

@@ -120,16 +120,16 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
                 roster.call(person, bare(name))
     for namesake in roster.find(name):
         if len(words) == 1 and _is_her_husbands(namesake, words[0], text):
-            namesake.aliases = tuple(alias for alias in namesake.aliases if alias != words[0])
+            roster.call_no_longer(namesake, words[0])
     if roster.find(name):
         return
     person = roster.add(name, at)
     look = re.match(r"\s*,\s*(an? [^,.;]*)", text[at + len(name) : at + len(name) + 80])
     if look:
-        describe(person, look.group(1))
+        describe(roster, person, look.group(1))
     later = _LATER_LOOK.match(text[at + len(name) : at + len(name) + 160])
     if later:
-        describe(person, later.group(1))
+        describe(roster, person, later.group(1))
 
 
 def _is_her_husbands(namesake: Person, surname: str, told: str) -> bool:

@@ -228,7 +228,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
         _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, before)
     for said in looks:
-        describe(person, said)
+        describe(roster, person, said)
         if also := also_known(said):
             roster.call(person, bare(also))
         if person.role and (tag := tagged_name(said, full_names)):
@@ -300,7 +300,7 @@ def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Perso
         and left.endswith(", ")
         and " " not in left[-2:-1]
     ):
-        people[0].name = name
+        roster.rename(people[0], name)
         roster.call(people[0], bare(name))
         return people[0]
     if not people or left.endswith(", ") or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
@@ -323,7 +323,7 @@ def _add_animals(roster: Roster, script: Manuscript) -> None:
                 if phrase.noun in first or _moves_about(phrase, paragraph.raw):
                     roster.add(phrase.noun, first.get(phrase.noun, paragraph.start + phrase.start))
                 first.setdefault(phrase.noun, paragraph.start + phrase.start)
-    roster.people.sort(key=lambda person: person.first)
+    roster.sort()
 
 
 def _moves_about(animal: PersonNoun, text: str) -> bool:

@@ -25,7 +25,7 @@ def bring_along(stage: Stage, sentence: Sentence) -> None:
         stage: Its scene knows who was there before.
         sentence: A sentence of action of a script with scene headings.
     """
-    before = [person for person in stage.roster.people if person.id in stage.scene.before]
+    before = stage.roster.in_order(filter(None, map(stage.roster.person, stage.scene.before)))
     if stage.scene.on or not before:
         return
     for word in sentence.words:

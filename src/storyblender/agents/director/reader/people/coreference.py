@@ -71,11 +71,8 @@ def resolve_pronoun(
     gender: Gender = "female" if kind == "female" else "male"
     pool = [
         person
-        for person in stage.roster.people
-        if (person.id in stage.scene.on or person.id in stage.scene.named)
-        and person.kind != "group"
-        and person is not stage.roster.narrator
-        and fits(person, gender)
+        for person in stage.told_of()
+        if person.kind != "group" and person is not stage.roster.narrator and fits(person, gender)
     ]
     if role in ("object", "other"):
         pool = [person for person in pool if person not in subjects] or pool

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import takewhile
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, tokenize
@@ -28,7 +29,7 @@ def note_introductions(stage: Stage, written: Sequence[Word], end: int) -> None:
     """
     start = written[0].start
     text = stage.reading.screenplay.text[start:end]
-    known = {at for at, _, _ in stage.reading.pronouns if at >= start}
+    known = {at for at, _, _ in takewhile(lambda pronoun: pronoun[0] >= start, reversed(stage.reading.pronouns))}
     words = [word for word in written if word.mention is None and word.start not in known]
     for bracket in _BRACKETS.finditer(text):
         words += tokenize(bracket.group(1), start + bracket.start(1))

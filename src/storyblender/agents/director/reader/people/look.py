@@ -6,6 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
@@ -22,10 +23,11 @@ _LIKELY: dict[str, Gender] = {
 """Words that are said of one gender mostly: they decide where the name does not."""
 
 
-def describe(person: Person, phrase: str) -> None:
+def describe(roster: Roster, person: Person, phrase: str) -> None:
     """Read a description into a person: ``35, lean, short black hair, grey trench coat``.
 
     Args:
+        roster: The cast.
         person: Takes what is said; what is known already stays.
         phrase: The words in brackets after a name, or the apposition.
     """
@@ -43,7 +45,7 @@ def describe(person: Person, phrase: str) -> None:
             continue
         _sort(person, part, words)
         head = _head(words)
-        _name_role(person, part, head)
+        _name_role(roster, person, part, head)
         for word in words:
             if word in _GENDER_WORDS:
                 person.gender = _GENDER_WORDS[word]
@@ -61,7 +63,7 @@ def describe(person: Person, phrase: str) -> None:
                 person.kind, person.role = "human", word  # MULE, a robot
             if word in lexicon.ANIMALS and word == head and not likened and lexicon.noun_class(part.lower()) != "prop":
                 person.kind, person.role = "animal", word
-                person.aliases = (*person.aliases, word)
+                roster.call(person, word)
 
 
 def _has_a_surname(person: Person) -> None:
@@ -77,13 +79,13 @@ def _head(words: list[str]) -> str:
     return words[end - 1]
 
 
-def _name_role(person: Person, part: str, head: str) -> None:
+def _name_role(roster: Roster, person: Person, part: str, head: str) -> None:
     """``DADI, her grandmother``, ``PIKE, the district attorney``: what somebody is, who has no other role."""
     told = re.match(r"(?:the|a|an|her|his|their|[\w.]+['’]s) ", part, re.IGNORECASE)
     vague = head in _GENDER_WORDS or head in lexicon.YOUNG_NOUNS | lexicon.ANIMALS | lexicon.CROWDS
     if told and is_person_noun(head) and not vague and person.kind == "human" and head not in person.aliases:
         person.role = person.role or head
-        person.aliases = (*person.aliases, head)
+        roster.call(person, head)
 
 
 def _sort(person: Person, part: str, words: list[str]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
+from collections.abc import Iterable
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import asset_id
@@ -17,6 +18,12 @@ _ARTICLE = re.compile(r"^(the|a|an) ")
 def bare(name: str) -> str:
     """A name in lower case, one space between words, without its article."""
     return _ARTICLE.sub("", " ".join(name.lower().split()))
+
+
+def _title_and_surname(name: str) -> tuple[str, str] | None:
+    """The first and the last word of a name of several words."""
+    words = name.lower().replace(".", "").split()
+    return (words[0], words[-1]) if len(words) > 1 else None
 
 
 def _is_full_name(first: str, last: str) -> bool:
@@ -38,6 +45,10 @@ class Roster:
 
     def __init__(self) -> None:
         self.people: list[Person] = []
+        self._by_id: dict[str, Person] = {}
+        self._places: dict[str, int] = {}
+        self._answering: dict[str, dict[str, Person]] = {}
+        self._titled: dict[tuple[str, str], list[Person]] = {}
         self.narrator: Person | None = None
         self.ids: set[str] = set()
         self.by_name: dict[tuple[str, ...], list[Person]] = {}
@@ -45,8 +56,15 @@ class Roster:
 
     def find(self, name: str) -> list[Person]:
         """Everybody who answers to a name."""
-        wanted = bare(name)
-        return [person for person in self.people if wanted in person.aliases]
+        return self.in_order(self._answering.get(bare(name), {}).values())
+
+    def person(self, id: str) -> Person | None:
+        """The person of an id."""
+        return self._by_id.get(id)
+
+    def in_order(self, people: Iterable[Person]) -> list[Person]:
+        """Some of the people in the order of the cast."""
+        return sorted(people, key=lambda person: self._places[person.id])
 
     def add(self, name: str, first: int = 0) -> Person:
         """Find the person of a name, or make a new one.
@@ -61,7 +79,11 @@ class Roster:
         key = bare(name)
         person = Person(asset_id(key, self.ids), " ".join(name.split()), (key,), first=first)
         self.ids.add(person.id)
+        self._places[person.id] = len(self._places)
         self.people.append(person)
+        self._by_id[person.id] = person
+        self._answering.setdefault(key, {})[person.id] = person
+        self._note_title(person)
         self._names_within(person, key)
         words = [word.strip(".,") for word in key.split()]
         for word in words:
@@ -75,20 +97,27 @@ class Roster:
 
     def _same_title(self, name: str) -> Person | None:
         """DR. BENNETT is DR. JULIUS BENNETT: same title, same last name."""
-        words = name.lower().replace(".", "").split()
-        if len(words) < 2 or words[0] not in lexicon.TITLES:
-            return None
-        for person in self.people:
-            other = person.name.lower().replace(".", "").split()
-            if len(other) > 1 and (other[0], other[-1]) == (words[0], words[-1]):
-                self.call(person, bare(name))
-                return person
-        return None
+        title = _title_and_surname(name)
+        known = self.in_order(self._titled.get(title, ())) if title and title[0] in lexicon.TITLES else []
+        if known:
+            self.call(known[0], bare(name))
+        return known[0] if known else None
+
+    def _note_title(self, person: Person) -> None:
+        title = _title_and_surname(person.name)
+        if title:
+            self._titled.setdefault(title, []).append(person)
+
+    def _forget_title(self, person: Person) -> None:
+        title = _title_and_surname(person.name)
+        if title:
+            self._titled[title].remove(person)
 
     def _known(self, name: str) -> Person | None:
         written, key = " ".join(name.lower().split()), bare(name)
-        for person in self.people:
-            if written in person.aliases or (key in person.aliases and (person.role or written == key)):
+        answering = self._answering.get(written, {}) | self._answering.get(key, {})
+        for person in self.in_order(answering.values()):
+            if written in person.aliases or person.role or written == key:
                 return person
         return None
 
@@ -120,6 +149,32 @@ class Roster:
         """Let a person answer to one more name."""
         if alias not in person.aliases:
             person.aliases = (*person.aliases, alias)
+            self._answering.setdefault(alias, {})[person.id] = person
+
+    def call_no_longer(self, person: Person, *names: str) -> None:
+        """Let a person answer to some names no more."""
+        person.aliases = tuple(alias for alias in person.aliases if alias not in names)
+        for name in names:
+            self._answering.get(name, {}).pop(person.id, None)
+
+    def rename(self, person: Person, name: str) -> None:
+        """Give a person another name to be shown by; they answer to the names they had."""
+        self._forget_title(person)
+        person.name = name
+        self._note_title(person)
+
+    def remove(self, person: Person) -> None:
+        """Take somebody off the cast."""
+        for name in person.aliases:
+            self._answering.get(name, {}).pop(person.id, None)
+        self._forget_title(person)
+        self.people.remove(person)
+        del self._by_id[person.id]
+
+    def sort(self) -> None:
+        """Put the cast in the order of their first mentions."""
+        self.people.sort(key=lambda person: person.first)
+        self._places = {person.id: place for place, person in enumerate(self.people)}
 
     def link_variants(self) -> None:
         """YOUNG EDWARD and ADULT EDWARD are EDWARD at another age."""
@@ -136,7 +191,7 @@ class Roster:
                 if base is not person:
                     person.variant_of = base.id
                     if bare(base.name).split()[0] not in lexicon.VARIANT_WORDS:
-                        person.aliases = tuple(alias for alias in person.aliases if alias not in base.aliases)
+                        self.call_no_longer(person, *base.aliases)
                     if person.gender == "unknown":
                         person.gender = base.gender
 
