@@ -29,6 +29,10 @@ _SENTENCE_END = re.compile(
     r"(?<=[.!?])(?<!\bMR\.)(?<!\bDR\.)(?<!\bMS\.)(?<!\bST\.)(?<!\bMRS\.)(?<!\bMr\.)(?<!\bDr\.)(?<!\bMs\.)(?<!\bSt\.)"
     rf"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[{UPPER}\"“'‘0-9#])"
 )
+_RAISED = re.compile(r"((?:\A|[.!?])\s*)?([^\W\d_]+)")
+"""A word, with the full stop or the start of the text right before it."""
+_LONGEST = 1000
+"""Characters of what is searched for a camera direction at once."""
 QUOTATION = re.compile(
     r"""["“][^"”]*["”]|«[^»]*»|„[^“”]*[“”]|‘[^‘’]*(?:(?<=\w)’(?=\w)[^‘’]*)*’(?!\w)"""
     rf"""|(?<!\w)'(?=[{UPPER}])[^"]{{1,400}}?[,.!?…—-]'(?!\w)"""
@@ -95,31 +99,34 @@ def without_quotations(text: str) -> str:
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
     """Lay out a screenplay for reading."""
-    paragraphs: list[Paragraph] = []
     recase = _recasing(screenplay)
+    told: list[tuple[int, ParagraphKind, list[Element]]] = []
     for index, element in enumerate(screenplay.elements):
         kind = _KINDS.get(element.kind)
-        last = paragraphs[-1] if paragraphs else None
-        if (
-            kind == "action"
-            and last
-            and last.kind == "action"
-            and _only_comment(screenplay.text[last.end : element.start])
-        ):
-            joined = element.model_copy(update={"start": last.start, "text": f"{last.text} {element.text}"})
-            paragraphs[-1] = _paragraph(screenplay, last.element, joined, kind, recase)
+        _, before, pieces = told[-1] if told else (0, None, [])
+        if kind == before == "action" and _only_comment(screenplay.text[pieces[-1].end : element.start]):
+            pieces.append(element)
         elif kind:
-            paragraphs.append(_paragraph(screenplay, index, element, kind, recase))
+            told.append((index, kind, [element]))
+    paragraphs = [_paragraph(screenplay, index, _joined(pieces), kind, recase) for index, kind, pieces in told]
     return Manuscript(screenplay, paragraphs)
+
+
+def _joined(pieces: list[Element]) -> Element:
+    """One paragraph of what stands around its notes."""
+    if len(pieces) == 1:
+        return pieces[0]
+    return pieces[-1].model_copy(update={"start": pieces[0].start, "text": " ".join(piece.text for piece in pieces)})
 
 
 def _recasing(screenplay: Screenplay) -> Callable[[str], str] | None:
     """Return what gives action its usual capitals, if a script writes it all in capitals or all without."""
     told = [element.text for element in screenplay.elements if element.kind == "action" and " " in element.text.strip()]
+    names = _spoken_names(screenplay)
     if told and not any(letter.islower() for text in told for letter in text):
-        return lambda text: _lowered(text, screenplay)
+        return lambda text: _lowered(text, names)
     if told and not any(letter.isupper() for text in told for letter in text):
-        return lambda text: _raised(text, screenplay)
+        return lambda text: _raised(text, names)
     return None
 
 
@@ -127,21 +134,21 @@ def _spoken_names(screenplay: Screenplay) -> set[str]:
     return {word for element in screenplay.elements if element.kind == "cue" for word in element.name.split()}
 
 
-def _raised(text: str, screenplay: Screenplay) -> str:
+def _raised(text: str, names: set[str]) -> str:
     """Action in small letters as it is usually written: sentences begin with a capital, and so do those who speak."""
-    names = {name.lower() for name in _spoken_names(screenplay)}
+    low = {name.lower() for name in names}
 
     def write(match: re.Match[str]) -> str:
-        word = match.group(0)
-        starts = not text[: match.start()].rstrip() or text[: match.start()].rstrip()[-1] in ".!?"
-        return word.capitalize() if (starts or word in names) and len(word.capitalize()) == len(word) else word
+        opening, word = match.groups()
+        starts = opening is not None
+        raised = word.capitalize() if (starts or word in low) and len(word.capitalize()) == len(word) else word
+        return f"{opening or ''}{raised}"
 
-    return re.sub(r"[^\W\d_]+", write, text)
+    return _RAISED.sub(write, text)
 
 
-def _lowered(text: str, screenplay: Screenplay) -> str:
+def _lowered(text: str, names: set[str]) -> str:
     """Action in capitals as it is usually written: only those who speak keep theirs."""
-    names = _spoken_names(screenplay)
 
     def write(match: re.Match[str]) -> str:
         word = match.group(0)
@@ -171,18 +178,16 @@ def _paragraph(
 
 def _take_out_cameras(paragraph: Paragraph) -> None:
     """Move the camera directions of a paragraph from its body to its notes."""
-    body = paragraph.raw
+    body = list(paragraph.raw)
     for start, end in _sentence_spans(paragraph.raw):
         camera, span = camera_phrases.parse(paragraph.raw[start:end])
         if camera:
             camera, (first, last) = _without_action(camera, span, paragraph.raw[start:end])
             paragraph.cameras.append((paragraph.start + start, camera))
             kept = range(start + first, start + last)
-            body = "".join(
-                letter if at in kept or not start <= at < end or letter == "\n" else " "
-                for at, letter in enumerate(body)
-            )
-    paragraph.body = body
+            for at in range(start, end):
+                body[at] = body[at] if at in kept or body[at] == "\n" else " "
+    paragraph.body = "".join(body)
 
 
 def _without_action(
@@ -211,6 +216,11 @@ def _sentence_spans(text: str) -> list[tuple[int, int]]:
     spans: list[tuple[int, int]] = []
     start = 0
     for match in _SENTENCE_END.finditer(text):
-        spans.append((start, match.start()))
+        spans += _pieces(start, match.start())
         start = match.end()
-    return [*spans, (start, len(text))]
+    return [*spans, *_pieces(start, len(text))]
+
+
+def _pieces(start: int, end: int) -> list[tuple[int, int]]:
+    """Cut what is too long for a sentence."""
+    return [(at, min(at + _LONGEST, end)) for at in range(start, max(end, start + 1), _LONGEST)]

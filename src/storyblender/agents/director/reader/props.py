@@ -28,6 +28,8 @@ from storyblender.agents.director.reader.language.morphology import form_kind, i
 from storyblender.agents.director.reading import Thing
 from storyblender.memory.scene_context import Relation
 
+_ENDS_IN_A_SEAT = {seat: re.compile(rf"[a-z]{seat}$") for seat in SEATS}
+"""``armchair`` ends in ``chair``."""
 Notice = Literal["seen", "with", "related", "placed", "shown", "met", "handled", "held"]
 """How a thing comes up: mentioned, ``with X``, part of a relation, put somewhere, in capitals, looked at or what
 something is done at, used, taken in the hand."""
@@ -69,6 +71,11 @@ class Inventory:
         self._by_key: dict[str, Item] = {}
         self._by_id: dict[str, Item] = {}
         self._short: dict[str, Item] = {}
+        self._ending: dict[str, Item] = {}
+        """What a noun ends in -> the last of such nouns that came up: ``booth`` -> the corner booth."""
+        self._last_seat: dict[str, Item] = {}
+        self._first: dict[str, int] = {}
+        """Head noun -> where it came up first."""
         self._scene_start = 0
 
     def id_of(self, key: str, at: int, definite: bool = False) -> str:
@@ -86,10 +93,19 @@ class Inventory:
             self._ids.add(item.id)
             self._by_id[item.id] = item
             self._by_key[key] = item
+            self._index(item)
         if " " in key and (item.noun_class == "prop" or key.rsplit(" ", 1)[-1] in VEHICLES):
             self._by_key[key.rsplit(" ", 1)[-1]] = item
         item.last = at
         return item.id
+
+    def _index(self, item: Item) -> None:
+        """Note what a new noun ends in, and where its head noun came up first."""
+        words = item.key.split(" ")
+        for start in range(1, len(words)):
+            self._ending[" ".join(words[start:])] = item
+        self._last_seat.update({seat: item for seat in SEATS if _ENDS_IN_A_SEAT[seat].search(item.key)})
+        self._first[words[-1]] = min(item.first, self._first.get(words[-1], item.first))
 
     def open_scene(self, at: int) -> None:
         """From here on ``the table`` is no longer the card table of before."""
@@ -97,15 +113,15 @@ class Inventory:
 
     def _longer(self, key: str) -> Item | None:
         """The last thing of the scene whose name ends in a noun: the corner booth; of seats also the armchair."""
-        seats = [item for item in self._by_id.values() if key in SEATS and re.search(rf"[a-z]{key}$", item.key)]
-        if seats:
-            self._by_key[key] = seats[-1]
-            return seats[-1]
-        longer = [item for item in self._by_id.values() if item.key.endswith(f" {key}")]
-        if not longer or longer[-1].last < self._scene_start:
+        seat = self._last_seat.get(key)
+        if seat is not None:
+            self._by_key[key] = seat
+            return seat
+        longer = self._ending.get(key)
+        if longer is None or longer.last < self._scene_start:
             return None
-        self._short[key] = longer[-1]
-        return longer[-1]
+        self._short[key] = longer
+        return longer
 
     def _is_mounted(self, relation: Relation) -> bool:
         """``the bell over the door``, ``a telephone on the wall``."""
@@ -172,7 +188,7 @@ class Inventory:
     def _is_part(self, item: Item) -> bool:
         """Whether a thing belongs to one that was named before it: the engine of a van, the trunk of a tree."""
         wholes = PART_OF.get(item.key, frozenset())
-        return any(whole.first < item.first and self.head(whole.id) in wholes for whole in self._by_id.values())
+        return any(self._first.get(whole, item.first) < item.first for whole in wholes)
 
     def parts(self) -> set[str]:
         """Ids of what people do things to though nobody builds it: parts of other things, what is drunk and eaten."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.page.sentences import Sentence, Speech
@@ -22,6 +23,7 @@ _SUNG = re.compile(r"\bs[iu]ngs?\b|\bsinging\b|\bcroon|\bchant")
 _LOUD = re.compile(r"shout|scream|yell|loud|calling|bellow|roar")
 _CALLED_OUT = re.compile(r"[^.?!]{1,24}!")
 """``Yusuf! Who salted this?``"""
+_WORDS = re.compile(r"\w+")
 _MARKS = re.compile(r"[.!?]+")
 _SHORT = 6
 """Words."""
@@ -192,8 +194,10 @@ def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Per
 def _shouted_for(stage: Stage, speaker: Person, text: str) -> Person | None:
     """Somebody of the cast who is not there: ``Tully! Open up!`` is for Tully behind the door."""
     called = _CALLED_OUT.match(text)
+    if called is None:
+        return None
     away = [p for p in stage.roster.people if p is not speaker and p.id not in stage.scene.on and p.kind != "animal"]
-    return _named(away, called.group()) if called else None
+    return _named(away, called.group())
 
 
 def _may_be_told(stage: Stage, person: Person) -> bool:
@@ -227,13 +231,25 @@ def _acted_since(stage: Stage, speaker: Person) -> Person | None:
 
 def _named(people: Iterable[Person], text: str) -> Person | None:
     """The first of these people whom a speech calls by name."""
+    low = text.lower()
+    if not any(mark in low for mark in ",.!?"):
+        return None
+    said = {*low.split(), *_WORDS.findall(low)}
     for person in people:
-        names = {alias.split()[-1] for alias in person.aliases} | {alias.split()[0] for alias in person.aliases}
-        for name in sorted(names - lexicon.TITLES - {"i"}):
+        for name in _call_names(person.aliases):
+            if name not in said and _WORDS.search(name) and not said.issuperset(_WORDS.findall(name)):
+                continue
             called = rf"(?:{_TITLED})?{re.escape(name)}"
             if re.search(rf",\s*{called}\s*[.!?,]|^{called}\s*[,!.?]", text, re.IGNORECASE):
                 return person
     return None
+
+
+@lru_cache(maxsize=4096)
+def _call_names(aliases: tuple[str, ...]) -> tuple[str, ...]:
+    """The single words somebody may be called by."""
+    names = {word for alias in aliases for word in (alias.split()[0], alias.split()[-1])}
+    return tuple(sorted(names - lexicon.TITLES - {"i"}))
 
 
 def _called(stage: Stage, here: list[Person], text: str) -> Person | None:

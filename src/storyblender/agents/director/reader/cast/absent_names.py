@@ -6,6 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import form_kind
+from storyblender.agents.director.reader.language.text_index import TextIndex
 
 _IMAGE_OF = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.words('images')))})s? of $", re.IGNORECASE)
 _DONE = frozenset({"past", "3sg", "aux"})
@@ -13,19 +14,29 @@ _NEAR = 24
 """Characters before a name in which an image is told."""
 
 
-def is_only_told_of(name: str, told: str) -> bool:
+_BEFORE = re.compile(r"(?<![a-z])[a-z]{1,40} $")
+_AFTER = re.compile(r"(?:['’]s)?(?: ([a-z]+))?(?= ([a-z]+))?")
+
+
+def is_only_told_of(name: str, told: TextIndex) -> bool:
     """Whether somebody is an image and never does anything, or is told of only as they had been.
 
     Args:
         name: As written.
-        told: The story without what is said.
+        told: The words of the story without what is said.
     """
-    images, acting, earlier = 0, 0, 0
-    named = list(re.finditer(rf"(?:([a-z]+) )?\b{re.escape(name)}\b(?:['’]s)?(?: ([a-z]+))?(?= ([a-z]+))?", told))
-    for match in named:
-        before = told[max(0, match.start() - _NEAR) : match.start() + len(match[1] or "") + 1]
-        images += _IMAGE_OF.search(before) is not None
-        before_then = match[2] == "had" and form_kind(match[3] or "") in ("past", "pp", "aux")
+    images, acting, earlier, named, end = 0, 0, 0, 0, 0
+    for at in told.places(name):
+        before = _BEFORE.search(told.text, max(end, at - _NEAR - 17), at) if at >= end else None
+        after = _AFTER.match(told.text, at + len(name))
+        if after is None or at < end:
+            continue
+        start = before.start() if before else at
+        images += _IMAGE_OF.search(told.text[max(0, start - _NEAR) : at if before else at + 1]) is not None
+        then, following = after.groups()
+        before_then = then == "had" and form_kind(following or "") in ("past", "pp", "aux")
         earlier += before_then
-        acting += not before_then and any(word and form_kind(word) in _DONE for word in match.groups()[:2])
-    return bool(named) and not acting and (images > 0 or earlier == len(named))
+        words = (before[0].rstrip() if before else "", then)
+        acting += not before_then and any(word and form_kind(word) in _DONE for word in words)
+        named, end = named + 1, after.end()
+    return bool(named) and not acting and (images > 0 or earlier == named)

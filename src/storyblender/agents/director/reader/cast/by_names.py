@@ -41,8 +41,7 @@ def nicknamed(text: str) -> list[tuple[int, int, str, str]]:
 
 def worn_name(roster: Roster, name: str) -> Person | None:
     """``GREY SUIT``, who is the MAN IN A GREY SUIT."""
-    owned = re.compile(rf".* (?:in|with)(?: an?| the)? {re.escape(bare(name))}$")
-    return next((person for person in roster.people if owned.match(bare(person.name))), None)
+    return next(iter(roster.wearing(bare(name))), None)
 
 
 def tagged_name(look: str, names: Collection[str]) -> str:

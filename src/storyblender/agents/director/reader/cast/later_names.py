@@ -10,6 +10,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.cast.namings import Naming
 from storyblender.agents.director.reader.cast.pronoun_votes import gender_told
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.language.text_index import TextIndex
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
@@ -43,6 +44,10 @@ _PLACED = re.compile(
     r"(?:^|[.!?]\s)\s*(?:[Bb]ehind|[Bb]eside|[Oo]n|[Ii]n|[Aa]t|[Uu]nder|[Nn]ext to|[Ff]rom)\b[^.!?]*, $"
 )
 _POSSESSED = re.compile(r"(?:my|our|his|her|their|\w+['’]s)\b", re.IGNORECASE)
+_SHOWN = re.compile(r"\b(?i:an?|the) (?:[\w-]+ ){0,2}$")
+_MEANT = re.compile(r"\bthe (?:[a-z-]+ )?$")
+_PHRASE = 100
+"""Characters before a noun in which its article stands."""
 _INDEFINITE = re.compile(r"an?\b", re.IGNORECASE)
 _APPOSED = re.compile(r",\s+(?:an?|the|his|her|my|their|who|whose|\w+['’]s)\s")
 
@@ -337,11 +342,12 @@ def join(roster: Roster, named: Person, nameless: Person) -> None:
 
 def call_by_nouns(roster: Roster, text: str) -> None:
     """``A MOVER``, later ``the mover``: the name is a noun for what they do, though no list knows it."""
+    written = TextIndex(text)
     for person in roster.people:
         name = person.name.lower()
         known = name in lexicon.FIRST_NAMES or lexicon.noun_class(name) != "unknown"
         if person.role or known or not name.isalpha():
             continue
-        shown = re.search(rf"\b(?i:an?|the) (?:[\w-]+ ){{0,2}}{name.upper()}\b", text)
-        if shown and re.search(rf"\bthe (?:[a-z-]+ )?{name}\b", text):
+        shown = any(_SHOWN.search(text, max(0, at - _PHRASE), at) for at in written.places(name.upper()))
+        if shown and any(_MEANT.search(text, max(0, at - _PHRASE), at) for at in written.places(name)):
             person.role = name

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
@@ -19,6 +20,7 @@ from storyblender.agents.director.reader.cast.spoken_names import announced, cal
 from storyblender.agents.director.reader.cast.trades import call_by_trade
 from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.language.text_index import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
 from storyblender.agents.director.reader.people.epithets import is_epithet
 from storyblender.agents.director.reader.people.look import describe
@@ -83,10 +85,12 @@ def find_prose_cast(script: Manuscript) -> Roster:
         for phrase in find_person_nouns(told):
             piece = playing and phrase.noun in _CHESSMEN
             idle = phrase.noun in lexicon.ANIMALS and not does_something(phrase.noun, whole)
-            listed = phrase.plural and re.search(rf"\b{phrase.noun}\w*{_LISTED}", whole) is not None
+            listed = phrase.plural and _are_listed(phrase.noun, whole)
             if phrase.noun not in _NOT_ROLES and not (piece or idle or listed or _only_compared(told, phrase)):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
-    names = [(at, name) for at, name in names if not is_only_told_of(name, whole)]
+    index = TextIndex(whole)
+    absent = {name for name in {name: None for _, name in names} if is_only_told_of(name, index)}
+    names = [(at, name) for at, name in names if name not in absent]
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         add_name(roster, at, name, whole, family)
     link_surnames(roster)
@@ -105,6 +109,11 @@ def find_prose_cast(script: Manuscript) -> Roster:
     roster.sort()
     roster.link_variants()
     return roster
+
+
+@lru_cache(maxsize=256)
+def _are_listed(noun: str, told: str) -> bool:
+    return re.search(rf"\b{noun}\w*{_LISTED}", told) is not None
 
 
 def _only_compared(told: str, phrase: PersonNoun) -> bool:

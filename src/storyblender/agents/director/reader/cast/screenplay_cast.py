@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
@@ -12,6 +13,7 @@ from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.named_groups import name_groups
 from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.language.text_index import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
@@ -54,10 +56,12 @@ _NAMING = re.compile(
     r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
     rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
 )
+_FOLLOWING = 40
+"""Characters after a name that tell whether it is somebody's."""
 _NOT_FAR = 900
 """Characters back to the first sight of somebody who is then called ``the STRANGER``."""
 _SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
-_TOYS = "|".join(sorted(lexicon.words("toys")))
+_TOY_ANIMALS = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.words('toys')))})\s+(?=(\w+))", re.IGNORECASE)
 """``a teddy bear``: words that make an animal a thing."""
 _NUMBERED = re.compile(r"\s*#?\d+$")
 _MOVES = frozenset({"walk", "run", "sneak", "lie_down", "sit", "sleep", "stagger", "eat"})
@@ -74,7 +78,7 @@ class _Sighting:
     at: int
     name: str
     after: str
-    """What follows it in its paragraph."""
+    """The first characters that follow it in its paragraph."""
     nickname: str = ""
 
 
@@ -86,17 +90,18 @@ def find_cast(script: Manuscript) -> Roster:
     cues = {paragraph.name for paragraph in script.paragraphs if paragraph.kind == "cue"}
     cues -= {cue for cue in cues if cue.lower() in _CHORUS}
     sightings: list[_Sighting] = []
+    written = TextIndex(script.text)
     for paragraph in script.paragraphs:
         if paragraph.kind == "cue" and paragraph.name.lower() not in _CHORUS:
             sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
         elif paragraph.kind == "action":
-            sightings += _in_action(script, paragraph.body, paragraph.start, cues)
+            sightings += _in_action(written, paragraph.body, paragraph.start, cues)
             sightings += _in_camera_notes(paragraph, cues)
     singles = [
         part for sighting in sightings for part in _split(sighting) if part.name in cues or "'S " not in part.name
     ]
     roster = Roster()
-    full_names = {_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles}
+    full_names = _FullNames(_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles)
     for sighting in sorted(singles):
         _admit(roster, sighting, full_names, script.text)
     name_groups(roster, script.text)
@@ -121,17 +126,19 @@ def _add_unnamed(roster: Roster, script: Manuscript) -> None:
             roster.add("Woman" if word.group().lower() == "she" else "Man", paragraph.start + word.start())
 
 
-def _in_action(script: Manuscript, text: str, start: int, cues: set[str]) -> list[_Sighting]:
+def _in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> list[_Sighting]:
     found: list[_Sighting] = []
-    nicknames = nicknamed(text)
-    for at, end, name, nickname in nicknames:
-        found.append(_Sighting(start + at, name, text[end:], nickname))
-        text = text[:at] + " " * (end - at) + text[end:]
+    pieces, done = [], 0
+    for at, end, name, nickname in nicknamed(text):
+        found.append(_Sighting(start + at, name, text[end : end + _FOLLOWING], nickname))
+        pieces += [text[done:at], " " * (end - at)]
+        done = end
+    text = "".join([*pieces, text[done:]])
     for match in _RUN.finditer(text):
         name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
-        before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + 40]
-        if len(name) > 1 and _is_person(name, before, after, cues, script.text):
-            found.append(_Sighting(start + match.start(), name, text[match.end() :]))
+        before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + _FOLLOWING]
+        if len(name) > 1 and _is_person(name, before, after, cues, written):
+            found.append(_Sighting(start + match.start(), name, after))
     for match in _TITLED.finditer(text):
         found.append(_Sighting(start + match.start(), match.group(0).upper(), ""))
     for match in _CAPITALISED_ROLE.finditer(text):
@@ -148,12 +155,13 @@ def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
         for name in (camera.subject, camera.who):
             at = paragraph.raw.find(name)
             name_alone = name.upper() == name and at >= 0 and len(name) > 1
-            if name_alone and _is_person(name, "the ", paragraph.raw[at + len(name) :][:40], cues, ""):
-                found.append(_Sighting(paragraph.start + at, name, paragraph.raw[at + len(name) :]))
+            after = paragraph.raw[at + len(name) : at + len(name) + _FOLLOWING]
+            if name_alone and _is_person(name, "the ", after, cues, TextIndex("")):
+                found.append(_Sighting(paragraph.start + at, name, after))
     return found
 
 
-def _is_person(name: str, before: str, after: str, cues: set[str], text: str) -> bool:
+def _is_person(name: str, before: str, after: str, cues: set[str], written: TextIndex) -> bool:
     """Whether words in capitals name somebody, and not a noise, a thing or a camera."""
     base = _ARTICLE_OR_COUNT.sub("", name)
     if base in cues or name in cues:
@@ -173,7 +181,7 @@ def _is_person(name: str, before: str, after: str, cues: set[str], text: str) ->
         return True
     if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
         return False
-    return _acts_like_a_person(base, before, after, text)
+    return _acts_like_a_person(base, before, after, written)
 
 
 def _is_called_a_person(after: str) -> bool:
@@ -182,13 +190,14 @@ def _is_called_a_person(after: str) -> bool:
     return told is not None and any(phrase.start == 0 for phrase in find_person_nouns(told.group(1)))
 
 
-def _acts_like_a_person(base: str, before: str, after: str, text: str) -> bool:
+def _acts_like_a_person(base: str, before: str, after: str, written: TextIndex) -> bool:
     """A third-person verb follows, and there is no article, or elsewhere the name is written like a name."""
     verb = re.match(r"\s+([a-z]+)", after)
     if verb is None or form_kind(verb.group(1)) not in ("3sg", "aux") or form_kind(base.lower()):
         return False
     bare_name = not re.search(r"\b(?:the|a|an|his|her|their|its)\s(?:[a-z-]+\s){0,2}$", before, re.IGNORECASE)
-    return bare_name or re.search(rf"\b{re.escape(base.title())}\b(?!['’])", text) is not None
+    name = base.title()
+    return bare_name or any(not written.text.startswith(("'", "’"), at + len(name)) for at in written.places(name))
 
 
 def _split(sighting: _Sighting) -> list[_Sighting]:
@@ -207,14 +216,35 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
     ]
 
 
-def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str) -> None:
+class _FullNames:
+    """All names of the script as they are written, by their words."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self.all = {*names}
+        self._with_word: dict[str, list[str]] = {}
+        for name in self.all:
+            for word in {*name.split()}:
+                self._with_word.setdefault(word, []).append(name)
+
+    def have_part(self, name: str) -> bool:
+        """Whether a single word is a part of a longer name."""
+        return " " not in name and any(_is_part_of(name, full) for full in self._with_word.get(name, ()))
+
+    def number(self, words: Sequence[str]) -> bool:
+        """Whether one of these nouns stands in the script with a number: THUG #1."""
+        told = "|".join(re.escape(word) for word in words)
+        with_noun = (full for word in words for full in self._with_word.get(word.rsplit(" ", 1)[-1], ()))
+        return any(re.fullmatch(rf"(?:{told}) #?(?:\d|ONE|TWO)", full) for full in with_noun)
+
+
+def _admit(roster: Roster, sighting: _Sighting, full_names: _FullNames, text: str) -> None:
     """Add a sighting to the cast unless a longer form of the name is introduced elsewhere."""
     base = re.sub(r"^(A|AN) ", "", _COUNT.sub("", sighting.name))
     if _are_numbered(base, full_names):
         return
     name = re.sub(r"^THE ", "", base)
     known = roster.find(name)
-    if not known and " " not in name and any(_is_part_of(name, full) for full in full_names):
+    if not known and full_names.have_part(name):
         return
     other = None if known else _apposed(roster, sighting, name, text) or worn_name(roster, name)
     if other:
@@ -223,7 +253,8 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
     person = known[0] if known else other or _newcomer(roster, sighting, base, before)
     if sighting.nickname:
         roster.call(person, bare(sighting.nickname))
-    looks = _looks(text[sighting.at + len(sighting.name) :][:160]) if sighting.after else []
+    after = sighting.at + len(sighting.name)
+    looks = _looks(text[after : after + 160]) if sighting.after else []
     if not known:
         _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, before)
@@ -231,7 +262,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: set[str], text: str)
         describe(roster, person, said)
         if also := also_known(said):
             roster.call(person, bare(also))
-        if person.role and (tag := tagged_name(said, full_names)):
+        if person.role and (tag := tagged_name(said, full_names.all)):
             roster.call(person, bare(tag))
 
 
@@ -246,7 +277,7 @@ def _looks(after: str) -> list[str]:
 
 def _seen_before(roster: Roster, person: Person, text: str, at: int) -> None:
     """``A man staggers out of the trees. Caleb drags the STRANGER in``: who is called *the* was there already."""
-    if not person.role or not text[:at].endswith("the "):
+    if not person.role or not text.endswith("the ", 0, at):
         return
     earlier = [
         phrase
@@ -279,14 +310,11 @@ def _told_before(before: str) -> str:
     return noun.group(1).lower() if noun and is_person_noun(noun.group(1).lower()) else ""
 
 
-def _are_numbered(name: str, full_names: set[str]) -> bool:
+def _are_numbered(name: str, full_names: _FullNames) -> bool:
     """``two THUGS`` are THUG #1 and THUG #2."""
     head = singular(name.split()[-1])
     plural = head != name.split()[-1].lower() and is_person_noun(head)
-    stem = re.escape(" ".join([*name.split()[:-1], head.upper()]))
-    return plural and any(
-        re.fullmatch(rf"(?:{stem}|{re.escape(head.upper())}) #?(?:\d|ONE|TWO)", full) for full in full_names
-    )
+    return plural and full_names.number((" ".join([*name.split()[:-1], head.upper()]), head.upper()))
 
 
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
@@ -314,11 +342,12 @@ def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Perso
 def _add_animals(roster: Roster, script: Manuscript) -> None:
     """An animal in small letters is cast when it comes up again or moves about: not a dog that barks once."""
     first: dict[str, int] = {}
+    toys = {toy.lower() for toy in _TOY_ANIMALS.findall(script.text)}
+    roles = {person.role for person in roster.people}
     for paragraph in script.paragraphs:
         for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
-            known = any(phrase.noun in (person.role, *person.aliases) for person in roster.people)
-            alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS
-            alive = alive and not re.search(rf"\b(?:{_TOYS})\s+{phrase.noun}\b", script.text, re.IGNORECASE)
+            known = phrase.noun in roles or bool(roster.find(phrase.noun))
+            alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS and phrase.noun not in toys
             if alive and not phrase.plural and not known:
                 if phrase.noun in first or _moves_about(phrase, paragraph.raw):
                     roster.add(phrase.noun, first.get(phrase.noun, paragraph.start + phrase.start))

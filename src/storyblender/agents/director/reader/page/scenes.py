@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
@@ -133,5 +134,6 @@ def same_place(place: str, scene_type: SceneType, scenes: list[SceneReading]) ->
     return next(containing, None)
 
 
-def _words(place: str) -> set[str]:
-    return set(re.findall(r"[a-z0-9]+", place)) - _SMALL
+@lru_cache(maxsize=16384)
+def _words(place: str) -> frozenset[str]:
+    return frozenset(re.findall(r"[a-z0-9]+", place)) - _SMALL

@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.language.morphology import is_person_no
 from storyblender.agents.director.reader.language.words import key_of
 from storyblender.agents.director.reading import Person
 
+_WORN = re.compile(r" (?:in|with) (?=(?P<article>(?:an?|the) )?)")
 _ARTICLE = re.compile(r"^(the|a|an) ")
 
 
@@ -48,6 +49,7 @@ class Roster:
         self._by_id: dict[str, Person] = {}
         self._places: dict[str, int] = {}
         self._answering: dict[str, dict[str, Person]] = {}
+        self._wearing: dict[str, dict[str, Person]] = {}
         self._titled: dict[tuple[str, str], list[Person]] = {}
         self.narrator: Person | None = None
         self.ids: set[str] = set()
@@ -61,6 +63,10 @@ class Roster:
     def person(self, id: str) -> Person | None:
         """The person of an id."""
         return self._by_id.get(id)
+
+    def wearing(self, words: str) -> list[Person]:
+        """Everybody who is named by what they have on or with them: ``grey suit`` of a MAN IN A GREY SUIT."""
+        return self.in_order(self._wearing.get(words, {}).values())
 
     def in_order(self, people: Iterable[Person]) -> list[Person]:
         """Some of the people in the order of the cast."""
@@ -84,6 +90,9 @@ class Roster:
         self._by_id[person.id] = person
         self._answering.setdefault(key, {})[person.id] = person
         self._note_title(person)
+        for worn in _WORN.finditer(key):
+            for start in {worn.end(), worn.end("article")} if worn["article"] else {worn.end()}:
+                self._wearing.setdefault(key[start:], {})[person.id] = person
         self._names_within(person, key)
         words = [word.strip(".,") for word in key.split()]
         for word in words:
@@ -165,6 +174,8 @@ class Roster:
 
     def remove(self, person: Person) -> None:
         """Take somebody off the cast."""
+        for worn in self._wearing.values():
+            worn.pop(person.id, None)
         for name in person.aliases:
             self._answering.get(name, {}).pop(person.id, None)
         self._forget_title(person)
