@@ -1,4 +1,4 @@
-"""``python -m benchmarks``: print every table; ``python -m benchmarks NAME`` one of them."""
+"""``python -m benchmarks``: print every quick table; ``python -m benchmarks NAME [OPTIONS]`` one of them."""
 
 from __future__ import annotations
 
@@ -15,17 +15,22 @@ TABLES = {
     ],
     "scale": [str(HERE / "scale.py")],
     "edit": [str(HERE / "edit.py")],
+    "feature": ["-m", "benchmarks.feature"],
 }
+LONG = ("feature",)
+"""Run for an hour: only when asked for by name."""
 
 
-def main(names: list[str]) -> int:
-    unknown = [name for name in names if name not in TABLES]
+def main(arguments: list[str]) -> int:
+    """Run the tables asked for; what follows the name of one goes to it."""
+    asked, options = arguments[:1], arguments[1:]
+    unknown = [name for name in asked if name not in TABLES]
     if unknown:
         print(f"no benchmark {unknown[0]!r}; there are {', '.join(TABLES)}")
         return 2
-    for name in names or list(TABLES):
+    for name in asked or [name for name in TABLES if name not in LONG]:
         print(f"\n== {name}", flush=True)
-        code = subprocess.run([sys.executable, *TABLES[name]], check=False).returncode
+        code = subprocess.run([sys.executable, *TABLES[name], *options], check=False).returncode
         if code:
             return code
     return 0
