@@ -69,6 +69,8 @@ class Project:
             self._lock.release()
             raise
         self.graph, self.revision, self._digest = saved.graph, saved.revision, saved.digest
+        self._redoable = True
+        """There may be undone commits: to look for them takes longer the longer the history is."""
         self.rebuilt = saved.rebuilt
         """What was missing on opening and is rebuilt, one sentence each."""
         if self.rebuilt:
@@ -141,6 +143,7 @@ class Project:
         Raises:
             InputError: A commit between is missing or damaged.
         """
+        self._redoable = True
         self._move_head(history_files.moved(self._saved, revision, self.folder))
 
     def next_commit(self) -> Commit | None:
@@ -192,11 +195,14 @@ class Project:
 
     def _forget_undone(self) -> None:
         """A new commit ends what could be redone. Latest first, and only once no checkpoint needs the way back."""
+        if not self._redoable:
+            return
         undone = [revision for revision in history_files.commit_revisions(self.folder) if revision > self.revision]
         if undone:
             self.checkpoint()
         for revision in reversed(undone):
             self.files.delete(commit_name(revision))
+        self._redoable = False
 
     def _move_head(self, saved: Saved) -> None:
         self.files.write(HEAD, history_files.head_text(saved.revision, saved.digest))

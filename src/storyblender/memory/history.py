@@ -19,6 +19,7 @@ from storyblender.memory.shot_context import ShotContext
 
 Layer = Literal["outline", "assets", "scenes", "shots", "head", "order"]
 Item = SceneOutline | Asset | SceneContext | ShotContext
+_ByKey = dict[tuple[int | str, ...], Item]
 
 HEAD_FIELDS = ("title", "script_name", "plan_digest", "format", "story_summary")
 """The graph's own fields, kept as the single item of the layer ``head``."""
@@ -93,13 +94,21 @@ def changes_between(old: ContinuityMemoryGraph, new: ContinuityMemoryGraph) -> t
     if before != after:
         changes.append(Change(layer="head", key=(), before=before, after=after))
     for layer in _MODELS:
-        olds = {key_of(item): item for item in getattr(old, layer)}
-        news = {key_of(item): item for item in getattr(new, layer)}
+        olds, news = _apart(getattr(old, layer), getattr(new, layer))
         for key in [*olds, *(key for key in news if key not in olds)]:
             past, present = olds.get(key), news.get(key)
             if past is not present and past != present:
                 changes.append(Change(layer=layer, key=key, before=_dump(past), after=_dump(present)))
     return (*changes, *_reordering(old, new))
+
+
+def _apart(old: tuple[Item, ...], new: tuple[Item, ...]) -> tuple[_ByKey, _ByKey]:
+    """Return the items by key without those that are one object in both: nearly all, in a long story."""
+    if old is new:
+        return {}, {}
+    same = set(map(id, old)).intersection(map(id, new))
+    olds, news = ({key_of(item): item for item in items if id(item) not in same} for items in (old, new))
+    return olds, news
 
 
 def _reordering(old: ContinuityMemoryGraph, new: ContinuityMemoryGraph) -> tuple[Change, ...]:

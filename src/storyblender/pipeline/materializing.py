@@ -62,6 +62,8 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
 def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
     """The Dimension Estimator on everything that the script names; dressing comes in its catalog's size."""
     named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
+    if not named:
+        return assets
     setups = [scene.setup for scene in run.graph.scenes]
     outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
     rooms: dict[str, Vec3] = {}

@@ -14,6 +14,8 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
+from storyblender.memory.scene_context import SceneContext, SceneSetup
+from storyblender.pipeline import materializing
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
@@ -40,13 +42,13 @@ class Builder:
         return done
 
 
-def materialized(models: Path, broken: tuple[str, ...]) -> tuple[list[Asset], list[Event]]:
-    told: list[Event] = []
-    kept: list[Asset] = []
-    chair = Asset(asset_id="chair", asset_type="object", description="a chair", name="chair")
+def quick_run(
+    graph: ContinuityMemoryGraph, settings: Settings, broken: tuple[str, ...], told: list[Event], kept: list[Asset]
+) -> Run:
+    """Return a run without a project: what it tells and commits is put into lists."""
     run = SimpleNamespace(
-        graph=ContinuityMemoryGraph(assets=(chair,)),
-        settings=Settings(models=models),
+        graph=graph,
+        settings=settings,
         engine=Builder(broken),
         outputs=SimpleNamespace(note=lambda name: None),
         embedder=None,
@@ -55,7 +57,14 @@ def materialized(models: Path, broken: tuple[str, ...]) -> tuple[list[Asset], li
         reflect=lambda role, subject, view, policy, critic: reflect(role, subject, view, policy, critic),
         commit=lambda author, reason, *items: kept.extend(items),
     )
-    materialize(cast(Run, run))
+    return cast(Run, run)
+
+
+def materialized(models: Path, broken: tuple[str, ...]) -> tuple[list[Asset], list[Event]]:
+    told: list[Event] = []
+    kept: list[Asset] = []
+    chair = Asset(asset_id="chair", asset_type="object", description="a chair", name="chair")
+    materialize(quick_run(ContinuityMemoryGraph(assets=(chair,)), Settings(models=models), broken, told, kept))
     return kept, [event for event in told if event.kind == "warning"]
 
 
@@ -82,3 +91,16 @@ def test_a_model_that_was_changed_is_another_model(tmp_path: Path) -> None:
         assert asset.canonical is not None and asset.canonical.source == "file"
         digests.append(AssetJob(asset=asset).digest)
     assert digests[0] != digests[1] == digests[2]
+
+
+def test_dressing_of_one_more_scene_does_not_look_at_every_scene(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: list[SceneSetup] = []
+    monkeypatch.setattr(materializing, "kit_of", lambda setup: seen.append(setup) or "room")
+    lamp = Asset(asset_id="set_lamp", asset_type="object", description="a lamp", name="lamp", origin="dressing")
+    setup = SceneSetup(asset_ids=("set_lamp",))
+    scenes = tuple(SceneContext(scene_id=number, setup=setup) for number in range(1, 50))
+    kept: list[Asset] = []
+    run = quick_run(ContinuityMemoryGraph(assets=(lamp,), scenes=scenes), Settings(), (), [], kept)
+    materialize(run)
+    assert len(seen) == 1, "only the first place where it stands says something about it"
+    assert [asset.asset_id for asset in kept] == ["set_lamp"]
