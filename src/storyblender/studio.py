@@ -313,7 +313,7 @@ class Studio:
 
 def _restore_assets(run: Run) -> None:
     """Build assets again whose files are gone or damaged. Who decides on assets is loaded only then."""
-    if assets_to_build(run):
+    if assets_to_build(run, run.graph.assets):
         from storyblender.pipeline.materializing import materialize
 
         materialize(run)

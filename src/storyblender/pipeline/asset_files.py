@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.jobs import ASSETS, asset_suffixes
 from storyblender.pipeline.run import Run
 
 
-def assets_to_build(run: Run) -> list[Asset]:
-    """Return the assets that are not built yet, or whose files are not as they were built."""
+def assets_to_build(run: Run, assets: Iterable[Asset]) -> list[Asset]:
+    """Return those of the assets that are not built yet, or whose files are not as they were built."""
     return [
         asset
-        for asset in run.graph.assets
+        for asset in assets
         if asset.canonical is None
         or not asset.canonical.geometry_hash
         or not all(run.outputs.whole(name) for name in _names(asset))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
@@ -26,9 +27,14 @@ from storyblender.trace import Event
 MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj")
 
 
-def materialize(run: Run) -> None:
-    """Decide, size, build and measure every asset that is not built yet or whose files are damaged; one commit."""
-    missing = assets_to_build(run)
+def materialize(run: Run, assets: Sequence[Asset] | None = None) -> None:
+    """Decide, size, build and measure every asset that is not built yet or whose files are damaged; one commit.
+
+    Args:
+        run: The run.
+        assets: Where to look for them; in the whole graph if not given.
+    """
+    missing = assets_to_build(run, run.graph.assets if assets is None else assets)
     if not missing:
         return
     concept = ConceptArtist(run)

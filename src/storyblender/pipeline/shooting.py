@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
 from storyblender.agents.layout_artist.camera_scene import story_moment
-from storyblender.memory.base import shot_name
+from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
 from storyblender.memory.shot_context import ShotContext
@@ -27,7 +27,9 @@ def light_of(run: Run, shot: ShotContext) -> Lighting:
 
 
 def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReport]:
-    """Draw the board frames and commit the face lights they were solved with.
+    """Draw the board frames and commit the face lights they were solved with, a scene at a time.
+
+    A run that is stopped in a scene finds them again in the records of its frames.
 
     Returns:
         Shot name to report; the pictures lie in ``frames/``.
@@ -39,7 +41,11 @@ def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRep
         known = run.outputs.read(f"{job.out}.json", FrameReport.model_validate_json) if drawn else None
         waiting.append((shot, job, run.engine.render_frame(job) if known is None else known))
     reports: dict[str, FrameReport] = {}
+    lit: list[ShotContext] = []
     for step, (shot, job, report) in enumerate(waiting):
+        if lit and lit[-1].scene_id != shot.scene_id:
+            _commit_lights(run, lit)
+            lit = []
         name = shot_name(shot.scene_id, shot.shot_id)
         run.progress("frames", step, len(waiting), name)
         if isinstance(report, Future):
@@ -47,18 +53,23 @@ def shoot_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRep
             run.outputs.note(job.out)
             run.outputs.write(f"{job.out}.json", report.model_dump_json())
         _place(run, job.out, f"frames/{name}.png")
-        _keep_lights(run, run.graph.shot(shot.scene_id, shot.shot_id), report)
+        lit += _newly_lit(run, run.graph.shot(shot.scene_id, shot.shot_id), report)
         reports[name] = report
+    _commit_lights(run, lit)
     run.progress("frames", len(waiting), len(waiting))
     return reports
 
 
-def _keep_lights(run: Run, shot: ShotContext, report: FrameReport) -> None:
-    """Commit the face lights of a new camera; drawing in another look, or after an undo, changes nothing."""
-    looked_at = run.settings.look != run.made_in_look or run.project.has_undone
-    if not shot.lights or not looked_at:
-        name = shot_name(shot.scene_id, shot.shot_id)
-        run.commit("lighting_arranger", f"face lights of {name}", shot.model_copy(update={"lights": report.lights}))
+def _newly_lit(run: Run, shot: ShotContext, report: FrameReport) -> list[ShotContext]:
+    """Return the shot with the face lights of a new camera; drawing in another look, or after an undo, changes none."""
+    if shot.lights and (run.settings.look != run.made_in_look or run.project.has_undone):
+        return []
+    return [shot.model_copy(update={"lights": report.lights})]
+
+
+def _commit_lights(run: Run, shots: Sequence[ShotContext]) -> None:
+    if shots:
+        run.commit("lighting_arranger", f"face lights of {scene_name(shots[0].scene_id)}", *shots)
 
 
 def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Path]]:

@@ -52,10 +52,9 @@ def _stage_scene(run: Run, scene_id: int) -> None:
         DressingCritic(),
     ).draft
     known = {asset.asset_id for asset in run.graph.assets}
-    run.commit(
-        "set_dresser", f"set and dressing of {name}", scene, *(a for a in dressing.assets if a.asset_id not in known)
-    )
-    materialize(run)
+    fresh = [asset for asset in dressing.assets if asset.asset_id not in known]
+    run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
+    materialize(run, fresh)
     placements = {
         asset.asset_id: PROPS[asset.canonical.key].placement
         for asset in run.graph.assets
