@@ -10,6 +10,7 @@ import re
 from typing import Final, Literal
 
 from storyblender.catalog.materials import hex_color
+from storyblender.catalog.years import years_in, years_said
 from storyblender.memory.asset_sheet import Garment
 
 Age = Literal["medieval", "west", "victorian", "classic", "space", "today"]
@@ -46,11 +47,12 @@ _WORDS: Final[dict[Age, dict[str, int]]] = {
         **dict.fromkeys((r"airlock", r"orbit", r"aliens?", r"planets?", r"galax(?:y|ies)", r"asteroids?"), 1),
     },
 }  # fmt: skip
-_YEARS: Final[dict[Age, str]] = {
-    "medieval": r"\b1[0-5]\d\d\b",
-    "victorian": r"\b1[6-9]0\d\b|\b1[678]\d\d\b",
-    "classic": r"\b19[1-6]\ds?\b",
+_YEARS: Final[dict[Age, tuple[int, int]]] = {
+    "medieval": (1000, 1599),
+    "victorian": (1600, 1909),
+    "classic": (1910, 1969),
 }
+"""First and last year of an age."""
 
 _EVERYDAY: Final[dict[Age, tuple[str, ...]]] = {
     "medieval": ("tunic:#5b4632 breeches:#3a342c boots", "tunic:#43503b breeches:#4a4038 boots", "gown:#4a3a2c shoes",
@@ -130,13 +132,20 @@ that of men, an empty one of men dresses women only.
 """
 
 
-def age_of(story: str) -> Age:
-    """Return the age that the words of a story speak of most; today where none is sure."""
-    words = story.lower()
+def age_of(story: str, said: str = "") -> Age:
+    """Return the age that the words of a story speak of most; today where none is sure.
+
+    Args:
+        story: What the story tells: headings, title cards, action. No title page: a house number is no year.
+        said: What its people say; they speak of other years than their own.
+    """
+    words = f"{story}\n{said}".lower()
+    years = (*years_in(story), *years_said(said))
     weights: dict[Age, int] = {}
     for age, patterns in _WORDS.items():
         weights[age] = sum(value for pattern, value in patterns.items() if re.search(rf"\b(?:{pattern})\b", words))
-        weights[age] += _SURE * (age in _YEARS and bool(re.search(_YEARS[age], words)))
+        first, last = _YEARS.get(age, (1, 0))
+        weights[age] += _SURE * any(first <= year <= last for year in years)
     if weights["west"] >= _SURE:
         weights["victorian"] = 0  # its years and revolvers are those of the west
     best = max(_WORDS, key=lambda age: weights[age])

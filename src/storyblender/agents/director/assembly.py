@@ -12,6 +12,7 @@ from storyblender.agents.director.casting import called, cast, describe, introdu
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.creatures import describe_creature, size_of
 from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.era import told_and_said
 from storyblender.agents.director.left_behind import left_behind
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground, lighting, walls
@@ -38,7 +39,7 @@ class Assembly:
         self.reading = reading
         self.company = company
         self.text = reading.screenplay.text
-        self.era: Age = age_of(self.text)
+        self.era: Age = age_of(*told_and_said(reading.screenplay))
         self.left_behind = left_behind(reading)
         self.handled = {thing.id for thing in reading.things if thing.handled and thing.kind == "prop"}
         self.inanimate = company.assets - company.actors

@@ -10,6 +10,7 @@ from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.sets import SETS, SetKit, plan_of
 from storyblender.catalog.sets.drawing import Period
 from storyblender.catalog.sets.places import kit_of
+from storyblender.catalog.years import years_in
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.reflection import Critique, Fault
@@ -131,20 +132,19 @@ _PERIOD_WORDS: dict[Period, str] = {
     "email selfie hoodie sneakers cctv app video trawler winch",
     "classic": "fedora typewriter radio gramophone telephone noir wartime trolley jukebox",
 }
-_PERIOD_YEARS: dict[Period, str] = {
-    "past": r"\b1[0-8]\d\d",
-    "classic": r"\b19[0-7]\d",
-    "modern": r"\b(19[89]|20\d)\d",
-}
+_PERIOD_YEARS: dict[Period, tuple[int, int]] = {"past": (1000, 1899), "classic": (1900, 1979), "modern": (1980, 2099)}
+"""First and last year of a period."""
 
 
 def period_of(words: str, kit: SetKit) -> Period:
     """Return the period that the words speak of most, or the kit's own."""
     tokens = [token.rstrip("s") for token in re.findall(r"[a-z]+", words.lower())]
+    years = years_in(words)
     best, most = kit.period, 0
     for period, listed in _PERIOD_WORDS.items():
         known = {word.rstrip("s") for word in listed.split()}
-        count = sum(token in known for token in tokens) + 3 * len(re.findall(_PERIOD_YEARS[period], words))
+        first, last = _PERIOD_YEARS[period]
+        count = sum(token in known for token in tokens) + 3 * sum(first <= year <= last for year in years)
         if count > most:
             best, most = period, count
     return best

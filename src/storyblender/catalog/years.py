@@ -1,0 +1,44 @@
+"""The years that words tell: ``Paris, 1789`` and ``in 1942``, but not ``Room 1408`` or ``1500 men``."""
+
+from __future__ import annotations
+
+import re
+
+_YEAR = r"(?P<year>1\d{3}|20\d{2})"
+_MONTH = (
+    r"(?:jan(?:uary)?|feb(?:ruary)?|mar(?:ch)?|apr(?:il)?|may|june?|july?|aug(?:ust)?|sept?(?:ember)?|oct(?:ober)?"
+    r"|nov(?:ember)?|dec(?:ember)?)\.?(?: \d{1,2}(?:st|nd|rd|th)?)?,?"
+)
+_SEASON = r"(?:spring|summer|autumn|fall|winter|christmas|easter|eve|dawn)(?: of| in)?"
+_BEFORE = rf"(?:in|since|circa|early|late|mid|until|till|the year(?: is| was)?|{_MONTH}|{_SEASON}|it(?: is| was|['’]s))"
+_NEXT = r"(?:the|an?|and|but|or|when|where|while|as|at|on|in|to|by|he|she|they|we|it|is|was|were|had|his|her|their)\b"
+_TOLD = re.compile(
+    rf"\b{_BEFORE}\s+{_YEAR}\b(?!['’]?s\b)(?=\W*$|\s*[^\w\s]|\s+{_NEXT}|\s+(?-i:[A-Z])|\n)"  # in 1942 the ...
+    rf"|\b(?P<decade>1\d\d0|20\d0)['’]?s\b"
+    rf"|(?:(?<=[^\W\d_]{{2}}[,.:])\s*|[(\[]|\s[-–—]+\s*){_YEAR.replace('year', 'placed')}"
+    r"(?=\s*(?:$|\n|[.!?)\]\"”’]|[-–—]))"  # PARIS, 1789. (1931)
+    rf"|(?:^|[\n\"“‘(]|[.!?]\s){_YEAR.replace('year', 'alone')}(?=\s*(?:$|\n|[.!?\"”’)]))"
+    rf"|\b{_YEAR.replace('year', 'era')}\s*(?:A\.?D\b|C\.?E\b)|\bA\.?D\.?\s*{_YEAR.replace('year', 'counted')}\b",
+    re.IGNORECASE,
+)
+_NOW = re.compile(
+    rf"\b(?:it(?: is|['’]s)|this is|(?:the )?year is|here in|now,? in)\s+{_YEAR}\b(?=\s*(?:$|[.,;!?]))", re.IGNORECASE
+)
+
+
+def years_in(words: str) -> list[int]:
+    """Return the years that a text tells, in order; a decade is its first year.
+
+    Args:
+        words: What a story tells, headings and title cards included.
+    """
+    return [int(next(filter(None, match.groups()))) for match in _TOLD.finditer(words)]
+
+
+def years_said(words: str) -> list[int]:
+    """Return the years that people say it is: ``It's 1942``, but not ``since 1492``.
+
+    Args:
+        words: What is said.
+    """
+    return [int(match["year"]) for match in _NOW.finditer(words)]
