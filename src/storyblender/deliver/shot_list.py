@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Mapping
 from pathlib import Path
+from string import capwords
 
-from storyblender.deliver.panel import frame_of, panels, timecode
+from storyblender.deliver.panel import Panel, frame_of, panels, timecode
+from storyblender.memory.camera_words import camera_sentence, order_of
 from storyblender.memory.graph import ContinuityMemoryGraph
 
 COLUMNS: tuple[str, ...] = (
@@ -51,11 +54,20 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
                 "action": panel.action,
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),
                 "sound": shot.sound_effect or "",
-                "description": instruction.description,
+                "description": _description(panel, names),
                 "script_start": min((span.start for span in spans), default=""),
                 "script_end": max((span.end for span in spans), default=""),
             }
             writer.writerow({key: _inert(value) for key, value in row.items()})
+
+
+def _description(panel: Panel, names: Mapping[str, str]) -> str:
+    """Return the camera in a sentence as it became: where it was to move and stands still, it stands still here too."""
+    wanted = panel.shot.camera_instruction
+    way = panel.way if panel.way not in ("in", "out") else None
+    became = wanted.model_copy(update={"movement": panel.move, "direction": way})
+    place = capwords(panel.scene.heading.partition(".")[2].partition(" - ")[0])
+    return camera_sentence(became, names, place, order_of(wanted.description))
 
 
 def _inert(value: object) -> object:

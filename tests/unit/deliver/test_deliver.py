@@ -118,6 +118,20 @@ def test_timeline_reads_back_with_relative_media(
     assert clips[1].markers[0].name.startswith("Élodie")
 
 
+def test_the_shot_list_describes_the_camera_as_it_became(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
+    still = orbit.stand((0, 0, 1.5), 30, 5, 5.0, 35)
+    pose = CameraPose(frame=0, pivot=still.pivot, rotation=still.rotation, distance=still.distance, lens=35)
+    wanted = CameraInstruction(
+        size="CU", kind="insert", movement="pan", description="A panning shot of Rick (script: CLOSE ON)."
+    )
+    changes = {"camera_instruction": wanted, "camera": CameraState(poses=(pose,))}
+    shots = (graph.shots[0].model_copy(update=changes), graph.shots[1])
+    shot_list.write_shot_list(graph.model_copy(update={"shots": shots}), tmp_path / "shots.csv")
+    row = next(csv.DictReader((tmp_path / "shots.csv").open(encoding="utf-8-sig")))
+    assert (row["size"], row["movement"]) == ("CU", "static")
+    assert row["description"] == "A static insert close-up of Bar, eye-level (script: CLOSE ON)."
+
+
 def test_every_timeline_shows_moving_pictures_where_there_are_any(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:

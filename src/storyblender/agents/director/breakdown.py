@@ -16,7 +16,8 @@ from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.shot_details import ScriptFlags, ShotDetails
-from storyblender.agents.director.wording import listed, one_line
+from storyblender.agents.director.wording import one_line
+from storyblender.memory.camera_words import listed
 from storyblender.memory.graph import Storyboard
 
 

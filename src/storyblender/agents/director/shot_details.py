@@ -13,7 +13,7 @@ from storyblender.agents.director.durations import frames, shot_seconds
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.staging import Staging
-from storyblender.agents.director.wording import camera_sentence, deed_words, mood_of
+from storyblender.agents.director.wording import deed_words, mood_of, wanted_camera
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit
 from storyblender.memory.shot_context import (
@@ -145,7 +145,7 @@ class ShotDetails:
             pov_id=draft.pov if draft.pov in self.company.actors else None,
             lens=_POV_LENS if draft.kind == "pov" else None,
             axis=draft.axis,
-            description=camera_sentence(draft, self.company.names, capwords(self.scene.place)),
+            description=wanted_camera(draft, self.company.names, capwords(self.scene.place)),
             explicit=draft.explicit,
         )
 

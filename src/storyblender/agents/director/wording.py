@@ -10,19 +10,10 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.lexicon import ADJECTIVES, DETERMINERS, POSSESSIVES, PREPOSITIONS
 from storyblender.agents.director.reading import Deed, Thing, Unit
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS
-from storyblender.memory.vocabulary import Mood, Movement, ShotSize
+from storyblender.memory.camera_words import camera_sentence, listed
+from storyblender.memory.shot_context import CameraInstruction
+from storyblender.memory.vocabulary import Mood
 
-_SIZES: Final[dict[ShotSize, str]] = {
-    "EWS": "extreme wide shot", "WS": "wide shot", "FS": "full shot", "MWS": "medium wide shot", "MS": "medium shot",
-    "MCU": "medium close-up", "CU": "close-up", "ECU": "extreme close-up",
-}  # fmt: skip
-_KINDS: Final = {"two_shot": "two-shot", "group": "group shot"}
-_MOVES: Final[dict[Movement, str]] = {
-    "push in": "slow push in",
-    "pull out": "slow pull out",
-    "pan": "panning",
-    "tilt": "tilting",
-}
 _MOODS: Final[dict[Mood, str]] = {
     "happy": "happ|smil|grin|laugh|cheer|joy|delight|amus|beam|excited|proud|playful",
     "sad": "sad|tear|cry|sob|weep|grie|mourn|broken|bitter|lonel|regret|heartbroken",
@@ -53,11 +44,6 @@ def one_line(text: str) -> str:
     return " ".join(text.split())
 
 
-def listed(names: list[str]) -> str:
-    """Return names as a phrase: ``Rick, Ilsa and Sam``."""
-    return names[0] if len(names) == 1 else " and ".join([", ".join(names[:-1]), names[-1]]) if names else ""
-
-
 def modifiers_of(thing: Thing, text: str) -> str:
     """Return what a thing is called besides its name where it is first named: ``small round`` of a table.
 
@@ -79,25 +65,13 @@ def modifiers_of(thing: Thing, text: str) -> str:
     return " ".join(found)
 
 
-def camera_sentence(draft: ShotDraft, names: Mapping[str, str], place: str) -> str:
+def wanted_camera(draft: ShotDraft, names: Mapping[str, str], place: str) -> str:
     """Return one sentence for the camera, e.g. ``A static medium close-up of Ilsa over Rick's shoulder, eye-level.``"""
-    form = _SIZES[draft.size]
-    if draft.kind in _KINDS:
-        form = form.removesuffix(" shot") + " " + _KINDS[draft.kind]
-    elif draft.kind in ("insert", "establishing"):
-        form = f"{draft.kind} {form}"
-    form = f"static {form}" if draft.movement == "static" else form
-    shown = listed([names.get(each, each) for each in draft.focus]) or place or "the place"
-    shown = f"{shown}'s {draft.detail}" if draft.detail else shown
-    sentence = f"{'An' if form[0] in 'aeiou' else 'A'} {form} of {shown}"
-    if draft.over:
-        sentence += f" over {names.get(draft.over, draft.over)}'s shoulder"
-    if draft.pov:
-        sentence += f" as {names.get(draft.pov, draft.pov)} sees it"
-    move = "" if draft.movement == "static" else _MOVES.get(draft.movement, draft.movement)
-    sentence += ", ".join(["", *filter(None, [f"{move} {draft.direction or ''}".strip(), draft.angle])])
-    ordered = f" (script: {one_line(draft.note.phrase)})" if draft.note and draft.note.phrase else ""
-    return sentence + ordered + "."
+    camera = CameraInstruction.model_construct(
+        focus_on_ids=tuple(draft.focus), kind=draft.kind, size=draft.size, angle=draft.angle, detail=draft.detail,
+        movement=draft.movement, direction=draft.direction, over_id=draft.over, pov_id=draft.pov,
+    )  # fmt: skip
+    return camera_sentence(camera, names, place, one_line(draft.note.phrase) if draft.note else "")
 
 
 def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: str) -> str:

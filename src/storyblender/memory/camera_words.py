@@ -1,0 +1,61 @@
+"""A camera in one sentence, for the Director who wants it and for the lists that say what became of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+from storyblender.memory.shot_context import CameraInstruction
+from storyblender.memory.vocabulary import Movement, ShotSize
+
+_SIZES: Final[dict[ShotSize, str]] = {
+    "EWS": "extreme wide shot", "WS": "wide shot", "FS": "full shot", "MWS": "medium wide shot", "MS": "medium shot",
+    "MCU": "medium close-up", "CU": "close-up", "ECU": "extreme close-up",
+}  # fmt: skip
+_KINDS: Final = {"two_shot": "two-shot", "group": "group shot"}
+_MOVES: Final[dict[Movement, str]] = {
+    "push in": "slow push in",
+    "pull out": "slow pull out",
+    "pan": "panning",
+    "tilt": "tilting",
+}
+_ORDER: Final = " (script: "
+"""Before the words of the script that ordered this camera."""
+
+
+def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], place: str, order: str = "") -> str:
+    """Return one sentence, e.g. ``A static medium close-up of Ilsa over Rick's shoulder, eye-level.``
+
+    Args:
+        instruction: The camera.
+        names: Asset id to what people call it.
+        place: What is seen where nobody is in focus.
+        order: The words of the script that asked for it, if it did.
+    """
+    form = _SIZES[instruction.size]
+    if instruction.kind in _KINDS:
+        form = form.removesuffix(" shot") + " " + _KINDS[instruction.kind]
+    elif instruction.kind in ("insert", "establishing"):
+        form = f"{instruction.kind} {form}"
+    still = instruction.movement == "static"
+    form = f"static {form}" if still else form
+    shown = listed([names.get(each, each) for each in instruction.focus_on_ids]) or place or "the place"
+    shown = f"{shown}'s {instruction.detail}" if instruction.detail else shown
+    sentence = f"{'An' if form[0] in 'aeiou' else 'A'} {form} of {shown}"
+    if instruction.over_id:
+        sentence += f" over {names.get(instruction.over_id, instruction.over_id)}'s shoulder"
+    if instruction.pov_id:
+        sentence += f" as {names.get(instruction.pov_id, instruction.pov_id)} sees it"
+    move = "" if still else _MOVES.get(instruction.movement, instruction.movement)
+    sentence += ", ".join(["", *filter(None, [f"{move} {instruction.direction or ''}".strip(), instruction.angle])])
+    return sentence + (f"{_ORDER}{order})" if order else "") + "."
+
+
+def order_of(sentence: str) -> str:
+    """Return the words of the script that a camera's sentence quotes, if it quotes any."""
+    return sentence.partition(_ORDER)[2].removesuffix(".").removesuffix(")")
+
+
+def listed(names: Sequence[str]) -> str:
+    """Return names as a phrase: ``Rick, Ilsa and Sam``."""
+    return names[0] if len(names) == 1 else " and ".join([", ".join(names[:-1]), names[-1]]) if names else ""
