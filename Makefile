@@ -1,4 +1,5 @@
 # Everything goes through .venv, which is made on first use from the locked, hashed requirements.
+# It needs Python 3.11, or uv to fetch it; scripts/environment.sh says how to get either.
 PYTHON ?= python3.11
 VENV := .venv
 BIN := $(VENV)/bin
@@ -25,8 +26,7 @@ bench: $(READY)  ## Print the benchmark tables
 	$(BIN)/python -m benchmarks
 
 $(READY): requirements.lock pyproject.toml
-	@command -v $(PYTHON) >/dev/null || { echo "StoryBlender needs Python 3.11: install it, or run make PYTHON=/path/to/python3.11"; exit 2; }
-	$(PYTHON) -m venv $(VENV)
+	@sh scripts/environment.sh $(PYTHON) $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	$(BIN)/python -m storyblender.library.body_data

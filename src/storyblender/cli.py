@@ -21,10 +21,21 @@ app = typer.Typer(
     rich_markup_mode="rich",
     add_completion=False,
     help="From a script to an editable 3D storyboard.\n\n"
-    "Start with: [bold]storyblender make SCRIPT[/bold], where SCRIPT is a Fountain (.fountain) or Final Draft (.fdx) "
-    "screenplay, or prose (.txt, .md). It writes SCRIPT.storyboard beside it: a .blend, frames, board.pdf, "
-    "animatic.mp4, shots.csv, timeline.otio and index.html.",
+    "Start with [bold]storyblender make SCRIPT[/bold], where SCRIPT is a Fountain (.fountain) or Final Draft (.fdx) "
+    "screenplay, or prose (.txt, .md). It writes a folder SCRIPT.storyboard beside it; open its "
+    "[bold]index.html[/bold] first. In it are the frames, the board to print (board.pdf), a film with subtitles "
+    "(animatic.mp4), the shot list "
+    "(shots.csv), a timeline for editors (timeline.otio) and the scenes for Blender (story.blend).\n\n"
+    "Then look at it with [bold]check[/bold], change a camera with [bold]render --shot[/bold], take it back with "
+    "[bold]undo[/bold], or change the script and run [bold]make[/bold] again: only what changed is drawn.",
+    epilog="storyblender COMMAND --help explains a command, with examples. A file storyblender.toml beside the script "
+    "holds settings for it; docs/settings.md lists them all.",
 )
+
+
+def _examples(*lines: str) -> str:
+    """Return what stands below the help of a command: one line each."""
+    return "\n\n".join(["[bold]Examples[/bold]", *(f"  storyblender {line}" for line in lines)])
 
 
 class ExportName(StrEnum):
@@ -45,22 +56,43 @@ Folder = Annotated[
 Out = Annotated[
     Path | None, typer.Option("--out", "-o", help="The project folder; NAME.storyboard beside the script if not given.")
 ]
-LookOption = Annotated[str | None, typer.Option(help="board: lit and inked; fast: quicker light; pencil; render.")]
+LookOption = Annotated[
+    str | None,
+    typer.Option(
+        help="How frames are drawn: board (lit and inked, the default), fast (quicker light), pencil, "
+        "or render (Blender's Cycles, minutes a frame)."
+    ),
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing but errors.")]
-Json = Annotated[bool, typer.Option("--json", help="Machine-readable: events or results as JSON, one a line.")]
+Json = Annotated[bool, typer.Option("--json", help="For programs: events, results and errors as JSON, one a line.")]
 Jobs = Annotated[int | None, typer.Option(help="Blender processes; by default one for each processor, two at most.")]
-Seed = Annotated[int | None, typer.Option(help="Same script, seed and settings: same storyboard, to the pixel.")]
+Seed = Annotated[
+    int | None,
+    typer.Option(
+        help="Another number, other faces and sets; the same one, the same storyboard to the pixel (default 0)."
+    ),
+]
 Shots = Annotated[
     int | None, typer.Option("--shots-per-scene", help="About how many shots a scene may have (default 4).")
 ]
 Aspect = Annotated[str | None, typer.Option(help="Width over height of the picture: 2.39, 1.85, 16:9, 9:16 ...")]
 Width = Annotated[int | None, typer.Option(help="Pixels across (default 960).")]
 Fps = Annotated[int | None, typer.Option(help="Frames a second (default 24).")]
-Crew = Annotated[str | None, typer.Option(help="Who plays the roles: rules (needs no key).")]
-Models = Annotated[Path | None, typer.Option(help="A folder of your own .glb and .blend files, searched first.")]
+Crew = Annotated[str | None, typer.Option(help="Who plays the roles of the crew: rules, which need no key.")]
+Paper = Annotated[str | None, typer.Option(help="Size of the board's pages: a4 (the default) or letter.")]
+Models = Annotated[
+    Path | None,
+    typer.Option(help="A folder of your own 3D models (.glb, .blend), searched before the built-in library."),
+]
 
 
-@app.command()
+@app.command(
+    epilog=_examples(
+        "make my_film.fountain",
+        "make my_film.fdx --look pencil --aspect 2.39",
+        "make my_film.fountain --look fast --no-animatic",
+    )
+)
 def make(
     script: Script,
     out: Out = None,
@@ -71,17 +103,22 @@ def make(
     fps: Fps = None,
     shots_per_scene: Shots = None,
     models: Models = None,
-    animatic: Annotated[bool | None, typer.Option(help="Make the moving film as well.")] = None,
-    slate: Annotated[bool | None, typer.Option(help="Burn name, lens and time into copies of the frames.")] = None,
+    animatic: Annotated[
+        bool | None, typer.Option(help="Make the animatic too, a film of the moving board (on by default).")
+    ] = None,
+    slate: Annotated[
+        bool | None, typer.Option(help="Burn shot name, lens and timecode into copies of the frames, as on a slate.")
+    ] = None,
+    paper: Paper = None,
     jobs: Jobs = None,
     seed: Seed = None,
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Turn a script into a storyboard: everything. Run it again to go on where it was stopped."""
+    """Turn a script into a storyboard: everything. Run it again to go on where it was stopped, or after a revision."""
     settings: dict[str, Any] = dict(
         look=look, crew=crew, aspect=aspect, width=width, fps=fps, jobs=jobs, seed=seed,
-        shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate,
+        shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate, paper=paper,
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, script, **settings)
@@ -89,7 +126,7 @@ def make(
         terminal.files(delivery.folder, delivery.files)
 
 
-@app.command()
+@app.command(epilog=_examples("plan my_film.fountain", "plan my_film.fountain --shots-per-scene 8"))
 def plan(
     script: Script,
     out: Out = None,
@@ -101,7 +138,7 @@ def plan(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Read a script into the memory graph only: cast, scenes, shots. No Blender."""
+    """Read a script and say who is in it and how it is cut into scenes and shots; quick, nothing is drawn."""
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
     with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, script, **settings)
@@ -110,15 +147,24 @@ def plan(
         terminal.files(delivery.folder, delivery.files)
 
 
-@app.command()
+@app.command(
+    epilog=_examples(
+        "render my_film.storyboard --shot SC010_SH020 --size CU --lens 85",
+        'render my_film.storyboard --shot SC010_SH020 --move "push in" --animatic',
+        "render my_film.storyboard --look pencil",
+    )
+)
 def render(
     context: typer.Context,
     folder: Folder,
     shot: Annotated[list[str] | None, typer.Option(help="Only this shot, e.g. SC010_SH020; may be repeated.")] = None,
     look: LookOption = None,
-    size: Annotated[str | None, typer.Option(help="Reframe the shot: EWS WS FS MWS MS MCU CU ECU.")] = None,
+    size: Annotated[
+        str | None,
+        typer.Option(help="How much is seen, from extreme wide to extreme close-up: EWS WS FS MWS MS MCU CU ECU."),
+    ] = None,
     angle: Annotated[str | None, typer.Option(help="eye-level, high angle, low angle, bird's-eye, dutch ...")] = None,
-    lens: Annotated[float | None, typer.Option(help="Change the lens, in mm.")] = None,
+    lens: Annotated[float | None, typer.Option(help="Focal length in mm: 24 is wide, 85 is long.")] = None,
     move: Annotated[str | None, typer.Option(help="Camera move: static, pan left, tilt up, push in ...")] = None,
     animatic: Annotated[bool, typer.Option(help="Render the moving film again where it changed.")] = False,
     jobs: Jobs = None,
@@ -151,7 +197,7 @@ def redo(folder: Folder, quiet: Quiet = False, json_lines: Json = False) -> None
         terminal.commits("redone", studio.redo(folder))
 
 
-@app.command()
+@app.command(epilog=_examples("check my_film.storyboard"))
 def check(context: typer.Context, folder: Folder, json_lines: Json = False) -> None:
     """Check a project: layout, framing, continuity, collisions, people in frame. Exits 1 if something is wrong."""
     with shown(quiet=False, json_lines=json_lines) as terminal:
@@ -161,15 +207,18 @@ def check(context: typer.Context, folder: Folder, json_lines: Json = False) -> N
     raise typer.Exit(0 if report.clean else 1)
 
 
-@app.command()
+@app.command(epilog=_examples("export my_film.storyboard --to glb", "export my_film.storyboard --to edl --to fcpxml"))
 def export(
     context: typer.Context,
     folder: Folder,
-    to: Annotated[list[ExportName], typer.Option("--to", help="glb, usd (every scene), edl, fcpxml; repeatable.")],
+    to: Annotated[
+        list[ExportName],
+        typer.Option("--to", help="glb or usd: a file a scene; edl or fcpxml: the timeline. May be repeated."),
+    ],
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Write the scenes as glTF or USD, or the timeline as EDL or FCPXML."""
+    """Write scenes for other 3D programs (glTF, USD) or the timeline for other editors (EDL, FCPXML)."""
     with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, project=folder, ahead=context.obj)
         delivery = studio.export(folder, [str(name.value) for name in to])
@@ -187,7 +236,7 @@ def examine(json_lines: Json = False) -> None:
     raise typer.Exit(0 if all(finding.healthy for finding in findings) else 1)
 
 
-@app.command()
+@app.command(epilog=_examples("catalog props", "catalog sets --picture cafe --out cafe.png"))
 def catalog(
     kind: Annotated[
         str,

@@ -74,6 +74,8 @@ class Settings(Frozen):
     """Burn the shot's name, lens and timecode into the frames."""
     start_timecode: Annotated[str, AfterValidator(_clock)] = "01:00:00:00"
     """Timecode of the first frame, ``HH:MM:SS:FF``, in the timeline, the shot list and on slates."""
+    paper: Literal["a4", "letter"] = "a4"
+    """Of the board, across."""
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Path | None = None
