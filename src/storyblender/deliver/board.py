@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
@@ -10,25 +9,25 @@ from xml.sax.saxutils import escape
 
 from reportlab import rl_config
 from reportlab.lib.colors import Color, HexColor
-from reportlab.lib.pagesizes import A4, landscape
+from reportlab.lib.pagesizes import A4, LETTER, landscape
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.utils import ImageReader
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Flowable, Paragraph
 
 from storyblender.deliver import fonts
+from storyblender.deliver.arrows import draw_way
 from storyblender.deliver.lettering import Lettering, width_of
-from storyblender.deliver.panel import Panel, Way, cue_of, length_of, panels
+from storyblender.deliver.panel import Panel, cue_of, length_of, panels
 from storyblender.memory.graph import ContinuityMemoryGraph
 
-INK, GREY, RULE = HexColor("#1b1b1f"), HexColor("#6d6d76"), HexColor("#d5d5da")
-ARROW = Color(0.91, 0.27, 0.16, alpha=0.9)
+INK, GREY, RULE, NOTE = HexColor("#1b1b1f"), HexColor("#6d6d76"), HexColor("#d5d5da"), HexColor("#2f5f9e")
 MARGIN, GUTTER = 30.0, 16.0
-NARROWEST_INNER, WIDEST_INNER = 0.25, 0.84
-"""Shares of the picture between which the frame of a camera going in or out is drawn, so that it can be read."""
 HEADING = 13.0
 """Points over every picture for the heading of a scene that begins there."""
-PAGE_WIDTH, PAGE_HEIGHT = landscape(A4)
+Paper = Literal["a4", "letter"]
+PAPERS: dict[Paper, tuple[float, float]] = {"a4": landscape(A4), "letter": landscape(LETTER)}
+"""Points across and down."""
 
 LEAST_WORDS = 480.0
 """Points across that the words under a single picture have, however narrow it is."""
@@ -55,6 +54,7 @@ def write_board(
     frames: Mapping[str, Path],
     part: Path,
     layout: Literal["grid", "single"] = "grid",
+    paper: Paper = "a4",
 ) -> None:
     """Write the board.
 
@@ -63,19 +63,20 @@ def write_board(
         frames: Shot name to picture, JPEG for a small file; a missing one is drawn as an empty frame.
         part: The PDF.
         layout: ``grid`` sets six panels on a page, ``single`` one.
+        paper: Size of the pages, which lie across.
     """
     fonts.register()
     rl_config.useA85 = 0  # pictures as the bytes they are: to write them as text takes nine tenths of the time
-    canvas = Canvas(str(part), pagesize=(PAGE_WIDTH, PAGE_HEIGHT), invariant=1)
+    canvas = Canvas(str(part), pagesize=PAPERS[paper], invariant=1)
     canvas.setTitle(graph.title or "Storyboard")
     canvas.setAuthor("StoryBlender")
     shots = panels(graph)
     pages = _pages(shots, 6 if layout == "grid" else 1)
     listed: set[int] = set()
     for number, page in enumerate(pages, start=1):
-        _furniture(canvas, graph.title, length_of(shots), number, len(pages))
+        _furniture(canvas, graph, length_of(shots), (number, len(pages)), PAPERS[paper])
         for index, panel in enumerate(page):
-            x, y, width, height = _cell(index, layout, graph.format.aspect)
+            x, y, width, height = _cell(index, layout, graph.format.aspect, PAPERS[paper])
             if index == 0 or panel.scene is not page[index - 1].scene:
                 _line(canvas, panel.scene.numbered_title, x, y + 4, 9, width, color=GREY)
             if panel.scene.scene_id not in listed:
@@ -92,30 +93,33 @@ def _pages(items: Sequence[Panel], size: int) -> list[list[Panel]]:
     return [list(items[index : index + size]) for index in range(0, len(items), size)] or [[]]
 
 
-def _cell(index: int, layout: str, aspect: float) -> tuple[float, float, float, float]:
-    """Left, top, width, height of a panel on the page."""
-    top, height = PAGE_HEIGHT - MARGIN - 16, PAGE_HEIGHT - 2 * MARGIN - 22
+def _cell(index: int, layout: str, aspect: float, size: tuple[float, float]) -> tuple[float, float, float, float]:
+    """Left, top, width, height of a panel on a page of that size."""
+    across, down = size
+    top, height = down - MARGIN - 16, down - 2 * MARGIN - 22
     if layout == "single":
         picture = (height - HEADING) * PICTURE_SHARE["single"] * aspect
-        width = min(PAGE_WIDTH - 2 * MARGIN, max(picture, LEAST_WORDS))
-        return (PAGE_WIDTH - width) / 2, top - HEADING, width, height - HEADING
-    width = (PAGE_WIDTH - 2 * MARGIN - 2 * GUTTER) / 3
+        width = min(across - 2 * MARGIN, max(picture, LEAST_WORDS))
+        return (across - width) / 2, top - HEADING, width, height - HEADING
+    width = (across - 2 * MARGIN - 2 * GUTTER) / 3
     row_height = height / 2
     column, row = index % 3, index // 3
     return MARGIN + column * (width + GUTTER), top - HEADING - row * row_height, width, row_height - HEADING
 
 
-def _furniture(canvas: Canvas, title: str, length: str, number: int, count: int) -> None:
-    """Title, length and page number around the panels."""
-    room = PAGE_WIDTH - 2 * MARGIN
+def _furniture(
+    canvas: Canvas, graph: ContinuityMemoryGraph, length: str, page: tuple[int, int], size: tuple[float, float]
+) -> None:
+    """Title, length, script and page number around the panels."""
+    across, down = size
+    room = across - 2 * MARGIN
     told = canvas.stringWidth(length, fonts.REGULAR, 9)
-    _line(canvas, title or "Untitled", MARGIN, PAGE_HEIGHT - MARGIN, 12, room - told - GUTTER)
-    _line(canvas, length, MARGIN, PAGE_HEIGHT - MARGIN, 9, room, color=GREY, right=True)
-    canvas.setFillColor(GREY)
-    canvas.setFont(fonts.REGULAR, 8)
-    canvas.drawRightString(PAGE_WIDTH - MARGIN, MARGIN - 12, f"{number} / {count}")
+    _line(canvas, graph.title or "Untitled", MARGIN, down - MARGIN, 12, room - told - GUTTER)
+    _line(canvas, length, MARGIN, down - MARGIN, 9, room, color=GREY, right=True)
+    _line(canvas, graph.script_name, MARGIN, MARGIN - 12, 8, room * 0.8, color=GREY)
+    _line(canvas, f"{page[0]} / {page[1]}", MARGIN, MARGIN - 12, 8, room, color=GREY, right=True)
     canvas.setStrokeColor(RULE)
-    canvas.line(MARGIN, PAGE_HEIGHT - MARGIN - 8, PAGE_WIDTH - MARGIN, PAGE_HEIGHT - MARGIN - 8)
+    canvas.line(MARGIN, down - MARGIN - 8, across - MARGIN, down - MARGIN - 8)
 
 
 def _panel(
@@ -140,7 +144,7 @@ def _panel(
     canvas.setLineWidth(0.8)
     canvas.rect(left, bottom, picture_width, picture_height)
     if panel.way is not None:
-        _arrow(canvas, panel, panel.way, left, bottom, picture_width, picture_height)
+        draw_way(canvas, panel, panel.way, left, bottom, picture_width, picture_height)
     size = 13.0 if single else 9.0
     y = bottom - size * 1.35
     _line(canvas, panel.name, x, y, size, width)
@@ -151,7 +155,7 @@ def _panel(
 
 
 def _words(canvas: Canvas, panel: Panel, x: float, y: float, width: float, room: float, size: float) -> None:
-    """Action, then dialogue, in smaller letters where it is long; an ellipsis says that more was written."""
+    """Action, dialogue and notes, in smaller letters where it is long; an ellipsis says that more was written."""
     texts = _texts(panel, size)
     for shrunk in SHRINKING:
         if sum(text.wrap(width, room)[1] for text in texts) <= room:
@@ -177,7 +181,8 @@ def _texts(panel: Panel, size: float) -> list[Flowable]:
     speech = ParagraphStyle("speech", parent=style, leftIndent=size)
     said = panel.action or ("" if panel.dialogue else panel.outline.shot_description)
     texts = [_setting([(said, INK)], style)] if said else []
-    return texts + [_setting([(cue_of(line), GREY), (line.text, INK)], speech) for line in panel.dialogue]
+    texts += [_setting([(cue_of(line), GREY), (line.text, INK)], speech) for line in panel.dialogue]
+    return texts + [_setting([("Note", GREY), (note, NOTE)], style) for note in panel.notes]
 
 
 def _setting(pieces: Sequence[tuple[str, Color]], style: ParagraphStyle, most: int = 0) -> Flowable:
@@ -217,42 +222,3 @@ def _line(
 
 def _width(canvas: Canvas, text: str, size: float) -> float:
     return canvas.stringWidth(text, fonts.REGULAR, size) if fonts.in_regular(text) else width_of(text, size)
-
-
-def _arrow(canvas: Canvas, panel: Panel, way: Way, x: float, y: float, width: float, height: float) -> None:
-    """Draw the camera move on the picture as boards do: an arrow, or the frame that it closes to or opens from."""
-    canvas.saveState()
-    canvas.setStrokeColor(ARROW)
-    canvas.setFillColor(ARROW)
-    line = min(2.5, max(1.2, width / 200))
-    canvas.setLineWidth(line)
-    cx, cy = x + width / 2, y + height / 2
-    if way in ("in", "out"):
-        inner = min(WIDEST_INNER, max(NARROWEST_INNER, panel.closes_to)) / 2
-        canvas.setDash(line * 4, line * 3)
-        canvas.rect(cx - width * inner, cy - height * inner, width * inner * 2, height * inner * 2)
-        canvas.setDash()
-        begins = min(0.47, inner + 0.17)
-        for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-            outer, corner = ((cx + sx * width * at, cy + sy * height * at) for at in (begins, inner))
-            _head(canvas, *((outer, corner) if way == "in" else (corner, outer)), line * 5)
-    else:
-        dx, dy = {"left": (-1, 0), "right": (1, 0), "up": (0, 1), "down": (0, -1)}[way]
-        edge_x, edge_y = cx + dx * width * 0.42, cy + dy * height * 0.40
-        if dx:
-            edge_y = y + height * 0.09
-        start = (edge_x - dx * width * 0.30, edge_y - dy * height * 0.40)
-        _head(canvas, start, (edge_x, edge_y), line * 5)
-    canvas.restoreState()
-
-
-def _head(canvas: Canvas, start: tuple[float, float], end: tuple[float, float], size: float) -> None:
-    """A line with an arrow head at its end."""
-    canvas.line(*start, *end)
-    angle = math.atan2(end[1] - start[1], end[0] - start[0])
-    path = canvas.beginPath()
-    path.moveTo(end[0] + size * 0.4 * math.cos(angle), end[1] + size * 0.4 * math.sin(angle))
-    for turn in (2.6, -2.6):
-        path.lineTo(end[0] + size * math.cos(angle + turn), end[1] + size * math.sin(angle + turn))
-    path.close()
-    canvas.drawPath(path, fill=1, stroke=0)

@@ -121,6 +121,7 @@ def _card(panel: Panel, sources: tuple[str, str] | None, to_check: int, film: bo
     words = [f"<p>{escape(panel.action)}</p>"] if panel.action else []
     for line in panel.dialogue:
         words.append(f'<p class="speech"><b>{escape(cue_of(line))}</b> {escape(line.text)}</p>')
+    words += [f'<p class="note"><b>Note</b> {escape(note)}</p>' for note in panel.notes]
     if to_check:
         words.append(f'<p class="mark"><a href="#check-{panel.name}">{to_check} to check</a></p>')
     return (

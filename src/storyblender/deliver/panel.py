@@ -139,6 +139,12 @@ class Panel:
         spoken = (line for line in self.outline.lines if line.kind == "dialogue")
         return tuple(line.model_copy(update={"text": strip_emphasis(line.text)}) for line in spoken)
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """The writer's notes: the scene's at its first shot, then the shot's own."""
+        first = self.scene.shots and self.scene.shots[0].shot_id == self.outline.shot_id
+        return (*(self.scene.notes if first else ()), *self.outline.notes)
+
 
 def panels(graph: ContinuityMemoryGraph) -> list[Panel]:
     """Return every shot of the story in order."""
@@ -168,7 +174,8 @@ def length_of(shots: Sequence[Panel]) -> str:
 
 
 def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
-    """Return the action lines of a shot: a capital where only a direction is left out, an ellipsis within a sentence.
+    """Return the action lines of a shot, letter for letter; an ellipsis where a sentence goes on from another shot, or
+    from a direction to the camera that is left out.
 
     Args:
         lines: All lines of the scene.
@@ -180,9 +187,7 @@ def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
         text = strip_emphasis(lines[index].text).strip()
         if lines[index].kind != "action" or not text:
             continue
-        if text[0].islower() and not (index and _goes_on(lines[index - 1])):
-            text = text[0].upper() + text[1:]
-        elif text[0].islower() and index == first:
+        if text[0].islower() and (index == first or not _goes_on(lines[index - 1])):
             text = f"… {text}"
         if index == end - 1 and end < len(lines) and _goes_on(lines[index]) and lines[end].text.strip()[:1].islower():
             text += " …"

@@ -13,9 +13,11 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 
 COLUMNS: tuple[str, ...] = (
     "shot", "scene", "heading", "script_scene", "size", "kind", "angle", "movement", "direction", "lens_mm",
-    "f_number", "frames", "seconds", "record_in", "record_out", "characters", "action", "dialogue", "sound",
+    "f_number", "frames", "seconds", "record_in", "record_out", "characters", "action", "dialogue", "notes", "sound",
     "description", "script_start", "script_end",
 )  # fmt: skip
+
+_FORMULA = tuple("=+-@＝＋－＠")
 
 
 def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:00:00:00") -> None:
@@ -53,6 +55,7 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
                 "characters": ", ".join(names.get(asset_id, asset_id) for asset_id in shot.shown),
                 "action": panel.action,
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),
+                "notes": " / ".join(panel.notes),
                 "sound": shot.sound_effect or "",
                 "description": _description(panel, names),
                 "script_start": min((span.start for span in spans), default=""),
@@ -71,5 +74,5 @@ def _description(panel: Panel, names: Mapping[str, str]) -> str:
 
 
 def _inert(value: object) -> object:
-    """A script line must never run as a spreadsheet formula."""
-    return f"'{value}" if isinstance(value, str) and value[:1] in ("=", "+", "-", "@") else value
+    """A script line must never run as a spreadsheet formula, also not after blanks, and not in full-width letters."""
+    return f"'{value}" if isinstance(value, str) and value.lstrip()[:1] in _FORMULA else value

@@ -53,9 +53,9 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", 0, steps, "board.pdf")
     prints = make_prints(run, _with_slates(run, frames) if run.settings.slate else frames)
     with run.delivering("board.pdf") as part:
-        write_board(graph, prints.small, part)
+        write_board(graph, prints.small, part, "grid", run.settings.paper)
     with run.delivering("board_single.pdf") as part:
-        write_board(graph, prints.large, part, "single")
+        write_board(graph, prints.large, part, "single", run.settings.paper)
     run.progress("deliver", 2, steps, "shots.csv")
     with run.delivering("shots.csv") as part:
         write_shot_list(graph, part, run.settings.start_timecode)

@@ -49,10 +49,10 @@ def test_panels_are_laid_end_to_end(graph: ContinuityMemoryGraph) -> None:
 @pytest.mark.parametrize(
     ("texts", "read"),
     [
-        (("He waits.", "he sings louder than all."), ("He waits.", "He sings louder than all.")),
+        (("He waits.", "he sings louder than all."), ("He waits.", "… he sings louder than all.")),
         (("He walks to her", "until he sees the gun."), ("He walks to her …", "… until he sees the gun.")),
         (("A sign reads OPEN", "Ilsa waits."), ("A sign reads OPEN", "Ilsa waits.")),
-        (("“Go!”", "éric goes."), ("“Go!”", "Éric goes.")),
+        (("“Go!”", "éric goes."), ("“Go!”", "… éric goes.")),
     ],
 )
 def test_words_under_a_picture_read_alone(
@@ -172,7 +172,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_pat
     said: list[str] = []
     set_ = board._setting
     monkeypatch.setattr(board, "_setting", lambda p, *a, **k: said.extend(text for text, _ in p) or set_(p, *a, **k))
-    monkeypatch.setattr(board, "_arrow", lambda canvas, panel, way, *where: said.append(f"arrow {way}"))
+    monkeypatch.setattr(board, "draw_way", lambda canvas, panel, way, *where: said.append(f"arrow {way}"))
     show = Canvas.drawRightString
     monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or show(*a))
     board.write_board(graph, {}, tmp_path / "a.pdf", layout)  # type: ignore[arg-type]
@@ -214,11 +214,36 @@ def test_board_sets_a_long_speech_whole_in_smaller_letters(
 
 
 @pytest.mark.parametrize("aspect", [0.5625, 1.78, 2.39])
-def test_words_under_a_single_picture_have_room(aspect: float) -> None:
-    left, _, width, _ = board._cell(0, "single", aspect)
-    assert (
-        width >= board.LEAST_WORDS and left >= board.MARGIN and left + width <= board.PAGE_WIDTH - board.MARGIN + 1e-6
-    )
+@pytest.mark.parametrize("size", board.PAPERS.values())
+def test_words_under_a_single_picture_have_room(aspect: float, size: tuple[float, float]) -> None:
+    left, _, width, _ = board._cell(0, "single", aspect, size)
+    assert width >= board.LEAST_WORDS and left >= board.MARGIN and left + width <= size[0] - board.MARGIN + 1e-6
+
+
+@pytest.mark.parametrize(("paper", "box"), [("a4", b"841.8898 595.2756"), ("letter", b"792 612")])
+def test_a_board_is_as_large_as_its_paper(
+    graph: ContinuityMemoryGraph, tmp_path: Path, paper: board.Paper, box: bytes
+) -> None:
+    board.write_board(graph, {}, tmp_path / "a.pdf", "grid", paper)
+    assert b"/MediaBox [ 0 0 " + box in (tmp_path / "a.pdf").read_bytes()
+
+
+def test_notes_stand_on_board_list_and_page(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = graph.outline[0].shots
+    noted = (first, second.model_copy(update={"notes": ("Match <scene> 3",)}))
+    outline = graph.outline[0].model_copy(update={"notes": ("Real rain?",), "shots": noted})
+    graph = graph.model_copy(update={"outline": (outline,), "script_name": "bar.fountain"})
+    said = drawn(monkeypatch, graph, tmp_path, "grid")
+    assert said.index("Real rain?") < said.index("SC010_SH020") < said.index("Match <scene> 3")
+    assert "bar.fountain" in said and "1 / 1" in said
+    shot_list.write_shot_list(graph, tmp_path / "shots.csv")
+    rows = list(csv.DictReader((tmp_path / "shots.csv").open(encoding="utf-8-sig")))
+    assert [row["notes"] for row in rows] == ["Real rain?", "Match <scene> 3"]
+    page.write_page(graph, {}, tmp_path / "index.html", tmp_path)
+    text = (tmp_path / "index.html").read_text("utf-8")
+    assert '<p class="note"><b>Note</b> Match &lt;scene&gt; 3</p>' in text and text.count("Real rain?") == 1
 
 
 def test_a_line_that_is_too_long_ends_in_an_ellipsis_in_any_letters(
