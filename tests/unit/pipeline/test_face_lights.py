@@ -15,7 +15,7 @@ from storyblender.memory.jobs import FrameReport, Look
 from storyblender.memory.scene_context import Light, SceneContext, SceneSetup
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.shooting import _keep_lights
+from storyblender.pipeline.shooting import _commit_lights, _newly_lit
 from storyblender.project import Project
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import silent
@@ -32,6 +32,11 @@ def run_in(project: Project, look: Look) -> Run:
     return Run(project, engine, lambda: pytest.fail("no words are compared"), Settings(look=look), silent)
 
 
+def keep(run: Run, report: FrameReport) -> None:
+    """Keep the lights of the story's only shot as a drawn scene does."""
+    _commit_lights(run, _newly_lit(run, run.graph.shots[0], report))
+
+
 def lights(project: Project) -> list[str]:
     return [light.name for light in project.graph.shots[0].lights]
 
@@ -42,16 +47,16 @@ def test_another_look_changes_nothing_and_can_be_followed_by_redo(tmp_path: Path
         story = ContinuityMemoryGraph(scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(SHOT,))
         project.commit(story, "director", "plans")
         board = run_in(project, "board")
-        _keep_lights(board, project.graph.shots[0], report("key"))
+        keep(board, report("key"))
         assert lights(project) == ["key"], "a new camera has none yet"
-        _keep_lights(run_in(project, "pencil"), project.graph.shots[0], report("pencil"))
+        keep(run_in(project, "pencil"), report("pencil"))
         assert lights(project) == ["key"]
-        _keep_lights(board, project.graph.shots[0], report("better"))
+        keep(board, report("better"))
         assert lights(project) == ["better"], "a newer StoryBlender lights it otherwise"
 
         cup = Asset(asset_id="cup", asset_type="object", description="")
         project.commit(replace(project.graph, cup), "user", "adds a cup")
         project.undo()
         for look in ("board", "pencil"):
-            _keep_lights(run_in(project, look), project.graph.shots[0], report("other"))
+            keep(run_in(project, look), report("other"))
         assert lights(project) == ["better"] and project.redo() is not None
