@@ -47,6 +47,9 @@ LABELS = {
     "frames": "Drawing the frames",
     "motion": "Shooting the animatic",
     "deliver": "Binding the board",
+    "prints": "Printing the frames",
+    "encode": "Encoding the film",
+    "story": "Compiling the Blender files",
     "export": "Writing the scenes",
 }
 LINES, LEAST_STEPS = 50, 5

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from fractions import Fraction
@@ -56,7 +56,13 @@ class Segment:
         return content.hexdigest()[:16]
 
 
-def encoded(segments: Sequence[Segment], files: Folder, outputs: Outputs, processes: int = 1) -> list[Path]:
+def encoded(
+    segments: Sequence[Segment],
+    files: Folder,
+    outputs: Outputs,
+    processes: int = 1,
+    told: Callable[[int, int], None] = lambda done, of: None,
+) -> list[Path]:
     """Return a file for each segment, in order; only those that are new are encoded, and those of no use deleted.
 
     Args:
@@ -64,6 +70,7 @@ def encoded(segments: Sequence[Segment], files: Folder, outputs: Outputs, proces
         files: The project.
         outputs: What was written into it.
         processes: How many are encoded at a time.
+        told: Hears how many of those that are new are done.
     """
     names = [f"{SEGMENTS}/{segment.digest}.mp4" for segment in segments]
     new = {name: segment for name, segment in zip(names, segments, strict=True) if not outputs.whole(name)}
@@ -73,7 +80,8 @@ def encoded(segments: Sequence[Segment], files: Folder, outputs: Outputs, proces
             _encode(new[name], part)
 
     with ThreadPoolExecutor(processes) as threads:
-        list(threads.map(encode, new))
+        for done, _ in enumerate(threads.map(encode, new), start=1):
+            told(done, len(new))
     outputs.keep_only(f"{SEGMENTS}/", names)
     return [files.path(name) for name in names]
 

@@ -63,7 +63,13 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
     run.progress("deliver", 3, steps, "animatic.mp4")
     film = folder / "animatic.mp4"
     if clips is not None and frames:
-        segments = encoded(film_segments(graph, clips, frames), run.project.files, run.outputs, run.engine.processes)
+        segments = encoded(
+            film_segments(graph, clips, frames),
+            run.project.files,
+            run.outputs,
+            run.engine.processes,
+            lambda done, of: run.progress("encode", done, of),
+        )
         with run.delivering("animatic.mp4") as part:
             write_animatic(graph, segments, part)
         with run.delivering("animatic.srt") as part:

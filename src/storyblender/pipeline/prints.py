@@ -45,8 +45,12 @@ def make_prints(run: Run, frames: Mapping[str, Path]) -> Prints:
         frames: Shot name to picture.
     """
     outputs, path = run.outputs, run.project.path
+    pairs = [_print_names(frame) for frame in frames.values()]
+    missing = {pair: frame for pair, frame in zip(pairs, frames.values(), strict=True) if not _there(pair, outputs)}
     with ThreadPoolExecutor(run.engine.processes) as threads:
-        pairs = list(threads.map(lambda frame: _printed(frame, outputs), frames.values()))
+        printed = threads.map(lambda pair: _print(missing[pair], pair, outputs), missing)
+        for step, _ in enumerate(printed, start=1):
+            run.progress("prints", step, len(missing))
     small = {name: f"{THUMBNAILS}/{name}.jpg" for name in frames}
     for name, (_, thumbnail) in zip(small.values(), pairs, strict=True):
         if outputs.digest(name) != outputs.digest(thumbnail) or not outputs.whole(name):
@@ -57,16 +61,21 @@ def make_prints(run: Run, frames: Mapping[str, Path]) -> Prints:
     return Prints(large, {name: path(thumbnail) for name, thumbnail in small.items()})
 
 
-def _printed(frame: Path, outputs: Outputs) -> tuple[str, str]:
-    """Return the names of the print and the thumbnail of a picture, made where they are missing or damaged."""
+def _print_names(frame: Path) -> tuple[str, str]:
+    """Return the names of the print and the thumbnail of a picture."""
     digest = hashlib.sha256(frame.read_bytes()).hexdigest()[:16]
-    large, small = f"{PRINTS}/{digest}.jpg", f"{PRINTS}/{digest}_small.jpg"
-    if not (outputs.whole(large) and outputs.whole(small)):
-        with Image.open(frame) as image:
-            picture = image.convert("RGB")
-        outputs.write(large, _jpeg(picture, PRINT_WIDTH))
-        outputs.write(small, _jpeg(picture, THUMBNAIL_WIDTH))
-    return large, small
+    return f"{PRINTS}/{digest}.jpg", f"{PRINTS}/{digest}_small.jpg"
+
+
+def _there(names: tuple[str, str], outputs: Outputs) -> bool:
+    return all(outputs.whole(name) for name in names)
+
+
+def _print(frame: Path, names: tuple[str, str], outputs: Outputs) -> None:
+    with Image.open(frame) as image:
+        picture = image.convert("RGB")
+    for name, width in zip(names, (PRINT_WIDTH, THUMBNAIL_WIDTH), strict=True):
+        outputs.write(name, _jpeg(picture, width))
 
 
 def _jpeg(picture: Image.Image, width: int) -> bytes:

@@ -79,3 +79,12 @@ def test_equal_pictures_of_equal_length_are_one_segment(tmp_path: Path) -> None:
     first = segment(tmp_path, 4, 8, 40)
     again = segment(tmp_path, 5, 8, 40)
     assert first.digest == again.digest != Segment(first.pictures, 9, SIZE, FPS).digest
+
+
+def test_it_is_told_how_many_new_ones_are_done(tmp_path: Path) -> None:
+    segments = [segment(tmp_path, number, 4, 40 + number) for number in range(3)]
+    files, told = Folder(tmp_path), list[tuple[int, int]]()
+    outputs = Outputs(files)
+    encoded(segments[:1], files, outputs)
+    encoded(segments, files, outputs, 2, lambda done, of: told.append((done, of)))
+    assert told == [(1, 2), (2, 2)]
