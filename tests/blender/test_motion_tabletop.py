@@ -153,3 +153,15 @@ def test_a_hand_that_does_not_reach_is_told_by_how_much_and_from_what(bodies: di
     (miss,) = (problem for problem in shot.problems if problem.kind == "unreachable")
     assert miss.message == f"man's hand misses cup by {miss.amount:.2f} m"
     assert 0.3 < miss.amount < 1.5
+
+
+def test_a_hand_that_does_not_reach_into_a_box_is_told(bodies: dict[str, Body]) -> None:
+    furniture = {"chair": chair_at(0, 0.24)}
+    props = {
+        "box": StageProp(world_at(0.2, -2.0, 0.0), (0.5, 0.4, 0.4)),
+        "cup": StageProp(world_at(0.2, -2.0, 0.1), (0.08, 0.08, 0.1)),
+    }
+    cues = (cue_of("man", "take", 4, prop_id="cup", target_id="box"),)
+    shot = perform(bodies, (SEATED,), cues, 4, furniture=furniture, props=props)
+    (miss,) = (problem for problem in shot.problems if problem.kind == "unreachable")
+    assert miss.amount > 0.5 and "misses cup" in miss.message

@@ -58,6 +58,7 @@ def take_out(stage: Stage, who: Performer, beat: Beat, prop: PropPuppet, bag: Pr
         look_at(who, t, stage.point_of(bag))
     who.hands[free].set(t + 0.2, 0.5, _at_opening(who, free, bag, 0.08))
     who.hands[free].set(t + 0.7, 0.3, _at_opening(who, free, bag, -0.10))
+    stage.expect(who, free, t + 1.0, beat)
     take_in_hand(stage, who, free, prop, t + 1.05, 0.2)
     who.hands[free].set(t + 1.1, 0.35, _at_opening(who, free, bag, 0.14))
     who.hands[free].set(t + 1.5, 0.6, carried(who, free, prop))
