@@ -31,6 +31,10 @@ _FOLDERS = (
 """Where files are written."""
 
 
+SCRIPTS = "history/scripts"
+"""A copy of each script that was planned, named by the plan's digest."""
+
+
 class Project:
     """An open project. Use as a context manager: it holds the folder's lock.
 
@@ -144,7 +148,11 @@ class Project:
             InputError: A commit between is missing or damaged.
         """
         self._redoable = True
-        self._move_head(history_files.moved(self._saved, revision, self.folder))
+        saved = history_files.moved(self._saved, revision, self.folder)
+        if saved.graph.plan_digest != self.graph.plan_digest:
+            for script in sorted((self.folder / SCRIPTS).glob(f"{saved.graph.plan_digest}.*")):
+                self.files.write(f"script{script.suffix}", script.read_bytes())
+        self._move_head(saved)
 
     def next_commit(self) -> Commit | None:
         """Return the commit that ``redo`` would make again, if any."""

@@ -53,6 +53,8 @@ class ContinuityMemoryGraph(Frozen):
     """File name of the script; a copy lies in the project folder."""
     plan_digest: str = ""
     """Hash of the script and of the settings the plan depends on: another hash, another plan."""
+    settings_digest: str = ""
+    """Hash of those settings alone."""
     format: ProjectFormat = ProjectFormat()
     story_summary: str = ""
     outline: tuple[SceneOutline, ...] = ()

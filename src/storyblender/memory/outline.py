@@ -54,6 +54,8 @@ class SceneOutline(Frozen):
     """The scene number written in the screenplay, if any."""
     span: SourceSpan | None = None
     shots: tuple[ShotOutline, ...] = ()
+    plan_digest: str = ""
+    """Hash of all that the crew's work on the scene rests on; the same in another plan, and the work stays."""
     notes: tuple[str, ...] = ()
     """Notes (``[[ ]]``) of the script about the scene: in its heading, or before its first line."""
 

@@ -10,7 +10,10 @@ from storyblender.agents.director.settings import DirectorSettings
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.pipeline.materializing import model_files
+from storyblender.pipeline.revision import revise, with_digests
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.staging import design
+from storyblender.project import SCRIPTS
 from storyblender.screenplay.model import Screenplay
 from storyblender.screenplay.source import load
 from storyblender.trace import Event
@@ -30,8 +33,9 @@ def ground(run: Run, script: Path) -> None:
     screenplay = load(script)
     digest = _plan_digest(run, screenplay)
     if run.graph.plan_digest != digest:
-        run.project.files.write(f"script{script.suffix}", script.read_bytes())
-        graph = _plan(run, script, screenplay, digest)
+        graph = _revised(run, _plan(run, script, screenplay, digest))
+        for name in (f"script{script.suffix}", f"{SCRIPTS}/{digest}{script.suffix}"):
+            run.project.files.write(name, script.read_bytes())
         run.project.commit(graph, "director", f"plans {script.name}")
         for shot in graph.shots:
             for flag in shot.flags:
@@ -42,6 +46,20 @@ def ground(run: Run, script: Path) -> None:
     run.progress("ground", 1, 1, ", ".join(f"{count} {word}{'s' * (count != 1)}" for count, word in counts))
 
 
+def _revised(run: Run, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
+    """Return a plan with what stays of the plan before it, and say what a person decided that does not."""
+    plan = with_digests(plan)
+    if not run.graph.shots:
+        return plan
+    revision = revise(run.graph, plan, run.project.log(), lambda graph, scene_id: design(run, graph, scene_id))
+    for name, decided in revision.lost:
+        message = f"{decided} is not kept: no shot of the changed script has just its words; `undo` brings all back"
+        run.tell(Event(kind="warning", role="director", subject=name, message=message))
+    kept = f"{len(revision.kept_scenes)} of {len(plan.scenes)} scenes stay as they were staged"
+    run.tell(Event(kind="propose", role="director", subject="changed script", message=kept))
+    return revision.graph
+
+
 def _plan(run: Run, script: Path, screenplay: Screenplay, digest: str) -> ContinuityMemoryGraph:
     settings = DirectorSettings(shots_per_scene=run.settings.shots_per_scene, fps=run.settings.fps)
     board = storyboard(read_script(screenplay), settings)
@@ -49,6 +67,7 @@ def _plan(run: Run, script: Path, screenplay: Screenplay, digest: str) -> Contin
         title=screenplay.title or script.stem.replace("_", " ").title(),
         script_name=script.name,
         plan_digest=digest,
+        settings_digest=content_hash(_plan_settings(run)),
         format=_format(run),
         story_summary=board.story_summary,
         outline=board.storyboard_outline,
@@ -76,8 +95,13 @@ def _format(run: Run) -> ProjectFormat:
 
 
 def _plan_digest(run: Run, screenplay: Screenplay) -> str:
+    return content_hash(screenplay.text, screenplay.format, _plan_settings(run))
+
+
+def _plan_settings(run: Run) -> dict[str, object]:
+    """Return the settings that the plan and the crew's work on it depend on."""
     settings = run.settings.model_dump(
         mode="json", include={"shots_per_scene", "fps", "aspect", "sensor_width", "lens_kit", "seed", "crew"}
     )
     settings["models"] = [model.model_dump() for model in model_files(run.settings.models)] or None
-    return content_hash(screenplay.text, screenplay.format, settings)
+    return settings

@@ -40,7 +40,7 @@ def stage(run: Run) -> None:
 
 def _stage_scene(run: Run, scene_id: int) -> None:
     name = scene_name(scene_id)
-    environment = _design(run, scene_id)
+    environment = design(run, run.graph, scene_id)
     plan = plan_of(environment)
     scene = run.graph.scene(scene_id).model_copy(update={"environment": environment})
     own = tuple(asset for asset in scene_assets(run.graph, scene_id) if asset.asset_type == "object")
@@ -69,8 +69,9 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     run.commit("animator", f"motion and light of {name}", scene, *shots)
 
 
-def _design(run: Run, scene_id: int) -> Environment:
-    graph, scene = run.graph, run.graph.scene(scene_id)
+def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:
+    """Return the set that a scene of a graph gets."""
+    scene = graph.scene(scene_id)
     reference = scene.setup.reference_scene_id
     footprints: list[Vec2] = []
     for asset in scene_assets(graph, scene_id):

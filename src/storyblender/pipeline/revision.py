@@ -1,0 +1,244 @@
+"""A changed script is an edit: what a person decided stays with the words of its shot.
+
+The new plan is matched to the old graph by the words that each shot covers. A decision goes with its words, wherever
+they went; one whose words are gone is told. The crew's work stays in scenes where nothing that it rests on changed.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict, deque
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import content_hash, scene_name, shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import Commit, replace
+from storyblender.memory.outline import SceneOutline, ShotOutline
+from storyblender.memory.scene_context import Environment, SceneContext
+from storyblender.memory.shot_context import CameraDecision, CameraState, ShotContext
+
+ShotKey = tuple[int, int]
+"""Scene id and shot id."""
+Words = tuple[tuple[str, str], ...]
+Designer = Callable[[ContinuityMemoryGraph, int], Environment]
+"""The set that a scene of a graph would get."""
+
+_DECIDED = ("size", "angle", "movement", "direction", "lens")
+_STAGED = ("blocking", "cues", "prop_states", "duration", "lighting", "camera", "lights", "locked")
+"""What the crew, and later a person, adds to the Director's shot."""
+
+
+@dataclass(frozen=True)
+class Revision:
+    """A new plan with what stays of the old graph.
+
+    Attributes:
+        graph: The new plan.
+        lost: Name of an old shot and what was decided about it, where its words are gone.
+        kept_scenes: Ids, in the new plan, of the scenes that need no staging.
+    """
+
+    graph: ContinuityMemoryGraph
+    lost: tuple[tuple[str, str], ...] = ()
+    kept_scenes: tuple[int, ...] = ()
+
+
+def with_digests(plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
+    """Return the Director's plan with the digest of every scene: all that the crew's work on it rests on."""
+    digests: dict[int, str] = {}
+    outline: list[SceneOutline] = []
+    contexts = {scene.scene_id: scene for scene in plan.scenes}
+    assets = {asset.asset_id: asset for asset in plan.assets}
+    for scene in plan.outline:
+        context = contexts[scene.scene_id]
+        reference = digests.get(context.setup.reference_scene_id or 0, "")
+        shots: list[object] = [_planned(shot) for shot in plan.shots_of(scene.scene_id)]
+        cast: list[object] = [assets[asset_id].model_dump(mode="json") for asset_id in context.setup.asset_ids]
+        setup = context.setup.model_dump(mode="json", exclude={"reference_scene_id"})
+        words = [[list(line) for line in _words(shot)] for shot in scene.shots]
+        about = [plan.settings_digest, reference, scene.heading, words, setup]
+        digests[scene.scene_id] = content_hash(about, shots, cast)
+        outline.append(scene.model_copy(update={"plan_digest": digests[scene.scene_id]}))
+    return plan.model_copy(update={"outline": tuple(outline)})
+
+
+def decisions(graph: ContinuityMemoryGraph, log: Iterable[Commit]) -> dict[ShotKey, CameraDecision]:
+    """Return what a person decided about the camera of each shot.
+
+    Args:
+        graph: The story.
+        log: Its commits, oldest first; in those of schema 1 a decision is only found by what it changed.
+    """
+    found: dict[ShotKey, CameraDecision] = {}
+    for commit in log:
+        if commit.author == "director":
+            found.clear()
+        elif commit.author == "user" and not commit.digest:
+            for key, decision in _changed_cameras(commit):
+                found[key] = found.get(key, CameraDecision()).then(decision)
+    for shot in graph.shots:
+        if shot.camera_decision is not None:
+            key = shot.scene_id, shot.shot_id
+            found[key] = found.get(key, CameraDecision()).then(shot.camera_decision)
+    return found
+
+
+def revise(
+    old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph, log: Iterable[Commit], designer: Designer
+) -> Revision:
+    """Return the new plan with what a person decided, and with the crew's work where it still holds.
+
+    Args:
+        old: The graph as it is.
+        plan: The Director's new plan, ``with_digests``.
+        log: The commits that led to ``old``, oldest first.
+        designer: Tells whether the set of a scene would come out the same.
+    """
+    matched = matched_shots(old.outline, plan.outline)
+    decided = decisions(old, log)
+    former_of = {new: decided.get(past) for new, past in matched.items()}
+    shots = tuple(_with_decision(shot, former_of.get((shot.scene_id, shot.shot_id))) for shot in plan.shots)
+    graph = _with_assets(old, plan.model_copy(update={"shots": shots}))
+    kept: dict[int, int] = {}
+    for scene in graph.outline:
+        former = _same_scene(old, scene, matched)
+        if former is None:
+            continue
+        staged = _staged(old, former, graph, scene.scene_id, kept)
+        if staged is not None and designer(graph, scene.scene_id) == old.scene(former).environment:
+            kept[scene.scene_id] = former
+            graph = staged
+    there = set(matched.values())
+    lost = [(shot_name(*key), decision.words) for key, decision in sorted(decided.items()) if key not in there]
+    return Revision(graph, tuple(lost), tuple(kept))
+
+
+def matched_shots(old: Sequence[SceneOutline], new: Sequence[SceneOutline]) -> dict[ShotKey, ShotKey]:
+    """Return which old shot covers the very words of a new one, by the new shot's key.
+
+    Scenes with all their words are found wherever they went; the shots of the others are aligned in story order.
+    """
+    waiting: dict[Words, deque[SceneOutline]] = defaultdict(deque)
+    for scene in old:
+        waiting[_scene_words(scene)].append(scene)
+    pairs: dict[ShotKey, ShotKey] = {}
+    changed: list[SceneOutline] = []
+    for scene in new:
+        same = waiting[_scene_words(scene)]
+        if same:
+            pairs |= _aligned([same.popleft()], [scene])
+        else:
+            changed.append(scene)
+    left = [scene for scenes in waiting.values() for scene in scenes]
+    return pairs | _aligned(sorted(left, key=lambda scene: scene.scene_id), changed)
+
+
+def _aligned(old: Sequence[SceneOutline], new: Sequence[SceneOutline]) -> dict[ShotKey, ShotKey]:
+    olds, news = ([(scene.scene_id, shot) for scene in scenes for shot in scene.shots] for scenes in (old, new))
+    words = ([_words(shot) for _, shot in shots] for shots in (olds, news))
+    pairs: dict[ShotKey, ShotKey] = {}
+    for first, second, length in SequenceMatcher(None, *words, autojunk=False).get_matching_blocks():
+        for (past, shot), (present, same) in zip(
+            olds[first : first + length], news[second : second + length], strict=True
+        ):
+            pairs[present, same.shot_id] = past, shot.shot_id
+    return pairs
+
+
+def _words(shot: ShotOutline) -> Words:
+    lines = tuple((line.kind, " ".join(line.text.split())) for line in shot.lines)
+    return lines or (("", shot.shot_description),)
+
+
+def _scene_words(scene: SceneOutline) -> Words:
+    return (("heading", " ".join(scene.heading.split())), *(line for shot in scene.shots for line in _words(shot)))
+
+
+def _changed_cameras(commit: Commit) -> Iterable[tuple[ShotKey, CameraDecision]]:
+    for change in commit.changes:
+        if change.layer == "shots" and change.before and change.after:
+            past, present = ShotContext.model_validate(change.before), ShotContext.model_validate(change.after)
+            pairs = {
+                name: (getattr(past.camera_instruction, name), getattr(present.camera_instruction, name))
+                for name in _DECIDED
+            }
+            fields = {name: after for name, (before, after) in pairs.items() if before != after and after is not None}
+            yield (present.scene_id, present.shot_id), CameraDecision.model_validate(fields)
+
+
+def _with_decision(shot: ShotContext, decision: CameraDecision | None) -> ShotContext:
+    if decision is None:
+        return shot
+    instruction = decision.applied(shot.camera_instruction)
+    return shot.model_copy(update={"camera_instruction": instruction, "camera_decision": decision})
+
+
+def _planned(shot: ShotContext) -> dict[str, object]:
+    """Return what the Director planned for a shot, without where it stands in the story and in the script."""
+    return shot.model_dump(mode="json", exclude={"scene_id", "shot_id", "flags", "camera_decision"})
+
+
+def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
+    """Give everybody and everything that is told as before the model and the size that they had."""
+    if old.settings_digest != plan.settings_digest:
+        return plan
+    former = {asset.asset_id: asset for asset in old.assets}
+    kept = [former[a.asset_id] for a in plan.assets if a.asset_id in former and _told(former[a.asset_id]) == _told(a)]
+    return replace(plan, *kept)
+
+
+def _told(asset: Asset) -> Asset:
+    return asset.model_copy(update={"canonical": None, "dimension": None})
+
+
+def _same_scene(old: ContinuityMemoryGraph, scene: SceneOutline, matched: dict[ShotKey, ShotKey]) -> int | None:
+    """Return the id of the old scene with the same plan."""
+    former = {matched.get((scene.scene_id, shot.shot_id), (0, 0))[0] for shot in scene.shots}
+    plans = {outline.scene_id: outline.plan_digest for outline in old.outline}
+    same = len(former) == 1 and scene.plan_digest and scene.plan_digest == plans.get(*former)
+    return former.pop() if same else None
+
+
+def _staged(
+    old: ContinuityMemoryGraph, former: int, plan: ContinuityMemoryGraph, scene_id: int, kept: dict[int, int]
+) -> ContinuityMemoryGraph | None:
+    """Return the plan with the crew's work on one scene; None where that is not done, or rests on what changed."""
+    past, present = old.scene(former), plan.scene(scene_id)
+    reference = present.setup.reference_scene_id
+    if past.lighting is None or past.layout is None or past.environment is None:
+        return None
+    if reference is not None and kept.get(reference) != past.setup.reference_scene_id:
+        return None
+    olds, news = ({asset.asset_id: asset for asset in graph.assets} for graph in (old, plan))
+    wanted = {*present.setup.asset_ids, *(item.asset_id for item in past.layout.objects)}
+    if any(news.get(asset_id, olds[asset_id]) != olds[asset_id] for asset_id in wanted):
+        return None
+    update = {name: getattr(past, name) for name in ("environment", "layout", "lighting")}
+    dressing = [asset for asset in old.assets if asset.asset_id in wanted - news.keys()]
+    shots = [
+        _kept_shot(before, after) for before, after in zip(old.shots_of(former), plan.shots_of(scene_id), strict=True)
+    ]
+    scene: SceneContext = present.model_copy(update=update)
+    return replace(plan, *dressing, scene, *shots)
+
+
+def _kept_shot(past: ShotContext, plan: ShotContext) -> ShotContext:
+    update = {name: getattr(past, name) for name in _STAGED}
+    if past.camera_instruction != plan.camera_instruction:
+        update |= {"camera": None, "lights": ()}
+    elif past.camera is not None and past.scene_id != plan.scene_id:
+        update["camera"] = _renamed(past.camera, scene_name(past.scene_id), scene_name(plan.scene_id))
+    return plan.model_copy(update=update)
+
+
+def _renamed(camera: CameraState, past: str, present: str) -> CameraState:
+    """Return a camera whose flaws name the shots of its scene as they are called now."""
+    flaws = (
+        flaw.model_copy(
+            update={"message": flaw.message.replace(past, present), "subject": flaw.subject.replace(past, present)}
+        )
+        for flaw in camera.residual
+    )
+    return camera.model_copy(update={"residual": tuple(flaws)})
