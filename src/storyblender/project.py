@@ -25,12 +25,10 @@ from storyblender.outputs import Outputs
 from storyblender.trace import Event
 
 _FOLDERS = (
-    ".", "history", "frames", "thumbnails", "clips", "assets", "export", "build", "build/scenes", "build/figures",
+    ".", "history", "history/scripts", "frames", "thumbnails", "clips", "assets", "export", "build", "build/scenes", "build/figures",
     "build/frames", "build/motion", "build/prints", "build/film",
 )  # fmt: skip
 """Where files are written."""
-
-
 SCRIPTS = "history/scripts"
 """A copy of each script that was planned, named by the plan's digest."""
 
@@ -66,8 +64,8 @@ class Project:
         except OSError as error:
             raise InputError(f"cannot be locked ({error.strerror})", mend="give another --out", path=folder) from error
         try:
-            self.files.clear_parts(*_FOLDERS)
             saved = history_files.load(self.folder)
+            self.files.clear_parts(*_FOLDERS)
             self.files.make_folder(HISTORY)  # from here on a project, even if killed before its first commit
         except BaseException:
             self._lock.release()
@@ -149,9 +147,8 @@ class Project:
         """
         self._redoable = True
         saved = history_files.moved(self._saved, revision, self.folder)
-        if saved.graph.plan_digest != self.graph.plan_digest:
-            for script in sorted((self.folder / SCRIPTS).glob(f"{saved.graph.plan_digest}.*")):
-                self.files.write(f"script{script.suffix}", script.read_bytes())
+        if saved.graph.plan_digest not in ("", self.graph.plan_digest):
+            self._restore_script(saved.graph.plan_digest)
         self._move_head(saved)
 
     def next_commit(self) -> Commit | None:
@@ -211,6 +208,11 @@ class Project:
         for revision in reversed(undone):
             self.files.delete(commit_name(revision))
         self._redoable = False
+
+    def _restore_script(self, plan_digest: str) -> None:
+        """Put the script of a plan back beside the graph."""
+        for copy in sorted((self.folder / SCRIPTS).glob(f"{plan_digest}.*")):
+            self.files.write(f"script{copy.suffix}", self.files.path(f"{SCRIPTS}/{copy.name}").read_bytes())
 
     def _move_head(self, saved: Saved) -> None:
         self.files.write(HEAD, history_files.head_text(saved.revision, saved.digest))

@@ -26,6 +26,10 @@ Color = tuple[_Share, _Share, _Share]
 """Scene-linear RGB, 0 to 1; what glows may be brighter."""
 
 
+Digest = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{0,64}$")]
+"""A hash in hex; empty where it is not known."""
+
+
 class Frozen(BaseModel):
     """An immutable value of the graph. Unknown fields are an error, so that no typo passes, and floats are finite."""
 

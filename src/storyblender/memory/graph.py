@@ -7,7 +7,7 @@ from typing import TypeVar
 from pydantic import Field
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Digest, Frozen
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
@@ -51,9 +51,9 @@ class ContinuityMemoryGraph(Frozen):
     title: str = ""
     script_name: str = ""
     """File name of the script; a copy lies in the project folder."""
-    plan_digest: str = ""
+    plan_digest: Digest = ""
     """Hash of the script and of the settings the plan depends on: another hash, another plan."""
-    settings_digest: str = ""
+    settings_digest: Digest = ""
     """Hash of those settings alone."""
     format: ProjectFormat = ProjectFormat()
     story_summary: str = ""

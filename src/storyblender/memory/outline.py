@@ -7,7 +7,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from storyblender.memory.base import Frozen, SceneId, ShotId
+from storyblender.memory.base import Digest, Frozen, SceneId, ShotId
 
 LINE = 90
 """Characters of a title."""
@@ -54,7 +54,7 @@ class SceneOutline(Frozen):
     """The scene number written in the screenplay, if any."""
     span: SourceSpan | None = None
     shots: tuple[ShotOutline, ...] = ()
-    plan_digest: str = ""
+    plan_digest: Digest = ""
     """Hash of all that the crew's work on the scene rests on; the same in another plan, and the work stays."""
     notes: tuple[str, ...] = ()
     """Notes (``[[ ]]``) of the script about the scene: in its heading, or before its first line."""
