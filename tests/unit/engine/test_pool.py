@@ -10,6 +10,7 @@ import pytest
 from storyblender.engine.pool import WorkerPool
 from storyblender.engine.worker import Worker
 from storyblender.errors import EngineError
+from storyblender.memory.measure import AssetMeasure
 
 
 class Idler(Worker):
@@ -85,3 +86,11 @@ def test_what_is_not_begun_is_dropped_at_the_end(pool: WorkerPool) -> None:
     assert sum(future.cancelled() for future in waiting) >= 3
     with pytest.raises(EngineError, match="stopped"):
         pool.submit("go", {}, int)
+
+
+def test_an_answer_that_cannot_be_read_is_an_engine_error(pool: WorkerPool) -> None:
+    Idler.gate.set()
+    with pytest.raises(EngineError, match="go: Blender's answer cannot be read"):
+        pool.submit("go", {}, AssetMeasure.model_validate).result(10)
+    assert pool.submit("go", {}, int).result(10) == 0
+    pool.close()
