@@ -9,14 +9,22 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from pydantic import ConfigDict
+
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag
 from storyblender.memory.vocabulary import Gender, Mood, Posture, SceneType, TimeOfDay, Weather
 from storyblender.screenplay.model import Screenplay
 
 
+class Facts:
+    """Base of what a reading file holds: a field that does not exist is refused, so a typo never passes silently."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid")
+
+
 @dataclass
-class Person:
+class Person(Facts):
     """A character (or animal) of the story, from every name the script uses for them."""
 
     id: str
@@ -42,7 +50,7 @@ class Person:
 
 
 @dataclass
-class Thing:
+class Thing(Facts):
     """A prop or a set piece that matters to the story."""
 
     id: str
@@ -55,7 +63,7 @@ class Thing:
 
 
 @dataclass
-class Deed:
+class Deed(Facts):
     """One action of one person."""
 
     actor: str
@@ -72,7 +80,7 @@ class Deed:
 
 
 @dataclass
-class CameraNote:
+class CameraNote(Facts):
     """A camera direction written in the script."""
 
     phrase: str
@@ -89,7 +97,7 @@ class CameraNote:
 
 
 @dataclass
-class StateChange:
+class StateChange(Facts):
     """A door, a lamp, a prop or the light changes."""
 
     subject: str
@@ -100,7 +108,7 @@ class StateChange:
 
 
 @dataclass
-class Unit:
+class Unit(Facts):
     """A sentence of action or one speech: the smallest thing a shot can cover."""
 
     kind: Literal["action", "dialogue"]
@@ -140,7 +148,7 @@ class Unit:
 
 
 @dataclass
-class SceneReading:
+class SceneReading(Facts):
     """One scene of the script."""
 
     id: int

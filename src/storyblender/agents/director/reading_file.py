@@ -1,0 +1,203 @@
+"""A reading as a JSON file: what was understood of a script, unit by numbered unit, for a person to correct.
+
+``storyblender plan SCRIPT --write-reading FILE`` writes it and ``storyblender make SCRIPT --reading FILE`` takes it
+back, so that a misreading is corrected at its source and reading and staging can be judged apart. The fields are those
+of ``reading.py``, documented in ``docs/reading-file.md``; a field that is left out has its default.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import Field, TypeAdapter, ValidationError
+
+from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
+from storyblender.errors import InputError
+from storyblender.memory.base import Frozen, Identifier, content_hash
+from storyblender.memory.scene_context import Relation
+from storyblender.memory.shot_context import Flag
+from storyblender.screenplay.model import Screenplay
+
+READING_VERSION = 1
+_WORD = re.compile(r"\w+")
+
+
+class WrittenScene(Frozen):
+    """A scene of the file: the scene's own fields, and the relations stated in it."""
+
+    scene: SceneReading
+    relations: tuple[Relation, ...] = ()
+
+
+class WrittenUnit(Frozen):
+    """A unit of the file with its number, counted from 1 through the whole script."""
+
+    number: int
+    unit: Unit
+
+
+class ReadingFile(Frozen):
+    """The whole file."""
+
+    reading_version: Annotated[int, Field(ge=1, le=READING_VERSION)]
+    script: str
+    """Digest of the words that were read."""
+    people: tuple[Person, ...] = ()
+    things: tuple[Thing, ...] = ()
+    scenes: tuple[WrittenScene, ...] = ()
+    units: tuple[WrittenUnit, ...] = ()
+    flags: tuple[Flag, ...] = ()
+
+
+def write_reading(reading: Reading) -> str:
+    """Return a reading as the text of a JSON file; fields that have their default are left out.
+
+    Args:
+        reading: As the reader gave it, before it is cut into shots.
+    """
+    relations: dict[int, list[Relation]] = {}
+    for scene, relation in reading.relations:
+        relations.setdefault(scene, []).append(relation)
+    file = ReadingFile(
+        reading_version=READING_VERSION,
+        script=_digest(reading.screenplay),
+        people=tuple(reading.people),
+        things=tuple(reading.things),
+        scenes=tuple(
+            WrittenScene(scene=scene, relations=tuple(relations.get(index, ())))
+            for index, scene in enumerate(reading.scenes)
+        ),
+        units=tuple(WrittenUnit(number=number, unit=unit) for number, unit in enumerate(reading.units, start=1)),
+        flags=tuple(reading.flags),
+    )
+    plain = file.model_dump(mode="json", exclude_defaults=True)
+    return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
+
+
+def read_reading(path: Path, screenplay: Screenplay) -> Reading:
+    """Read a corrected reading of a script.
+
+    Args:
+        path: The JSON file.
+        screenplay: The script that it is a reading of.
+
+    Raises:
+        InputError: The file is no reading, or is one of other words; the sentence names the unit and the field.
+    """
+    file = _parsed(path)
+    if file.script != _digest(screenplay):
+        mend = "write a new one with `storyblender plan SCRIPT --write-reading FILE`"
+        raise InputError("is a reading of other words than this script's", mend=mend, path=path)
+    _check_units(file, screenplay, path)
+    _check_ids(file, path)
+    return Reading(
+        screenplay,
+        people=list(file.people),
+        things=list(file.things),
+        scenes=[written.scene for written in file.scenes],
+        units=[written.unit for written in file.units],
+        relations=[(index, relation) for index, written in enumerate(file.scenes) for relation in written.relations],
+        flags=list(file.flags),
+    )
+
+
+def _digest(screenplay: Screenplay) -> str:
+    return content_hash(screenplay.text, screenplay.format)
+
+
+@cache
+def _file_type() -> TypeAdapter[ReadingFile]:
+    return TypeAdapter(ReadingFile)
+
+
+def _parsed(path: Path) -> ReadingFile:
+    try:
+        return _file_type().validate_json(path.read_bytes())
+    except OSError as error:
+        raise InputError(f"cannot be read ({error.strerror})", mend="check the name", path=path) from error
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = _where(first["loc"])
+        raise InputError(
+            f"{where}: {first['msg']}", mend="see docs/reading-file.md for the fields", path=path
+        ) from error
+
+
+def _where(location: tuple[int | str, ...]) -> str:
+    """Name a place in the file as a person counts: ``unit 12, deeds 2, motion``."""
+    words: list[str] = []
+    for part in location:
+        if isinstance(part, int) and words:
+            words[-1] = f"{words[-1].removesuffix('s') if words[-1] in ('units', 'scenes') else words[-1]} {part + 1}"
+        elif part not in ("unit", "scene"):
+            words.append(str(part))
+    return ", ".join(words) or "the file"
+
+
+def _check_units(file: ReadingFile, screenplay: Screenplay, path: Path) -> None:
+    """Every unit is words of the script, in its order, in a scene of the file."""
+    end = 0
+    for index, written in enumerate(file.units):
+        unit, number = written.unit, index + 1
+        fault = ""
+        if written.number != number:
+            fault = f"has the number {written.number}"
+        elif not 0 <= unit.scene < len(file.scenes):
+            fault = f"is in scene {unit.scene}, and scenes count from 0 to {len(file.scenes) - 1}"
+        elif not 0 <= unit.element < len(screenplay.elements):
+            fault = f"is of element {unit.element}, which the script does not have"
+        elif not end <= unit.start < unit.end <= len(screenplay.text):
+            fault = f"covers the characters {unit.start} to {unit.end}, which are not after those of the unit before"
+        elif not _said_in(unit.text, screenplay.text[unit.start : unit.end]):
+            fault = "does not have the script's own words"
+        if fault:
+            raise InputError(
+                f"unit {number} {fault}", mend="keep number, scene, element, start, end and text", path=path
+            )
+        end = unit.start
+
+
+def _said_in(text: str, words: str) -> bool:
+    """Whether the words of a unit are the script's, in order; quotation marks and stage directions may be left out."""
+    script = iter(_WORD.findall(words))
+    return all(word in script for word in _WORD.findall(text))
+
+
+def _check_ids(file: ReadingFile, path: Path) -> None:
+    """Ids are names, each is given once, and what units and relations say is about people and things of the file."""
+    identifier = TypeAdapter(Identifier)
+    known: set[str] = set()
+    for each in (*file.people, *file.things):
+        try:
+            identifier.validate_python(each.id)
+        except ValidationError as error:
+            mend = "an id is small letters, digits and _, and begins with a letter"
+            raise InputError(f"{each.id!r} is no id", mend=mend, path=path) from error
+        if each.id in known:
+            raise InputError(f"the id {each.id!r} is given twice", mend="rename one of them", path=path)
+        known.add(each.id)
+    people = {person.id for person in file.people}
+    for written in file.units:
+        _refuse_unknown(_people_of(written.unit), people, f"unit {written.number}", "person", path)
+        _refuse_unknown(written.unit.things, known, f"unit {written.number}", "thing", path)
+
+
+def _people_of(unit: Unit) -> list[str]:
+    """Return every id of a unit that must be a person's."""
+    lists = (unit.on_stage, unit.entering, unit.leaving, unit.people, unit.posture, unit.held, unit.expressions)
+    named = [each for ids in lists for each in ids]
+    named += [deed.actor for deed in unit.deeds]
+    return named + [each for each in (unit.speaker, unit.to) if each is not None]
+
+
+def _refuse_unknown(ids: Iterable[str], known: set[str], where: str, kind: str, path: Path) -> None:
+    for each in ids:
+        if each not in known:
+            raise InputError(
+                f"{where} names {each!r}, and there is no {kind} of that id", mend="add it, or mend the id", path=path
+            )
