@@ -80,6 +80,9 @@ Width = Annotated[int | None, typer.Option(help="Pixels across (default 960).")]
 Fps = Annotated[int | None, typer.Option(help="Frames a second (default 24).")]
 Crew = Annotated[str | None, typer.Option(help="Who plays the roles of the crew: rules, which need no key.")]
 Paper = Annotated[str | None, typer.Option(help="Size of the board's pages: a4 (the default) or letter.")]
+Reading = Annotated[
+    Path | None, typer.Option(help="A reading of the script that you corrected, from `plan --write-reading FILE`.")
+]
 Models = Annotated[
     Path | None,
     typer.Option(help="A folder of your own 3D models (.glb, .blend), searched before the built-in library."),
@@ -106,6 +109,7 @@ def make(
     animatic: Annotated[
         bool | None, typer.Option(help="Make the animatic too, a film of the moving board (on by default).")
     ] = None,
+    reading: Reading = None,
     slate: Annotated[
         bool | None, typer.Option(help="Burn shot name, lens and timecode into copies of the frames, as on a slate.")
     ] = None,
@@ -122,7 +126,7 @@ def make(
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, script, **settings)
-        delivery = studio.make(script, out or _folder_of(script))
+        delivery = studio.make(script, out or _folder_of(script), reading)
         terminal.files(delivery.folder, delivery.files)
 
 
@@ -135,6 +139,10 @@ def plan(
     aspect: Aspect = None,
     fps: Fps = None,
     seed: Seed = None,
+    reading: Reading = None,
+    write_reading: Annotated[
+        Path | None, typer.Option(help="Write what was understood as a JSON file that you can correct.")
+    ] = None,
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
@@ -142,7 +150,7 @@ def plan(
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
     with shown(quiet, json_lines) as terminal:
         studio = _studio(terminal, script, **settings)
-        delivery = studio.plan(script, out or _folder_of(script))
+        delivery = studio.plan(script, out or _folder_of(script), reading, write_reading)
         terminal.plan(delivery.graph)
         terminal.files(delivery.folder, delivery.files)
 

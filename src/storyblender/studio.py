@@ -82,24 +82,37 @@ class Studio:
     def __init__(self, settings: Settings, listener: Listener = silent, ahead: Worker | None = None) -> None:
         self._settings, self._listener, self._ahead = settings, listener, ahead
 
-    def plan(self, script: Path, folder: Path) -> Delivery:
+    def plan(self, script: Path, folder: Path, reading: Path | None = None, export: Path | None = None) -> Delivery:
         """Read a script into the graph; no Blender.
 
+        Args:
+            script: The script.
+            folder: The project.
+            reading: A corrected reading of the script (see ``docs/reading-file.md``).
+            export: Where to write what was understood, for a person to correct.
+
         Raises:
-            InputError: The script or the folder cannot be used.
+            InputError: The script, the reading or the folder cannot be used.
         """
-        from storyblender.pipeline.grounding import ground
+        from storyblender.pipeline.grounding import export_reading, ground
 
         with self._open(script, folder) as run:
-            ground(run, script)
+            ground(run, script, reading)
+            if export is not None:
+                export_reading(run, script, export)
             run.project.checkpoint()
             return Delivery(run.project.folder, ["graph.json"], run.graph)
 
-    def make(self, script: Path, folder: Path) -> Delivery:
+    def make(self, script: Path, folder: Path, reading: Path | None = None) -> Delivery:
         """Turn a script into everything; goes on where an earlier run was stopped.
 
+        Args:
+            script: The script.
+            folder: The project.
+            reading: A corrected reading of the script (see ``docs/reading-file.md``).
+
         Raises:
-            InputError: The script or the folder cannot be used.
+            InputError: The script, the reading or the folder cannot be used.
             EngineError: Blender failed for good.
         """
         from storyblender.pipeline.grounding import ground
@@ -107,7 +120,7 @@ class Studio:
         from storyblender.pipeline.staging import stage
 
         with self._open(script, folder) as run:
-            ground(run, script)
+            ground(run, script, reading)
             run.project.files.write(REMEMBERED, self._settings.remembered())
             materialize(run)
             stage(run)

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.reader.reader import read_script
+from storyblender.agents.director.reading import Reading
+from storyblender.agents.director.reading_file import is_reading_of, read_reading, write_reading
 from storyblender.agents.director.settings import DirectorSettings
+from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
 from storyblender.pipeline.materializing import model_files
@@ -18,22 +23,30 @@ from storyblender.screenplay.model import Screenplay
 from storyblender.screenplay.source import load
 from storyblender.trace import Event
 
+KEPT_READING = "reading.json"
+"""The corrected reading that a project was made with."""
 
-def ground(run: Run, script: Path) -> None:
+
+def ground(run: Run, script: Path, reading: Path | None = None) -> None:
     """Read the script and commit the plan, unless this very plan is in the graph already.
 
     Args:
         run: The run.
         script: The file; a copy is kept in the project so that every shot's words can be found again.
+        reading: A corrected reading of it, used instead of the rules' own; the project keeps a copy and uses it again.
 
     Raises:
-        InputError: The script cannot be read.
+        InputError: The script, or the reading, cannot be read.
     """
     run.progress("ground", 0, 1, script.name)
     screenplay = load(script)
-    digest = _plan_digest(run, screenplay)
+    corrected = reading or _kept_reading(run, screenplay)
+    digest = _plan_digest(run, screenplay, corrected)
     if run.graph.plan_digest != digest:
-        graph = _revised(run, _plan(run, script, screenplay, digest))
+        understood = read_script(screenplay) if corrected is None else read_reading(corrected, screenplay)
+        graph = _revised(run, _plan(run, script, understood, digest))
+        if reading is not None:
+            run.project.files.write(KEPT_READING, reading.read_bytes())
         for name in (f"script{script.suffix}", f"{SCRIPTS}/{digest}{script.suffix}"):
             run.project.files.write(name, script.read_bytes())
         run.project.commit(graph, "director", f"plans {script.name}")
@@ -60,11 +73,42 @@ def _revised(run: Run, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
     return revision.graph
 
 
-def _plan(run: Run, script: Path, screenplay: Screenplay, digest: str) -> ContinuityMemoryGraph:
+def export_reading(run: Run, script: Path, out: Path) -> None:
+    """Write what was understood of a script as a file that a person can correct.
+
+    Args:
+        run: With the script grounded.
+        script: The script.
+        out: The JSON file; one that is there already stays.
+
+    Raises:
+        InputError: The file is there already, or cannot be written.
+    """
+    if out.exists():
+        raise InputError("is there already", mend="give --write-reading another name, or delete it", path=out)
+    screenplay = load(script)
+    corrected = _kept_reading(run, screenplay)
+    understood = read_script(screenplay) if corrected is None else read_reading(corrected, screenplay)
+    Folder(out.parent).write(out.name, write_reading(understood))
+
+
+def _kept_reading(run: Run, screenplay: Screenplay) -> Path | None:
+    """Return the corrected reading that the project keeps, if it is one of these very words."""
+    kept = run.project.files.path(KEPT_READING)
+    if not kept.exists():
+        return None
+    if is_reading_of(kept, screenplay):
+        return kept
+    message = "is of other words, so the script is read anew; give a corrected one with --reading"
+    run.tell(Event(kind="warning", role="director", subject=KEPT_READING, message=message))
+    return None
+
+
+def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMemoryGraph:
     settings = DirectorSettings(shots_per_scene=run.settings.shots_per_scene, fps=run.settings.fps)
-    board = storyboard(read_script(screenplay), settings)
+    board = storyboard(reading, settings)
     return ContinuityMemoryGraph(
-        title=screenplay.title or script.stem.replace("_", " ").title(),
+        title=reading.screenplay.title or script.stem.replace("_", " ").title(),
         script_name=script.name,
         plan_digest=digest,
         settings_digest=content_hash(_plan_settings(run)),
@@ -94,8 +138,11 @@ def _format(run: Run) -> ProjectFormat:
     )
 
 
-def _plan_digest(run: Run, screenplay: Screenplay) -> str:
-    return content_hash(screenplay.text, screenplay.format, _plan_settings(run))
+def _plan_digest(run: Run, screenplay: Screenplay, corrected: Path | None) -> str:
+    words = [screenplay.text, screenplay.format, _plan_settings(run)]
+    if corrected is not None:
+        words.append(hashlib.sha256(corrected.read_bytes()).hexdigest())
+    return content_hash(*words)
 
 
 def _plan_settings(run: Run) -> dict[str, object]:

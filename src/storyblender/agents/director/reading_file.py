@@ -106,6 +106,15 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
     )
 
 
+def is_reading_of(path: Path, screenplay: Screenplay) -> bool:
+    """Return whether a file is a reading of these very words.
+
+    Raises:
+        InputError: The file is no reading.
+    """
+    return _parsed(path).script == _digest(screenplay)
+
+
 def _digest(screenplay: Screenplay) -> str:
     return content_hash(screenplay.text, screenplay.format)
 
