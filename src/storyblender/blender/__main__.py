@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import ctypes
 import gc
 import os
 import signal
@@ -10,18 +11,40 @@ import sys
 import threading
 import time
 import traceback
+from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
+
+_SIGNAL_AT_PARENTS_END = 1
+"""``PR_SET_PDEATHSIG``: an option of the system call ``prctl``."""
 
 
 def main() -> None:
-    """Parse the command line and serve until the client closes the pipe."""
+    """Serve until the client closes the pipe, then end at once: an interpreter that used Blender may never end."""
+    status = 1
+    try:
+        _serve(sys.argv[1:])
+        status = 0
+    except SystemExit as end:
+        status = end.code if isinstance(end.code, int) else 1
+    except BaseException:  # noqa: BLE001 - told in the log, and the process ends
+        with suppress(OSError):  # the log may lie on a full disk
+            traceback.print_exc()
+    finally:
+        with suppress(OSError):
+            sys.stderr.flush()
+        os._exit(status)
+
+
+def _serve(words: Sequence[str]) -> None:
     gc.disable()  # what is imported stays: to look for garbage among it takes a tenth of the time to come up
     parser = argparse.ArgumentParser(prog="storyblender.blender", description="StoryBlender's Blender worker")
     parser.add_argument("--root", type=Path, required=True, help="the project folder; no job may leave it")
     parser.add_argument("--models", type=Path, default=None, help="a folder of models that may be read")
-    arguments = parser.parse_args()
+    parser.add_argument("--build", type=Path, default=None, help="where names below build/ lie instead")
+    arguments = parser.parse_args(words)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client, which ends us
-    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+    _end_with(os.getppid())
     from storyblender.blender.server import lines_of, serve, take_wire
 
     wire = take_wire()  # before Blender is imported: it prints as it likes
@@ -29,22 +52,21 @@ def main() -> None:
 
     gc.freeze()
     gc.enable()
-    status = 1
-    try:
-        serve(Session(arguments.root, arguments.models).tools, lines_of(sys.stdin.buffer), wire)
-        status = 0
-    finally:
-        if status:
-            traceback.print_exc()
-        sys.stderr.flush()
-        os._exit(status)  # an interpreter that used Blender may hang on the way out, for ever
+    session = Session(arguments.root, arguments.models, arguments.build)
+    serve(session.tools, lines_of(sys.stdin.buffer), wire)
 
 
 def _end_with(client: int) -> None:
     """End when the client was killed: a long job would go on for nobody."""
-    while os.getppid() == client:
-        time.sleep(1.0)
-    os._exit(1)
+
+    def watch() -> None:
+        while os.getppid() == client:
+            time.sleep(1.0)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+    if sys.platform == "linux":  # where Blender lets no thread of ours run, the system ends the process
+        ctypes.CDLL(None).prctl(_SIGNAL_AT_PARENTS_END, signal.SIGKILL)
 
 
 if __name__ == "__main__":
