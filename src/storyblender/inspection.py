@@ -51,6 +51,18 @@ class Inspection(Frozen):
     findings: tuple[str, ...] = ()
     """What to look at, one sentence each."""
 
+    def with_story(self, changed: Sequence[str]) -> Inspection:
+        """Return the report with a line about the Blender files.
+
+        Args:
+            changed: Names of those that a person changed since they were compiled.
+        """
+        row = CheckRow(
+            name="Blender file", value=f"{len(changed)} changed by hand" if changed else "as compiled", ok=True
+        )
+        told = [f"{name}: was changed by hand; before it is compiled again, a dated copy is kept" for name in changed]
+        return Inspection(rows=(*self.rows, row), findings=(*self.findings, *told))
+
     @property
     def clean(self) -> bool:
         """Whether every line is as it should be."""

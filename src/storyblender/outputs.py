@@ -78,6 +78,11 @@ class Outputs:
         except OSError:
             return False
 
+    def changed(self, name: str) -> bool:
+        """Return whether there is something in a file that the program did not write."""
+        path = self._files.path(name)
+        return path.is_file() and bool(path.stat().st_size) and not self.whole(name)
+
     def read(self, name: str, parse: Callable[[bytes], Content]) -> Content | None:
         """Return what is in a file, or None where it is not as it was written or not what ``parse`` can read.
 
@@ -121,9 +126,9 @@ class Outputs:
         Returns:
             The copy; None where there is nothing to lose.
         """
-        path = self._files.path(name)
-        if not path.is_file() or not path.stat().st_size or self.whole(name):
+        if not self.changed(name):
             return None
+        path = self._files.path(name)
         stem = f"{path.stem} {now:%Y-%m-%d %H.%M}"
         copy, number = path.with_name(f"{stem}{path.suffix}"), 1
         while copy.exists() or copy.is_symlink():

@@ -35,11 +35,11 @@ from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob, ExportJob
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.asset_files import assets_to_build
-from storyblender.pipeline.compiling import Compilation
+from storyblender.pipeline.compiling import STORY, Compilation
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.shooting import prune, shoot_frames, shoot_motion
+from storyblender.pipeline.shooting import damaged_frames, prune, shoot_frames, shoot_motion
 from storyblender.project import Project, read_project_graph
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener, silent
@@ -187,7 +187,8 @@ class Studio:
                 raise InputError("has shots without a camera yet", mend=mend, path=run.project.folder)
             _restore_assets(run)
             pack_scenes(run)
-            return inspect(run.graph, run.engine, list(run.packs.values()))
+            report = inspect(run.graph, run.engine, list(run.packs.values()))
+            return report.with_story([STORY] if run.outputs.changed(STORY) else [])
 
     def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.
@@ -293,7 +294,8 @@ class Studio:
             yield project
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
-        shoot_frames(run, shots)
+        others = [shot for shot in run.graph.shots if shot not in shots]
+        shoot_frames(run, [*shots, *damaged_frames(run, others)])
         story = Compilation(run)
         from storyblender.pipeline.delivery import deliver
 
@@ -314,6 +316,8 @@ class Studio:
             )
             for scene in run.graph.scenes
         ]
+        for job in jobs:
+            run.copy_aside_if_known(job.out)
         waiting = [run.engine.export_scene(job) for job in jobs]
         files: list[str] = []
         run.progress("export", 0, len(jobs), kind)

@@ -83,10 +83,14 @@ class Run:
         Yields:
             The path to write to; it becomes the file at the end.
         """
-        if self.outputs.known(name):
-            self.copy_aside(name)
+        self.copy_aside_if_known(name)
         with self.outputs.writing(name) as part:
             yield part
+
+    def copy_aside_if_known(self, name: str) -> None:
+        """As ``copy_aside``; of a file that this program never wrote under that name nothing is kept."""
+        if self.outputs.known(name):
+            self.copy_aside(name)
 
     def copy_aside(self, name: str) -> None:
         """Copy a file that is not as the program wrote it before it is overwritten, and say so."""

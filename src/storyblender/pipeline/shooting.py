@@ -72,6 +72,16 @@ def _commit_lights(run: Run, shots: Sequence[ShotContext]) -> None:
         run.commit("lighting_arranger", f"face lights of {scene_name(shots[0].scene_id)}", *shots)
 
 
+def damaged_frames(run: Run, shots: Collection[ShotContext]) -> list[ShotContext]:
+    """Return the shots whose frame was there once and is gone, or cannot be read."""
+    names = [f"frames/{shot_name(shot.scene_id, shot.shot_id)}.png" for shot in shots]
+    return [
+        shot
+        for shot, name in zip(shots, names, strict=True)
+        if (run.outputs.known(name) or run.project.path(name).exists()) and not _is_sound(run, name)
+    ]
+
+
 def shoot_motion(run: Run, shots: Collection[ShotContext]) -> dict[str, list[Path]]:
     """Draw the moving frames.
 
@@ -148,11 +158,30 @@ def _motion_folder(run: Run, shot: ShotContext) -> str:
 
 
 def _place(run: Run, picture: str, name: str) -> None:
-    """Give a picture its name for people; a copy, so that an artist may paint on it."""
-    if run.outputs.digest(name) == run.outputs.digest(picture) and run.outputs.whole(name):
+    """Give a picture its name for people; a copy, so that an artist may paint on it.
+
+    What is painted stays until the shot looks otherwise.
+    """
+    if run.outputs.digest(name) == run.outputs.digest(picture) and _is_sound(run, name):
         return
-    content = run.project.path(picture).read_bytes()
-    target = run.project.path(name)
-    if not target.exists() or target.read_bytes() != content:
+    content, target = run.project.path(picture).read_bytes(), run.project.path(name)
+    if target.exists() and target.read_bytes() == content:
+        run.outputs.note(name)
+    else:
         run.copy_aside(name)
-    run.outputs.write(name, content)
+        run.outputs.write(name, content)
+
+
+def _is_sound(run: Run, name: str) -> bool:
+    """Return whether a picture is as it was written, or is one all the same: somebody painted on it."""
+    if run.outputs.whole(name):
+        return True
+    from PIL import Image
+
+    try:
+        for read in ("verify", "load"):  # check sums, then pixels; the first leaves nothing to read
+            with Image.open(run.project.path(name)) as picture:
+                getattr(picture, read)()
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError):
+        return False
+    return True
