@@ -34,7 +34,7 @@ from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneSize, Sky
 from storyblender.memory.shot_context import CameraPose, CameraState
 from storyblender.project import Project
-from storyblender.settings import Settings
+from storyblender.settings import REMEMBERED, Settings
 from storyblender.studio import Studio
 
 Result = TypeVar("Result")
@@ -134,6 +134,7 @@ def plan(folder: Path) -> ContinuityMemoryGraph:
     script = folder.parent / f"{folder.name}.fountain"
     script.write_text(SCRIPT)
     Studio(SETTINGS).plan(script, folder)
+    Folder(folder).write(REMEMBERED, SETTINGS.remembered())
     with Project(folder) as project:
         graph = replace(project.graph, *map(made, (*project.graph.assets, *project.graph.scenes, *project.graph.shots)))
         project.commit(graph, "user", "made by hand")

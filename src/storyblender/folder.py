@@ -226,13 +226,17 @@ def _explained(place: Path, deed: str = "written", *, body: bool = False) -> Ite
     except StoryBlenderError:
         raise
     except OSError as error:
-        if body and error.errno not in _TROUBLE:
+        if body and error.errno not in _TROUBLE and not (error.errno is None and _is_full(place)):
             raise
-        raise _refusal(place, deed, error.strerror or str(error), error.errno) from error
+        raise _refusal(place, deed, error.strerror or "the disk is full", error.errno or errno.ENOSPC) from error
     except Exception as error:
-        if not body or shutil.disk_usage(place.parent).free > _LITTLE:
+        if not body or not _is_full(place):
             raise
         raise _refusal(place, deed, "the disk is full", errno.ENOSPC) from error
+
+
+def _is_full(place: Path) -> bool:
+    return shutil.disk_usage(place.parent).free < _LITTLE
 
 
 def _refusal(place: Path, deed: str, reason: str, number: int | None) -> InputError:

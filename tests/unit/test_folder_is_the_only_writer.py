@@ -55,6 +55,8 @@ def _writes(call: ast.Call) -> bool:
         return _owner(call) == "os" or (isinstance(call.func, ast.Attribute) and arguments == len(call.args) == 1)
     if name in ("write", "remove", "link"):
         return _owner(call) in ("os", "libraries")
+    if name == "rename":  # people are renamed too
+        return arguments == 1 or _owner(call) == "os"
     if name in ("move", "gltf"):
         return _owner(call) in ("shutil", "export_scene")
     return name in ALWAYS

@@ -258,7 +258,7 @@ def assert_failures_heal(stage: Stage, count: int, fault: int) -> None:
 
 @pytest.mark.parametrize("fault", [errno.ENOSPC, errno.EIO])
 def test_a_run_that_the_disk_stopped_goes_on_to_the_same_end(stage: Stage, fault: int) -> None:
-    assert_failures_heal(stage, 5, fault)
+    assert_failures_heal(stage, 3, fault)
 
 
 @pytest.mark.slow
@@ -278,7 +278,7 @@ def files_no_larger_than(size: int) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
-@pytest.mark.parametrize("size", [0, 100, 700, 2000, 9000, 30_000])
+@pytest.mark.parametrize("size", [0, 700, 9000])
 def test_a_write_that_the_system_refuses_is_one_sentence(stage: Stage, size: int) -> None:
     stage.render(wide=320)
     wanted = outputs(stage)
