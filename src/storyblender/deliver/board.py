@@ -33,6 +33,8 @@ LEAST_WORDS = 480.0
 """Points across that the words under a single picture have, however narrow it is."""
 ELLIPSIS = 12.0
 """Points kept free at the right for the sign that more was written."""
+BASELINE = 0.15
+"""Share of their size that the letters of a line stand lower than where it is asked for."""
 SHRINKING = (0.9, 0.8, 0.7)
 """Shares that the letters of a long text shrink to before any of it is left out."""
 PICTURE_SHARE = {"grid": 0.66, "single": 0.78}
@@ -71,10 +73,11 @@ def write_board(
     canvas.setTitle(graph.title or "Storyboard")
     canvas.setAuthor("StoryBlender")
     shots = panels(graph)
+    length = length_of(shots)
     pages = _pages(shots, 6 if layout == "grid" else 1)
     listed: set[int] = set()
     for number, page in enumerate(pages, start=1):
-        _furniture(canvas, graph, length_of(shots), (number, len(pages)), PAPERS[paper])
+        _furniture(canvas, graph, length, (number, len(pages)), PAPERS[paper])
         for index, panel in enumerate(page):
             x, y, width, height = _cell(index, layout, graph.format.aspect, PAPERS[paper])
             if index == 0 or panel.scene is not page[index - 1].scene:
@@ -210,9 +213,17 @@ def _line(
     color: Color = INK,
     right: bool = False,
 ) -> None:
-    """One line of text, cut where it is too long."""
+    """One line of text, cut where it is too long; set without a paragraph where the font has all its letters."""
+    text = " ".join(text.splitlines())
+    if _width(canvas, text, size) > width:
+        text = f"{text[: int(width)]}…"  # hardly a letter is narrower than a point
     while text and _width(canvas, text, size) > width:
         text = text[:-2].rstrip() + "…"
+    if fonts.in_regular(text):
+        canvas.setFillColor(color)
+        canvas.setFont(fonts.REGULAR, size)
+        (canvas.drawRightString if right else canvas.drawString)(x + width * right, y - size * BASELINE, text)
+        return
     style = ParagraphStyle("line", fontName=fonts.REGULAR, fontSize=size, leading=size * 1.2,
                            textColor=color, alignment=2 if right else 0)  # fmt: skip
     paragraph = _setting([(text, color)], style, most=1)

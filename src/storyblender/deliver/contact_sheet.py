@@ -15,7 +15,6 @@ GAP, LABEL = 6, 20
 TALLEST = 4000
 """Pixels down at most, unless a single row is taller: a screen shows it, and a JPEG ends at 65,500."""
 
-
 COLUMNS, WIDTH = 4, 400
 """Pictures across, and pixels of one."""
 
@@ -28,15 +27,26 @@ def sheet_pages(frames: Mapping[str, Path]) -> list[dict[str, Path]]:
     return [dict(shown[at : at + most]) for at in range(0, len(shown), most)]
 
 
-def write_contact_sheet(frames: Mapping[str, Path], part: Path) -> None:
+def write_contact_sheet(frames: Mapping[str, Path], part: Path, shows: str = "") -> None:
     """Write one sheet.
 
     Args:
         frames: Shot name to picture, in order; one of the ``sheet_pages``.
-        part: ``.jpg`` or ``.png``.
+        part: A JPEG.
+        shows: Names what it shows, as a comment in the file that ``shown_by`` finds.
     """
     shown = list(frames.items())
-    _sheet(shown, COLUMNS, (WIDTH, _height(shown[0][1], WIDTH))).save(part)
+    _sheet(shown, COLUMNS, (WIDTH, _height(shown[0][1], WIDTH))).save(part, "JPEG", comment=shows)
+
+
+def shown_by(sheet: Path) -> str:
+    """Return the name of what a sheet shows; empty if it is none of ours."""
+    try:
+        with Image.open(sheet) as picture:
+            comment = picture.info.get("comment", b"")
+    except (OSError, ValueError):
+        return ""
+    return comment.decode(errors="replace") if isinstance(comment, bytes) else ""
 
 
 def sheet_name(number: int) -> str:

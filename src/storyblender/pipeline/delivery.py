@@ -9,12 +9,13 @@ from storyblender.deliver import slate
 from storyblender.deliver.animatic import film_segments, write_animatic, write_subtitles
 from storyblender.deliver.board import write_board
 from storyblender.deliver.checklist import Check, checklist
-from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, write_contact_sheet
+from storyblender.deliver.contact_sheet import sheet_name, sheet_pages, shown_by, write_contact_sheet
 from storyblender.deliver.page import write_page
 from storyblender.deliver.panel import frame_of, panels
 from storyblender.deliver.segments import encoded
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
+from storyblender.memory.base import content_hash
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.prints import make_prints
 from storyblender.pipeline.run import Run
@@ -123,11 +124,14 @@ def _with_slates(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:
 
 
 def _contact_sheets(run: Run, frames: Mapping[str, Path]) -> list[str]:
-    """Write the contact sheets, delete those that a longer story had, and return their names."""
+    """Write the contact sheets that show something new, delete those that a longer story had, and return all names."""
     names: list[str] = []
     for number, page in enumerate(sheet_pages(frames), start=1):
         names.append(sheet_name(number))
+        shows = content_hash({name: run.outputs.digest(run.project.files.name_of(path)) for name, path in page.items()})
+        if run.outputs.whole(names[-1]) and shown_by(run.project.path(names[-1])) == shows:
+            continue
         with run.delivering(names[-1]) as part:
-            write_contact_sheet(page, part)
+            write_contact_sheet(page, part, shows)
     run.outputs.keep_only("contact_sheet", names)
     return names

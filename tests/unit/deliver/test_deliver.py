@@ -173,8 +173,9 @@ def drawn(monkeypatch: pytest.MonkeyPatch, graph: ContinuityMemoryGraph, tmp_pat
     set_ = board._setting
     monkeypatch.setattr(board, "_setting", lambda p, *a, **k: said.extend(text for text, _ in p) or set_(p, *a, **k))
     monkeypatch.setattr(board, "draw_way", lambda canvas, panel, way, *where: said.append(f"arrow {way}"))
-    show = Canvas.drawRightString
-    monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or show(*a))
+    left, right = Canvas.drawString, Canvas.drawRightString
+    monkeypatch.setattr(Canvas, "drawString", lambda *a: said.append(a[3]) or left(*a))
+    monkeypatch.setattr(Canvas, "drawRightString", lambda *a: said.append(a[3]) or right(*a))
     board.write_board(graph, {}, tmp_path / "a.pdf", layout)  # type: ignore[arg-type]
     return said
 
@@ -249,7 +250,7 @@ def test_notes_stand_on_board_list_and_page(
 def test_a_line_that_is_too_long_ends_in_an_ellipsis_in_any_letters(
     graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for word in ("夜の電車", "Night train "):
+    for word in ("夜の電車", "Night train\n", "Night train " * 10_000):
         said = drawn(monkeypatch, graph.model_copy(update={"title": word * 40}), tmp_path, "grid")
         assert said[0].startswith(word[:3]) and said[0].endswith("…")
 

@@ -1,18 +1,20 @@
-"""Clips for editors: under the names of their shots, and only of shots that look as they do in the film."""
+"""Clips for editors only of shots that look as they do in the film; contact sheets written where they are new."""
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import cast
 
 import pytest
+from PIL import Image
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import SceneContext, SceneSetup
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.pipeline.delivery import _place_clips, clip_paths
+from storyblender.pipeline.delivery import _contact_sheets, _place_clips, clip_paths
 from storyblender.pipeline.run import Run
 from storyblender.project import Project
 from storyblender.settings import Settings
@@ -30,6 +32,27 @@ def story() -> ContinuityMemoryGraph:
         scenes=(SceneContext(scene_id=1, setup=SceneSetup()),),
         shots=shots,
     )
+
+
+def test_only_a_contact_sheet_that_shows_something_new_is_written(tmp_path: Path) -> None:
+    with Project(tmp_path / "p") as project:
+        run = Run(project, cast(BlenderEngine, None), lambda: pytest.fail("no words"), Settings(), silent)
+        frames = {f"SC010_SH{number:03d}": project.path(f"thumbnails/{number}.jpg") for number in range(70)}
+        for number in range(70):
+            project.outputs.write(f"thumbnails/{number}.jpg", jpeg(number))
+        names = _contact_sheets(run, frames)
+        assert names == ["contact_sheet.jpg", "contact_sheet_2.jpg"], "sixty pictures of this shape a sheet"
+        before = [project.path(name).stat().st_ino for name in names]
+        project.outputs.write("thumbnails/69.jpg", jpeg(200))
+        assert _contact_sheets(run, frames) == names
+        after = [project.path(name).stat().st_ino for name in names]
+        assert after[0] == before[0] and after[1] != before[1]
+
+
+def jpeg(grey: int) -> bytes:
+    buffer = io.BytesIO()
+    Image.new("L", (16, 9), grey).save(buffer, "JPEG")
+    return buffer.getvalue()
 
 
 def test_a_shot_has_its_clip_until_it_looks_otherwise(tmp_path: Path) -> None:
