@@ -52,8 +52,8 @@ class FileEngine:
 
     processes = 1
 
-    def __init__(self, root: Path, *_: Any, **__: Any) -> None:
-        self.files = Folder(root)
+    def __init__(self, root: Path, *_: Any, build: Path | None = None, **__: Any) -> None:
+        self.files = Folder(root, build)
         self.calls: Counter[str] = Counter()
 
     def __enter__(self) -> FileEngine:

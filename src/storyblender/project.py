@@ -38,15 +38,16 @@ class Project:
 
     Args:
         folder: ``NAME.storyboard``; made if it does not exist.
+        build: Where names below ``build/`` lie instead.
 
     Raises:
         ProjectLocked: Another run has it open.
         InputError: The folder holds something else, or a graph that cannot be read.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, build: Path | None = None) -> None:
         self.folder = folder.resolve()
-        self.files = Folder(self.folder)
+        self.files = Folder(self.folder, build)
         """The only way to write and delete here."""
         self.files.path(".lock")
         try:

@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import Look
-from storyblender.settings_file import SettingsFile, short
+from storyblender.settings_file import REMEMBERED, SettingsFile, short
 
 Role = Literal[
     "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser", "spatial_planner", "animator",
@@ -43,8 +43,6 @@ def _clock(value: str) -> str:
 
 LARGEST = 7680
 """Pixels across and down."""
-REMEMBERED = "settings.json"
-"""In the project folder."""
 
 
 class Settings(Frozen):
@@ -81,6 +79,9 @@ class Settings(Frozen):
     models: Path | None = None
     """A folder of the user's own .glb and .blend files, searched before the built-in library. In ``storyblender.toml``
     it is named from there."""
+    build: Path | None = None
+    """A folder on another disk that takes the place of ``build/`` in the project. In ``storyblender.toml`` it is named
+    from there. One folder for each project."""
     thresholds: dict[Role, Annotated[float, Field(ge=0, le=10)]] = {}
     """tau by role; the paper's 8 where not given."""
     horizons: dict[Role, Annotated[int, Field(ge=1, le=100)]] = {}
@@ -116,8 +117,9 @@ class Settings(Frozen):
         elif project is not None:
             file = SettingsFile.read(project / REMEMBERED)
         values = dict(file.values) if file else {}
-        if file and isinstance(models := values.get("models"), str):
-            values["models"] = file.path.parent / models
+        for name in ("models", "build"):
+            if file and isinstance(named := values.get(name), str):
+                values[name] = file.path.parent.absolute() / named
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values | given)

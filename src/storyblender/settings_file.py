@@ -17,6 +17,9 @@ _LONGEST_FILE = 1024**2
 _PLACE = re.compile(r" \(at (?:line (\d+), column \d+|end of document)\)$")
 """Where Python's TOML reader says that it stopped."""
 
+REMEMBERED = "settings.json"
+"""In a project: what it was made with."""
+
 
 @dataclass(frozen=True)
 class SettingsFile:

@@ -112,10 +112,14 @@ def _hush() -> None:
 def _started_for(words: Sequence[str]) -> Worker | None:
     """Return Blender's worker, coming up, for a command on a finished project; the first word that names one counts."""
     from storyblender.engine.worker import blender_worker
+    from storyblender.settings_file import REMEMBERED, SettingsFile
 
     for word in words[1:] if words and words[0] in _NEED_BLENDER else ():
         try:
             if Path(word, "graph.json").is_file():
+                settings = SettingsFile.read(Path(word, REMEMBERED))
+                if settings is not None and "build" in settings.values:
+                    return None  # whether that folder may be written to is for the command to say
                 worker = blender_worker(Path(word))
                 worker.start()
                 return worker

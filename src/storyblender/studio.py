@@ -14,6 +14,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from storyblender import samples
+from storyblender.build_folder import check_build_folder
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.catalog.materials import MATERIALS
@@ -272,8 +273,13 @@ class Studio:
 
             load(script)  # a script that cannot be read is refused before there is a folder
         ahead, self._ahead = self._ahead, None
-        jobs = self._settings.jobs
-        with self._project(folder) as project, BlenderEngine(project.folder, models, jobs, ahead=ahead) as engine:
+        jobs, build = self._settings.jobs, self._settings.build
+        if build is not None:
+            check_build_folder(build, folder.resolve(), take=script is not None)
+        with (
+            self._project(folder, build) as project,
+            BlenderEngine(project.folder, models, jobs, build=build, ahead=ahead) as engine,
+        ):
             yield Run(project, engine, load_embedder, self._settings, self._listener)
 
     @contextmanager
@@ -286,9 +292,9 @@ class Studio:
             yield run
 
     @contextmanager
-    def _project(self, folder: Path) -> Iterator[Project]:
+    def _project(self, folder: Path, build: Path | None = None) -> Iterator[Project]:
         """Open a project, and say what was missing in it."""
-        with Project(folder) as project:
+        with Project(folder, build) as project:
             for sentence in project.rebuilt:
                 self._listener(Event(kind="warning", role="project", subject=folder.name, message=sentence))
             yield project

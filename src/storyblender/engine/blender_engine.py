@@ -33,14 +33,23 @@ class BlenderEngine:
         root: The project folder; every path in a job is relative to it.
         models: The user's folder of models.
         jobs: Number of processes; 0 decides by the machine.
+        build: Where names below ``build/`` lie instead.
         ahead: A worker of the same folders that comes up already.
 
     Blender's words of this run, and of no earlier one, are in ``build/engine.log``.
     """
 
-    def __init__(self, root: Path, models: Path | None = None, jobs: int = 0, *, ahead: Worker | None = None) -> None:
-        Folder(root).empty(LOG)  # not deleted: a worker that is ahead has it open
-        self._pool = WorkerPool(lambda: blender_worker(root, models), jobs, ahead)
+    def __init__(
+        self,
+        root: Path,
+        models: Path | None = None,
+        jobs: int = 0,
+        *,
+        build: Path | None = None,
+        ahead: Worker | None = None,
+    ) -> None:
+        Folder(root, build).empty(LOG)  # not deleted: a worker that is ahead has it open
+        self._pool = WorkerPool(lambda: blender_worker(root, models, build), jobs, ahead)
         self._running: dict[str, Future[Any]] = {}
         """The last job for each output: nobody starts another while it runs."""
         self._starting = threading.Lock()
