@@ -20,6 +20,7 @@ _OPENING = 6
 _RESTING = frozenset({"stand", "sit", "lie", "lean", "hang", "rest"})
 """``On the television stands a vase``: no picture of one."""
 _POINTING = lexicon.POSSESSIVES | {"the", "this", "that"}
+_AWAY = lexicon.PREPOSITIONS - {"of"}
 _STOPS = frozenset({",", ";", ".", ":", "!", "?", "--", "—", "–", "(", ")"})
 
 
@@ -31,8 +32,11 @@ def without_depicted(words: list[Word], lately: Sequence[str]) -> tuple[list[Wor
         lately: Head nouns of the things named before it, the last first.
     """
     start = _shown_from(words, lately)
-    kept = words[:start]
-    return [word for at, word in enumerate(kept) if not _is_in_an_image(kept, at)], words[start:]
+    kept, there, in_an_image = words[:start], list[Word](), False
+    for at, word in enumerate(kept):
+        in_an_image = at > 0 and _goes_on_in_an_image(kept, at, in_an_image)
+        there += [] if in_an_image else [word]
+    return there, words[start:]
 
 
 def _shown_from(words: Sequence[Word], lately: Sequence[str]) -> int:
@@ -41,15 +45,19 @@ def _shown_from(words: Sequence[Word], lately: Sequence[str]) -> int:
     place = _opening_place(words, screen)
     if place:
         return place
+    pictures = _SCREENS | _IMAGES
+    told = [singular(word.low) for word in words[:1]]
+    pictured = False
     for at in range(1, len(words) - 1):
-        told = [singular(word.low) for word in words[:at]]
-        if words[at].text == ":" and {*told} & (_SCREENS | _IMAGES):
+        told.append(singular(words[at].low))
+        pictured = pictured or told[at - 1] in pictures
+        if words[at].text == ":" and pictured:
             return at + 1
         form = FORMS.get(words[at].low)
         if form is None or form.lemma not in _SHOWING or form.kind not in ("3sg", "past"):
             continue
-        of_it = told[-1] == "it" and any(head in _IMAGES | _SCREENS for head in lately[:_NEAR])
-        if of_it or told[-1] in _IMAGES | _SCREENS | {"wall"}:
+        of_it = told[at - 1] == "it" and any(head in pictures for head in lately[:_NEAR])
+        if of_it or told[at - 1] in pictures | {"wall"}:
             return at + 1
     return len(words)
 
@@ -70,27 +78,27 @@ def _opening_place(words: Sequence[Word], screen: bool) -> int:
     return 0
 
 
-def _is_in_an_image(words: Sequence[Word], at: int) -> bool:
+def _goes_on_in_an_image(words: Sequence[Word], at: int, before: bool) -> bool:
     """Whether a word is in ``of a general on a white horse`` after a portrait.
 
     Where the picture is has an article that points: ``of his wife on the desk``.
+
+    Args:
+        words: A sentence.
+        at: Index of the word; not 0.
+        before: Whether the word before it is in the picture.
     """
-    before = at
-    while before > 0:
-        word = words[before]
-        image = singular(words[before - 1].low) in _IMAGES
-        if word.low == "of" and image:
-            return True
-        if word.verb or form_kind(word.low) in ("3sg", "past", "aux") or word.text in _STOPS - {","}:
-            return False
-        following = words[before + 1] if before + 1 < len(words) else word
-        if word.text == "," and not (following.low == "with" or following.mention):
-            return False
-        pointing = following.low in _POINTING and not (word.low == "at" and _is_limb(words, before + 2))
-        if (word.low in lexicon.PREPOSITIONS - {"of"} and pointing) or (word.low == "and" and not following.mention):
-            return False
-        before -= 1
-    return False
+    word = words[at]
+    if word.low == "of" and singular(words[at - 1].low) in _IMAGES:
+        return True
+    if not before or word.verb or form_kind(word.low) in ("3sg", "past", "aux") or word.text in _STOPS - {","}:
+        return False
+    following = words[at + 1] if at + 1 < len(words) else word
+    if word.text == "," and not (following.low == "with" or following.mention):
+        return False
+    pointing = following.low in _POINTING and not (word.low == "at" and _is_limb(words, at + 2))
+    away = word.low in _AWAY and pointing
+    return not away and not (word.low == "and" and not following.mention)
 
 
 def _is_limb(words: Sequence[Word], at: int) -> bool:
