@@ -41,6 +41,8 @@ class Staging:
         self.seated = seated
         self.on_foot = {*on_foot}
         self.bodies: dict[str, _Body] = {}
+        self._last: dict[str, tuple[tuple[object, ...], BodyState]] = {}
+        """Everybody as they were found last: most people of a scene are as they were a shot ago."""
         self.first: dict[str, Unit] = {}
         for unit in units:
             for person in unit.on_stage:
@@ -86,7 +88,7 @@ class Staging:
         """``CLOSE ON the coin in his palm``: it is there before the unit of these words begins."""
         taken = {(deed.actor, deed.prop) for deed in unit.deeds if deed.motion in GETTING}
         for person, things in unit.held.items():
-            body = self.bodies.setdefault(person, _Body())
+            body = self._body(person)
             body.held += [t for t in things if t in shown and t not in body.held and (person, t) not in taken]
 
     def _found(self, person: str) -> _Body:
@@ -110,13 +112,13 @@ class Staging:
 
     def _play(self, unit: Unit) -> None:
         for person, (posture, support) in unit.posture.items():
-            body = self.bodies.setdefault(person, _Body())
+            body = self._body(person)
             kept = body.support if posture == body.posture else None
             body.posture, body.support = posture, support or kept
         for person in unit.on_stage:
-            self.bodies.setdefault(person, _Body()).held = list(unit.held.get(person, []))
+            self._body(person).held = list(unit.held.get(person, []))
         for deed in unit.deeds:
-            body = self.bodies.setdefault(deed.actor, _Body())
+            body = self._body(deed.actor)
             if deed.motion in ("look", "read", "aim", "talk", "whisper", "shout", "listen"):
                 body.looking_at = deed.target or deed.prop
             elif deed.motion in TRAVEL or deed.motion in ("turn", "look_around"):
@@ -129,13 +131,24 @@ class Staging:
     def _state(self, person: str, start: int) -> BodyState:
         body = self.bodies[person]
         brought = [thing for thing, parted in self.brought.get(person, {}).items() if start <= parted]
-        return BodyState(
-            asset_id=person,
-            posture=body.posture,
-            support_id=self._known(body.support),
-            held=tuple(thing for thing in dict.fromkeys([*body.held, *brought]) if thing in self.assets),
-            looking_at=self._known(body.looking_at),
-        )
+        held = tuple(thing for thing in dict.fromkeys([*body.held, *brought]) if thing in self.assets)
+        told = (body.posture, body.support, held, body.looking_at)
+        last = self._last.get(person)
+        if last is None or last[0] != told:
+            state = BodyState(
+                asset_id=person,
+                posture=body.posture,
+                support_id=self._known(body.support),
+                held=held,
+                looking_at=self._known(body.looking_at),
+            )
+            last = self._last[person] = (told, state)
+        return last[1]
+
+    def _body(self, person: str) -> _Body:
+        if person not in self.bodies:
+            self.bodies[person] = _Body()
+        return self.bodies[person]
 
     def _known(self, id_: str | None) -> str | None:
         return id_ if id_ in self.assets else None

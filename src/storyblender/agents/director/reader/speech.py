@@ -50,6 +50,10 @@ _GENDER_OF_ADDRESS: dict[str, Gender] = {
 }  # fmt: skip
 _TITLED = rf"(?:{'|'.join(sorted(map(re.escape, lexicon.TITLES), key=lambda title: (-len(title), title)))})\.? "
 """A title before a name somebody is called by."""
+_OPENS_ADDRESS = re.compile(rf"(?:^|,\s*)(?:{_TITLED})?$")
+_ENDS_ADDRESS = re.compile(r"\s*[.!?,]")
+_LONG_TITLE = 40
+"""Characters."""
 _PARENT = {"mom": "mother", "mama": "mother", "mamma": "mother", "dad": "father", "papa": "father"}
 _TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
 
@@ -234,22 +238,30 @@ def _named(people: Iterable[Person], text: str) -> Person | None:
     low = text.lower()
     if not any(mark in low for mark in ",.!?"):
         return None
-    said = {*low.split(), *_WORDS.findall(low)}
+    said = frozenset(_WORDS.findall(low))
     for person in people:
-        for name in _call_names(person.aliases):
-            if name not in said and _WORDS.search(name) and not said.issuperset(_WORDS.findall(name)):
-                continue
-            called = rf"(?:{_TITLED})?{re.escape(name)}"
-            if re.search(rf",\s*{called}\s*[.!?,]|^{called}\s*[,!.?]", text, re.IGNORECASE):
+        for name, words in _call_names(person.aliases):
+            if words <= said and _is_called(name, low):
                 return person
     return None
 
 
+def _is_called(name: str, low: str) -> bool:
+    """Whether a name stands as an address: at the start or after a comma, before a mark. Both in small letters."""
+    at = low.find(name)
+    while at >= 0:
+        opens = _OPENS_ADDRESS.search(low, max(0, at - _LONG_TITLE), at)
+        if opens and _ENDS_ADDRESS.match(low, at + len(name)):
+            return True
+        at = low.find(name, at + 1)
+    return False
+
+
 @lru_cache(maxsize=4096)
-def _call_names(aliases: tuple[str, ...]) -> tuple[str, ...]:
-    """The single words somebody may be called by."""
+def _call_names(aliases: tuple[str, ...]) -> tuple[tuple[str, frozenset[str]], ...]:
+    """The names without a space that somebody may be called by, and the words in each."""
     names = {word for alias in aliases for word in (alias.split()[0], alias.split()[-1])}
-    return tuple(sorted(names - lexicon.TITLES - {"i"}))
+    return tuple((name, frozenset(_WORDS.findall(name))) for name in sorted(names - lexicon.TITLES - {"i"}))
 
 
 def _called(stage: Stage, here: list[Person], text: str) -> Person | None:

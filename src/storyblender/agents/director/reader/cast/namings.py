@@ -35,6 +35,7 @@ _WORN = re.compile(
     rf"|\b{_TAG} (?:on (?:his|her|the) \w+ )?(?:says|said|reads|read) ([{UPPER}][\w'’-]+)"
 )
 """``IRMA, says the tag on her jacket``."""
+_TAG_WORDS = re.compile(r"[^.!?]{0,2000}")
 _ASKED = re.compile(r"\bname\b|\b[Ww]ho are you\b|\bI['’]m [A-Z]|\bI am [A-Z]")
 """What the answer is a name to: ``"You got a name?" "Silas."``"""
 
@@ -62,6 +63,11 @@ def told_text(script: Manuscript) -> str:
     return "".join(told)
 
 
+def _next_words(told: str, at: int) -> str:
+    words = _TAG_WORDS.match(told, at)
+    return words[0] if words else ""
+
+
 def namings(script: Manuscript) -> list[Naming]:
     """Find every place where somebody is named, in reading order."""
     found: list[Naming] = []
@@ -78,7 +84,7 @@ def namings(script: Manuscript) -> list[Naming]:
         for quotation in QUOTATION.finditer(paragraph.raw):
             said = quotation.group(0).strip(QUOTATION_MARKS)
             at = paragraph.start + quotation.start() + 1
-            tag = " ".join(re.split(r"[.!?]", told[quotation.end() :])[0].split())[:60]
+            tag = " ".join(_next_words(told, quotation.end()).split())[:60]
             own = [(match.start(1), match.group(1)) for match in _OWN.finditer(said)]
             found += [Naming(at + place, name, "own", tag) for place, name in own]
             alone = re.fullmatch(rf"({_NAME})[,.!]?", said)

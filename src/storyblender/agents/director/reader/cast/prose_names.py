@@ -24,6 +24,7 @@ _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an
 """``named Iver, tall and stooped, with a grey beard``."""
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
+_KNOWN = lexicon.FIRST_NAMES | lexicon.TITLES
 _WHERE = re.compile(
     r"(?:\b(?:in|at|to|from|of|near|since|into|via|across|outside|inside|towards?|beyond|far as"
     r"|reach(?:ed|es)?|entered)|&)\s$"
@@ -52,13 +53,17 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
             continue
         if match.group(1) and not _opens_like_a_name(name, match.group(1)):
             continue
-        if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() :]):
+        if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() : match.end() + 9]):
             continue
         before = text[max(0, at - 30) : at].lower()
         if _is_a_place(name):
             continue
-        known = first.strip(".") in lexicon.FIRST_NAMES | lexicon.TITLES
-        if not known and _is_somewhere(name, before) and not _is_apposed_to_somebody(text[match.end() :]):
+        known = first.strip(".") in _KNOWN
+        if (
+            not known
+            and _is_somewhere(name, before)
+            and not _is_apposed_to_somebody(text[match.end() : match.end() + 62])
+        ):
             continue
         found.append((start + at, name))
     return found

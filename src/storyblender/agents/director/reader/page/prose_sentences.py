@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import takewhile
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS
@@ -78,10 +79,17 @@ def _words_and_quotations(text: str, offset: int) -> list[Word]:
         quotation = match.group(0)
         words.append(
             Word("“”", offset + match.start(), offset + match.end(), quotation=quotation,
-                 closes=re.search(r"[.!?…]\W*$", quotation) is not None)
+                 closes=_closes(quotation))
         )  # fmt: skip
         at = match.end()
     return words + tokenize(text[at:], offset + at)
+
+
+def _closes(quotation: str) -> bool:
+    """Whether a full stop, an exclamation or a question mark stands behind the last word."""
+    return any(
+        mark in ".!?…" for mark in takewhile(lambda mark: not (mark.isalnum() or mark == "_"), reversed(quotation))
+    )
 
 
 def _split(words: list[Word]) -> list[list[Word]]:

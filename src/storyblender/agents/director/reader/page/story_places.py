@@ -65,6 +65,9 @@ _OWNED = {
     "forge",
 }
 """``the ferryman's hut``."""
+_NEAR = 80
+"""Characters before a place in which another is told that is a part of it."""
+_NAMED_AFTER = lexicon.PLACES | _THINGS
 WHOLE = {
     *("house", "cottage", "castle", "hotel", "inn", "motel", "palace", "mansion", "school", "schoolhouse", "church"),
     *("cathedral", "ship", "hospital", "prison", "jail", "monastery", "temple", "theatre", "theater", "museum"),
@@ -87,7 +90,7 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
     if numbered:
         return numbered.group(1)
     places = [
-        _part(opening[: match.start()]) or leading_place(match.group(1).split())
+        _part(opening[max(0, match.start() - _NEAR) : match.start()]) or leading_place(match.group(1).split())
         for match in _PLACE_PHRASE.finditer(opening)
     ]
     named = [place for place in places if place and place != "room"]
@@ -151,7 +154,7 @@ def leading_place(words: list[str]) -> str:
     for index, word in enumerate(words):
         if word in _SMALL:
             return ""
-        compound = index + 1 < len(words) and words[index + 1] in lexicon.PLACES | _THINGS
+        compound = index + 1 < len(words) and words[index + 1] in _NAMED_AFTER
         if word in lexicon.PLACES and not compound:
             before = words[index - 1] if index else ""
             pair = f"{before} {word}".strip()
@@ -159,7 +162,7 @@ def leading_place(words: list[str]) -> str:
             if owned:
                 return f"{before.replace('’', chr(39))} {word}"
             of_a_kind = word == "room" and before not in _PLAIN and form_kind(before) in ("", "ing")
-            return pair if of_a_kind or before in lexicon.PLACES | _THINGS or pair in lexicon.PLACE_KINDS else word
+            return pair if of_a_kind or before in _NAMED_AFTER or pair in lexicon.PLACE_KINDS else word
     return ""
 
 

@@ -53,7 +53,7 @@ def mark_mentions(words: list[Word], roster: Roster) -> list[Word]:
                 at += length
                 continue
         word = words[at]
-        word.mention = _noun_phrase(words, at, roster.people)
+        word.mention = _noun_phrase(words, at, roster)
         marked.append(word)
         at += 1
     return marked
@@ -163,7 +163,7 @@ def _shared_determiner(words: list[Word], at: int) -> str:
     return before if before in _OPENERS else "the"
 
 
-def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | None:
+def _noun_phrase(words: list[Word], at: int, roster: Roster) -> Mention | None:
     """The old woman, two guards, his niece: a noun for people with its determiner, adjectives and number."""
     word = words[at]
     noun = singular(word.low)
@@ -201,11 +201,7 @@ def _noun_phrase(words: list[Word], at: int, people: list[Person]) -> Mention | 
         return None
     several = noun != word.low or number > 1
     introduced = determiner in ("a", "an")
-    candidates = [
-        person
-        for person in people
-        if noun == person.role or noun in person.aliases or (introduced and person.first == start)
-    ]
+    candidates = roster.meant_by(noun, start if introduced else None)
     return Mention(
         "group" if several else "generic",
         candidates,

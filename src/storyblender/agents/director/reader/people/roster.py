@@ -50,6 +50,8 @@ class Roster:
         self._places: dict[str, int] = {}
         self._answering: dict[str, dict[str, Person]] = {}
         self._wearing: dict[str, dict[str, Person]] = {}
+        self._meant: dict[str, dict[str, Person]] = {}
+        self._introduced: dict[int, dict[str, Person]] = {}
         self._titled: dict[tuple[str, str], list[Person]] = {}
         self.narrator: Person | None = None
         self.ids: set[str] = set()
@@ -67,6 +69,11 @@ class Roster:
     def wearing(self, words: str) -> list[Person]:
         """Everybody who is named by what they have on or with them: ``grey suit`` of a MAN IN A GREY SUIT."""
         return self.in_order(self._wearing.get(words, {}).values())
+
+    def meant_by(self, noun: str, start: int | None = None) -> list[Person]:
+        """Everybody whose role or name is a noun, or who is first told of at an offset; needs ``index``."""
+        introduced = self._introduced.get(start, {}) if start is not None else {}
+        return self.in_order((self._meant.get(noun, {}) | introduced).values())
 
     def in_order(self, people: Iterable[Person]) -> list[Person]:
         """Some of the people in the order of the cast."""
@@ -213,6 +220,11 @@ class Roster:
             for alias in person.aliases:
                 names[key_of(alias)].append(person)
         self.by_name = dict(names)
+        self._meant, self._introduced = defaultdict(dict), defaultdict(dict)
+        for person in self.people:
+            self._introduced[person.first][person.id] = person
+            for noun in (person.role, *person.aliases):
+                self._meant[noun][person.id] = person
         self.longest = {}
         for key in filter(None, names):
             self.longest[key[0]] = max(self.longest.get(key[0], 0), len(key))
