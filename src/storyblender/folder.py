@@ -191,8 +191,16 @@ class Folder:
         """
         place = self.path(name)
         with _explained(place):
-            place.mkdir(parents=True, exist_ok=True)
+            _make(place)
         return place
+
+    def make(self) -> None:
+        """Make the project folder itself, if it does not exist.
+
+        Raises:
+            OSError: The disk refuses.
+        """
+        _make(self.root)
 
     def clear_parts(self, *folders: str) -> None:
         """Delete part files that killed runs left. Only for who holds the project's lock.
@@ -208,7 +216,7 @@ class Folder:
     def _with_parent(self, name: str) -> Path:
         place = self.path(name)
         with _explained(place):
-            place.parent.mkdir(parents=True, exist_ok=True)
+            _make(place.parent)
         return place
 
 
@@ -278,6 +286,17 @@ def _regular(place: Path, flags: int) -> FileIO:
         return file
     file.close()
     raise InputError("is not a file", mend="delete it", path=place)
+
+
+def _make(folder: Path) -> None:
+    """Make a folder with its parents; on disk when this returns."""
+    missing: list[Path] = []
+    while not folder.is_dir():
+        missing.append(folder)
+        folder = folder.parent
+    for path in reversed(missing):
+        path.mkdir(exist_ok=True)
+        _sync(path.parent)
 
 
 def _take_place(made: Path, place: Path) -> None:

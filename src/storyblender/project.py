@@ -52,7 +52,7 @@ class Project:
         self.files.path(".lock")
         try:
             self._refuse_foreign()
-            self.folder.mkdir(parents=True, exist_ok=True)
+            self.files.make()
         except OSError as error:
             raise InputError(
                 f"cannot make the folder ({error.strerror})", mend="give another --out", path=folder

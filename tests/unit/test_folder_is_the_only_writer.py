@@ -28,7 +28,6 @@ ELSEWHERE = {
     ("library/body_data.py", "NamedTemporaryFile"): "data of the program, in no project",
     ("library/body_data.py", "replace"): "data of the program, in no project",
     ("library/body_data.py", "savez"): "into memory",
-    ("project.py", "mkdir"): "the project folder itself",
     ("blender/server.py", "fdopen"): "the pipe to the client",
     ("engine/worker.py", "FileIO"): "nowhere: the disk has no room for the log",
     ("shell.py", "open"): "nowhere: who read what we say is gone",
