@@ -28,6 +28,9 @@ FILES = (
     ("animatic.mp4", "Animatic"),
 )
 
+UNFOLDED = 24
+"""Scenes that are listed at once."""
+
 
 def write_page(
     graph: ContinuityMemoryGraph,
@@ -79,18 +82,26 @@ def write_page(
 
 
 def _links(folder: Path, to_check: int) -> str:
-    links = [(name, label) for name, label in FILES if (folder / name).exists()]
-    for number, sheet in enumerate(sheets_in(folder), start=1):
-        links.append((sheet, "Contact sheet" if number == 1 else f"Contact sheet {number}"))
+    links = [f'<a href="{name}">{label}</a>' for name, label in FILES if (folder / name).exists()]
+    sheets = sheets_in(folder)
+    if len(sheets) == 1:
+        links.append(f'<a href="{sheets[0]}">Contact sheet</a>')
+    elif sheets:
+        numbered = [
+            f'<a href="{sheet}" aria-label="Contact sheet {n}">{n}</a>' for n, sheet in enumerate(sheets, start=1)
+        ]
+        links.append(f"<span>Contact sheets {' '.join(numbered)}</span>")
     if to_check:
-        links.append(("#check", f"Please check ({to_check})"))
-    return "".join(f'<a href="{name}">{label}</a>' for name, label in links)
+        links.append(f'<a href="#check">Please check ({to_check})</a>')
+    return "".join(links)
 
 
 def _contents(headings: Sequence[tuple[str, str]]) -> str:
-    """Where the scenes are on the page, if there is more than one."""
+    """Where the scenes are on the page, if there is more than one; folded where they would push the pictures away."""
     links = "".join(f'<a href="#{name}">{heading}</a>' for name, heading in headings)
-    return f'<nav class="links" aria-label="Scenes">{links}</nav>' if len(headings) > 1 else ""
+    shown = " open" if len(headings) <= UNFOLDED else ""
+    listed = f'<nav class="links" aria-label="Scenes">{links}</nav>'
+    return f"<details{shown}><summary>{len(headings)} scenes</summary>{listed}</details>" if len(headings) > 1 else ""
 
 
 def _source(path: Path, folder: Path) -> str:

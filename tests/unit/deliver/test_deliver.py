@@ -468,7 +468,11 @@ def test_the_page_shows_thumbnails_until_a_picture_is_enlarged(
     page.write_page(graph, frames, tmp_path / "index.html", tmp_path, thumbnails=small)
     text = (tmp_path / "index.html").read_text("utf-8")
     assert text.count('src="thumbnails/SC010_SH020.jpg" data-frame="frames/SC010_SH020.png"') == 1
-    assert 'href="contact_sheet_2.jpg"' in text and text.count('loading="lazy"') == 2
+    assert (
+        'Contact sheets <a href="contact_sheet.jpg"' in text
+        and 'aria-label="Contact sheet 2">2</a>' in text
+        and text.count('loading="lazy"') == 2
+    )
 
 
 def test_a_scene_without_heading_is_called_by_how_it_begins() -> None:
