@@ -12,7 +12,7 @@ from typing import Final
 
 from storyblender.agents.director.company import FIXTURES, unique
 from storyblender.agents.director.cutting import step
-from storyblender.agents.director.directions import Names, directed_shot
+from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
@@ -77,6 +77,8 @@ class _SceneCoverage:
         self.drafts: list[ShotDraft] = []
         self.talk = 0
         """Speeches since the geography was last shown."""
+        self.awaiting: ShotDraft | None = None
+        """The last shot, where a direction ordered it that tells nothing itself: the line under it plays in it."""
         self.present = -1
         self.talkers = {each for unit in units if unit.kind == "dialogue" for each in (unit.speaker, unit.to)}
         self.axes: dict[frozenset[str], tuple[str, str]] = {}
@@ -86,16 +88,23 @@ class _SceneCoverage:
             note = self.notes.get(index)
             if note:
                 self._directed(index, unit, note)
-            elif unit.kind == "action":
-                self._action(index, unit)
+            elif self._plays_under_direction(unit):
+                self._play_under_direction(unit)
             else:
-                self._speech(index, unit)
+                self.awaiting = None
+                self._covered(index, unit)
         if not self.drafts:
             self._add("establishing", self._widest, [])
         for draft in self.drafts:
             if draft.kind == "action" and not draft.focus:
                 draft.look_at(*draft.on_stage[:2])
         return self.drafts
+
+    def _covered(self, index: int, unit: Unit) -> None:
+        if unit.kind == "action":
+            self._action(index, unit)
+        else:
+            self._speech(index, unit)
 
     @property
     def _widest(self) -> ShotSize:
@@ -129,12 +138,47 @@ class _SceneCoverage:
             draft.before = unit
             draft.beats, draft.on_stage = [], [person for person in unit.on_stage if person not in unit.entering]
         self.drafts.append(draft)
+        self.awaiting = draft if not unit.deeds and is_direction_only(unit.text) else None
         if alone:
             self.establish = False
             self._action(index, unit)
             return
         self.establish = self.establish and step(draft.size, "FS") > 0 and draft.kind in ("insert", "pov")
         self.talk = max(self.talk, int(draft.kind in ("two_shot", "group")))
+
+    def _plays_under_direction(self, unit: Unit) -> bool:
+        """Whether a unit is the line under a direction that tells nothing itself: ``CLOSE ON the ring.``
+
+        A line that is said plays in that shot whoever says it. What people do plays there where the shot can show it.
+        """
+        shot = self.awaiting
+        if shot is None:
+            return False
+        under = shot.beats[1:]
+        if under:
+            return under[0].unit.element == unit.element and self._shows(shot, unit)
+        return unit.kind == "dialogue" or self._shows(shot, unit)
+
+    def _shows(self, shot: ShotDraft, unit: Unit) -> bool:
+        """Whether a shot that was ordered can show what people do in a unit."""
+        actors = {deed.actor for deed in unit.deeds}
+        if shot.kind == "insert" and any(thing in self.things for thing in shot.focus):
+            return not _acts_apart(unit, shot.focus)
+        if shot.pov in actors:
+            return False
+        return actors <= {*shot.focus} or step(shot.size, "MS") <= 0
+
+    def _play_under_direction(self, unit: Unit) -> None:
+        shot = self.awaiting
+        assert shot is not None, "it was asked whether there is one"
+        shot.beats.append(Beat.whole(unit))
+        shot.on_stage = unique([*shot.on_stage, *unit.on_stage])
+        if not shot.focus:
+            shot.look_at(*(deed.actor for deed in unit.deeds))
+        if unit.kind == "dialogue":
+            self.talk = max(self.talk, 1)
+        self.establish = False
+        self.present = len(unit.on_stage)
 
     # -- action ----------------------------------------------------------------------------------------------------
     def _action(self, index: int, unit: Unit) -> None:

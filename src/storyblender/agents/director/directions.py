@@ -6,7 +6,7 @@ import re
 from bisect import bisect_left
 from typing import cast, get_args
 
-from storyblender.agents.director.camera_phrases import parse_note
+from storyblender.agents.director.camera_phrases import parse, parse_note
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.reading import CameraNote, Reading, Unit
 from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind, ShotSize
@@ -80,6 +80,12 @@ def attach_notes(reading: Reading) -> dict[int, CameraNote]:
         if target is not None:
             notes.setdefault(target, note)
     return notes
+
+
+def is_direction_only(words: str) -> bool:
+    """Whether words are a camera direction and tell nothing else: ``CLOSE ON the ring.``"""
+    note, (start, end) = parse(words)
+    return note is not None and not words[start:end].strip()
 
 
 def _first_word(name: str) -> str:

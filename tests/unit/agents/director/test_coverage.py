@@ -7,11 +7,14 @@ from itertools import pairwise
 import pytest
 from handmade import Script
 
+from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.coverage import Coverage
 from storyblender.agents.director.cutting import alternate, avoid_jump_cuts, step
 from storyblender.agents.director.directions import attach_notes
 from storyblender.agents.director.draft import ShotDraft
+from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading
+from storyblender.screenplay.source import read
 
 
 def shots(script: Script, *, known: bool = True) -> list[ShotDraft]:
@@ -181,3 +184,26 @@ def test_joined_talk_turns_from_face_to_face() -> None:
         draft.kind, draft.over, draft.focus = "two_shot", None, ["ann", "bob"]
     alternate(drafts)
     assert [(draft.kind, draft.focus[0]) for draft in drafts] == [("two_shot", "ann"), ("ots", "bob"), ("ots", "ann")]
+
+
+@pytest.mark.parametrize(
+    ("direction", "line", "played"),
+    [
+        ("CLOSE ON TOM.", "TOM\nI never loved you.", True),
+        ("CLOSE ON TOM.", "He cries.", True),
+        ("CLOSE ON the ring.", "TOM\nI never loved you.", True),
+        ("CLOSE ON the ring.", "Tom picks it up.", True),
+        ("CLOSE ON the ring.", "Tom runs to the door.", False),
+        ("CLOSE ON TOM.", "Anna runs to the door.", False),
+        ("WIDE SHOT.", "Anna runs to the door.", True),
+        ("CLOSE ON TOM. He sits.", "Anna runs to the door.", False),
+    ],
+)
+def test_the_line_under_a_direction_plays_in_its_shot(direction: str, line: str, played: bool) -> None:
+    opening = "INT. ROOM - DAY\n\nTOM (30) and ANNA (28) sit. A ring lies on the table."
+    script = f"{opening}\n\n{direction}\n\n{line}\n\nANNA\nNo.\n"
+    outline = storyboard(read_script(read(script))).storyboard_outline[0]
+    words = line.rpartition("\n")[2]
+    (shot,) = (shot for shot in outline.shots if any(line.text == words for line in shot.lines))
+    assert any(line.text.startswith(direction.rstrip(".")[:8]) for line in shot.lines) == played
+    assert all(line.text != "No." for line in shot.lines) or not played
