@@ -28,6 +28,7 @@ GRAPH, HISTORY, HEAD = "graph.json", "history", "history/HEAD"
 FROM_COPY = "restore it from a copy of the project, or make the storyboard anew in another folder (--out)"
 _REBUILD_GRAPH = "delete this file and nothing else, and it is rebuilt from history/"
 _REBUILD_HEAD = "delete this file and nothing else, and it is rebuilt from the commits beside it"
+_REBUILD_BOTH = "delete this file and history/HEAD and nothing else, and both are rebuilt from history/"
 _DIGEST_LINE = re.compile(rb'\A\{\n "digest": "([0-9a-f]{16})",\n')
 _HEAD_LINE = re.compile(rb"\A(\d{1,9})(?: ([0-9a-f]{16}))?\s*\Z")
 _COMMIT_NAME = re.compile(r"\A(\d{6,9})\.json\Z")
@@ -138,11 +139,14 @@ def load(folder: Path) -> Saved:
     Raises:
         InputError: A part is damaged, or too much is missing; the sentence says what to do.
     """
-    head, start, revisions = _read_head(folder), _read_graph(folder / GRAPH), commit_revisions(folder)
-    if head is None and start is None and not revisions:
+    graph, head = _graph(folder), _head(folder)
+    if isinstance(graph, _Damaged) or isinstance(head, _Damaged):
+        raise _refusal(folder, graph, head)
+    revisions = commit_revisions(folder)
+    if head is None and graph is None and not revisions:
         return Saved()
     rebuilt: list[str] = []
-    start = start or Saved()
+    start = graph or Saved()
     if start.revision and not revisions:
         rebuilt.append("the commits in history/ are missing; what was done before cannot be undone")
     if head is None:
@@ -153,9 +157,9 @@ def load(folder: Path) -> Saved:
         _refuse_missing_end(folder, start.revision, revision, revisions)
     saved = moved(start, revision, folder)
     if head is not None and saved.digest and saved.digest != digest:
-        if (folder / GRAPH).exists() and (other := _replayed(folder, revision)) and other.digest == digest:
+        if graph is not None and (other := _replayed(folder, revision)) and other.digest == digest:
             raise InputError("does not belong to the history beside it", mend=_REBUILD_GRAPH, path=folder / GRAPH)
-        raise _damaged_head(folder)
+        raise _refusal(folder, graph, _Damaged("the history is damaged here"))
     return Saved(saved.graph, revision, saved.digest or digest, tuple(rebuilt))
 
 
@@ -168,10 +172,13 @@ def _moved(saved: Saved, revision: int, folder: Path) -> Saved:
     return saved
 
 
-def _replayed(folder: Path, revision: int) -> Saved | None:
-    """Return the state at a revision from the commits alone; None where that is not possible."""
+def _replayed(folder: Path, revision: int | None, start: Saved | None = None) -> Saved | None:
+    """Return the state at a revision, or at the last one, from the commits alone; None where that is not possible."""
+    start = start or Saved()
     try:
-        return _moved(Saved(), revision, folder)
+        if revision is None:
+            revision = _last_reached(folder, start.revision, commit_revisions(folder))
+        return _moved(start, revision, folder)
     except InputError:
         return None
 
@@ -197,44 +204,61 @@ def _refuse_missing_end(folder: Path, start: int, revision: int, revisions: list
         )
 
 
-def _read_head(folder: Path) -> tuple[int, str] | None:
+@dataclass(frozen=True)
+class _Damaged:
+    """What a file that cannot be used is refused with."""
+
+    problem: str
+    mend: str = ""
+
+
+def _refusal(folder: Path, graph: Saved | _Damaged | None, head: tuple[int, str] | _Damaged | None) -> InputError:
+    """Return the refusal of a project with damaged files, with what to do; that it will do was tried."""
+    wrong, path = (graph, folder / GRAPH) if isinstance(graph, _Damaged) else (head, folder / HEAD)
+    assert isinstance(wrong, _Damaged), "only called for what is damaged"
+    if wrong.mend:
+        return InputError(wrong.problem, mend=wrong.mend, path=path)
+    if isinstance(graph, _Damaged):
+        revision = head[0] if isinstance(head, tuple) else None
+        again, mend = _replayed(folder, revision), _REBUILD_BOTH if isinstance(head, _Damaged) else _REBUILD_GRAPH
+    else:
+        again, mend = _replayed(folder, None, graph), _REBUILD_HEAD
+    return InputError(wrong.problem, mend=mend if again and again.revision else FROM_COPY, path=path)
+
+
+def _head(folder: Path) -> tuple[int, str] | _Damaged | None:
     """Return the current revision and the digest of its commit; None where the file is missing."""
     try:
         match = _HEAD_LINE.match((folder / HEAD).read_bytes())
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise InputError(f"cannot be read ({error.strerror})", mend=FROM_COPY, path=folder / HEAD) from error
-    if match is None:
-        raise _damaged_head(folder)
-    return int(match[1]), (match[2] or b"").decode()
+        return _Damaged(f"cannot be read ({error.strerror})", FROM_COPY)
+    return (int(match[1]), (match[2] or b"").decode()) if match else _Damaged("the history is damaged here")
 
 
-def _read_graph(path: Path) -> Saved | None:
+def _graph(folder: Path) -> Saved | _Damaged | None:
     """Return what ``graph.json`` says; None where it is missing."""
     try:
-        text = path.read_bytes()
+        text = (folder / GRAPH).read_bytes()
         body = from_json(text, allow_inf_nan=False)
         version = int(body.get("schema_version", 0))
         if version > SCHEMA_VERSION:
-            raise InputError("was written by a newer StoryBlender", mend="update StoryBlender", path=path)
+            return _Damaged("was written by a newer StoryBlender", "update StoryBlender")
         digest = _DIGEST_LINE.match(text)
         if digest and body.pop("digest") != _text_digest(text[digest.end() :]):
-            raise InputError("was changed since StoryBlender wrote it", mend=_graph_mend(path.parent), path=path)
+            return _Damaged("was changed since StoryBlender wrote it")
         revision, commit = int(body.pop("revision", 0)), str(body.pop("commit", ""))
         while version < SCHEMA_VERSION:
             body = UPGRADES[version](body)
             version += 1
         graph = ContinuityMemoryGraph.model_validate(body)
-        fault = next(faults_of(graph), None)
-        if fault is not None:
-            raise InputError(f"is no sound project graph: {fault}", mend=_graph_mend(path.parent), path=path)
-        return Saved(graph, revision, commit)
     except FileNotFoundError:
         return None
     except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError) as error:
-        mend = _graph_mend(path.parent)
-        raise InputError(f"cannot be read as a project graph{_where(error)}", mend=mend, path=path) from error
+        return _Damaged(f"cannot be read as a project graph{_where(error)}")
+    fault = next(faults_of(graph), None)
+    return _Damaged(f"is no sound project graph: {fault}") if fault else Saved(graph, revision, commit)
 
 
 def _where(error: Exception) -> str:
@@ -242,28 +266,8 @@ def _where(error: Exception) -> str:
     if not isinstance(error, ValidationError):
         return ""
     fault = error.errors()[0]
-    place = ".".join(str(part) for part in fault["loc"])
+    place = ".".join(str(part)[:40] for part in fault["loc"])
     return f" ({place}: {fault['msg'][:1].lower()}{fault['msg'][1:]})" if place else f" ({fault['msg']})"
-
-
-def _graph_mend(folder: Path) -> str:
-    """Return what to do about a ``graph.json`` that cannot be used; that it will do was tried."""
-    try:
-        head, revisions = _read_head(folder), commit_revisions(folder)
-        revision = head[0] if head else _last_reached(folder, 0, revisions)
-    except InputError:
-        return FROM_COPY
-    return _REBUILD_GRAPH if revision and _replayed(folder, revision) else FROM_COPY
-
-
-def _damaged_head(folder: Path) -> InputError:
-    """Return the refusal of a ``history/HEAD`` that cannot be right; that its advice will do was tried."""
-    try:
-        start = _read_graph(folder / GRAPH) or Saved()
-        _moved(start, _last_reached(folder, start.revision, commit_revisions(folder)), folder)
-    except InputError:
-        return InputError("the history is damaged here", mend=FROM_COPY, path=folder / HEAD)
-    return InputError("the history is damaged here", mend=_REBUILD_HEAD, path=folder / HEAD)
 
 
 def _text_digest(text: bytes) -> str:

@@ -49,8 +49,8 @@ class Project:
         self.folder = folder.resolve()
         self.files = Folder(self.folder, build)
         """The only way to write and delete here."""
-        self.files.path(".lock")
         try:
+            self.files.path(".lock")  # refuses a link
             self._refuse_foreign()
             self.files.make()
         except OSError as error:

@@ -286,7 +286,8 @@ class Studio:
     def _open_made(self, folder: Path) -> Iterator[Run]:
         """Open a project for its finishing touches, in the look that it was made in."""
         with self._open(None, folder) as run:
-            if not (folder / REMEMBERED).exists():
+            staged = any(scene.lighting is not None for scene in run.graph.scenes)
+            if staged and not (folder / REMEMBERED).exists():
                 message = f"{REMEMBERED} is missing; look, width and lenses are the defaults"
                 run.tell(Event(kind="warning", role="project", subject=folder.name, message=message))
             yield run
