@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import errno
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
-from storyblender import project as project_module
 from storyblender.cli import app
 from storyblender.project import Project
 
@@ -194,7 +194,7 @@ def test_a_disk_that_takes_no_more(number: int, script: Path, tmp_path: Path, mo
     def full(_: int) -> None:
         raise OSError(number, "No room here")
 
-    monkeypatch.setattr(project_module.os, "fsync", full)
+    monkeypatch.setattr(os, "fsync", full)
     code, said = run("plan", script, "--out", tmp_path / "p", "--quiet")
     assert code == 2 and "No room here" in said and said.endswith("then run the same command again to go on\n")
     assert not [path.name for path in (tmp_path / "p").rglob("*") if path.suffix in (".part", ".json")]

@@ -87,7 +87,7 @@ def _as_json(path: Path, rng: random.Random) -> str:
     """Change the structure of a JSON file, often with a digest that fits: as a fault of ours would write it."""
     try:
         body = json.loads(path.read_text("utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return "cannot be read any more"
     told = [_changed(body, rng) for _ in range(rng.choice([1, 1, 1, 3]))]
     seal = rng.random() < 0.8

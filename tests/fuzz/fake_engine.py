@@ -7,6 +7,7 @@ from concurrent.futures import Future
 from pathlib import Path
 from typing import Any, TypeVar
 
+from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.jobs import AssetJob, FrameJob, FrameReport, PackRef, SceneJob, StoryJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
@@ -26,7 +27,7 @@ class FakeEngine:
     processes = 1
 
     def __init__(self, root: Path, *_: Any, **__: Any) -> None:
-        self._root = root
+        self._files = Folder(root)
 
     def __enter__(self) -> FakeEngine:
         return self
@@ -81,6 +82,4 @@ class FakeEngine:
         return answered(job.out)
 
     def _write(self, name: str) -> None:
-        path = self._root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(b"whatever")
+        self._files.write(name, b"whatever")

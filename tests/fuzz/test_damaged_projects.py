@@ -28,7 +28,7 @@ from tests.fuzz.damage import copied, damage
 from tests.fuzz.fake_engine import FakeEngine
 
 RELEASED = Path(__file__).parents[1] / "data" / "projects"
-QUICK, MANY = 120, 5000
+QUICK, MANY = 30, 5000
 LONGEST = 400
 """Characters of a sentence, without the path."""
 

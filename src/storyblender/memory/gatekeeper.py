@@ -67,7 +67,7 @@ class Gatekeeper:
 
 
 def faults_of(graph: ContinuityMemoryGraph) -> Iterator[str]:
-    """Yield one sentence for everything that the Gatekeeper would not have let in, in the whole graph."""
+    """Yield one sentence for everything that is wrong in a whole graph, as one that was just read."""
     assets = {asset.asset_id for asset in graph.assets}
     scenes = {scene.scene_id: scene for scene in graph.scenes}
     yield from _duplicate_items(graph)
@@ -76,6 +76,12 @@ def faults_of(graph: ContinuityMemoryGraph) -> Iterator[str]:
         yield from _scene_violations(scene, scenes, assets)
     for shot in graph.shots:
         yield from _shot_violations(shot, scenes, assets)
+    planned = [f"{scene.scene_id}/{shot.shot_id}" for scene in graph.outline for shot in scene.shots]
+    yield from _duplicates("outline of shot", planned)
+    made = {f"{shot.scene_id}/{shot.shot_id}" for shot in graph.shots}
+    for name in planned:
+        if name not in made:
+            yield f"the outline has shot {name}, which does not exist"
 
 
 def _duplicate_items(graph: ContinuityMemoryGraph) -> Iterator[str]:

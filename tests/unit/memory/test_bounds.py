@@ -89,6 +89,14 @@ def test_nothing_is_there_twice(tmp_path: Path, layer: str, says: str) -> None:
         read_project_graph(tmp_path)
 
 
+def test_every_shot_of_the_outline_exists(tmp_path: Path) -> None:
+    body = json.loads(RELEASED.read_text())
+    body["outline"][0]["shots"][1]["shot_id"] = 77
+    (tmp_path / "graph.json").write_text(json.dumps(body))
+    with pytest.raises(InputError, match="the outline has shot 1/77, which does not exist"):
+        read_project_graph(tmp_path)
+
+
 def test_what_is_out_of_bounds_never_enters_the_history(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
         body = json.loads(RELEASED.read_text())
