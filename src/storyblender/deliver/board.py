@@ -113,13 +113,14 @@ def _cell(index: int, layout: str, aspect: float, size: tuple[float, float]) -> 
 def _furniture(
     canvas: Canvas, graph: ContinuityMemoryGraph, length: str, page: tuple[int, int], size: tuple[float, float]
 ) -> None:
-    """Title, length, script and page number around the panels."""
+    """Title, length, script with version and date, and page number around the panels."""
     across, down = size
     room = across - 2 * MARGIN
     told = canvas.stringWidth(length, fonts.REGULAR, 9)
     _line(canvas, graph.title or "Untitled", MARGIN, down - MARGIN, 12, room - told - GUTTER)
     _line(canvas, length, MARGIN, down - MARGIN, 9, room, color=GREY, right=True)
-    _line(canvas, graph.script_name, MARGIN, MARGIN - 12, 8, room * 0.8, color=GREY)
+    source = " · ".join(filter(None, (graph.script_name, graph.edition)))
+    _line(canvas, source, MARGIN, MARGIN - 12, 8, room * 0.8, color=GREY)
     _line(canvas, f"{page[0]} / {page[1]}", MARGIN, MARGIN - 12, 8, room, color=GREY, right=True)
     canvas.setStrokeColor(RULE)
     canvas.line(MARGIN, down - MARGIN - 8, across - MARGIN, down - MARGIN - 8)

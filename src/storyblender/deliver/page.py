@@ -63,7 +63,7 @@ def write_page(
         cards = "\n".join(_card(panel, pictures.get(panel.name), counts[panel.name], film) for panel in shown)
         headings.append((scene_name(scene.scene_id), escape(scene.numbered_title)))
         scenes.append(f'<h2 id="{headings[-1][0]}">{headings[-1][1]}</h2>\n<div class="grid">\n{cards}\n</div>')
-    counted = length_of(shots)
+    counted = " · ".join(filter(None, (length_of(shots), escape(graph.edition))))
     summary = f"{escape(graph.story_summary)} <br>{counted}" if graph.story_summary else counted
     page = Template((files("storyblender.deliver") / "page.html").read_text(encoding="utf-8"))
     part.write_text(

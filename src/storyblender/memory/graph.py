@@ -51,6 +51,8 @@ class ContinuityMemoryGraph(Frozen):
     title: str = ""
     script_name: str = ""
     """File name of the script; a copy lies in the project folder."""
+    edition: str = ""
+    """Version and date of the script, as its title page has them."""
     plan_digest: Digest = ""
     """Hash of the script and of the settings the plan depends on: another hash, another plan."""
     settings_digest: Digest = ""

@@ -110,6 +110,7 @@ def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMe
     return ContinuityMemoryGraph(
         title=reading.screenplay.title or script.stem.replace("_", " ").title(),
         script_name=script.name,
+        edition=reading.screenplay.edition,
         plan_digest=digest,
         settings_digest=content_hash(_plan_settings(run)),
         format=_format(run),

@@ -48,4 +48,15 @@ class Screenplay(Frozen):
     @property
     def title(self) -> str:
         """The title on the title page, or an empty string."""
-        return next((value for key, value in self.title_page if key.lower() == "title"), "")
+        return self._title_page_line("title")
+
+    @property
+    def edition(self) -> str:
+        """Version and date on the title page: ``Second draft, 22 November 2026``; empty where it has neither."""
+        version = self._title_page_line("version", "revision", "draft")
+        date = self._title_page_line("draft date", "revision date", "date")
+        return " ".join(", ".join(filter(None, (version, date))).split())
+
+    def _title_page_line(self, *keys: str) -> str:
+        """Return what stands on the title page under the first of these keys that it has, or an empty string."""
+        return next((value for wanted in keys for key, value in self.title_page if key.lower() == wanted), "")

@@ -235,16 +235,18 @@ def test_notes_stand_on_board_list_and_page(
     first, second = graph.outline[0].shots
     noted = (first, second.model_copy(update={"notes": ("Match <scene> 3",)}))
     outline = graph.outline[0].model_copy(update={"notes": ("Real rain?",), "shots": noted})
-    graph = graph.model_copy(update={"outline": (outline,), "script_name": "bar.fountain"})
+    about = {"script_name": "bar.fountain", "edition": "Second draft, 22 Nov 2026"}
+    graph = graph.model_copy(update={"outline": (outline,), **about})
     said = drawn(monkeypatch, graph, tmp_path, "grid")
     assert said.index("Real rain?") < said.index("SC010_SH020") < said.index("Match <scene> 3")
-    assert "bar.fountain" in said and "1 / 1" in said
+    assert "bar.fountain · Second draft, 22 Nov 2026" in said and "1 / 1" in said
     shot_list.write_shot_list(graph, tmp_path / "shots.csv")
     rows = list(csv.DictReader((tmp_path / "shots.csv").open(encoding="utf-8-sig")))
     assert [row["notes"] for row in rows] == ["Real rain?", "Match <scene> 3"]
     page.write_page(graph, {}, tmp_path / "index.html", tmp_path)
     text = (tmp_path / "index.html").read_text("utf-8")
     assert '<p class="note"><b>Note</b> Match &lt;scene&gt; 3</p>' in text and text.count("Real rain?") == 1
+    assert "0:02 minutes · Second draft, 22 Nov 2026" in text
 
 
 def test_a_line_that_is_too_long_ends_in_an_ellipsis_in_any_letters(

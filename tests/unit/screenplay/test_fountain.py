@@ -83,6 +83,19 @@ def test_title_page_has_multi_line_values_without_markup() -> None:
     assert dict(screenplay.title_page)["Author"] == "Una Field"
 
 
+@pytest.mark.parametrize(
+    ("page", "edition"),
+    [
+        ("Title: A\nDraft date: 1/2/2031", "1/2/2031"),
+        ("Title: A\nDate: May 2031\nRevision:\n    Blue\n    revisions", "Blue revisions, May 2031"),
+        ("Title: A\nVersion: 3", "3"),
+        ("Title: A\nContact: 12 Draft Street, 1931", ""),
+    ],
+)
+def test_an_edition_is_the_version_and_date_of_the_title_page(page: str, edition: str) -> None:
+    assert parse(f"{page}\n\nINT. ROOM - DAY\n\nAda sits.\n").edition == edition
+
+
 def test_headings_carry_their_scene_number_and_lose_their_marks() -> None:
     first, forced, last = of_kind(parse(SAMPLE), "heading")
     assert (first.text, first.scene_number) == ("INT. LIFT SHAFT - NIGHT", "1A")
