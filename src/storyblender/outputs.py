@@ -40,6 +40,8 @@ class Outputs:
     def __init__(self, files: Folder) -> None:
         self._files = files
         self._lock = threading.Lock()
+        self.recorded = files.path(RECORD).exists()
+        """Whether there was a record; an earlier version kept none."""
         self._known = self._read()
 
     def write(self, name: str, content: str | bytes) -> Path:

@@ -35,6 +35,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.jobs import AssetJob, ExportJob
 from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import STORY, Compilation
 from storyblender.pipeline.filming import film
@@ -280,7 +281,9 @@ class Studio:
             self._project(folder, build) as project,
             BlenderEngine(project.folder, models, jobs, build=build, ahead=ahead) as engine,
         ):
-            yield Run(project, engine, load_embedder, self._settings, self._listener)
+            run = Run(project, engine, load_embedder, self._settings, self._listener)
+            adopt_earlier_outputs(run)
+            yield run
 
     @contextmanager
     def _open_made(self, folder: Path) -> Iterator[Run]:

@@ -100,7 +100,7 @@ def _place_clips(run: Run, clips: Mapping[str, Path]) -> None:
     for name, path in names.items():
         kept = run.project.files.name_of(path)
         if name != kept and (run.outputs.digest(name) != run.outputs.digest(kept) or not run.outputs.whole(name)):
-            run.copy_aside(name)
+            run.copy_aside_if_known(name)
             run.outputs.write(name, path.read_bytes())
     run.outputs.keep_only(f"{CLIPS}/", names)
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import errno
+import hashlib
 import io
+import json
 import os
 import re
 import resource
@@ -104,6 +106,19 @@ def test_without_a_record_of_what_was_written_all_is_made_again(stage: Stage, co
     record.unlink() if content is None else record.write_bytes(content)
     stage.render()
     assert outputs(stage) == whole and not stage.render()
+
+
+def test_of_a_project_without_a_record_only_what_a_person_changed_is_kept_aside(stage: Stage) -> None:
+    """A version that kept no record wrote the digest of the Blender file beside what it was compiled from."""
+    story, record = stage.folder / "story.blend", stage.folder / "build" / "story.json"
+    kept = json.loads(record.read_text()) | {"file": hashlib.sha256(story.read_bytes()).hexdigest()[:16]}
+    painted = stage.folder / "frames" / "SC020_SH010.png"
+    Image.new("RGB", (64, 36), (255, 0, 0)).save(painted)
+    (stage.folder / "outputs.jsonl").unlink()
+    record.write_text(json.dumps(kept))
+    stage.render(wide=320)
+    copies = [path.name for path in stage.folder.rglob("*") if DATED.search(path.name)]
+    assert len(copies) == 1 and copies[0].startswith("SC020_SH010 ")
 
 
 def test_a_damaged_frame_of_another_shot_is_drawn_with_the_one_asked_for(stage: Stage) -> None:
