@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,20 +17,21 @@ from storyblender.catalog.bodies import body_pack_path
 from storyblender.deliver.fonts import font_file
 
 SYSTEM_LIBRARIES = {
-    "libX11.so.6": "libx11-6",
-    "libXext.so.6": "libxext6",
-    "libXrender.so.1": "libxrender1",
-    "libXfixes.so.3": "libxfixes3",
-    "libXi.so.6": "libxi6",
-    "libxkbcommon.so.0": "libxkbcommon0",
-    "libSM.so.6": "libsm6",
-    "libICE.so.6": "libice6",
-    "libGL.so.1": "libgl1",
-    "libEGL.so.1": "libegl1",
+    "libX11.so.6": ("libx11-6", "libX11"),
+    "libXext.so.6": ("libxext6", "libXext"),
+    "libXrender.so.1": ("libxrender1", "libXrender"),
+    "libXfixes.so.3": ("libxfixes3", "libXfixes"),
+    "libXi.so.6": ("libxi6", "libXi"),
+    "libxkbcommon.so.0": ("libxkbcommon0", "libxkbcommon"),
+    "libSM.so.6": ("libsm6", "libSM"),
+    "libICE.so.6": ("libice6", "libICE"),
+    "libGL.so.1": ("libgl1", "libglvnd-glx"),
+    "libEGL.so.1": ("libegl1", "libglvnd-egl"),
 }
-"""What bpy loads on Linux, and the Debian package that has it (notes: engine, section 7)."""
+"""What bpy loads on Linux, and the packages of Debian and of Fedora that have it."""
 
-DRIVERS = ("libegl-mesa0", "libgl1-mesa-dri")
+DRIVERS = (("libegl-mesa0", "mesa-libEGL"), ("libgl1-mesa-dri", "mesa-dri-drivers"))
+"""What draws without a graphics card, as Debian and Fedora call it."""
 LEAST_DISK = 2 * 1024**3
 
 
@@ -80,14 +81,14 @@ def check_libraries(load: Callable[[str], object] = ctypes.CDLL) -> Finding:
     if platform.system() != "Linux":
         return Finding("System libraries", True, f"{platform.system()} brings its own")
     missing = []
-    for library, package in SYSTEM_LIBRARIES.items():
+    for library in SYSTEM_LIBRARIES:
         try:
             load(library)
         except OSError:
-            missing.append(package)
+            missing.append(library)
     if not missing:
         return Finding("System libraries", True, f"all {len(SYSTEM_LIBRARIES)} found")
-    return Finding("System libraries", False, f"missing {', '.join(missing)}", apt_line([*missing, *DRIVERS]))
+    return Finding("System libraries", False, f"missing {', '.join(missing)}", install_line(missing))
 
 
 def check_blender() -> Finding:
@@ -96,7 +97,7 @@ def check_blender() -> Finding:
     if done.returncode == 0:
         return Finding("Blender", True, f"bpy {done.stdout.strip().splitlines()[-1]}")
     reason = (done.stderr.strip().splitlines() or ["no reason given"])[-1]
-    return Finding("Blender", False, f"bpy cannot be imported: {reason}", apt_line(list(SYSTEM_LIBRARIES.values())))
+    return Finding("Blender", False, f"bpy cannot be imported: {reason}", install_line(SYSTEM_LIBRARIES))
 
 
 def check_drawing() -> Finding:
@@ -106,7 +107,7 @@ def check_drawing() -> Finding:
         done = _probe(str(picture))
         if done.returncode == 0 and picture.exists():
             return Finding("Drawing", True, "Workbench draws without a window")
-    return Finding("Drawing", False, f"Workbench failed ({done.returncode})", apt_line(["libegl1", *DRIVERS]))
+    return Finding("Drawing", False, f"Workbench failed ({done.returncode})", install_line(["libEGL.so.1"]))
 
 
 def check_people() -> Finding:
@@ -130,9 +131,14 @@ def check_disk(folder: Path) -> Finding:
     return Finding("Disk", free >= LEAST_DISK, says, "" if free >= LEAST_DISK else "free at least 2 GiB")
 
 
-def apt_line(packages: list[str]) -> str:
-    """Return the exact line that installs Debian packages."""
-    return "apt-get install -y " + " ".join(dict.fromkeys(packages))
+def install_line(libraries: Iterable[str]) -> str:
+    """Return the exact line that installs libraries, and the drivers, on this system."""
+    packages = [*(SYSTEM_LIBRARIES[library] for library in libraries), *DRIVERS]
+    if shutil.which("apt-get"):
+        return f"apt-get install -y {' '.join(debian for debian, _ in packages)}"
+    if shutil.which("dnf"):
+        return f"dnf install -y {' '.join(fedora for _, fedora in packages)}"
+    return f"install what this system calls {', '.join(fedora for _, fedora in packages)}"
 
 
 def _probe(*arguments: str) -> subprocess.CompletedProcess[str]:

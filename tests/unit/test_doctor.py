@@ -10,13 +10,25 @@ import pytest
 from storyblender import doctor
 
 
-def test_missing_libraries_are_named_by_their_packages() -> None:
+@pytest.mark.parametrize(
+    ("manager", "line"),
+    [
+        ("apt-get", "apt-get install -y libsm6 libegl-mesa0 libgl1-mesa-dri"),
+        ("dnf", "dnf install -y libSM mesa-libEGL mesa-dri-drivers"),
+        ("zypper", "install what this system calls libSM, mesa-libEGL, mesa-dri-drivers"),
+    ],
+)
+def test_missing_libraries_are_installed_by_the_line_of_this_system(
+    manager: str, line: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def load(name: str) -> None:
         if name == "libSM.so.6":
             raise OSError(name)
 
+    monkeypatch.setattr(doctor.shutil, "which", lambda name: name if name == manager else None)
+    monkeypatch.setattr(doctor.platform, "system", lambda: "Linux")
     finding = doctor.check_libraries(load)
-    assert not finding.healthy and "libsm6" in finding.mend and "libx11-6" not in finding.mend
+    assert (finding.healthy, finding.says, finding.mend) == (False, "missing libSM.so.6", line)
 
 
 def test_another_python_is_bad() -> None:
