@@ -44,12 +44,14 @@ class Commands(TyperGroup):
     ) -> Any:
         """Run a command and exit; what was mistyped is refused like every other input."""
         words = sys.argv[1:] if args is None else args
+        _open_closed_streams()
         try:
-            code = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+            try:
+                code = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+            except TyperException as error:
+                Terminal(quiet=True, json_lines="--json" in words).error(_mistyped(error))
+                code = 2
             sys.stdout.flush()
-        except TyperException as error:
-            Terminal(quiet=True, json_lines="--json" in words).error(_mistyped(error))
-            sys.exit(2)
         except (BrokenPipeError, SystemExit) as error:  # rich and typer answer a closed pipe with an exit of their own
             if not isinstance(error, BrokenPipeError) and not isinstance(error.__context__, BrokenPipeError):
                 raise
@@ -97,6 +99,14 @@ def _mistyped(error: Exception) -> InputError:
     context = getattr(error, "ctx", None)
     command = context.command_path if context is not None else "storyblender"
     return InputError(said[:1].lower() + said[1:].rstrip("."), mend=f"see `{command} --help`")
+
+
+def _open_closed_streams() -> None:
+    """Let what is said go nowhere where a stream is closed from the start, as a service or ``>&-`` leaves it."""
+    if sys.stdout is None:
+        sys.stdout = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 - open as long as the program is
+    if sys.stderr is None:
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
 
 
 def _hush() -> None:

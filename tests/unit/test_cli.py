@@ -55,14 +55,21 @@ def test_blender_comes_up_first_for_a_project_and_never_outlives_the_command(
         worker.told.clear()
 
 
-@pytest.mark.parametrize("words", [["--help"], ["catalog"], ["plan", "nowhere.txt", "--json"]])
+@pytest.mark.parametrize("words", [["--help"], ["fly", "--json"], ["plan", "nowhere.txt", "--json"]])
 def test_a_closed_pipe_is_no_error(words: list[str], tmp_path: Path) -> None:
     reading, writing = os.pipe()
     os.close(reading)
     command = [sys.executable, "-c", "from storyblender.cli import app; app()", *words]
     done = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+    both = subprocess.run(command, stdout=writing, stderr=writing, timeout=60, check=False)
     os.close(writing)
-    assert (done.returncode, done.stderr) == (141, "")
+    assert (done.returncode, done.stderr, both.returncode) == (141, "", 141)
+
+
+def test_a_stream_that_is_closed_from_the_start_is_no_error() -> None:
+    command = f"exec {sys.executable} -c 'from storyblender.cli import app; app()' --version >&-"
+    done = subprocess.run(["sh", "-c", command], stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.parametrize(
