@@ -132,7 +132,7 @@ def apply(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = Fal
             loaded = ContinuityMemoryGraph.model_validate(value or {})
             updates |= {field: getattr(loaded, field) for field in HEAD_FIELDS}
         elif change.layer == "order":
-            order = list((value or {}).get("assets", order))
+            order = _names(value)
     for layer in _MODELS:
         changes = {c.key: _item(c, c.before if backwards else c.after) for c in commit.changes if c.layer == layer}
         items = [item for item in getattr(graph, layer) if key_of(item) not in changes]
@@ -154,7 +154,7 @@ def follows(graph: ContinuityMemoryGraph, commit: Commit, *, backwards: bool = F
         if change.layer == "head":
             expected, found = _head(ContinuityMemoryGraph.model_validate(value or {})), _head(graph)
         elif change.layer == "order":
-            expected, found = (value or {}).get("assets"), [asset.asset_id for asset in graph.assets]
+            expected, found = _names(value), [asset.asset_id for asset in graph.assets]
         else:
             expected, found = _item(change, value), present[change.layer].get(change.key)
         if expected != found:
@@ -180,6 +180,13 @@ _MODELS: dict[Layer, type[Item]] = {
     "scenes": SceneContext,
     "shots": ShotContext,
 }
+
+
+def _names(value: dict[str, Any] | None) -> list[str]:
+    names = (value or {}).get("assets")
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise ValueError("the order of the asset sheet is a list of names")
+    return names
 
 
 def _item(change: Change, value: dict[str, Any] | None) -> Item | None:

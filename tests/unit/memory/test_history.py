@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Commit, apply, changes_between, replace
+from storyblender.memory.history import Change, Commit, apply, changes_between, replace
 from storyblender.memory.scene_context import SceneContext, SceneSetup
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 
@@ -46,6 +49,13 @@ def test_a_commit_undone_is_as_if_never_made(before: list[int], after: list[int]
     made = commit(old, new)
     assert apply(old, made) == new
     assert apply(new, made, backwards=True) == old
+
+
+@pytest.mark.parametrize("content", [None, {}, {"assets": 5}, {"assets": [[]]}])
+def test_an_order_that_is_none_is_refused(content: dict[str, Any] | None) -> None:
+    made = Commit(revision=1, author="user", reason="", changes=(Change(layer="order", key=(), after=content),))
+    with pytest.raises(ValueError, match="list of names"):
+        apply(story(), made)
 
 
 def test_replace_keeps_story_order_and_the_order_in_which_assets_joined() -> None:
