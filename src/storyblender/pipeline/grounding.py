@@ -14,6 +14,7 @@ from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.base import content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph, ProjectFormat
+from storyblender.memory.history import Commit
 from storyblender.pipeline.materializing import model_files
 from storyblender.pipeline.revision import revise, with_digests
 from storyblender.pipeline.run import Run
@@ -64,7 +65,7 @@ def _revised(run: Run, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
     plan = with_digests(plan)
     if not run.graph.shots:
         return plan
-    revision = revise(run.graph, plan, run.project.log(), lambda graph, scene_id: design(run, graph, scene_id))
+    revision = revise(run.graph, plan, _log(run), lambda graph, scene_id: design(run, graph, scene_id))
     for name, decided in revision.lost:
         message = f"{decided} is not kept: no shot of the changed script has just its words; `undo` brings all back"
         run.tell(Event(kind="warning", role="director", subject=name, message=message))
@@ -102,6 +103,18 @@ def _kept_reading(run: Run, screenplay: Screenplay) -> Path | None:
     message = "is of other words, so the script is read anew; give a corrected one with --reading"
     run.tell(Event(kind="warning", role="director", subject=KEPT_READING, message=message))
     return None
+
+
+def _log(run: Run) -> list[Commit]:
+    """Return the commits that can be read, oldest first."""
+    commits: list[Commit] = []
+    try:
+        for commit in run.project.backwards():
+            commits.append(commit)
+    except InputError as error:
+        message = f"{error.problem}; what was decided about cameras before version 2 of the format is not found"
+        run.tell(Event(kind="warning", role="project", subject=str(error.path or ""), message=message))
+    return commits[::-1]
 
 
 def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMemoryGraph:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.history import Change, Commit, apply, changes_between, replace
+from storyblender.memory.history import HEAD_FIELDS, Change, Commit, apply, changes_between, replace
 from storyblender.memory.scene_context import SceneContext, SceneSetup
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 
@@ -62,3 +62,8 @@ def test_replace_keeps_story_order_and_the_order_in_which_assets_joined() -> Non
     graph = replace(story(10), shot(1, 3), shot(1, 2), Asset(asset_id="ada", asset_type="object", description=""))
     assert [item.shot_id for item in graph.shots] == [1, 2, 3]
     assert [asset.asset_id for asset in graph.assets] == ["rick", "ada"]
+
+
+def test_every_field_of_the_graph_is_in_the_history() -> None:
+    layers = {"schema_version", "outline", "assets", "scenes", "shots"}
+    assert set(ContinuityMemoryGraph.model_fields) == layers | set(HEAD_FIELDS)

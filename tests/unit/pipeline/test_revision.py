@@ -229,6 +229,13 @@ def test_decisions_of_schema_1_are_found_by_what_they_changed(tmp_path: Path) ->
     assert graph.shot(2, 1).camera_decision == CameraDecision(angle="low angle") and not stage.warnings
 
 
+def test_a_script_can_be_changed_though_the_history_is_lost(cups: Stage) -> None:
+    shutil.rmtree(cups.folder / "history")
+    graph = cups.plan(script(KITCHEN, GARDEN, title="Three Cups"))
+    assert [shot.camera_decision for shot in graph.shots if shot.camera_decision] == [CLOSE, LOW]
+    assert any("missing" in message for message in cups.warnings.values())
+
+
 def outline(*scenes: str) -> list[SceneOutline]:
     """A scene a string, a shot a word."""
     return [
