@@ -45,13 +45,13 @@ class Saved:
         graph: At ``revision``.
         revision: Of the last commit that is in the graph; 0 before the first one.
         digest: Of that commit; empty where it is not known.
-        rebuilt: One sentence for each part that was missing.
+        notices: What a person should know about how it was found, one sentence each.
     """
 
     graph: ContinuityMemoryGraph = field(default_factory=ContinuityMemoryGraph)
     revision: int = 0
     digest: str = ""
-    rebuilt: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
 
 
 def commit_name(revision: int) -> str:
@@ -145,22 +145,25 @@ def load(folder: Path) -> Saved:
     revisions = commit_revisions(folder)
     if head is None and graph is None and not revisions:
         return Saved()
-    rebuilt: list[str] = []
+    notices: list[str] = []
     start = graph or Saved()
     if start.revision and not revisions:
-        rebuilt.append("the commits in history/ are missing; what was done before cannot be undone")
+        notices.append("the commits in history/ are missing; what was done before cannot be undone")
     if head is None:
         revision, digest = _last_reached(folder, start.revision, revisions), ""
-        rebuilt.append(f"history/HEAD was missing; the project is at its last change, number {revision}")
+        notices.append(f"history/HEAD was missing; the project is at its last change, number {revision}")
     else:
         revision, digest = head
         _refuse_missing_end(folder, start.revision, revision, revisions)
+    if revision < start.revision:
+        later = f"change {revision} of {start.revision}"
+        notices.append(f"the project is at {later}; `storyblender redo` makes the later ones again")
     saved = moved(start, revision, folder)
     if head is not None and saved.digest and saved.digest != digest:
         if graph is not None and (other := _replayed(folder, revision)) and other.digest == digest:
             raise InputError("does not belong to the history beside it", mend=_REBUILD_GRAPH, path=folder / GRAPH)
         raise _refusal(folder, graph, _Damaged("the history is damaged here"))
-    return Saved(saved.graph, revision, saved.digest or digest, tuple(rebuilt))
+    return Saved(saved.graph, revision, saved.digest or digest, tuple(notices))
 
 
 def _moved(saved: Saved, revision: int, folder: Path) -> Saved:

@@ -74,9 +74,9 @@ class Project:
         self.graph, self.revision, self._digest = saved.graph, saved.revision, saved.digest
         self._redoable = True
         """There may be undone commits: to look for them takes longer the longer the history is."""
-        self.rebuilt = saved.rebuilt
-        """What was missing on opening and is rebuilt, one sentence each."""
-        if self.rebuilt:
+        self.notices = saved.notices
+        """What a person should know about how the project was found, one sentence each."""
+        if self.notices:
             self._move_head(saved)
 
     def __enter__(self) -> Project:

@@ -299,7 +299,7 @@ class Studio:
     def _project(self, folder: Path, build: Path | None = None) -> Iterator[Project]:
         """Open a project, and say what was missing in it."""
         with Project(folder, build) as project:
-            for sentence in project.rebuilt:
+            for sentence in project.notices:
                 self._listener(Event(kind="warning", role="project", subject=folder.name, message=sentence))
             yield project
 

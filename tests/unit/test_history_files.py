@@ -95,10 +95,10 @@ def test_what_is_missing_is_rebuilt(folder: Path, damage: Callable[[Path], None]
     assert {item.asset_id for item in read_project_graph(folder).assets} == set(NAMES)
     with Project(folder) as project:
         assert [item.asset_id for item in project.graph.assets] == list(NAMES) and project.revision == 5
-        assert len(project.rebuilt) == len(says)
-        assert all(words in told for words, told in zip(says, project.rebuilt, strict=True))
+        assert len(project.notices) == len(says)
+        assert all(words in told for words, told in zip(says, project.notices, strict=True))
     with Project(folder) as project:
-        assert not [told for told in project.rebuilt if "HEAD" in told] and project.revision == 5
+        assert not [told for told in project.notices if "HEAD" in told] and project.revision == 5
         project.commit(replace(project.graph, asset("new")), "user", "adds new")
     assert names_at(folder) == (*NAMES, "new")
 

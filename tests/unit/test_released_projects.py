@@ -41,3 +41,14 @@ def test_a_released_project_opens_with_its_history(released: Path, tmp_path: Pat
         assert project.graph == angled
     (folder / "graph.json").unlink()
     assert load(folder).graph == angled, "the commits alone make the same graph"
+
+
+def test_a_project_that_is_not_at_its_last_change_says_so(tmp_path: Path) -> None:
+    """Schema 1 has no digest in ``history/HEAD``: another number there may be an undo that was killed, or damage."""
+    folder = shutil.copytree(RELEASED[0], tmp_path / "p")
+    (folder / "history" / "HEAD").write_text("2")
+    with Project(folder) as project:
+        assert project.notices == ("the project is at change 2 of 25; `storyblender redo` makes the later ones again",)
+        project.go_to(25)
+    with Project(folder) as project:
+        assert not project.notices and len(project.graph.shots) == 7
