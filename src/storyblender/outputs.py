@@ -17,6 +17,7 @@ import stat
 import threading
 from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
+from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path, PurePosixPath
 from typing import TypeVar
@@ -28,6 +29,25 @@ Content = TypeVar("Content")
 RECORD = "outputs.jsonl"
 _SPARE = 1000
 """Lines of the record that say nothing any more, from which on it is written anew."""
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """What is known of a file.
+
+    Attributes:
+        digest: Of its content.
+        description: How the disk describes it; empty until it has taken its place.
+        former: Digest of what the program wrote before under the name: there still if the run was killed.
+    """
+
+    digest: str
+    description: str
+    former: str
+
+    def line(self, name: str) -> str:
+        """Return it as a line of the record."""
+        return json.dumps({"name": name, **asdict(self)}, ensure_ascii=False) + "\n"
 
 
 class Outputs:
@@ -46,8 +66,11 @@ class Outputs:
 
     def write(self, name: str, content: str | bytes) -> Path:
         """Write a file and note it. Raises InputError as ``Folder.write``."""
-        path = self._files.write(name, content)
-        self.note(name)
+        data = content.encode() if isinstance(content, str) else content
+        digest = hashlib.sha256(data).hexdigest()
+        self._put(name, digest)
+        path = self._files.write(name, data)
+        self._put(name, digest, _description(path))
         return path
 
     @contextmanager
@@ -55,7 +78,9 @@ class Outputs:
         """Let a library write a file, and note it. Raises InputError as ``Folder.writing``."""
         with self._files.writing(name) as part:
             yield part
-        self.note(name)
+            digest = digest_of(part)
+            self._put(name, digest)
+        self._put(name, digest, _description(self._files.path(name)))
 
     def note(self, name: str) -> None:
         """Note a file, or a folder of files, that was just written and is on disk."""
@@ -70,20 +95,22 @@ class Outputs:
         """Return whether a file, or a folder of files, is there just as the program wrote it."""
         if name not in self._known:
             return False
-        path, (digest, description) = self._files.path(name), self._known[name]
+        path, entry = self._files.path(name), self._known[name]
         try:
             now = _description(path)
-            if now != description and digest == digest_of(path):
-                self._put(name, digest, now)
+            if now != entry.description and entry.digest == digest_of(path):
+                self._put(name, entry.digest, now)
                 return True
-            return now == description
+            return now == entry.description
         except OSError:
             return False
 
     def changed(self, name: str) -> bool:
         """Return whether there is something in a file that the program did not write."""
         path = self._files.path(name)
-        return path.is_file() and bool(path.stat().st_size) and not self.whole(name)
+        if not path.is_file() or not path.stat().st_size or self.whole(name):
+            return False
+        return name not in self._known or self._known[name].former != digest_of(path)
 
     def read(self, name: str, parse: Callable[[bytes], Content]) -> Content | None:
         """Return what is in a file, or None where it is not as it was written or not what ``parse`` can read.
@@ -99,7 +126,7 @@ class Outputs:
 
     def digest(self, name: str) -> str:
         """Return the digest of a file as it was written; empty if it is unknown."""
-        return self._known.get(name, ("", ""))[0]
+        return self._known[name].digest if name in self._known else ""
 
     def delete(self, name: str) -> None:
         """Delete a file that the program wrote; one that a person made or changed stays."""
@@ -140,31 +167,32 @@ class Outputs:
             shutil.copyfile(path, part)
         return copy
 
-    def _put(self, name: str, digest: str, description: str) -> None:
-        line = json.dumps({"name": name, "digest": digest, "description": description}, ensure_ascii=False)
+    def _put(self, name: str, digest: str, description: str = "") -> None:
+        """Note a file; without a description before it takes its place, so that a run killed there knows both."""
         with self._lock:
-            self._known[name] = digest, description
-            self._files.append(RECORD, f"{line}\n")
+            before = self._known.get(name, _Entry("", "", ""))
+            former = before.former if before.digest == digest else before.digest
+            self._known[name] = entry = _Entry(digest, description, former)
+            self._files.append(RECORD, entry.line(name))
 
     def _forget(self, name: str) -> None:
         with self._lock:
             if self._known.pop(name, None) is not None:
                 self._files.append(RECORD, f"{json.dumps({'name': name}, ensure_ascii=False)}\n")
 
-    def _read(self) -> dict[str, tuple[str, str]]:
+    def _read(self) -> dict[str, _Entry]:
         path = self._files.path(RECORD)
         text = path.read_text(encoding="utf-8", errors="replace") if path.is_file() else ""
         lines = text.splitlines()
-        known: dict[str, tuple[str, str]] = {}
+        known: dict[str, _Entry] = {}
         for line in lines:
             _take(line, known)
         if len(lines) > 2 * len(known) + _SPARE or (text and not text.endswith("\n")):
-            entries = [{"name": name, "digest": entry[0], "description": entry[1]} for name, entry in known.items()]
-            self._files.write(RECORD, "".join(f"{json.dumps(entry, ensure_ascii=False)}\n" for entry in entries))
+            self._files.write(RECORD, "".join(entry.line(name) for name, entry in known.items()))
         return known
 
 
-def _take(line: str, known: dict[str, tuple[str, str]]) -> None:
+def _take(line: str, known: dict[str, _Entry]) -> None:
     """Take over what a line of the record says; one that is torn or of something else says nothing."""
     try:
         entry = json.loads(line)
@@ -172,7 +200,7 @@ def _take(line: str, known: dict[str, tuple[str, str]]) -> None:
         return
     match entry:
         case {"name": str(name), "digest": str(digest), "description": str(description)} if _is_inside(name):
-            known[name] = digest, description
+            known[name] = _Entry(digest, description, str(entry.get("former", "")))
         case {"name": str(name)}:
             known.pop(name, None)
 

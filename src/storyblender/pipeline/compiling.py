@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
+from contextlib import suppress
 
 from storyblender import __version__
+from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.jobs import GEOMETRY_VERSION, StoryJob
 from storyblender.pipeline.run import Run
@@ -39,6 +41,13 @@ class Compilation:
         if changed != ():
             run.copy_aside(STORY)
             self._compiled = run.engine.compile_story(job.model_copy(update={"changed": changed}))
+            self._compiled.add_done_callback(self._note)
+
+    def _note(self, compiled: Future[str]) -> None:
+        """Note the file as soon as it is there: if the run is killed from here on, nobody takes it for changed."""
+        if not compiled.cancelled() and compiled.exception() is None:
+            with suppress(InputError, OSError):  # ``finish`` says it
+                self._outputs.note(STORY)
 
     def finish(self) -> None:
         """Wait for the file.
@@ -48,7 +57,8 @@ class Compilation:
         """
         if self._compiled is not None:
             self._compiled.result()
-            self._outputs.note(STORY)
+            if not self._outputs.whole(STORY):
+                self._outputs.note(STORY)
             self._outputs.write(RECORD, self._fresh.model_dump_json())
 
 

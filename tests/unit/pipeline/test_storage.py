@@ -269,6 +269,7 @@ def assert_failures_heal(stage: Stage, count: int, fault: int) -> None:
         stage.render(wide=wide)
         assert outputs(stage) == wanted[wide], number
         assert not list(stage.folder.rglob(".*.part"))
+        assert not [path for path in stage.folder.rglob("*") if DATED.search(path.name)], "nobody changed anything"
 
 
 @pytest.mark.parametrize("fault", [errno.ENOSPC, errno.EIO])
