@@ -9,6 +9,8 @@ from typing import Literal, NamedTuple
 from storyblender.errors import InputError
 
 _OPENING = re.compile(r"/\*|\[\[")
+_COMMENT = re.compile(r"\s*(?:/\*.*?\*/|\[\[.*?\]\])(?=\s|$)|/\*.*?\*/|\[\[.*?\]\]", re.DOTALL)
+"""With the space before it, where there is space behind it too."""
 
 
 class Comment(NamedTuple):
@@ -46,6 +48,11 @@ def find_comments(text: str, path: str = "") -> list[Comment]:
         position = end + 2
         found.append(Comment("boneyard" if boneyard else "note", opening.start(), position))
     return found
+
+
+def without_comments(text: str) -> str:
+    """Return words of a script as they read: without the notes and boneyards that stand in them."""
+    return _COMMENT.sub("", text)
 
 
 def blank(text: str, comments: Sequence[Comment]) -> str:

@@ -13,6 +13,8 @@ from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WO
 from storyblender.memory.camera_words import camera_sentence, listed
 from storyblender.memory.shot_context import CameraInstruction
 from storyblender.memory.vocabulary import Mood
+from storyblender.screenplay.comments import without_comments
+from storyblender.screenplay.fountain import strip_emphasis
 
 _MOODS: Final[dict[Mood, str]] = {
     "happy": "happ|smil|grin|laugh|cheer|joy|delight|amus|beam|excited|proud|playful",
@@ -78,7 +80,9 @@ def shot_sentence(draft: ShotDraft, text: str, names: Mapping[str, str], place: 
     """Return what happens in a shot: the action as written, and who speaks with the first words."""
     parts: list[str] = []
     for beat in draft.beats:
-        words = one_line(text[beat.start : beat.end])
+        words = one_line(strip_emphasis(without_comments(text[beat.start : beat.end])))
+        if not words:
+            continue
         if beat.unit.kind == "action":
             words = words[:1].upper() + words[1:]
             parts.append(words if words.endswith((".", "!", "?", "…", '"', "”")) else words + ".")

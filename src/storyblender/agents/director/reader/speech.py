@@ -200,7 +200,8 @@ def _shouted_for(stage: Stage, speaker: Person, text: str) -> Person | None:
     called = _CALLED_OUT.match(text)
     if called is None:
         return None
-    away = [p for p in stage.roster.people if p is not speaker and p.id not in stage.scene.on and p.kind != "animal"]
+    here = {speaker.id, *stage.scene.on}
+    away = [person for person in stage.roster.people if person.id not in here and person.kind != "animal"]
     return _named(away, called.group())
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable
+from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import asset_id
@@ -16,6 +17,7 @@ _WORN = re.compile(r" (?:in|with) (?=(?P<article>(?:an?|the) )?)")
 _ARTICLE = re.compile(r"^(the|a|an) ")
 
 
+@lru_cache(maxsize=16384)
 def bare(name: str) -> str:
     """A name in lower case, one space between words, without its article."""
     return _ARTICLE.sub("", " ".join(name.lower().split()))
