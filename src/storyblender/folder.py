@@ -67,6 +67,8 @@ class Folder:
                 linked = stat.S_ISLNK(place.lstat().st_mode)
             except (FileNotFoundError, NotADirectoryError):
                 continue
+            except OSError as error:
+                raise InputError(f"cannot be read ({error.strerror})", mend="mend that", path=place) from error
             if linked:
                 mend = "put a real file or folder in its place; `build` in the settings may name another disk"
                 raise InputError("is a link, and nothing is written or deleted through links", mend=mend, path=place)

@@ -27,6 +27,8 @@ from storyblender.folder import Folder
 Content = TypeVar("Content")
 
 RECORD = "outputs.jsonl"
+_LONGEST, _DEEPEST = 255, 16
+"""Bytes of a part of a name, and its parts, at most."""
 _SPARE = 1000
 """Lines of the record that say nothing any more, from which on it is written anew."""
 
@@ -206,8 +208,13 @@ def _take(line: str, known: dict[str, _Entry]) -> None:
 
 
 def _is_inside(name: str) -> bool:
+    """Return whether a name may be one of ours: of a file in the folder that a disk can have."""
     parts = PurePosixPath(name).parts
-    return bool(parts) and not {"/", ".."}.intersection(parts) and "\0" not in name
+    try:
+        long = any(len(part.encode()) > _LONGEST for part in parts) or len(parts) > _DEEPEST
+    except UnicodeEncodeError:
+        return False
+    return bool(parts) and not long and not {"/", ".."}.intersection(parts) and "\0" not in name
 
 
 def _files_of(path: Path) -> list[tuple[Path, os.stat_result]]:
