@@ -167,12 +167,12 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
         words: The place as written, e.g. ``HOTEL - LOBBY``, or any description.
         scene_type: INT or EXT: an outdoor scene never gets a ceiling, an indoor one always does.
     """
-    scores: dict[str, float] = {}
     told = _heading(place_kind, words)
-    for kit in SETS.values():
-        score = max((_score(tag, told) for tag in (kit.key.replace("_", " "), *kit.tags)), default=0.0)
-        if score > 0:
-            scores[kit.key] = score
+    found: dict[str, float] = {}
+    said = {*told.kind[:1], *(token for tokens, _, _ in told.parts for token in tokens)}
+    for key, tag in (tagged for word in said for tagged in _tags_by_first_word().get(word, ())):
+        found[key] = max(found.get(key, 0.0), _score(tag, told))
+    scores = {key: found[key] for key in SETS if found.get(key, 0.0) > 0}
     if not scores:
         return FALLBACK[scene_type]
     indoor = scene_type == "indoor"
@@ -215,6 +215,17 @@ def _score(tag: str, heading: _Heading) -> float:
             if tokens[start : start + len(phrase)] == phrase:
                 score = max(score, share * weight + (start + len(phrase)) / (1 + len(tokens)))
     return score
+
+
+@cache
+def _tags_by_first_word() -> dict[str, list[tuple[str, str]]]:
+    """The first word of a tag -> kits and their tags that begin with it."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for kit in SETS.values():
+        for tag in (kit.key.replace("_", " "), *kit.tags):
+            for word in _phrase(tag)[:1]:
+                found.setdefault(word, []).append((kit.key, tag))
+    return found
 
 
 @cache

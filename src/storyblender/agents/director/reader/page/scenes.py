@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
+from itertools import islice
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
@@ -30,6 +31,8 @@ _HOURS: tuple[tuple[int, TimeOfDay], ...] = (
 )  # fmt: skip
 """Until which hour it is what time of the day."""
 _BRACKETS = re.compile(r"\s*\([^)]*\)\s*")
+_LATELY = 250
+"""Scenes back in which a place may be that is named shorter now."""
 _SMALL = frozenset({"the", "a", "of", "in", "at", "s"})
 
 
@@ -130,7 +133,8 @@ def same_place(place: str, scene_type: SceneType, scenes: list[SceneReading]) ->
     if exact:
         return exact
     words = _words(place)
-    containing = (s.id for s in reversed(scenes) if s.scene_type == scene_type and words and words <= _words(s.place))
+    lately = islice(reversed(scenes), _LATELY)
+    containing = (s.id for s in lately if s.scene_type == scene_type and words and words <= _words(s.place))
     return next(containing, None)
 
 
