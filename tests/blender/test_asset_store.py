@@ -65,7 +65,9 @@ class FailingCall:
         return self._real(target, *rest, **words)
 
 
-@pytest.mark.parametrize("call", ["fsync", "replace", "mkdir"])
+@pytest.mark.parametrize(
+    "call", ["fsync", *(pytest.param(call, marks=pytest.mark.slow) for call in ("replace", "mkdir"))]
+)
 def test_each_call_to_the_disk_may_fail_and_the_next_job_succeeds(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: str
 ) -> None:
