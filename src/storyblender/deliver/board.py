@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
@@ -35,6 +36,8 @@ ELLIPSIS = 12.0
 """Points kept free at the right for the sign that more was written."""
 BASELINE = 0.15
 """Share of their size that the letters of a line stand lower than where it is asked for."""
+MOST_LETTERS = 4000
+"""Of a text that are laid out: more than a page holds of the smallest."""
 SHRINKING = (0.9, 0.8, 0.7)
 """Shares that the letters of a long text shrink to before any of it is left out."""
 PICTURE_SHARE = {"grid": 0.66, "single": 0.78}
@@ -197,6 +200,7 @@ def _setting(pieces: Sequence[tuple[str, Color]], style: ParagraphStyle, most: i
         style: Size and indent.
         most: Lines that a picture may have; 0 for all.
     """
+    pieces = [(text[:MOST_LETTERS], color) for text, color in pieces]
     colored = [(text, f"#{color.hexval()[2:]}") for text, color in pieces]
     if not all(fonts.in_regular(text) for text, _ in pieces):
         return Lettering(colored, style.fontSize, style.leftIndent, most)
@@ -216,10 +220,9 @@ def _line(
 ) -> None:
     """One line of text, cut where it is too long; set without a paragraph where the font has all its letters."""
     text = " ".join(text.splitlines())
-    if _width(canvas, text, size) > width:
-        text = f"{text[: int(width)]}…"  # hardly a letter is narrower than a point
-    while text and _width(canvas, text, size) > width:
-        text = text[:-2].rstrip() + "…"
+    if len(text) > width or _width(canvas, text, size) > width:  # hardly a letter is narrower than a point
+        fits = bisect_right(range(min(len(text), int(width))), width, key=lambda n: _width(canvas, _cut(text, n), size))
+        text = _cut(text, max(0, fits - 1))
     if fonts.in_regular(text):
         canvas.setFillColor(color)
         canvas.setFont(fonts.REGULAR, size)
@@ -230,6 +233,10 @@ def _line(
     paragraph = _setting([(text, color)], style, most=1)
     paragraph.wrap(width, size * 3)
     paragraph.drawOn(canvas, x, y - size * 0.35)
+
+
+def _cut(text: str, length: int) -> str:
+    return f"{text[:length].rstrip()}…"
 
 
 def _width(canvas: Canvas, text: str, size: float) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.util import find_spec
 from itertools import groupby, pairwise
 from pathlib import Path
@@ -55,7 +55,7 @@ class Word:
     @property
     def width(self) -> float:
         """In ems."""
-        return _face(self.font).getlength(self.text) / EM
+        return _length(self.font, self.text)
 
     @property
     def from_right(self) -> bool:
@@ -144,6 +144,7 @@ def draw_lines(lines: Sequence[Sequence[Word]], width: float) -> Image.Image:
     return picture
 
 
+@lru_cache(maxsize=2**15)
 def font_of(letter: str) -> Path:
     """Return the font for a character: Noto Sans, or else Blender's for its script."""
     if in_regular(letter):
@@ -180,6 +181,11 @@ def _breakable(run: str) -> list[str]:
         else:
             pieces.append(letter)
     return pieces
+
+
+@lru_cache(maxsize=2**15)
+def _length(font: Path, text: str) -> float:
+    return _face(font).getlength(text) / EM
 
 
 @cache

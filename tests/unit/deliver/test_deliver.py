@@ -15,7 +15,7 @@ import pytest
 from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
-from storyblender.deliver import animatic, board, contact_sheet, page, segments, shot_list, timeline
+from storyblender.deliver import animatic, board, contact_sheet, lettering, page, segments, shot_list, timeline
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import cue_of, panels, timecode
 from storyblender.deliver.speech import speeches, subtitles
@@ -255,6 +255,27 @@ def test_a_line_that_is_too_long_ends_in_an_ellipsis_in_any_letters(
     for word in ("夜の電車", "Night train\n", "Night train " * 10_000):
         said = drawn(monkeypatch, graph.model_copy(update={"title": word * 40}), tmp_path, "grid")
         assert said[0].startswith(word[:3]) and said[0].endswith("…")
+
+
+@pytest.mark.parametrize("word", ["夜の電車", "Night train "])
+def test_the_work_of_setting_words_ends_where_the_page_does(
+    graph: ContinuityMemoryGraph, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, word: str
+) -> None:
+    measured: list[int] = []
+    width = board._width
+    monkeypatch.setattr(
+        board, "_width", lambda canvas, text, size: measured.append(len(text)) or width(canvas, text, size)
+    )
+    wrapped: list[int] = []
+    words_of = lettering.words_of
+    monkeypatch.setattr(lettering, "words_of", lambda text, color: wrapped.append(len(text)) or words_of(text, color))
+    outline = graph.outline[0]
+    line = outline.shots[1].lines[0].model_copy(update={"text": word * 20_000})
+    shots = (outline.shots[0], outline.shots[1].model_copy(update={"lines": (line,)}))
+    outlines = (outline.model_copy(update={"shots": shots}),)
+    board.write_board(graph.model_copy(update={"outline": outlines, "title": word * 20_000}), {}, tmp_path / "a.pdf")
+    assert sum(measured) < 20_000, "a title is cut in a few steps, and not letter by letter"
+    assert max(wrapped, default=0) <= board.MOST_LETTERS
 
 
 def test_board_says_how_long_the_story_is_and_which_scene_of_the_script(
