@@ -25,8 +25,9 @@ from storyblender.outputs import Outputs
 from storyblender.trace import Event
 
 _FOLDERS = (
-    ".", "history", "history/scripts", "frames", "thumbnails", "clips", "assets", "export", "build", "build/scenes",
-    "build/figures", "build/frames", "build/motion", "build/prints", "build/film",
+    ".", "history", "history/scripts", "frames", "thumbnails", "clips", "story", "assets", "export", "export/textures",
+    "build", "build/scenes", "build/figures", "build/frames", "build/motion", "build/prints", "build/film",
+    "build/story",
 )  # fmt: skip
 """Where files are written."""
 SCRIPTS = "history/scripts"

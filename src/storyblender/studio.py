@@ -37,7 +37,7 @@ from storyblender.memory.jobs import AssetJob, ExportJob
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.asset_files import assets_to_build
-from storyblender.pipeline.compiling import STORY, Compilation
+from storyblender.pipeline.compiling import STORY, Compilation, file_of, story_files
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.run import Run
@@ -190,7 +190,7 @@ class Studio:
             _restore_assets(run)
             pack_scenes(run)
             report = inspect(run.graph, run.engine, list(run.packs.values()))
-            return report.with_story([STORY] if run.outputs.changed(STORY) else [])
+            return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
 
     def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.
@@ -315,11 +315,11 @@ class Studio:
         return Delivery(run.project.folder, deliver(run, clips, story), run.graph)
 
     def _export_scenes(self, run: Run, kind: str) -> list[str]:
-        if not (run.project.folder / "story.blend").exists():
+        if not (run.project.folder / STORY).exists():
             raise InputError("has no story.blend yet", mend="run `storyblender make` first", path=run.project.folder)
         jobs = [
             ExportJob(
-                story="story.blend",
+                story=file_of(run.graph, scene.scene_id),
                 scene_id=scene.scene_id,
                 format="glb" if kind == "glb" else "usd",
                 out=f"export/{scene_name(scene.scene_id)}.{'glb' if kind == 'glb' else 'usdc'}",

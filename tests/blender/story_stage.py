@@ -39,7 +39,7 @@ def shot(scene_id: int, shot_id: int, *, hidden: tuple[str, ...] = (), lights: t
 
 
 def pack(root: Path, scene_id: int, shots: int, enters: dict[str, int] | None = None) -> PackRef:
-    """Write a scene's pack.
+    """Write a scene's pack; in the second shot the table turns like a door.
 
     Args:
         root: The project folder.
@@ -53,6 +53,10 @@ def pack(root: Path, scene_id: int, shots: int, enters: dict[str, int] | None = 
     name = scene.name = scene_name(scene_id)
     starts = tuple((number, 1 + LENGTH * (number - 1)) for number in range(1, shots + 1))
     scene.frame_end = LENGTH * shots
+    door = scene.objects["table"]
+    for frame, turn in ((LENGTH + 2, 0.0), (LENGTH + 5, 1.5)):
+        door.rotation_euler[2] = turn
+        door.keyframe_insert("rotation_euler", frame=frame)
     for obj in scene.objects:
         obj.name = f"{name}.{obj.name}"
         entrance = enters.get(str(obj.get("node_id")))

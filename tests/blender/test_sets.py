@@ -152,7 +152,7 @@ def test_a_new_sky_replaces_the_old_world(scene: bpy.types.Scene) -> None:
 
 def test_lamps_are_tagged_and_unseen(scene: bpy.types.Scene) -> None:
     lamp = Light(name="window", kind="AREA", location=(1, 2, 3), target=(1, 2, 0), power=30, size=1.5)
-    (obj,) = make_lights((lamp,), scene, scene.collection)
+    (obj,) = make_lights((lamp,), scene.collection, "SC010")
     assert (obj["kind"], obj["node_id"], obj.data.energy, obj.visible_camera) == ("light", "window", 30, False)
     assert tuple(obj.location) == (1, 2, 3)
 

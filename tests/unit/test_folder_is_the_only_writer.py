@@ -34,6 +34,7 @@ ELSEWHERE = {
     ("deliver/board.py", "save"): "the canvas has its path already",
     ("pipeline/prints.py", "save"): "into memory",
     ("blender/render/motion_frames.py", "copyfile"): "from picture to picture of a private folder",
+    ("blender/cut.py", "save_as_mainfile"): "a file of a temporary folder, which gives links their start",
 }
 """Module and function that write somewhere else than into a project."""
 

@@ -1,4 +1,4 @@
-"""Exchange formats of one scene: glTF and USD, with the people's motion."""
+"""Exchange formats of one scene: glTF and USD, with the people's motion and who is seen in which shot."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ from typing import Literal
 
 import bpy
 
+from storyblender.blender.glb_visibility import hide_nodes
+from storyblender.blender.hiding import is_hidden, key_hidden
+from storyblender.blender.usd_visibility import hide_prims
 from storyblender.errors import EngineError
 
 _PLACED = ("location", "rotation_quaternion", "rotation_euler", "scale")
@@ -30,23 +33,45 @@ def export_scene(story: Path, scene_name: str, kind: Literal["glb", "usd"], part
     if scene is None:
         raise EngineError(f"{story.name} has no scene {scene_name}")
     bpy.context.window.scene = scene
+    shots = [(marker.name, marker.frame) for marker in sorted(scene.timeline_markers, key=lambda mark: mark.frame)]
+    shown = _show_all(scene, [frame for _, frame in shots])
     if kind == "glb":
-        _lighten(scene)
-        _string(scene)
-        bpy.ops.export_scene.gltf(
-            filepath=str(part),
-            export_format="GLB",
-            use_active_scene=True,
-            export_cameras=True,
-            export_lights=True,
-            export_extras=True,
-            export_animation_mode="NLA_TRACKS",
-            export_force_sampling=False,
-            export_current_frame=True,  # without motion people stand where the scene begins
-            export_optimize_animation_keep_anim_object=True,  # who stands still in a shot stands there
-        )
+        _export_glb(scene, shots, shown, part)
     else:
         bpy.ops.wm.usd_export(filepath=str(part), export_animation=True, export_armatures=True, export_lights=True)
+        hide_prims(part, [frame for _, frame in shots], shown)
+
+
+def _show_all(scene: bpy.types.Scene, frames: list[int]) -> dict[str, list[bool]]:
+    """Show every object at all times; return whether it was seen, shot by shot, for those that were not always."""
+    shown = {obj.name: [not is_hidden(obj, frame) for frame in frames] for obj in scene.objects}
+    for obj in scene.objects:
+        key_hidden(obj, [(scene.frame_start, True)])
+    scene.frame_set(scene.frame_start)
+    return {name: seen for name, seen in shown.items() if not all(seen)}
+
+
+def _export_glb(scene: bpy.types.Scene, shots: list[tuple[str, int]], shown: dict[str, list[bool]], part: Path) -> None:
+    ends = [frame for _, frame in shots[1:]] + [scene.frame_end + 1]
+    spans = [(name, start, end - 1) for (name, start), end in zip(shots, ends, strict=True)]
+    for obj in [obj for obj in scene.objects if obj.type == "LIGHT" and obj.name in shown]:
+        bpy.data.objects.remove(obj)  # glTF cannot switch a lamp off: what burns in some shots only is left out
+    _lighten(scene)
+    _string(scene, spans)
+    bpy.ops.export_scene.gltf(
+        filepath=str(part),
+        export_format="GLB",
+        use_active_scene=True,
+        export_cameras=True,
+        export_lights=True,
+        export_extras=True,
+        export_animation_mode="NLA_TRACKS",
+        export_force_sampling=False,
+        export_anim_slide_to_zero=True,
+        export_current_frame=True,  # without motion people stand where the scene begins
+        export_optimize_animation_keep_anim_object=True,  # who stands still in a shot stands there
+    )
+    hide_nodes(part, [(name, (last - first) / scene.render.fps) for name, first, last in spans], shown)
 
 
 def _lighten(scene: bpy.types.Scene) -> None:
@@ -56,15 +81,24 @@ def _lighten(scene: bpy.types.Scene) -> None:
             modifier.show_viewport = False
 
 
-def _string(scene: bpy.types.Scene) -> None:
-    """Make a strip of what moves by an action of its own, cameras and doors: glTF gets an animation a strip's track."""
+def _string(scene: bpy.types.Scene, spans: list[tuple[str, int, int]]) -> None:
+    """Cut what moves by an action of its own, cameras and doors, into a strip a shot, as people's motion is.
+
+    glTF gets an animation for each name of a track. A camera is there in its own shot alone.
+    """
     for obj in scene.objects:
         data = obj.animation_data
         if data is None or data.action is None or data.nla_tracks:
             continue
         if any(curve.data_path in _PLACED for curve in data.action.fcurves):
-            action, slot, track = data.action, data.action_slot, data.nla_tracks.new()
-            track.name = obj.name if obj.type == "CAMERA" else scene.name
-            strip = track.strips.new(track.name, int(action.frame_range[0]), action)
-            strip.action_slot = slot
+            action, slot = data.action, data.action_slot
             data.action = None
+            for name, first, last in spans:
+                if obj.type == "CAMERA" and obj.name != name:
+                    continue
+                track = data.nla_tracks.new()
+                track.name = name
+                strip = track.strips.new(name, first, action)
+                strip.action_slot = slot
+                strip.action_frame_start, strip.action_frame_end = first, last
+                strip.frame_start, strip.frame_end = first, last

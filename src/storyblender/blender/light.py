@@ -11,22 +11,20 @@ from storyblender.blender.tags import tag
 from storyblender.memory.scene_context import Light
 
 
-def make_lights(
-    lights: Sequence[Light], scene: bpy.types.Scene, collection: bpy.types.Collection
-) -> list[bpy.types.Object]:
+def make_lights(lights: Sequence[Light], collection: bpy.types.Collection, prefix: str) -> list[bpy.types.Object]:
     """Make one light object per lamp, tagged with its name and the person it lights.
 
     Args:
         lights: Of the scene or of a shot.
-        scene: Its name leads the objects' names, as one file holds many scenes.
         collection: Receives the objects.
+        prefix: Leads the objects' names: that of the scene, or of the shot that they are for.
 
     Returns:
         The objects, in order; area lights are not seen by cameras.
     """
     objects = []
     for light in lights:
-        lamp = make_lamp(light, f"{scene.name}_{light.name}")
+        lamp = make_lamp(light, f"{prefix}.{light.name}")
         tag(lamp, kind="light", node_id=light.name, asset_id=light.for_asset or "")
         lamp["role"], lamp["glow"] = light.role, light.glow
         collection.objects.link(lamp)

@@ -7,13 +7,15 @@ from collections.abc import Callable, Iterable
 
 import bpy
 
+IDENTITY = "identity"
+"""Custom property of a material that got a name for people: what it is made of, by which it is merged."""
 _COPY = re.compile(r"\.\d{3,}$")
 
 Copies = dict[bpy.types.ID, bpy.types.ID]
 
 
 def merge_duplicates() -> None:
-    """Point every user of a numbered copy at the original and remove the copy.
+    """Point every user of a copy at the original and remove the copy.
 
     Images and materials are named by what they are made of, so equal names mean equal content; meshes also carry
     the digest of their recipe. A mesh with shape keys stays single: its face is animated.
@@ -25,21 +27,29 @@ def merge_duplicates() -> None:
                 node.image = images[node.image]
     _remove(images)
     materials = _copies(bpy.data.materials)
-    for mesh in bpy.data.meshes:
+    for mesh in bpy.data.meshes if materials else ():
         _replace_materials(mesh.materials, materials)
     _remove(materials)
     meshes = _copies([mesh for mesh in bpy.data.meshes if mesh.shape_keys is None], same=_same_digest)
-    for obj in bpy.data.objects:
+    for obj in bpy.data.objects if meshes else ():
         if obj.data in meshes:
             obj.data = meshes[obj.data]
     _remove(meshes)
 
 
+def identity_of(block: bpy.types.ID) -> str:
+    """Return what a data-block is made of; equal identities, equal content."""
+    return str(block.get(IDENTITY, "")) or _COPY.sub("", block.name)
+
+
 def _copies(
     blocks: Iterable[bpy.types.ID], same: Callable[[bpy.types.ID, bpy.types.ID], bool] = lambda copy, original: True
 ) -> Copies:
-    named = {block.name: block for block in blocks}
-    pairs = ((block, named.get(_COPY.sub("", name))) for name, block in named.items())
+    """Return every copy with its original: the one with a name for people, else the one without a number."""
+    every = list(blocks)
+    originals = {block.name: block for block in every if not _COPY.search(block.name) and IDENTITY not in block}
+    originals |= {str(block[IDENTITY]): block for block in every if IDENTITY in block}
+    pairs = ((block, originals.get(identity_of(block))) for block in every)
     return {copy: original for copy, original in pairs if original not in (None, copy) and same(copy, original)}
 
 
@@ -60,4 +70,6 @@ def _replace_materials(slots: bpy.types.IDMaterials, copies: Copies) -> None:
 
 def _remove(copies: Copies) -> None:
     """Remove copies that nobody uses any more, all in one go: each removal goes through the whole file."""
-    bpy.data.batch_remove([copy for copy in copies if copy.users == int(copy.use_fake_user)])
+    unused = [copy for copy in copies if copy.users == int(copy.use_fake_user)]
+    if unused:
+        bpy.data.batch_remove(unused)

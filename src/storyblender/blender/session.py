@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from functools import cached_property
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING, Any
 
 import bpy
@@ -32,6 +32,7 @@ from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.jobs import (
     AssetJob,
+    CutJob,
     ExportJob,
     FrameJob,
     FrameReport,
@@ -83,6 +84,7 @@ class Session:
             self.render_frame,
             self.render_motion,
             self.compile_story,
+            self.compile_cut,
             self.export_scene,
             self.portrait,
         ]
@@ -188,11 +190,19 @@ class Session:
             _remove_camera(camera)
 
     def compile_story(self, job: StoryJob) -> str:
-        """Compile the story's .blend."""
+        """Compile the .blend of a story or of one sequence."""
         from storyblender.blender.story import compile_story
 
         self._put_away()
         compile_story(job, self._files)
+        return job.out
+
+    def compile_cut(self, job: CutJob) -> str:
+        """Compile the .blend of a long story."""
+        from storyblender.blender.cut import compile_cut
+
+        self._put_away()
+        compile_cut(job, self._files)
         return job.out
 
     def export_scene(self, job: ExportJob) -> str:
@@ -202,6 +212,9 @@ class Session:
         self._put_away()
         with self._files.writing(job.out) as part:
             export_scene(self._files.path(job.story), scene_name(job.scene_id), job.format, part)
+            for picture in sorted(part.parent.glob("textures/*")):  # equal names, equal pictures, in all scenes
+                beside = PurePosixPath(job.out).parent / "textures" / picture.name
+                self._files.write(beside.as_posix(), picture.read_bytes())
         return job.out
 
     def portrait(self, job: AssetJob, out: str) -> str:

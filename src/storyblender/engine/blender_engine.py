@@ -16,7 +16,17 @@ from storyblender.engine.worker import LOG, Worker, blender_worker
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Frozen
-from storyblender.memory.jobs import AssetJob, ExportJob, FrameJob, FrameReport, MotionJob, PackRef, SceneJob, StoryJob
+from storyblender.memory.jobs import (
+    AssetJob,
+    CutJob,
+    ExportJob,
+    FrameJob,
+    FrameReport,
+    MotionJob,
+    PackRef,
+    SceneJob,
+    StoryJob,
+)
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
 
 Result = TypeVar("Result")
@@ -108,8 +118,12 @@ class BlenderEngine:
         return self._once(job.folder, "render_motion", {"job": _plain(job)}, int, f"scene{job.pack.scene_id}")
 
     def compile_story(self, job: StoryJob) -> Future[str]:
-        """Compile the story's .blend."""
+        """Compile the .blend of a story or of one sequence."""
         return self._pool.submit("compile_story", {"job": _plain(job)}, str)
+
+    def compile_cut(self, job: CutJob) -> Future[str]:
+        """Compile the .blend of a long story, which links those of its sequences."""
+        return self._pool.submit("compile_cut", {"job": _plain(job)}, str)
 
     def export_scene(self, job: ExportJob) -> Future[str]:
         """Write one scene as glTF or USD."""

@@ -155,7 +155,7 @@ class MotionJob(Frozen):
 
 
 class StoryJob(Frozen):
-    """Compile the story's .blend from the packed scenes."""
+    """Compile a .blend from packed scenes: the whole story, or one sequence of it."""
 
     format: ProjectFormat
     outline: tuple[SceneOutline, ...]
@@ -168,10 +168,30 @@ class StoryJob(Frozen):
     out: str
 
 
+class SequenceFile(Frozen):
+    """A .blend that holds some of the story's scenes."""
+
+    path: str
+    scene_ids: tuple[int, ...]
+
+
+class CutJob(Frozen):
+    """Compile the .blend of a long story: its scenes linked from the files of the sequences, its cut and its assets."""
+
+    format: ProjectFormat
+    assets: tuple[Asset, ...]
+    shots: tuple[ShotContext, ...]
+    packs: tuple[PackRef, ...]
+    sequences: tuple[SequenceFile, ...]
+    """In order; they need not be there yet."""
+    out: str
+
+
 class ExportJob(Frozen):
     """Write one scene in an exchange format."""
 
     story: str
+    """The .blend that holds the scene."""
     scene_id: int
     format: Literal["glb", "usd"]
     out: str

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from storyblender.outputs import digest_of
-from storyblender.pipeline.compiling import RECORD, STORY
+from storyblender.pipeline.compiling import STORY, record_name
 from storyblender.pipeline.run import Run
 
 
@@ -19,7 +19,7 @@ def adopt_earlier_outputs(run: Run) -> None:
         if digest_of(path) in cached:
             run.outputs.note(run.project.files.name_of(path))
     story = run.project.path(STORY)
-    if story.is_file() and digest_of(story)[:16] == _compiled(run.project.path(RECORD)):
+    if story.is_file() and digest_of(story)[:16] == _compiled(run.project.path(record_name(STORY))):
         run.outputs.note(STORY)
 
 

@@ -88,7 +88,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         write_page(graph, frames, part, folder, checks_of(run), prints.small)
     run.progress("deliver", steps, steps)
     names = [
-        "index.html", "story.blend", "frames/", "board.pdf", "board_single.pdf", *sheets,
+        "index.html", "story.blend", "story/", "frames/", "board.pdf", "board_single.pdf", *sheets,
         "animatic.mp4", "animatic.srt", "clips/", "shots.csv", "timeline.otio", "graph.json",
     ]  # fmt: skip
     return [name for name in names if (folder / name).exists()]

@@ -12,8 +12,11 @@ import pytest
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
-from storyblender.memory.jobs import PackRef, StoryJob
-from storyblender.pipeline.compiling import Compilation
+from storyblender.memory.jobs import CutJob, PackRef, StoryJob
+from storyblender.memory.scene_context import Layout, SceneContext, SceneSetup, SceneSize
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
+from storyblender.pipeline import compiling
+from storyblender.pipeline.compiling import Compilation, file_of, story_files
 from storyblender.pipeline.run import Run
 from storyblender.project import Project
 from storyblender.settings import Settings
@@ -31,6 +34,14 @@ class Compiler:
 
     def compile_story(self, job: StoryJob) -> Future[str]:
         self.asked.append(job.changed)
+        return self._written(job)
+
+    def compile_cut(self, job: CutJob) -> Future[str]:
+        self.asked.append("cut")
+        return self._written(job)
+
+    def _written(self, job: StoryJob | CutJob) -> Future[str]:
+        (self.folder / job.out).parent.mkdir(exist_ok=True)
         (self.folder / job.out).write_text(job.model_dump_json())
         done: Future[str] = Future()
         done.set_result(job.out)
@@ -87,3 +98,52 @@ def test_only_what_changed_is_compiled_and_what_a_person_changed_is_kept(
     with Project(tmp_path) as project:
         assert compiled(wider) == [None]
         assert len(list(tmp_path.glob("story *.blend"))) == 3, "what is unknown may be a person's"
+
+
+def test_a_long_story_is_a_file_a_sequence_and_a_cut_that_links_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compiling, "MOST_SCENES", 3)
+    monkeypatch.setattr(compiling, "SEQUENCE", 2)
+    compiler, told = Compiler(tmp_path), list[Event]()
+    layout = Layout(scene_size=SceneSize(x=1, x_negative=-1, y=1, y_negative=-1))
+
+    def compiled(scenes: int, longer: int = 0) -> list[Any]:
+        compiler.asked.clear()
+        numbers = range(1, scenes + 1)
+        graph = ContinuityMemoryGraph(
+            scenes=tuple(SceneContext(scene_id=number, setup=SceneSetup(), layout=layout) for number in numbers),
+            shots=tuple(
+                ShotContext(
+                    scene_id=number, shot_id=1, duration=49 if number == longer else 48,
+                    camera_instruction=CameraInstruction(),
+                )
+                for number in numbers
+            ),
+        )  # fmt: skip
+        run = Run(project, cast(BlenderEngine, compiler), lambda: pytest.fail("no words"), Settings(), told.append)
+        for number in numbers:
+            path = f"{number}.{longer == number}.blend"
+            run.packs[number] = PackRef(scene_id=number, path=path, starts=((1, 1),))
+        monkeypatch.setattr(Run, "graph", graph)
+        assert len(story_files(graph)) == (1 if scenes <= 3 else 1 + -(-scenes // 2))
+        assert file_of(graph, 1) == ("story.blend" if scenes <= 3 else "story/SEQ010.blend")
+        Compilation(run).finish()
+        return list(compiler.asked)
+
+    def files() -> list[str]:
+        return [path.relative_to(tmp_path).as_posix() for path in sorted(tmp_path.rglob("*.blend"))]
+
+    with Project(tmp_path) as project:
+        assert compiled(3) == [None] and files() == ["story.blend"]
+        assert compiled(5) == [None, None, None, "cut"]
+        assert files() == ["story/SEQ010.blend", "story/SEQ020.blend", "story/SEQ030.blend", "story.blend"]
+        steps = [(event.step, event.total) for event in told if event.role == "story"]
+        assert steps == [(step, 4) for step in range(5)]
+        assert compiled(5) == []
+        assert compiled(5, longer=3) == [(3,), "cut"], "the cut has another length"
+        (tmp_path / "story" / "SEQ020.blend").write_text("painted over")
+        assert compiled(5, longer=3) == [None]
+        assert sum(file.startswith("story/SEQ020 ") for file in files()) == 1, "what was painted is kept"
+        assert compiled(4, longer=3)[-1] == "cut" and "story/SEQ030.blend" not in files()
+        assert compiled(3) == [None] and "story/SEQ010.blend" not in files()

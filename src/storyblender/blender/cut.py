@@ -1,0 +1,97 @@
+"""The cut of a story as a scene of strips, and the .blend of a long story, which links its scenes from other files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import bpy
+
+from storyblender.blender.asset_store import AssetStore
+from storyblender.blender.library_scene import add_assets, new_file
+from storyblender.blender.opening import open_on
+from storyblender.blender.tidying import say_version
+from storyblender.folder import Folder
+from storyblender.memory.base import scene_name, shot_name
+from storyblender.memory.graph import ProjectFormat
+from storyblender.memory.jobs import CutJob, PackRef, SequenceFile
+from storyblender.memory.shot_context import ShotContext
+
+EDIT = "EDIT"
+
+
+def compile_cut(job: CutJob, files: Folder) -> None:
+    """Compile the .blend of a long story.
+
+    Blender reads all that is linked, gigabytes for a feature, to write down no more than names. So the file is made
+    beside stand-ins of the sequences, with the same names and scenes that hold cameras alone.
+
+    Args:
+        job: The sequences, which may be under way, and what the file itself holds.
+        files: The project folder.
+    """
+    with TemporaryDirectory(prefix="storyblender_") as folder:
+        beside = Folder(Path(folder))
+        for sequence in job.sequences:
+            _stand_in(beside, sequence, job)
+        new_file()
+        add_assets(job.assets, AssetStore(files))
+        say_version()
+        bpy.ops.wm.save_as_mainfile(filepath=str(beside.path(job.out)))  # links are relative to where the file lies
+        for sequence in job.sequences:
+            names = [scene_name(scene_id) for scene_id in sequence.scene_ids]
+            with bpy.data.libraries.load(str(beside.path(sequence.path)), link=True, relative=True) as (_, target):
+                target.scenes = names
+        add_edit(job.format, job.packs, job.shots)
+        open_on(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
+        with files.writing(job.out) as part:
+            bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True, relative_remap=False)
+
+
+def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[ShotContext]) -> None:
+    """String the shots in the sequencer: one strip a shot, so that an editor can re-order and trim them.
+
+    Args:
+        film: Size and rate.
+        packs: The scenes that are in the file.
+        shots: In order; those of other scenes are left out.
+    """
+    edit = bpy.data.scenes.new(EDIT)
+    edit.render.resolution_x, edit.render.resolution_y = film.width, film.height
+    edit.render.fps = film.fps
+    edit.view_settings.view_transform = "Standard"
+    sequencer = edit.sequence_editor_create()
+    known = {pack.scene_id: pack for pack in packs}
+    frame = 1
+    for shot in shots:
+        pack = known.get(shot.scene_id)
+        if pack is None:
+            continue
+        name = shot_name(shot.scene_id, shot.shot_id)
+        scene = bpy.data.scenes[scene_name(shot.scene_id)]
+        offset = pack.start_of(shot.shot_id) - scene.frame_start
+        strip = sequencer.strips.new_scene(name, scene, channel=1, frame_start=frame - offset)
+        strip.scene_input = "CAMERA"
+        strip.scene_camera = scene.objects[name]
+        strip.frame_offset_start = offset
+        strip.frame_final_duration = shot.duration
+        frame += shot.duration
+    edit.frame_start, edit.frame_end = 1, max(1, frame - 1)
+
+
+def _stand_in(beside: Folder, sequence: SequenceFile, job: CutJob) -> None:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scenes: set[bpy.types.ID] = set()
+    for scene_id in sequence.scene_ids:
+        scene = bpy.data.scenes.new(scene_name(scene_id))
+        scene.render.fps = job.format.fps
+        shots = [shot for shot in job.shots if shot.scene_id == scene_id]
+        scene.frame_start, scene.frame_end = 1, max(1, sum(shot.duration for shot in shots))
+        for shot in shots:
+            name = shot_name(scene_id, shot.shot_id)
+            camera = bpy.data.objects.new(name, bpy.data.cameras.new(name))
+            scene.collection.objects.link(camera)
+        scenes.add(scene)
+    with beside.writing(sequence.path) as part:
+        bpy.data.libraries.write(str(part), scenes)

@@ -1,0 +1,54 @@
+"""The scene of a story's file that holds its canonical assets, marked for the Asset Browser."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import bpy
+
+from storyblender.blender.asset_store import AssetStore
+from storyblender.blender.merge import merge_duplicates
+from storyblender.blender.tags import tag
+from storyblender.blender.tidying import tidy
+from storyblender.memory.asset_sheet import Asset
+
+LIBRARY = "00_ASSET_LIBRARY"
+
+
+def new_file() -> None:
+    """Begin an empty file with the scene of the assets in it, empty too."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.context.scene.name = LIBRARY
+
+
+def add_assets(assets: Sequence[Asset], store: AssetStore) -> None:
+    """Show every canonical asset once, on a grid, each in a collection marked for the Asset Browser."""
+    library = bpy.data.scenes[LIBRARY]
+    bpy.context.window.scene = library
+    columns = max(1, math.ceil(math.sqrt(len(assets))))
+    for index, asset in enumerate(assets):
+        if asset.canonical is None:
+            continue
+        collection = bpy.data.collections.new(f"AST_{asset.asset_id}")
+        library.collection.children.link(collection)
+        place = (2.5 * (index % columns), 2.5 * (index // columns), 0.0)
+        for obj in _canonical_objects(asset, store):
+            collection.objects.link(obj)
+            if obj.parent is None:
+                obj.location = place
+        collection.asset_mark()
+        collection.asset_data.description = asset.description
+        collection.asset_data.author = "StoryBlender"
+        for word in asset.tags:
+            collection.asset_data.tags.new(word, skip_if_exists=True)
+    merge_duplicates()
+    tidy(library.objects)
+
+
+def _canonical_objects(asset: Asset, store: AssetStore) -> list[bpy.types.Object]:
+    if asset.asset_type == "character":
+        member = store.append_person(asset)
+        return [member.armature, *member.meshes]
+    obj = bpy.data.objects.new(asset.asset_id, store.append_mesh(asset))
+    return [tag(obj, kind="prop", node_id=asset.asset_id, asset_id=asset.asset_id)]

@@ -1,0 +1,107 @@
+"""The light of a scene in the story's file: lamps that burn when they should, and the sky, bright as on the board."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import bpy
+
+from storyblender.blender.hiding import key_hidden
+from storyblender.blender.light import make_lights
+from storyblender.blender.render.meter import balanced
+from storyblender.blender.sets.world import set_world
+from storyblender.look.illumination import sky_colors
+from storyblender.memory.base import shot_name
+from storyblender.memory.jobs import PackRef
+from storyblender.memory.scene_context import Light, Lighting, SceneContext, Sky
+from storyblender.memory.shot_context import ShotContext
+
+_SIDES = {
+    "above": ((0.0, 0.0, 1.0), 0.8),
+    "below": ((0.0, 0.0, -1.0), 0.4),
+    "front": ((0.0, -1.0, 0.0), 0.55),
+    "back": ((0.0, 1.0, 0.0), 0.55),
+    "left": ((-1.0, 0.0, 0.0), 0.55),
+    "right": ((1.0, 0.0, 0.0), 0.55),
+}
+"""Where ambient light under a roof comes from, and its shares: a little more from above, less in sum for corners."""
+
+
+def light_scene(
+    scene: bpy.types.Scene,
+    collection: bpy.types.Collection,
+    context: SceneContext,
+    shots: Sequence[ShotContext],
+    pack: PackRef,
+) -> None:
+    """Give a scene the lamps and the sky of its light plans, metered as for the board, and the lamps of its shots.
+
+    Args:
+        scene: The context's scene, with set and people.
+        collection: Receives the lamps.
+        context: With the plan that the scene begins with.
+        shots: Of the scene, in order; one may bring a plan that holds from there on.
+        pack: Says when shots begin.
+    """
+    starts = [pack.start_of(shot.shot_id) for shot in shots]
+    plans = _plans(context, shots)
+    scene.view_layers[0].update()
+    for number, (plan, first, last) in enumerate(plans):
+        metered = balanced(scene, plan)
+        plan = metered.plan
+        prefix = shot_name(shots[first].scene_id, shots[first].shot_id) if number else scene.name
+        lamps = make_lights(plan.lights, collection, prefix)
+        for lamp in make_lights(_ambient(plan, metered.roofed), collection, prefix):
+            lamp.data.use_shadow, lamp.data.specular_factor = False, 0.0
+            lamps.append(lamp)
+        for lamp in lamps:
+            key_hidden(lamp, [(start, first <= index < last) for index, start in enumerate(starts)])
+        if number == 0:
+            set_world(scene, plan.sky)
+        if len(plans) > 1:
+            _key_sky(scene.world, plan.sky, starts[first])
+    people = bpy.data.collections.get(f"{scene.name}_cast")
+    for index, shot in enumerate(shots):
+        for lamp in make_lights(shot.lights, collection, shot_name(shot.scene_id, shot.shot_id)):
+            lamp.light_linking.blocker_collection = people  # only people cast shadows from them, as on the board
+            key_hidden(lamp, [(start, other == index) for other, start in enumerate(starts)])
+
+
+def _ambient(plan: Lighting, roofed: float) -> list[Light]:
+    """Return suns without shadows from all sides: the light between the walls of a room, which no sky gives."""
+    level = max(plan.ambient) * roofed
+    if level <= 0:
+        return []
+    red, green, blue = (channel / max(plan.ambient) for channel in plan.ambient)
+    return [
+        Light(
+            name=f"ambient_{side}",
+            kind="SUN",
+            location=toward,
+            power=math.pi * level * share,
+            color=(red, green, blue),
+            size=0.0,
+        )
+        for side, (toward, share) in _SIDES.items()
+    ]
+
+
+def _plans(context: SceneContext, shots: Sequence[ShotContext]) -> list[tuple[Lighting, int, int]]:
+    """Return each light plan with the index of its first shot and of the first one after it."""
+    begins = [(shot.lighting, index) for index, shot in enumerate(shots) if shot.lighting is not None]
+    if context.lighting is not None and (not begins or begins[0][1] > 0):
+        begins.insert(0, (context.lighting, 0))
+    ends = [index for _, index in begins[1:]] + [len(shots)]
+    return [(plan, first, last) for (plan, first), last in zip(begins, ends, strict=True) if plan is not None]
+
+
+def _key_sky(world: bpy.types.World, sky: Sky, frame: int) -> None:
+    """Let the dome of the world have a sky's colours from a frame on."""
+    ramp = next(node for node in world.node_tree.nodes if node.type == "VALTORGB").color_ramp
+    for stop, color in zip(ramp.elements, sky_colors(sky), strict=True):
+        stop.color = (*(float(channel) for channel in color), 1.0)
+        stop.keyframe_insert("color", frame=frame)
+    for curve in world.node_tree.animation_data.action.fcurves:
+        for key in curve.keyframe_points:
+            key.interpolation = "CONSTANT"

@@ -1,0 +1,110 @@
+"""What makes a compiled scene good to work in: names that speak, bones in groups, render settings."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+import bpy
+
+from storyblender.blender.merge import IDENTITY, identity_of
+from storyblender.catalog.color_words import color_word
+from storyblender.look.grade import AGX_CONTRAST
+
+_COLORED = re.compile(r"_[0-9a-f]{6}$")
+_COPY = re.compile(r"\.(\d{3,})$")
+_PAINT = re.compile(r"(\w+) [\d.]+ [\d.]+ [\d.]+ \((painted|alpha [\d.e-]+)\)")
+"""How people's materials are called in a pack: finish, colour and how (``people.parts``)."""
+_GROUPS = {
+    "Face": ("eye", "jaw"),
+    "Head": ("neck", "head"),
+    "Torso": ("hips", "spine", "chest", "upper_chest"),
+    "Arm": ("shoulder", "upper_arm", "forearm"),
+    "Hand": ("hand", "thumb", "index1", "index2", "fingers1", "fingers2"),
+    "Leg": ("thigh", "shin", "foot", "toe"),
+}
+_VERSION = """\
+Made for Blender 4.5 LTS: open it with Blender 4.5 or newer.
+
+Blender 4.2 LTS opens this file too, without a warning, but plays the wrong motion: people are animated with layered
+actions, one slot a person, which came with Blender 4.4.
+"""
+
+
+def tidy(objects: Collection[bpy.types.Object]) -> None:
+    """Give materials, objects and what is theirs names that speak, and group the bones of rigs.
+
+    Args:
+        objects: Those that came into the file last.
+    """
+    for obj in objects:
+        _name_object(obj)
+        if obj.type == "ARMATURE":
+            _group_bones(obj.data)
+    for material in bpy.data.materials:
+        if IDENTITY not in material:
+            material[IDENTITY] = identity_of(material)
+            material.name = _free(readable(material), bpy.data.materials)
+
+
+def readable(material: bpy.types.Material) -> str:
+    """Return a speaking name for a material of a pack: ``Cloth navy``, ``Wood dark``, ``Leather brown``."""
+    name = identity_of(material)
+    color = color_word(tuple(material.diffuse_color[:3]))
+    paint = _PAINT.fullmatch(name)
+    if paint is not None:
+        return paint[1].capitalize() if paint[2] == "painted" else f"{paint[1].capitalize()} {color}"
+    if not name.startswith("MT_"):
+        return name
+    plain = _COLORED.sub("", name.removeprefix("MT_")).replace("_", " ")
+    return (plain[:1].upper() + plain[1:]) + (f" {color}" if _COLORED.search(name) else "")
+
+
+def set_render(scene: bpy.types.Scene) -> None:
+    """Set what a first render needs: samples and denoising of both engines, and the colours of the board."""
+    scene.render.engine = "BLENDER_EEVEE_NEXT"
+    scene.eevee.taa_render_samples, scene.eevee.use_raytracing = 64, True
+    scene.cycles.samples, scene.cycles.use_adaptive_sampling, scene.cycles.adaptive_threshold = 128, True, 0.02
+    scene.cycles.use_denoising = True
+    scene.cycles.max_bounces = 6
+    scene.view_settings.view_transform, scene.view_settings.look = "AgX", AGX_CONTRAST
+
+
+def say_version() -> None:
+    """Leave word in the file which Blender it needs."""
+    name = "READ ME"
+    text = bpy.data.texts.get(name) or bpy.data.texts.new(name)
+    text.from_string(_VERSION)
+    text.use_fake_user = True
+
+
+def _name_object(obj: bpy.types.Object) -> None:
+    """Take the number of a copy from an object's name, and call after it what is its own."""
+    copy = _COPY.search(obj.name)
+    if copy is not None:
+        obj.name = _free(obj.name[: copy.start()], bpy.data.objects, "_")
+    data = obj.data
+    if data is None or data.users > 1:
+        return
+    if obj.type == "ARMATURE":
+        data.name = obj.name
+    elif obj.type == "MESH" and data.shape_keys is not None:
+        data.name = data.shape_keys.name = obj.name
+
+
+def _group_bones(rig: bpy.types.Armature) -> None:
+    for group, stems in _GROUPS.items():
+        for bone in rig.bones:
+            stem, _, side = bone.name.partition(".")
+            if stem in stems:
+                name = f"{group}.{side}" if side and group != "Face" else group
+                (rig.collections.get(name) or rig.collections.new(name)).assign(bone)
+
+
+def _free(name: str, taken: bpy.types.bpy_prop_collection, between: str = " ") -> str:
+    """Return the name, with a number from 2 on where it is taken."""
+    found, number = name, 1
+    while found in taken:
+        number += 1
+        found = f"{name}{between}{number}"
+    return found
