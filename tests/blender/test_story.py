@@ -95,7 +95,9 @@ def test_names_speak_and_bones_are_in_groups(tmp_path: Path):
         slot.name for slot in bpy.data.objects["SC020.table"].material_slots
     ]
     every = [
-        block.name for kind in ("objects", "armatures", "materials", "lights") for block in getattr(bpy.data, kind)
+        block.name
+        for kind in ("objects", "armatures", "meshes", "materials", "lights")
+        for block in getattr(bpy.data, kind)
     ]
     assert not [name for name in every if re.search(r"\.\d{3}$", name)]
     groups = {

@@ -11,7 +11,7 @@ from storyblender.blender.merge import IDENTITY, identity_of
 from storyblender.catalog.color_words import color_word
 from storyblender.look.grade import AGX_CONTRAST
 
-_COLORED = re.compile(r"_[0-9a-f]{6}$")
+_COLORED = re.compile(r"_[0-9a-f]{6}(?=_|$)")
 _COPY = re.compile(r"\.(\d{3,})$")
 _PAINT = re.compile(r"(\w+) [\d.]+ [\d.]+ [\d.]+ \((painted|alpha [\d.e-]+)\)")
 """How people's materials are called in a pack: finish, colour and how (``people.parts``)."""
@@ -84,12 +84,12 @@ def _name_object(obj: bpy.types.Object) -> None:
     if copy is not None:
         obj.name = _free(obj.name[: copy.start()], bpy.data.objects, "_")
     data = obj.data
-    if data is None or data.users > 1:
-        return
     if obj.type == "ARMATURE":
         data.name = obj.name
     elif obj.type == "MESH" and data.shape_keys is not None:
         data.name = data.shape_keys.name = obj.name
+    elif obj.type == "MESH" and "digest" not in data and data.name not in bpy.data.objects:
+        data.name = obj.name  # of the set; what several pieces share is called after the first
 
 
 def _group_bones(rig: bpy.types.Armature) -> None:
