@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import shutil
 import stat
 from collections.abc import Iterator
@@ -25,11 +26,15 @@ from storyblender.errors import InputError, StoryBlenderError
 BUILD = "build"
 """First part of the names that may lie on another disk."""
 _PART = ".part"
+_LEFT = re.compile(r"\..+\.\d+-\d+\.part")
+"""Name of a part file: hidden, with the file's name, the process and a number."""
 _NO_LINK = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 _TROUBLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO)
 """What a disk says when it cannot take a file, whichever library was writing."""
 _LITTLE = 32 * 1024**2
 """Bytes. A library that fails with less than this left on the disk failed for want of room."""
+_DEPTH = 2
+"""Folders below each other in which files are written one by one; a folder further down is written as a whole."""
 _SYNCS = 16
 """Files that are flushed side by side."""
 _numbers = count(1)
@@ -207,16 +212,19 @@ class Folder:
         """
         _make(self.root)
 
-    def clear_parts(self, *folders: str) -> None:
+    def clear_parts(self) -> None:
         """Delete part files that killed runs left. Only for who holds the project's lock.
 
-        Args:
-            folders: Where to look, not below them; ``.`` is the project folder.
+        Raises:
+            InputError: The disk refuses.
         """
-        for folder in folders:
-            place = self.root if folder == "." else self.path(folder)
-            for left in sorted(place.glob(f".*{_PART}")):
-                self.delete(self.name_of(left))
+        for top in {self.root, self.build}:
+            for folder, folders, names in os.walk(top):
+                left = set(filter(_LEFT.fullmatch, (*folders, *names)))
+                for name in sorted(left):
+                    self.delete(self.name_of(Path(folder, name)))
+                deep = len(Path(folder).relative_to(top).parts) == _DEPTH
+                folders[:] = [] if deep else [name for name in folders if name not in left]
 
     def _with_parent(self, name: str) -> Path:
         place = self.path(name)

@@ -24,12 +24,6 @@ from storyblender.memory.history import Commit, apply, changes_between
 from storyblender.outputs import Outputs
 from storyblender.trace import Event
 
-_FOLDERS = (
-    ".", "history", "history/scripts", "frames", "thumbnails", "clips", "story", "assets", "export", "export/textures",
-    "build", "build/scenes", "build/figures", "build/frames", "build/motion", "build/prints", "build/film",
-    "build/story",
-)  # fmt: skip
-"""Where files are written."""
 SCRIPTS = "history/scripts"
 """A copy of each script that was planned, named by the plan's digest."""
 
@@ -67,7 +61,7 @@ class Project:
             raise InputError(f"cannot be locked ({error.strerror})", mend="give another --out", path=folder) from error
         try:
             saved = history_files.load(self.folder)
-            self.files.clear_parts(*_FOLDERS)
+            self.files.clear_parts()
             self.files.make_folder(HISTORY)  # from here on a project, even if killed before its first commit
         except BaseException:
             self._lock.release()

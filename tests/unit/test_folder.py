@@ -163,8 +163,10 @@ def test_build_may_lie_elsewhere(tmp_path: Path) -> None:
 def test_left_part_files_are_cleared(tmp_path: Path) -> None:
     folder = Folder(tmp_path)
     folder.write("a/.mine", "mine")
-    for name in (".b.1-1.part", "a/.c.1-2.part"):
+    folder.write("a/.film.part", "mine")
+    for name in (".b.1-1.part", "a/.c.1-2.part", "build/motion/.e.1-4.part"):
         folder.write(name, "left")
     (tmp_path / "a" / ".d.1-3.part").mkdir()
-    folder.clear_parts(".", "a", "none")
-    assert listing(tmp_path) == ["a", "a/.mine"]
+    (tmp_path / "b").symlink_to(tmp_path / "a")
+    folder.clear_parts()
+    assert listing(tmp_path) == ["a", "a/.film.part", "a/.mine", "b", "build", "build/motion"]
