@@ -134,7 +134,7 @@ def plan(folder: Path) -> ContinuityMemoryGraph:
     script = folder.parent / f"{folder.name}.fountain"
     script.write_text(SCRIPT)
     Studio(SETTINGS).plan(script, folder)
-    Folder(folder).write(REMEMBERED, SETTINGS.remembered())
+    Folder(folder).write(REMEMBERED, SETTINGS.remembered(Path(folder)))
     with Project(folder) as project:
         graph = replace(project.graph, *map(made, (*project.graph.assets, *project.graph.scenes, *project.graph.shots)))
         project.commit(graph, "user", "made by hand")

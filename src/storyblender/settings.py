@@ -5,6 +5,7 @@ A project remembers those it was made with, so that a later ``render`` draws in 
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -77,8 +78,8 @@ class Settings(Frozen):
     jobs: int = Field(default=0, ge=0, le=64)
     """Blender processes; 0 takes one for each processor, two at most for memory's sake."""
     models: Path | None = None
-    """A folder of the user's own .glb and .blend files, searched before the built-in library. In ``storyblender.toml``
-    it is named from there."""
+    """A folder of the user's own .glb, .gltf, .obj and .blend files, searched before the built-in library. In
+    ``storyblender.toml`` it is named from there."""
     build: Path | None = None
     """A folder on another disk that takes the place of ``build/`` in the project. In ``storyblender.toml`` it is named
     from there. One folder for each project."""
@@ -118,8 +119,8 @@ class Settings(Frozen):
             file = SettingsFile.read(project / REMEMBERED)
         values = dict(file.values) if file else {}
         for name in ("models", "build"):
-            if file and isinstance(named := values.get(name), str):
-                values[name] = file.path.parent.absolute() / named
+            if file and (folder := file.folder(name)) is not None:
+                values[name] = folder
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values | given)
@@ -142,6 +143,17 @@ class Settings(Frozen):
         problem = f"setting {short(name)} cannot be {short(fault['input'])}"
         return InputError(problem, mend=mend, path=path, line=line)
 
-    def remembered(self) -> str:
-        """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine."""
-        return self.model_dump_json(exclude_defaults=True, exclude={"jobs", "models"}, indent=1)
+    def remembered(self, project: Path) -> str:
+        """Return what a project keeps, as JSON: all that differs from the defaults and is not of this machine.
+
+        Args:
+            project: Its folder. A folder of models beside it or in it is named from there, so that both can be moved
+                together; another one by its whole path.
+        """
+        kept = self
+        if self.models is not None:
+            models, beside = self.models.resolve(), project.resolve().parent
+            if models.is_relative_to(beside):
+                models = Path(os.path.relpath(models, project.resolve()))
+            kept = self.model_copy(update={"models": models})
+        return kept.model_dump_json(exclude_defaults=True, exclude={"jobs"}, indent=1)

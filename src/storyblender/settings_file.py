@@ -29,6 +29,11 @@ class SettingsFile:
     text: str
     values: dict[str, Any]
 
+    def folder(self, name: str) -> Path | None:
+        """Return the folder that a setting names, which is relative to the file; None where it names none."""
+        named = self.values.get(name)
+        return self.path.parent.absolute() / named if isinstance(named, str) else None
+
     @classmethod
     def read(cls, path: Path) -> SettingsFile | None:
         """Read a file; None where there is none.

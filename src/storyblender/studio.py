@@ -123,7 +123,7 @@ class Studio:
 
         with self._open(script, folder) as run:
             ground(run, script, reading)
-            run.project.files.write(REMEMBERED, self._settings.remembered())
+            run.project.files.write(REMEMBERED, self._settings.remembered(run.project.folder))
             materialize(run)
             stage(run)
             pack_scenes(run)
@@ -267,7 +267,7 @@ class Studio:
     @contextmanager
     def _open(self, script: Path | None, folder: Path) -> Iterator[Run]:
         models = self._settings.models
-        if models is not None and not models.is_dir():
+        if script is not None and models is not None and not models.is_dir():
             raise InputError("is not a folder", mend="give --models a folder of .glb or .blend files", path=models)
         if script is not None:
             from storyblender.screenplay.source import load

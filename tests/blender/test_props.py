@@ -9,7 +9,6 @@ from storyblender.blender.measure.hashing import geometry_hash  # noqa: E402
 from storyblender.blender.measure.surfaces import find_tops  # noqa: E402
 from storyblender.blender.mesh_builder import MeshBuilder  # noqa: E402
 from storyblender.blender.props.build import build_prop  # noqa: E402
-from storyblender.blender.props.imported import build_from_file  # noqa: E402
 from storyblender.blender.props.parts import bent  # noqa: E402
 from storyblender.blender.props.portrait import render_portrait  # noqa: E402
 from storyblender.blender.props.registry import builders  # noqa: E402
@@ -143,49 +142,6 @@ def test_a_stand_in_carries_its_name(key):
     build = build_stand_in("mystery", key)
     assert "MT_plastic_black" in [block.name for block in build.mesh.materials]
     assert build.dimensions == pytest.approx(STAND_INS[key].size, rel=0.2)
-
-
-@pytest.mark.parametrize("suffix", [".glb", ".obj", ".blend"])
-def test_a_turned_model_in_centimetres_comes_back_canonical(tmp_path, suffix):
-    build = build_prop("armchair")
-    before = points(build.mesh)
-    obj = bpy.data.objects.new("chair", build.mesh)
-    bpy.context.scene.collection.objects.link(obj)
-    obj.rotation_euler[2], obj.scale = np.pi, (100, 100, 100)
-    obj.select_set(True)
-    bpy.context.view_layer.objects.active = obj
-    path = tmp_path / f"chair{suffix}"
-    if suffix == ".glb":
-        bpy.ops.export_scene.gltf(filepath=str(path))
-    elif suffix == ".obj":
-        bpy.ops.wm.obj_export(filepath=str(path))
-    else:
-        bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    found = build_from_file(path)
-    assert found.dimensions == pytest.approx(build.dimensions, rel=0.01)
-    after = points(found.mesh)
-    high = before[:, 2] > 0.7 * build.dimensions[2], after[:, 2] > 0.7 * build.dimensions[2]
-    assert after[high[1], 1].mean() == pytest.approx(before[high[0], 1].mean(), abs=0.05)
-    assert not [other for other in bpy.data.objects if other.type == "MESH"]
-
-
-def test_a_file_without_a_mesh_is_refused(tmp_path):
-    path = tmp_path / "empty.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    with pytest.raises(InputError, match="no mesh"):
-        build_from_file(path)
-    with pytest.raises(InputError, match="no model"):
-        build_from_file(tmp_path / "notes.txt")
-
-
-@pytest.mark.parametrize(("name", "data"), [("a.glb", b"glTF broken"), ("a.blend", b"BLENDER-v405 broken")])
-def test_a_damaged_model_says_what_is_wrong_and_not_where_in_blender(tmp_path, name, data):
-    (tmp_path / name).write_bytes(data)
-    with pytest.raises(InputError, match=r"the model cannot be read \(.+\); export it again as .glb$") as told:
-        build_from_file(tmp_path / name)
-    assert "Location" not in str(told.value) and "\n" not in str(told.value)
 
 
 def test_a_bent_line_goes_through_its_points_without_corners():

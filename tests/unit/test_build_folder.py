@@ -23,7 +23,7 @@ def test_a_folder_named_beside_the_script_takes_the_place_of_build_and_is_rememb
     settings = Settings.load(script)
     Studio(settings).plan(script, tmp_path / "p")
     assert (tmp_path / "disk" / "film" / MARK).read_text() == str(tmp_path / "p")
-    (tmp_path / "p" / REMEMBERED).write_text(settings.remembered())
+    (tmp_path / "p" / REMEMBERED).write_text(settings.remembered(tmp_path / "p"))
     assert Settings.load(project=tmp_path / "p").build == tmp_path / "disk" / "film"
 
 

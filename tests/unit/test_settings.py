@@ -32,8 +32,8 @@ def test_bad_settings_are_one_clear_error(tmp_path: Path, text: str, words: str)
 
 
 def test_a_project_remembers_its_settings(tmp_path: Path) -> None:
-    made = Settings(look="pencil", lens_kit=(35.0, 75.0), jobs=2, models=tmp_path)
-    (tmp_path / REMEMBERED).write_text(made.remembered())
+    made = Settings(look="pencil", lens_kit=(35.0, 75.0), jobs=2)
+    (tmp_path / REMEMBERED).write_text(made.remembered(tmp_path))
     again = Settings.load(project=tmp_path, animatic=False)
     assert again == Settings(look="pencil", lens_kit=(35.0, 75.0), animatic=False)
     assert Settings.load(project=tmp_path, look="fast").look == "fast"
@@ -134,3 +134,15 @@ def test_a_folder_of_models_lies_beside_the_file_that_names_it(tmp_path: Path, m
     (tmp_path / "storyblender.toml").write_text("models = 3")
     with pytest.raises(InputError, match="'models' cannot be 3"):
         Settings.load(tmp_path / "a.fountain")
+
+
+def test_a_project_remembers_its_folder_of_models_where_it_is_moved_with_it(tmp_path: Path) -> None:
+    project, near, far = (tmp_path / name for name in ("work/a.storyboard", "work/models", "elsewhere/models"))
+    for folder in (project, near, far):
+        folder.mkdir(parents=True)
+    (project / REMEMBERED).write_text(Settings(models=far).remembered(project))
+    assert Settings.load(project=project).models == far
+    (project / REMEMBERED).write_text(Settings(models=near).remembered(project))
+    moved = (tmp_path / "work").rename(tmp_path / "moved")
+    again = Settings.load(project=moved / "a.storyboard").models
+    assert again is not None and again.resolve() == moved / "models"

@@ -26,6 +26,7 @@ from storyblender.memory.asset_sheet import Asset, CharacterLook
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.jobs import ASSETS, AssetJob, asset_suffixes
 from storyblender.memory.measure import AssetMeasure
+from storyblender.model_content import content_of
 from storyblender.outputs import digest_of
 
 
@@ -166,6 +167,7 @@ class AssetStore:
             dimensions=build.dimensions,
             anchors=(*build.anchors, *tops),
             faces=len(build.mesh.polygons),
+            notes=build.notes,
         )
 
     def _make_object(self, asset: Asset, digest: str) -> PropBuild:
@@ -176,16 +178,25 @@ class AssetStore:
             case "catalog":
                 return build_prop(canonical.key, canonical.params, seed, asset.dimension)
             case "file":
-                return build_from_file(self._model_path(canonical.key), asset.dimension)
+                path = self._model_path(canonical.key, str(canonical.params.get("content", "")))
+                told = canonical.params.get("told") is True
+                return build_from_file(path, asset.dimension, folder=self._models, name=asset.name, told=told)
             case _:
                 return build_stand_in(asset.name or asset.asset_id, canonical.key, seed, asset.dimension)
 
-    def _model_path(self, name: str) -> Path:
+    def _model_path(self, name: str, content: str) -> Path:
+        """Return the file of a user's model; in the folder and with the content decided on."""
         if self._models is None:
-            raise InputError(f"the model {name!r} is in no folder", mend="give --models FOLDER")
+            raise InputError(f"the model {name!r} is in no folder", mend="run `storyblender make` with --models FOLDER")
+        if not self._models.is_dir():
+            mend = "put it back, or run `storyblender make` with --models FOLDER"
+            raise InputError(f"the folder of the model {name!r} is not there", mend=mend, path=self._models)
         path = (self._models / name).resolve()
         if not path.is_relative_to(self._models.resolve()):
             raise InputError(f"the model {name!r} lies outside the folder of models")
+        if content and path.is_file() and content != content_of(path):
+            mend = "run `storyblender make` to take it as it is now"
+            raise InputError("the model was changed since it was taken into the story", mend=mend, path=path)
         return path
 
 

@@ -1,67 +1,50 @@
-"""Which way up, which way front and in which unit: brings a foreign model to the canonical frame. Pure numpy.
+"""Which way up and in which unit: brings a foreign model to the canonical frame. Pure numpy.
 
-The paper's Asset Formatter asks a vision model; these are the cues that need none: what a thing can stand on, its
-mirror plane, where its upper mass lies, and the sizes things have. File formats fix an up axis, so the file's own
-pose is kept unless the geometry speaks clearly against it.
+The paper's Asset Formatter asks a vision model. A file format says most of it: glTF and Blender know up and front and
+are in metres, so their pose and size are kept as long as they are plausible. An .obj says nothing, and is tipped up
+only where it could not stand as it is.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
+
+from storyblender.memory.asset_sheet import AssetDimension
 
 Floats = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 UP_PRIOR = 2.1
 """How much worse the file's own up may score before another is taken: it must be about to fall over."""
-MIRROR_MARGIN = 0.08
-"""How much better a side mirror must be than the front-back mirror before the model is turned."""
-BACK_RISE = 0.15
-"""Share of its height by which one end must be higher than the other to tell back from front."""
-SAMPLES = 20_000
-"""Points that stand for the surface."""
-UNITS: tuple[tuple[str, float], ...] = (("metre", 1.0), ("centimetre", 0.01), ("millimetre", 0.001), ("inch", 0.0254))
+UNITS: tuple[tuple[str, float], ...] = (
+    ("metres", 1.0),
+    ("centimetres", 0.01),
+    ("millimetres", 0.001),
+    ("inches", 0.0254),
+)
 LIKELY = ((0.02, 32.0), (0.1, 8.0), (0.1, 8.0))
 """Metres: the largest extent that makes a metre, a centimetre, a millimetre file believable."""
+PLAUSIBLE = 2.5
+"""How many times larger or smaller than usual a thing may be and keep its own size."""
 
 
-@dataclass(frozen=True)
-class Alignment:
-    """How to bring a model to the canonical frame.
-
-    Attributes:
-        rotation: (3, 3) canonical from file.
-        unit: Metres of one unit of the file.
-        unit_name: Its name.
-        certainty: 0..1; low where two readings score alike.
-    """
-
-    rotation: Floats
-    unit: float
-    unit_name: str
-    certainty: float
-
-
-def align(vertices: Floats, triangles: Triangles) -> Alignment:
-    """Return how to turn and scale a model.
+def stand_up(vertices: Floats, triangles: Triangles) -> Floats:
+    """Return the (3, 3) rotation that puts a model on its feet; the identity unless it would fall over as it is.
 
     Args:
-        vertices: (n, 3) in the file's frame and unit, Z up as its importer gives it.
+        vertices: (n, 3), Z up as its importer gives it.
         triangles: (m, 3) vertex indices.
     """
-    up, up_margin = _up(vertices, triangles)
-    upright = vertices @ up.T
-    turn, front_margin = _front(upright, triangles)
-    rotation = turn @ up
-    name, unit = _unit(float(np.ptp(vertices, axis=0).max()))
-    return Alignment(rotation, unit, name, float(np.clip(min(up_margin, front_margin), 0, 1)))
+    x, y, z = np.eye(3)
+    candidates = [np.array(rows) for rows in ((x, y, z), (x, z, -y), (x, -z, y), (x, -y, -z), (-z, y, x), (z, y, -x))]
+    scores = np.array([stability(vertices @ turn.T, triangles) for turn in candidates])
+    best = int(scores.argmax())
+    return candidates[best] if scores[best] > scores[0] + UP_PRIOR else candidates[0]
 
 
 def stability(vertices: Floats, triangles: Triangles) -> float:
-    """Return 0..2: how well the model stands on what touches the ground when +Z is up.
+    """Return -1..2: how well the model stands on what touches the ground when +Z is up.
 
     The share of its footprint that its support polygon covers, plus how far inside that polygon its mass lies.
     """
@@ -114,71 +97,43 @@ def _centers(vertices: Floats, triangles: Triangles) -> tuple[Floats, Floats]:
     return corners.mean(axis=1), np.maximum(np.linalg.norm(normal, axis=1) / 2, 1e-12)
 
 
-def _up(vertices: Floats, triangles: Triangles) -> tuple[Floats, float]:
-    """Return the rotation that puts the model on its feet, and by how much it wins."""
-    x, y, z = np.eye(3)
-    candidates = [np.array(rows) for rows in ((x, y, z), (x, z, -y), (x, -z, y), (x, -y, -z), (-z, y, x), (z, y, -x))]
-    scores = np.array([stability(vertices @ turn.T, triangles) for turn in candidates])
-    scores[0] += UP_PRIOR
-    best = int(scores.argmax())
-    return candidates[best], float(scores[best] - np.delete(scores, best).max() + 0.2)
+def scale_of(extent: Floats, dimension: AssetDimension | None, *, told: bool) -> tuple[float, str]:
+    """Return metres of one unit of a model, and why it is not 1; the reason is empty where the model keeps its size.
+
+    Args:
+        extent: (3,) width, depth, height in the file's units.
+        dimension: What the thing measures, usually.
+        told: Whether the script states that measure, so that it counts and not the file's.
+    """
+    wanted = _wanted(extent, dimension)
+    if wanted is None:
+        name, unit = _likely(float(extent.max()))
+        return unit, "" if unit == 1 else f"it is taken to be in {name}"
+    measured, goal = wanted
+    ratio = goal / max(measured, 1e-9)
+    if told:
+        return ratio, "" if abs(ratio - 1) < 0.02 else "the script says how large it is"
+    if 1 / PLAUSIBLE <= ratio <= PLAUSIBLE:
+        return 1.0, ""
+    name, unit = min(UNITS, key=lambda each: abs(np.log(ratio / each[1])))
+    if 1 / PLAUSIBLE <= ratio / unit <= PLAUSIBLE:
+        return unit, f"it is taken to be in {name}"
+    return ratio, "it is far from the usual size of such a thing"
 
 
-def _front(vertices: Floats, triangles: Triangles) -> tuple[Floats, float]:
-    """Return the yaw (as a matrix) that brings the front to -Y, and how clear the cues are."""
-    points, areas = _samples(vertices, triangles)
-    lopsided = [_asymmetry(points, areas, axis) for axis in (0, 1)]
-    sideways = lopsided[0] - lopsided[1] > MIRROR_MARGIN  # its left and right are along Y
-    axis = 0 if sideways else 1
-    rise = _rise(np.r_[vertices, points], axis)
-    back = np.sign(rise) if abs(rise) > BACK_RISE else 1.0
-    quarter = {(1, 1.0): 0, (1, -1.0): 2, (0, 1.0): 1, (0, -1.0): 3}[(axis, float(back))]
-    angle = quarter * np.pi / 2
-    turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]).round(12)
-    return turn, 0.4 + abs(rise) + abs(lopsided[0] - lopsided[1])
+def _wanted(extent: Floats, dimension: AssetDimension | None) -> tuple[float, float] | None:
+    """Return the extent that a dimension is about and its metres; of width and depth the larger stands for either."""
+    if dimension is None:
+        return None
+    if dimension.height is not None:
+        return float(extent[2]), dimension.height
+    side = dimension.width if dimension.width is not None else dimension.depth
+    return None if side is None else (float(extent[:2].max()), side)
 
 
-def _rise(points: Floats, axis: int, slices: int = 8) -> float:
-    """Return -1..1: how much higher the far end of an axis is than its near end, as with the back of a seat."""
-    low, extent = points.min(axis=0), np.maximum(np.ptp(points, axis=0), 1e-9)
-    which = np.clip(((points[:, axis] - low[axis]) / extent[axis] * slices).astype(int), 0, slices - 1)
-    top = np.zeros(slices)
-    np.maximum.at(top, which, (points[:, 2] - low[2]) / extent[2])
-    top = np.where(top > 0, top, top.mean())
-    return float(top[-3:].mean() - top[:3].mean())
-
-
-def _samples(vertices: Floats, triangles: Triangles) -> tuple[Floats, Floats]:
-    """Return points spread over the surface by area (a low-discrepancy sequence), and the area each stands for."""
-    corners = vertices[triangles]
-    _, areas = _centers(vertices, triangles)
-    counts = np.ceil(SAMPLES * areas / areas.sum()).astype(int)
-    which = np.repeat(np.arange(len(triangles)), counts)
-    index = np.arange(len(which))
-    first, second = (index * 0.7548776662466927) % 1, (index * 0.5698402909980532) % 1
-    folded = first + second > 1
-    first, second = np.where(folded, 1 - first, first), np.where(folded, 1 - second, second)
-    weights = np.stack([1 - first - second, first, second], axis=1)
-    return np.einsum("sk,skd->sd", weights, corners[which]), (areas / counts)[which]
-
-
-def _asymmetry(points: Floats, areas: Floats, axis: int, cells: int = 9) -> float:
-    """Return 0..1: how much of the surface finds no partner across the middle plane of an axis."""
-    low, extent = points.min(axis=0), np.maximum(np.ptp(points, axis=0), 1e-9)
-    grid = np.clip(((points - low) / extent * cells).astype(int), 0, cells - 1)
-    count = np.zeros((cells, cells, cells))
-    np.add.at(count, tuple(grid.T), areas)
-    return float(np.abs(count - np.flip(count, axis=axis)).sum() / (2 * count.sum()))
-
-
-def _unit(largest: float) -> tuple[str, float]:
+def _likely(largest: float) -> tuple[str, float]:
     """Return the unit under which the largest extent is likely; metres where they are."""
     for (name, metres), (least, most) in zip(UNITS, LIKELY, strict=False):
         if least <= largest * metres <= most:
             return name, metres
     return UNITS[0]
-
-
-def unit_for(measured: float, wanted: float) -> tuple[str, float]:
-    """Return the unit that brings a measured extent nearest to the wanted one in metres."""
-    return min(UNITS, key=lambda unit: abs(np.log(max(measured * unit[1], 1e-9) / wanted)))

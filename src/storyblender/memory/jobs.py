@@ -19,6 +19,8 @@ Look = Literal["board", "fast", "pencil", "render"]
 
 GEOMETRY_VERSION = 5
 """Raised when builders change shape: old caches are then built anew."""
+MODEL_VERSION = 2
+"""Raised when users' models are read otherwise: only what was built from them is then built anew."""
 DRAWING_VERSION = 5
 """Raised when the same request is drawn otherwise, as when the golden pictures change: old projects draw anew."""
 
@@ -48,6 +50,7 @@ class AssetJob(Frozen):
             asset.look.model_dump(mode="json") if asset.look else None,
             asset.dimension.model_dump(mode="json") if asset.dimension else None,
             None if canonical is None else f"{canonical.source}:{canonical.key}",
+            *([MODEL_VERSION] if canonical is not None and canonical.source == "file" else []),
             dict(canonical.params) if canonical else None,
             asset.name if canonical and canonical.source == "stand_in" else "",
         )

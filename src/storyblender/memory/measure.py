@@ -20,6 +20,8 @@ class AssetMeasure(Frozen):
     faces: int = 0
     asset_type: AssetType = "object"
     """A character takes the floor of a standing person, not of its rest pose."""
+    notes: tuple[str, ...] = ()
+    """Sentences for the user: what a model from a file was changed by, and what of it was left out."""
 
 
 class SubjectView(Frozen):

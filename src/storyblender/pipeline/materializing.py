@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Sequence
 from concurrent.futures import Future
@@ -11,14 +10,15 @@ from pathlib import Path
 from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
-from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules
+from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules, tells_size
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.errors import EngineError
-from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
 from storyblender.memory.base import Vec3
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
+from storyblender.model_content import content_of
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
@@ -54,7 +54,10 @@ def _built(run: Run, concept: ConceptArtist, asset: Asset, future: Future[AssetM
     canonical = asset.canonical
     assert canonical is not None, "decided before it is built"
     try:
-        return _measured(asset, future.result())
+        measure = future.result()
+        for note in measure.notes:
+            run.tell(Event(kind="warning", role="asset_formatter", subject=asset.asset_id, message=note))
+        return _measured(asset, measure)
     except EngineError as error:
         if canonical.source != "file" or canonical.geometry_hash:
             raise
@@ -80,10 +83,15 @@ def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
             rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)
     rules = DimensionRules(rooms)
     sizes = run.reflect("dimension_estimator", "assets", named, rules, DimensionCritic()).draft
-    return [
-        asset.model_copy(update={"dimension": sizes[asset.asset_id]}) if asset.asset_id in sizes else asset
-        for asset in assets
-    ]
+    return [_with_size(asset, sizes[asset.asset_id]) if asset.asset_id in sizes else asset for asset in assets]
+
+
+def _with_size(asset: Asset, dimension: AssetDimension) -> Asset:
+    """Return an asset with its dimension; a model keeps its own size unless the script tells one."""
+    canonical = asset.canonical
+    if canonical is not None and canonical.source == "file" and tells_size(asset):
+        canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
+    return asset.model_copy(update={"dimension": dimension, "canonical": canonical})
 
 
 class ConceptArtist:
@@ -143,10 +151,8 @@ def model_files(folder: Path | None) -> tuple[ModelFile, ...]:
 
 
 def _model_file(path: Path, name: Path) -> ModelFile:
-    with path.open("rb") as file:
-        content = hashlib.file_digest(file, "sha256").hexdigest()[:16]
     words = name.with_suffix("").as_posix().replace("/", " ")
-    return ModelFile(path=name.as_posix(), name=words, content=content)
+    return ModelFile(path=name.as_posix(), name=words, content=content_of(path))
 
 
 def _measured(asset: Asset, measure: AssetMeasure) -> Asset:

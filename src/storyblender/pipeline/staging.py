@@ -17,8 +17,10 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
     RulesLightingArranger,
 )
 from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
-from storyblender.catalog.props import PROPS
+from storyblender.catalog.props import PROPS, PropEntry
+from storyblender.catalog.props.called import called
 from storyblender.catalog.sets import plan_of
+from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Environment, Lighting, SceneContext
@@ -55,11 +57,7 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     fresh = [asset for asset in dressing.assets if asset.asset_id not in known]
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
     materialize(run, fresh)
-    placements = {
-        asset.asset_id: PROPS[asset.canonical.key].placement
-        for asset in run.graph.assets
-        if asset.canonical is not None and asset.canonical.key in PROPS
-    }
+    placements = {asset.asset_id: entry.placement for asset in run.graph.assets if (entry := _entry_of(asset))}
     brief = layout_brief(run.graph, scene_id, plan, dressing.objects, dressing.pending, placements=placements)
     layout = run.reflect("spatial_planner", name, brief, SpatialRules(), LayoutCritic()).draft
     scene = scene.model_copy(update={"layout": layout})
@@ -67,6 +65,14 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     shots = _animate(run, scene_id)
     scene, shots = _light(run, scene, shots)
     run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def _entry_of(asset: Asset) -> PropEntry | None:
+    """Return the prop that an object is; of a user's model, what it is called."""
+    made = asset.canonical
+    if made is None or made.source == "person":
+        return None
+    return called(asset.name) if made.source == "file" else PROPS.get(made.key)
 
 
 def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:

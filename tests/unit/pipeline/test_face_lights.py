@@ -43,7 +43,7 @@ def lights(project: Project) -> list[str]:
 
 def test_another_look_changes_nothing_and_can_be_followed_by_redo(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
-        project.files.write(REMEMBERED, Settings(look="board").remembered())
+        project.files.write(REMEMBERED, Settings(look="board").remembered(tmp_path))
         story = ContinuityMemoryGraph(scenes=(SceneContext(scene_id=1, setup=SceneSetup()),), shots=(SHOT,))
         project.commit(story, "director", "plans")
         board = run_in(project, "board")

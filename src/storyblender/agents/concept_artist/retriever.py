@@ -13,6 +13,7 @@ from pathlib import PurePath
 
 import numpy as np
 
+from storyblender.agents.concept_artist.file_names import words_of_file
 from storyblender.agents.concept_artist.recipe import AssetRequest, ModelFile, Recipe
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS, read_variant, words_of
@@ -79,7 +80,7 @@ class Retriever:
     def search(self, view: AssetRequest, count: int) -> tuple[Recipe, ...]:
         """Return the ``count`` best matches, best first."""
         phrase, theirs = view.phrase, _model_terms(view.models)
-        matches, models = _by_words(phrase, CATALOG_TERMS), _by_words(phrase, theirs)
+        matches, models = _by_words(phrase, CATALOG_TERMS), _models_by_words(phrase, view.models, theirs)
         if all(match.score < HEAD for match in matches + models):
             matches = self._with_likely(matches, view, CATALOG_TERMS)
             models = self._with_likely(models, view, theirs)
@@ -154,15 +155,6 @@ def _terms() -> Iterator[_Term]:
 CATALOG_TERMS: tuple[_Term, ...] = tuple(_terms())
 
 
-def _model_terms(models: tuple[ModelFile, ...]) -> tuple[_Term, ...]:
-    """A model is called by its file's name, by what of it says what it is, and by that behind its folders' words."""
-    names: list[tuple[str, list[str]]] = []
-    for model in models:
-        own = words_of(PurePath(model.path).stem)
-        names += [(model.path, own), (model.path, _kept(own)), (model.path, _kept(words_of(model.name)))]
-    return tuple(dict.fromkeys(_Term(path, tuple(words), True) for path, words in names if words))
-
-
 def _kept(words: list[str]) -> list[str]:
     """Return the words that say what the thing is, cut before ``of``, ``with``, ``on`` ... phrases."""
     for stop in ("with", "on", "in", "from", "for", "at", "by"):
@@ -209,6 +201,36 @@ def _fit(name: tuple[str, ...], full: list[str], bare: list[str], is_name: bool)
             plain = exact - 0.7 * (len(words) < len(full)) if not rest else HEAD + (0.3 if is_name else 0.0)
             return (ODD_HEAD if odd else plain - _UNEXPLAINED * (len(words) - len(name))), len(name)
     return 0.0, 0
+
+
+def _model_terms(models: tuple[ModelFile, ...]) -> tuple[_Term, ...]:
+    """A model is called by its file's name, by what of it says what it is, and by that behind its folders' words."""
+    names: list[tuple[str, list[str]]] = []
+    for model in models:
+        own = words_of(PurePath(model.path).stem)
+        named = list(words_of_file(model.path).words)
+        folders = _kept([*words_of(model.name)[: -len(own) or None], *named])
+        names += [(model.path, each) for each in (own, named, _kept(named), folders)]
+    return tuple(dict.fromkeys(_Term(path, tuple(words), True) for path, words in names if words))
+
+
+def _models_by_words(phrase: str, models: tuple[ModelFile, ...], terms: tuple[_Term, ...]) -> list[_Match]:
+    """Return the user's models by words, best first.
+
+    A model whose name has the thing's noun and explains the words before it is the thing itself, in whatever order the
+    name has them; of several the one comes first that shares most words with the phrase and has fewest others.
+    """
+    said = {_singular(word) for word in words_of(phrase)}
+    thing = [_singular(word) for word in _thing(_kept(words_of(phrase)))]
+    meant: list[tuple[int, int, str, _Match]] = []
+    for model in models:
+        name = words_of_file(model.path)
+        own = {_singular(word) for word in name.words}
+        left = [word for word in thing[:-1] if word not in own | _MODIFIERS | TOY_WORDS]
+        if thing and _singular(name.noun) == thing[-1] and not left:
+            match = _Match(model.path, EXACT, f"its name has the noun {thing[-1]!r}")
+            meant.append((-len(own & said), len(own - said), model.path, match))
+    return _best_of([match for *_, match in sorted(meant, key=lambda item: item[:3])] + _by_words(phrase, terms))
 
 
 def _lookalike(word: str, other: str) -> bool:

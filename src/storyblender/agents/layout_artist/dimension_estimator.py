@@ -162,8 +162,17 @@ def _fitted(dimension: AssetDimension, asset: Asset, room: Vec3) -> AssetDimensi
     return dimension if scale >= 1 else AssetDimension(**{side: round(value * scale, 2)})
 
 
+def tells_size(asset: Asset) -> bool:
+    """Return whether the script states a measure of the thing, such as ``30 cm`` or ``2 m tall``."""
+    return _measured(_text(asset), asset.asset_type == "character") is not None
+
+
+def _text(asset: Asset) -> str:
+    return f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
+
+
 def _estimated(asset: Asset) -> AssetDimension:
-    text = f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
+    text = _text(asset)
     measured = _measured(text, asset.asset_type == "character")
     if measured is not None:
         return measured

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from storyblender.catalog.light_recipes import LAMPS
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.called import called
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Color, Vec3
@@ -85,9 +86,12 @@ def _standing_props(view: LightingView) -> Iterator[tuple[str, str, Vec3, float,
     assets = {asset.asset_id: asset for asset in view.assets}
     for placed in view.layout.objects:
         asset = assets.get(placed.asset_id)
-        if asset is not None and asset.canonical is not None and asset.canonical.source == "catalog":
-            height = asset.canonical.dimensions[2]
-            yield placed.node_id, asset.canonical.key, placed.location, placed.rotation[2], height
+        if asset is None or asset.canonical is None:
+            continue
+        made, entry = asset.canonical, called(asset.name) if asset.canonical.source == "file" else None
+        key = made.key if made.source == "catalog" else entry.key if entry is not None else ""
+        if key:
+            yield placed.node_id, key, placed.location, placed.rotation[2], made.dimensions[2]
 
 
 def strongest(lights: tuple[Light, ...], count: int) -> tuple[Light, ...]:

@@ -6,7 +6,6 @@ its desk, not the upper edge of its mirror.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import bmesh
@@ -15,6 +14,8 @@ import numpy as np
 from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
+from storyblender.geometry.rectangles import largest_rectangle, without_seams
+from storyblender.geometry.resting import Field
 from storyblender.memory.asset_sheet import Anchor
 
 Floats = NDArray[np.float64]
@@ -129,6 +130,36 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
     return _Hits(table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3], solids)
 
 
+def level_field(mesh: bpy.types.Mesh) -> Field:
+    """Return the level places of a mesh from any modeller: nothing is taken for granted about where its faces face.
+
+    Args:
+        mesh: In metres, Z up.
+    """
+    cell, origin, shape = _grid(mesh)
+    solid = bmesh.new()
+    solid.from_mesh(mesh)
+    tree = BVHTree.FromBMesh(solid)
+    solid.free()
+    start = max(vertex.co.z for vertex in mesh.vertices) + 1.0
+    top = np.full(shape, -np.inf)
+    found: list[tuple[int, int, float, float]] = []
+    for row in range(shape[0]):
+        for column in range(shape[1]):
+            x, y = origin[0] + (column + 0.5) * cell, origin[1] + (row + 0.5) * cell
+            z, ceiling = start, np.inf
+            for _ in range(LAYERS):
+                point, normal, _, _ = tree.ray_cast((x, y, z), (0, 0, -1))
+                if point is None:
+                    break
+                top[row, column] = max(top[row, column], point.z)
+                if abs(normal.z) > LEVEL and ceiling - point.z > ROOM:
+                    found.append((row, column, point.z, ceiling - point.z))
+                ceiling, z = point.z, point.z - 1e-4
+    table = np.array(found).reshape(-1, 4)
+    return Field(cell, origin, top, table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
+
+
 def _levels(heights: Floats) -> list[NDArray[np.int64]]:
     """Return groups of hits that lie within ``SPREAD`` of each other: the fullest level first, then what is left."""
     left = np.argsort(heights, kind="stable")
@@ -150,10 +181,10 @@ def _rectangles(
     height[hits.row[level], hits.column[level]] = hits.z[level]
     room[hits.row[level], hits.column[level]] = hits.room[level]
     free = ~np.isnan(height)
-    free |= _without_seams(free, cell) & ~hits.is_blocked(shape, float(np.median(hits.z[level])))
+    free |= without_seams(free, cell, SEAM) & ~hits.is_blocked(shape, float(np.median(hits.z[level])))
     found = []
     while free.sum() * cell * cell >= LEAST_AREA:
-        row, column, rows, columns = _largest_rectangle(free)
+        row, column, rows, columns = largest_rectangle(free)
         area = rows * columns * cell * cell
         if area < LEAST_AREA or min(rows, columns) * cell < 0.06:
             return found
@@ -161,34 +192,3 @@ def _rectangles(
         found.append((area, (float(np.nanmedian(height[part])), row, column, rows, columns, float(room[part].min()))))
         free[part] = False
     return found
-
-
-def _without_seams(free: NDArray[np.bool_], cell: float) -> NDArray[np.bool_]:
-    """Return the free cells and those of the seams between them."""
-    closed = free.copy()
-    for axis in (0, 1):
-        there, out = np.moveaxis(free, axis, 0), np.moveaxis(closed, axis, 0)
-        for gap in range(2, math.ceil(SEAM / cell) + 2):
-            both = there[:-gap] & there[gap:]
-            for inner in range(1, gap):
-                out[inner : inner + len(both)] |= both
-    return closed
-
-
-def _largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int]:
-    """Return row, column, rows, columns of the largest all-true rectangle (stack over column heights)."""
-    best = (0, 0, 0, 0)
-    rows, columns = np.flatnonzero(free.any(1)), np.flatnonzero(free.any(0))
-    left, right = int(columns[0]), int(columns[-1]) + 1  # a level is often one board among many: look only there
-    heights = np.zeros(right - left, int)
-    for row in range(int(rows[0]), int(rows[-1]) + 1):
-        heights = np.where(free[row, left:right], heights + 1, 0)
-        stack: list[tuple[int, int]] = []
-        for column, tall in enumerate([*heights.tolist(), 0], left):
-            start = column
-            while stack and stack[-1][1] >= tall:
-                start, height = stack.pop()
-                if height * (column - start) > best[2] * best[3]:
-                    best = (row - height + 1, start, height, column - start)
-            stack.append((start, tall))
-    return best

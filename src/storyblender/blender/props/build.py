@@ -24,11 +24,13 @@ class PropBuild:
         mesh: A new mesh data-block named after the key.
         anchors: What its builder declared; tops are found by ``measure.surfaces``.
         dimensions: Width, depth, height as built.
+        notes: Sentences for the user about what was changed or left out; of models from files only.
     """
 
     mesh: bpy.types.Mesh
     anchors: Anchors
     dimensions: Vec3
+    notes: tuple[str, ...] = ()
 
 
 def build_prop(

@@ -1,126 +1,202 @@
-"""Builds an asset from a model file: one mesh, metres, bottom-centre origin, front -Y."""
+"""Builds an asset from a user's model file: one mesh, metres, bottom-centre origin, front -Y, with places to use it."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
-import bmesh
 import bpy
 import numpy as np
 
+from storyblender.blender.measure.surfaces import level_field
+from storyblender.blender.models.addresses import readable
+from storyblender.blender.models.blend import read_blend
+from storyblender.blender.models.gltf import read_gltf
+from storyblender.blender.models.obj import read_obj
+from storyblender.blender.models.plain import PlainModel
+from storyblender.blender.models.rebuild import build_mesh
 from storyblender.blender.props.build import PropBuild, settle
+from storyblender.blender.props.registry import Anchors, grip
+from storyblender.catalog.props import PropEntry
+from storyblender.catalog.props.called import called
 from storyblender.errors import InputError
-from storyblender.geometry.canonical import Alignment, align, unit_for
+from storyblender.geometry.canonical import scale_of, stand_up
+from storyblender.geometry.holding import Hold, find_hold
+from storyblender.geometry.resting import Places, Use, find_bed, find_seats
 from storyblender.memory.asset_sheet import AssetDimension
+from storyblender.memory.base import Vec3
 
-SUFFIXES = (".glb", ".gltf", ".obj", ".blend")
+_READERS: dict[str, Callable[[Path, Path], PlainModel]] = {
+    ".glb": read_gltf,
+    ".gltf": read_gltf,
+    ".obj": read_obj,
+    ".blend": read_blend,
+}
+SUFFIXES = tuple(_READERS)
 """The files that can be read."""
+_LAIN_ON, _SAT_ON = ("cradle", "stretcher"), ("toilet",)
+"""Props that one lies or sits on though their names do not say so."""
+_LARGE = 12.0
+"""Metres: of what is larger, nobody looks for a seat."""
+_Z_UP = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+"""Undoes the turn of an .obj that was Z up already."""
 
 
-def build_from_file(path: Path, dimension: AssetDimension | None = None) -> PropBuild:
+def build_from_file(
+    path: Path,
+    dimension: AssetDimension | None = None,
+    *,
+    folder: Path | None = None,
+    name: str = "",
+    told: bool = False,
+) -> PropBuild:
     """Read a model and bring it to the canonical frame.
 
-    Its meshes are joined; lights, cameras, rigs and scripts in the file are left out.
+    Its meshes are joined; everything that is no surface is left out: lights, cameras, rigs, animation, scripts.
 
     Args:
         path: A .glb, .gltf, .obj or .blend file.
-        dimension: The wanted size; without it the unit is guessed.
+        dimension: What the thing measures, usually; without it the unit is guessed.
+        folder: The folder of models; what the file names must be in it. Its own folder if not given.
+        name: What the story calls it; the file's name if not given.
+        told: Whether the script states the dimension, so that it counts and not the file's size.
 
     Raises:
         InputError: The file cannot be read or holds no mesh.
     """
-    kept = {block for blocks in (bpy.data.objects, bpy.data.meshes) for block in blocks}
-    _read(path)
-    objects = [obj for obj in bpy.data.objects if obj not in kept]
-    meshes = sorted((obj for obj in objects if obj.type == "MESH"), key=lambda obj: obj.name)
-    try:
-        if not meshes:
-            raise InputError("the file holds no mesh", path=path)
-        mesh = _join(meshes, path.stem)
-    finally:
-        for obj in objects:
-            bpy.data.objects.remove(obj)
-    for left in [block for block in bpy.data.meshes if block not in kept and block != mesh and not block.users]:
-        bpy.data.meshes.remove(left)
-    _turn(mesh, align(*_arrays(mesh)), dimension)
-    return settle(mesh, (), dimension)
+    model = read_model(path, folder or path.parent)
+    mesh = build_mesh(model, path.stem[:40])
+    entry, notes = called(name or path.stem), list(model.notes)
+    if path.suffix.lower() == ".obj":
+        _stand(mesh, entry, dimension, notes)
+    extent = np.ptp(_points(mesh), axis=0)
+    scale, reason = scale_of(extent, dimension, told=told)
+    _transform(mesh, np.eye(3) * scale)
+    if reason:
+        notes.append(f"{_size(extent)} becomes {_size(extent * scale)} ({scale:.4g} times): {reason}")
+    places = _places(mesh, entry)
+    turn = _turn_to_front(mesh, places)
+    if turn:
+        places = _places(mesh, entry)
+        notes.append(f"it is turned by {turn} degrees to face the front")
+    build = settle(mesh, places.anchors)
+    if not build.anchors:
+        build = replace(build, anchors=_grips(find_hold(_points(mesh), _triangles(mesh))))
+    return replace(build, notes=tuple(f"{path.name}: {note}" for note in notes))
 
 
-def _read(path: Path) -> None:
-    suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise InputError(f"a {suffix or 'nameless'} file is no model", mend=f"use {', '.join(SUFFIXES)}", path=path)
+def read_model(path: Path, folder: Path) -> PlainModel:
+    """Read the surface of a model.
+
+    Raises:
+        InputError: It cannot be used; one sentence.
+    """
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        named = path.suffix or "nameless"
+        raise InputError(f"a {named} file is no model", mend=f"use {', '.join(SUFFIXES)}", path=path)
     if not path.is_file():
         raise InputError("there is no such model", path=path)
     try:
-        if suffix == ".blend":
-            _append(path)
-        elif suffix == ".obj":
-            bpy.ops.wm.obj_import(filepath=str(path))
-        else:
-            bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
-    except (RuntimeError, OSError, ValueError) as error:
-        problem = f"the model cannot be read ({_reason(error)})"
+        return reader(readable(folder, path), folder)
+    except InputError as error:
+        mend = error.mend or "export it again as .glb"
+        raise InputError(f"the model cannot be used: {error.problem}", mend=mend, path=path) from error
+    except (OSError, MemoryError) as error:
+        problem = f"the model cannot be read ({type(error).__name__})"
         raise InputError(problem, mend="export it again as .glb", path=path) from error
 
 
-def _reason(error: Exception) -> str:
-    """Return the last thing that an importer says went wrong, without where in its own code."""
-    said = [line.strip() for line in str(error).splitlines() if line.strip() and not line.startswith("Location:")]
-    return said[-1].removeprefix("Error: ") if said else type(error).__name__
+def _use(entry: PropEntry | None) -> Use:
+    """Return what a thing is for, by what it is called."""
+    if entry is None:
+        return ""
+    if "bed" in (entry.key, entry.key.rpartition("_")[2]) or entry.key in _LAIN_ON:
+        return "bed"
+    return "seat" if entry.seats or entry.key in _SAT_ON else "other"
 
 
-def _append(path: Path) -> None:
-    """Append the mesh objects of a .blend; its scripts and drivers never run, as no file is opened."""
-    bpy.context.preferences.filepaths.use_scripts_auto_execute = False
-    with bpy.data.libraries.load(str(path), link=False) as (source, target):
-        target.objects = list(source.objects)
-    for obj in target.objects:
-        if obj is not None:
-            obj.animation_data_clear()
-            bpy.context.scene.collection.objects.link(obj)
-    bpy.context.view_layer.update()
+def _places(mesh: bpy.types.Mesh, entry: PropEntry | None) -> Places:
+    """Return where one sits or lies on a mesh in metres."""
+    use = _use(entry)
+    if use == "other" or max(np.ptp(_points(mesh), axis=0)) > _LARGE:
+        return Places()
+    field = level_field(mesh)
+    bed = find_bed(field, use)
+    faces_front = entry is not None and entry.category in ("vehicle", "animal")
+    return bed if bed.anchors else find_seats(field, use, faces_front=faces_front)
 
 
-def _join(objects: list[bpy.types.Object], name: str) -> bpy.types.Mesh:
-    """Return one mesh of all objects in world space, modifiers applied, materials kept."""
-    graph = bpy.context.evaluated_depsgraph_get()
-    joined, materials = bmesh.new(), []
-    for obj in objects:
-        part = bpy.data.meshes.new_from_object(obj.evaluated_get(graph), depsgraph=graph)
-        part.transform(obj.matrix_world)
-        if obj.matrix_world.determinant() < 0:
-            part.flip_normals()
-        slots = np.zeros(len(part.polygons), np.int32)
-        part.polygons.foreach_get("material_index", slots)
-        part.polygons.foreach_set("material_index", slots + len(materials))
-        materials += list(part.materials) or [None]
-        joined.from_mesh(part)
-        bpy.data.meshes.remove(part)
-    mesh = bpy.data.meshes.new(name)
-    joined.to_mesh(mesh)
-    joined.free()
-    for block in materials:
-        mesh.materials.append(block)
-    return mesh
+def _turn_to_front(mesh: bpy.types.Mesh, places: Places) -> int:
+    """Turn a mesh so that its seat faces -Y, or its bed's head is at +Y; return by how many degrees."""
+    if not places.backed:
+        return 0
+    x, y = (round(value) for value in places.anchors[0].direction[:2])
+    degrees = {(0, -1): 0, (1, 0): -90, (0, 1): 180, (-1, 0): 90}[(x, y)]
+    angle = np.radians(degrees)
+    turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]).round(12)
+    _transform(mesh, turn)
+    return abs(degrees)
 
 
-def _arrays(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
-    mesh.calc_loop_triangles()
+def _stand(mesh: bpy.types.Mesh, entry: PropEntry | None, dimension: AssetDimension | None, notes: list[str]) -> None:
+    """Put an .obj on its feet, which may be Z up: as one can sit or lie on it, else as it does not fall over."""
+    turn = stand_up(_points(mesh), _triangles(mesh))
+    if _use(entry) in ("seat", "bed"):
+        for candidate in (np.eye(3), _Z_UP):
+            trial = mesh.copy()
+            _transform(trial, candidate)
+            scale, _ = scale_of(np.ptp(_points(trial), axis=0), dimension, told=False)
+            _transform(trial, np.eye(3) * scale)
+            found = _places(trial, entry).anchors
+            bpy.data.meshes.remove(trial)
+            if found:
+                turn = candidate
+                break
+    if not np.array_equal(turn, np.eye(3)):
+        _transform(mesh, turn)
+        notes.append("it is tipped up to stand on its feet")
+
+
+def _grips(hold: Hold | None) -> Anchors:
+    """Return the grips of a small thing around its slender part, or at its side."""
+    if hold is None:
+        return ()
+    x, y, z = hold.place
+    ways: tuple[Vec3, Vec3]
+    match hold.axis:
+        case 0:
+            place, ways = (x, y, z + hold.half), ((0.0, -1.0, 0.1), (0.0, -0.1, -1.0))
+        case 1:
+            place, ways = (x - hold.half, y, z), ((0.15, -0.4, -0.9), (1.0, 0.1, 0.0))
+        case _:
+            place, ways = (x - hold.half, y + 0.004, z), ((0.2, -1.0, 0.0), (1.0, 0.15, 0.0))
+    (fx, fy, fz), (px, py, pz) = ways
+    curl = (hold.closed, hold.closed, 0.6 * hold.closed)
+    return (
+        grip("grip_r", place, (fx, fy, fz), (px, py, pz), curl),
+        grip("grip_l", (2 * x - place[0], place[1], place[2]), (-fx, fy, fz), (-px, py, pz), curl),
+    )
+
+
+def _points(mesh: bpy.types.Mesh) -> np.ndarray:
     points = np.empty(len(mesh.vertices) * 3, np.float32)
     mesh.vertices.foreach_get("co", points)
+    return points.reshape(-1, 3).astype(float)
+
+
+def _triangles(mesh: bpy.types.Mesh) -> np.ndarray:
+    mesh.calc_loop_triangles()
     corners = np.empty(len(mesh.loop_triangles) * 3, np.int32)
     mesh.loop_triangles.foreach_get("vertices", corners)
-    return points.reshape(-1, 3).astype(float), corners.reshape(-1, 3).astype(np.int64)
+    return corners.reshape(-1, 3).astype(np.int64)
 
 
-def _turn(mesh: bpy.types.Mesh, alignment: Alignment, dimension: AssetDimension | None) -> None:
-    points, _ = _arrays(mesh)
-    turned = points @ alignment.rotation.T
-    unit = alignment.unit
-    if dimension is not None:
-        wanted = (dimension.width, dimension.depth, dimension.height)
-        known = [(size, goal) for size, goal in zip(np.ptp(turned, axis=0), wanted, strict=True) if goal is not None]
-        unit = unit_for(*known[0])[1] if known else unit
-    mesh.vertices.foreach_set("co", (turned * unit).astype(np.float32).ravel())
+def _transform(mesh: bpy.types.Mesh, matrix: np.ndarray) -> None:
+    mesh.vertices.foreach_set("co", (_points(mesh) @ matrix.T).astype(np.float32).ravel())
     mesh.update()
+
+
+def _size(extent: np.ndarray) -> str:
+    return " x ".join(f"{value:.3g}" for value in extent) + " m"

@@ -1,0 +1,62 @@
+"""What a model's file name says: which of its words is the thing, and which only say more about it.
+
+People write ``office_chair``, ``chair-office``, ``ChairOffice01`` and ``object-lamp``; collections put the noun first
+as often as last.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import PurePath
+
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.variants import words_of
+
+_SAYS_NOTHING: frozenset[str] = frozenset(
+    ("object", "obj", "model", "prop", "asset", "mesh", "item", "sm", "geo", "low", "poly", "lowpoly", "lod", "final",
+     "export", "exported", "copy", "untitled", "rigged", "free", "game", "ready", "cc", "glb", "gltf", "blend")
+)  # fmt: skip
+_COUNTED = re.compile(r"v?\d+|[a-z]")
+_SEAM = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)")
+
+
+@dataclass(frozen=True)
+class FileName:
+    """The words of a name that say something, lower-case, and the one that names the thing."""
+
+    words: tuple[str, ...]
+    noun: str
+
+
+def words_of_file(path: str) -> FileName:
+    """Return what a model is called by its file's name.
+
+    Args:
+        path: Of the file; its folders do not count.
+    """
+    words = words_of(_SEAM.sub(" ", PurePath(path).stem))
+    told = [word for word in words if word not in _SAYS_NOTHING and not _COUNTED.fullmatch(word)] or words
+    if len(told) == 2 and (whole := "".join(told)) in _things():
+        return FileName((whole,), whole)
+    return FileName(tuple(told), _noun(told))
+
+
+def _noun(words: list[str]) -> str:
+    """Return the word for the thing: the last as in English, or the first if only that, or its reverse, is a thing."""
+    if len(words) < 2 or words[0] not in _things():
+        return words[-1] if words else ""
+    reverse = " ".join([*words[1:], words[0]])
+    return words[0] if words[-1] not in _things() or reverse in _names() else words[-1]
+
+
+@cache
+def _names() -> frozenset[str]:
+    return frozenset(" ".join(words_of(term)) for entry in PROPS.values() for term in (entry.name, *entry.tags))
+
+
+@cache
+def _things() -> frozenset[str]:
+    """Return the words that alone name a thing."""
+    return frozenset(name for name in _names() if " " not in name)

@@ -1,0 +1,115 @@
+"""A model as plain data: what is left of a file when everything but its surface is taken away."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.errors import InputError
+from storyblender.memory.base import Color
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class PlainMaterial:
+    """What a surface is made of.
+
+    Attributes:
+        name: As in the file, for people.
+        color: Scene-linear; multiplies the picture.
+        alpha: 0..1.
+        roughness: 0..1.
+        metallic: 0..1.
+        emission: Scene-linear colour times strength.
+        picture: Bytes of a PNG or JPEG in sRGB; empty for none.
+        layer: Which texture coordinates lay out the picture.
+        offset: Of the picture, in its own size.
+        repeat: Of the picture.
+        turn: Radians.
+    """
+
+    name: str = ""
+    color: Color = (0.8, 0.8, 0.8)
+    alpha: float = 1.0
+    roughness: float = 0.6
+    metallic: float = 0.0
+    emission: Color = (0.0, 0.0, 0.0)
+    picture: bytes = b""
+    layer: int = 0
+    offset: tuple[float, float] = (0.0, 0.0)
+    repeat: tuple[float, float] = (1.0, 1.0)
+    turn: float = 0.0
+
+
+@dataclass(frozen=True)
+class PlainModel:
+    """One surface: polygons with materials, in the file's units, Z up, as its importer turned it.
+
+    Attributes:
+        vertices: (n, 3).
+        corners: (c,) vertex of each corner.
+        sizes: (f,) corners of each face.
+        slots: (f,) material of each face; an index into ``materials``, or -1.
+        smooth: (f,) whether a face is shaded smooth.
+        layers: (k, c, 2) texture coordinates, k of 0 to 2.
+        paint: (c, 3) scene-linear vertex colours, or (0, 3) if the file has none.
+        materials: Of the faces.
+        notes: Sentences about what was left out.
+    """
+
+    vertices: Floats
+    corners: Ints
+    sizes: Ints
+    slots: Ints
+    smooth: NDArray[np.bool_]
+    layers: Floats
+    paint: Floats
+    materials: tuple[PlainMaterial, ...] = ()
+    notes: tuple[str, ...] = field(default=())
+
+    def with_materials(self, materials: tuple[PlainMaterial, ...], notes: tuple[str, ...]) -> PlainModel:
+        """Return the same surface with materials and further notes."""
+        return replace(self, materials=materials, notes=(*self.notes, *notes))
+
+
+_ARRAYS = ("vertices", "corners", "sizes", "slots", "smooth", "layers", "paint")
+
+
+def save(model: PlainModel, folder: Path) -> None:
+    """Write a model into a folder: arrays, a record, and a file a picture."""
+    np.savez(folder / "model.npz", **{name: getattr(model, name) for name in _ARRAYS})
+    materials: list[dict[str, Any]] = []
+    for index, material in enumerate(model.materials):
+        (folder / f"{index}.picture").write_bytes(material.picture)
+        materials.append({key: value for key, value in vars(material).items() if key != "picture"})
+    (folder / "model.json").write_text(json.dumps({"materials": materials, "notes": model.notes}))
+
+
+def load(folder: Path) -> PlainModel:
+    """Read what ``save`` wrote.
+
+    Raises:
+        InputError: It is not whole.
+    """
+    try:
+        record = json.loads((folder / "model.json").read_text())
+        with np.load(folder / "model.npz", allow_pickle=False) as stored:
+            arrays = {name: stored[name] for name in _ARRAYS}
+        materials = tuple(
+            PlainMaterial(picture=(folder / f"{index}.picture").read_bytes(), **_tuples(fields))
+            for index, fields in enumerate(record["materials"])
+        )
+    except (OSError, ValueError, KeyError, EOFError) as error:
+        raise InputError("what was read of it is not whole") from error
+    return PlainModel(**arrays, materials=materials, notes=tuple(record["notes"]))
+
+
+def _tuples(fields: dict[str, Any]) -> dict[str, Any]:
+    return {key: tuple(value) if isinstance(value, list) else value for key, value in fields.items()}

@@ -1,0 +1,214 @@
+"""A user's models in Blender: what comes in is a surface and nothing else, where it can be used and as it was made."""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from storyblender.blender.measure.surfaces import level_field  # noqa: E402
+from storyblender.blender.merge import merge_duplicates  # noqa: E402
+from storyblender.blender.props.build import build_prop  # noqa: E402
+from storyblender.blender.props.imported import build_from_file  # noqa: E402
+from storyblender.errors import InputError  # noqa: E402
+from storyblender.geometry.resting import find_bed, find_seats  # noqa: E402
+from storyblender.memory.asset_sheet import AssetDimension  # noqa: E402
+
+
+@pytest.fixture(autouse=True)
+def empty_file():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+
+
+def points(mesh):
+    return np.array([vertex.co[:] for vertex in mesh.vertices])
+
+
+def placed(mesh, yaw=0.0, scale=1.0):
+    """Put a mesh into the scene as the only thing that is selected."""
+    obj = bpy.data.objects.new("thing", mesh)
+    bpy.context.scene.collection.objects.link(obj)
+    obj.rotation_euler[2], obj.scale = np.radians(yaw), (scale,) * 3
+    obj.select_set(True)
+    bpy.context.view_layer.objects.active = obj
+    return obj
+
+
+def written(path):
+    """Write the scene as a model and empty the open file."""
+    if path.suffix in (".glb", ".gltf"):
+        kind = "GLB" if path.suffix == ".glb" else "GLTF_SEPARATE"
+        bpy.ops.export_scene.gltf(filepath=str(path), export_format=kind)
+    elif path.suffix == ".obj":
+        bpy.ops.wm.obj_export(filepath=str(path), path_mode="COPY")
+    else:
+        bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return path
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".gltf", ".obj", ".blend"])
+def test_a_turned_model_in_centimetres_comes_back_canonical(tmp_path, suffix):
+    build = build_prop("armchair")
+    before = points(build.mesh)
+    placed(build.mesh, 180, 100)
+    found = build_from_file(written(tmp_path / f"chair{suffix}"))
+    assert found.dimensions == pytest.approx(build.dimensions, rel=0.01)
+    after = points(found.mesh)
+    high = before[:, 2] > 0.7 * build.dimensions[2], after[:, 2] > 0.7 * build.dimensions[2]
+    assert after[high[1], 1].mean() == pytest.approx(before[high[0], 1].mean(), abs=0.05)
+    assert any("centimetres" in note for note in found.notes) and any("180 degrees" in note for note in found.notes)
+    (sat,) = (anchor for anchor in found.anchors if anchor.kind == "seat")
+    (made,) = (anchor for anchor in build.anchors if anchor.kind == "seat")
+    assert sat.location == pytest.approx(made.location, abs=0.08) and sat.direction[1] < -0.99
+
+
+@pytest.mark.parametrize("key", ["desk", "bicycle", "table_lamp", "car"])
+def test_what_has_no_back_keeps_its_pose_and_size(tmp_path, key):
+    build = build_prop(key)
+    before = points(build.mesh)
+    low, high = before.min(axis=0), before.max(axis=0)
+    heavy = (np.median(before, axis=0) - low) / (high - low)
+    placed(build.mesh)
+    found = build_from_file(written(tmp_path / f"{key}.glb"), AssetDimension(width=1.2 * (high - low)[:2].max()))
+    after = points(found.mesh)
+    assert found.dimensions == pytest.approx(tuple(high - low), rel=0.01) and found.notes == ()
+    assert (np.median(after, axis=0) - after.min(axis=0)) / np.ptp(after, axis=0) == pytest.approx(heavy, abs=0.15)
+
+
+@pytest.mark.parametrize("key", ["chair", "sofa", "office_chair", "rocking_chair", "park_bench", "throne"])
+def test_seats_are_found_where_the_library_has_them(key):
+    build = build_prop(key)
+    found = find_seats(level_field(build.mesh), "seat")
+    made = [anchor for anchor in build.anchors if anchor.kind == "seat"]
+    assert found.backed and abs(len(found.anchors) - len(made)) <= 1
+    for seat in found.anchors:
+        assert seat.direction[1] < -0.99
+        assert seat.location[2] == pytest.approx(made[0].location[2], abs=0.04)
+        assert seat.location[1] == pytest.approx(made[0].location[1], abs=0.08)
+
+
+def test_a_bed_is_found_where_the_library_has_it():
+    build = build_prop("bed")
+    (bed, *_), made = find_bed(level_field(build.mesh), "bed").anchors, build.anchors[0]
+    assert bed.kind == "bed" and bed.location == pytest.approx(made.location, abs=0.06)
+    assert bed.direction == pytest.approx(made.direction, abs=1e-6) and bed.size[1] > 1.8
+
+
+def test_a_lamp_can_be_taken_by_its_stem(tmp_path):
+    placed(build_prop("table_lamp").mesh)
+    found = build_from_file(written(tmp_path / "lamp.glb"))
+    right, left = (anchor for anchor in found.anchors if anchor.kind == "grip")
+    assert right.location[0] == pytest.approx(-left.location[0], abs=1e-6) and -0.06 < right.location[0] < 0
+    assert 0.1 < right.location[2] < 0.35
+
+
+def test_nothing_but_the_surface_of_a_blend_comes_in(tmp_path):
+    obj = placed(build_prop("crate").mesh)
+    text = bpy.data.texts.new("start.py")
+    text.write(f"open({str(tmp_path / 'ran')!r}, 'w')")
+    text.use_module = True
+    obj["expression"], obj["text"] = "__import__('os')", text
+    driver = obj.driver_add("location", 0).driver
+    driver.type, driver.expression = "SCRIPTED", f"len(open({str(tmp_path / 'ran')!r}, 'w').name) * 0"
+    material = obj.data.materials[0]
+    script = material.node_tree.nodes.new("ShaderNodeScript")
+    script.mode, script.filepath = "EXTERNAL", str(tmp_path / "evil.osl")
+    picture = bpy.data.images.new("outside", 4, 4)
+    picture.filepath_raw, picture.file_format = str(tmp_path / "secret.png"), "PNG"
+    picture.save()
+    node = material.node_tree.nodes.new("ShaderNodeTexImage")
+    node.image = picture
+    material.node_tree.links.new(node.outputs[0], material.node_tree.nodes["Principled BSDF"].inputs[0])
+    sound = bpy.data.sounds.load(str(tmp_path / "secret.png"))
+    obj["sound"] = sound
+    bpy.ops.rigidbody.object_add()
+    folder = tmp_path / "models"
+    folder.mkdir()
+    found = build_from_file(written(folder / "crate.blend"), folder=folder)
+    assert any("outside the folder" in note for note in found.notes)
+    out = bpy.data.objects.new("crate", found.mesh)
+    bpy.data.libraries.write(str(tmp_path / "asset.blend"), {out}, fake_user=True)
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "asset.blend"))
+    kinds = [name for name in dir(bpy.data) if isinstance(getattr(bpy.data, name), bpy.types.bpy_prop_collection)]
+    there = {name for name in kinds if len(getattr(bpy.data, name))}
+    assert {"meshes", "materials"} <= there
+    assert not there & {"texts", "sounds", "libraries", "actions", "node_groups", "curves", "armatures", "worlds"}
+    assert all(not block.animation_data for block in (*bpy.data.objects, *bpy.data.materials))
+    assert {node.type for each in bpy.data.materials for node in each.node_tree.nodes} <= {
+        "BSDF_PRINCIPLED", "OUTPUT_MATERIAL", "TEX_IMAGE"}  # fmt: skip
+    assert all(set(block.keys()) <= {"digest"} for block in (*bpy.data.meshes, *bpy.data.materials, *bpy.data.objects))
+    assert not (tmp_path / "ran").exists()
+
+
+def test_materials_of_one_name_from_two_files_stay_two(tmp_path):
+    for name, color in (("red", (1, 0, 0, 1)), ("blue", (0, 0, 1, 1)), ("red too", (1, 0, 0, 1))):
+        mesh = build_prop("crate").mesh
+        mesh.materials.clear()
+        block = bpy.data.materials.new("Material")
+        block.use_nodes = True
+        block.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = color
+        mesh.materials.append(block)
+        placed(mesh)
+        written(tmp_path / f"{name}.glb")
+    built = [build_from_file(tmp_path / f"{name}.glb") for name in ("red", "blue", "red too")]
+    for index, build in enumerate(built):
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new(str(index), build.mesh))
+    merge_duplicates()
+    red, blue, again = ([block.name for block in build.mesh.materials] for build in built)
+    assert red == again != blue
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".blend"])
+def test_vertex_colours_are_a_picture_that_every_renderer_shows(tmp_path, suffix):
+    mesh = build_prop("crate").mesh
+    mesh.materials.clear()
+    layer = mesh.color_attributes.new("Color", "FLOAT_COLOR", "CORNER")
+    height = points(mesh)[[loop.vertex_index for loop in mesh.loops], 2]
+    colors = np.where(height[:, None] > height.mean(), (1.0, 0, 0, 1), (0, 0, 1.0, 1)).astype(np.float32)
+    layer.data.foreach_set("color", colors.ravel())
+    block = bpy.data.materials.new("painted")
+    block.use_nodes = True
+    node = block.node_tree.nodes.new("ShaderNodeVertexColor")
+    node.layer_name = "Color"
+    block.node_tree.links.new(node.outputs[0], block.node_tree.nodes["Principled BSDF"].inputs[0])
+    mesh.materials.append(block)
+    placed(mesh)
+    found = build_from_file(written(tmp_path / f"box{suffix}"))
+    (made,) = found.mesh.materials
+    image = made.node_tree.nodes.active.image
+    assert image.packed_file is not None
+    pixels = np.array(image.pixels).reshape(image.size[1], image.size[0], 4)
+    layout = np.array([loop.uv[:] for loop in found.mesh.uv_layers.active.data])
+    shown = pixels[(layout[:, 1] * image.size[1]).astype(int), (layout[:, 0] * image.size[0]).astype(int), :3]
+    z = points(found.mesh)[[loop.vertex_index for loop in found.mesh.loops], 2]
+    assert shown[z < 0.05].mean(axis=0)[2] > 0.6 and shown[z > z.max() - 0.05].mean(axis=0)[0] > 0.6
+
+
+def test_a_file_without_a_mesh_is_refused(tmp_path):
+    with pytest.raises(InputError, match="no mesh"):
+        build_from_file(written(tmp_path / "empty.blend"))
+    with pytest.raises(InputError, match="no model"):
+        build_from_file(tmp_path / "notes.txt")
+
+
+@pytest.mark.slow
+def test_a_blend_that_is_damaged_inside_is_one_sentence_and_no_crash(tmp_path):
+    placed(build_prop("armchair").mesh)
+    bpy.context.preferences.filepaths.use_file_compression = False
+    whole = written(tmp_path / "whole.blend").read_bytes()
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    outcomes = []
+    for seed in range(12):
+        chance = np.random.default_rng(seed)
+        data = bytearray(whole)
+        for place in chance.integers(200, len(data), 400):
+            data[place] = int(chance.integers(0, 256))
+        path = tmp_path / f"{seed}.blend"
+        path.write_bytes(bytes(data))
+        try:
+            build_from_file(path)
+            outcomes.append("read")
+        except InputError as error:
+            assert "\n" not in str(error)
+            outcomes.append(error.problem)
+    assert len(outcomes) == 12
