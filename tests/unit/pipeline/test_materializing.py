@@ -26,8 +26,8 @@ from storyblender.trace import Event
 class Builder:
     """Measures every asset as a cube, but cannot read any file, or nothing at all."""
 
-    def __init__(self, broken: tuple[str, ...]) -> None:
-        self.broken = broken
+    def __init__(self, broken: tuple[str, ...], notes: tuple[str, ...] = ()) -> None:
+        self.broken, self.notes = broken, notes
 
     def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
         done: Future[AssetMeasure] = Future()
@@ -37,19 +37,31 @@ class Builder:
             done.set_exception(EngineError(f"{canonical.key} cannot be read"))
         else:
             done.set_result(
-                AssetMeasure(asset_id=job.asset.asset_id, dimensions=(1, 1, 1), faces=6, digest="d", geometry_hash="g")
+                AssetMeasure(
+                    asset_id=job.asset.asset_id,
+                    dimensions=(1, 1, 1),
+                    faces=6,
+                    digest="d",
+                    geometry_hash="g",
+                    notes=self.notes if canonical.source == "file" else (),
+                )
             )
         return done
 
 
 def quick_run(
-    graph: ContinuityMemoryGraph, settings: Settings, broken: tuple[str, ...], told: list[Event], kept: list[Asset]
+    graph: ContinuityMemoryGraph,
+    settings: Settings,
+    broken: tuple[str, ...],
+    told: list[Event],
+    kept: list[Asset],
+    notes: tuple[str, ...] = (),
 ) -> Run:
     """Return a run without a project: what it tells and commits is put into lists."""
     run = SimpleNamespace(
         graph=graph,
         settings=settings,
-        engine=Builder(broken),
+        engine=Builder(broken, notes),
         outputs=SimpleNamespace(note=lambda name: None),
         embedder=None,
         tell=told.append,
@@ -60,11 +72,14 @@ def quick_run(
     return cast(Run, run)
 
 
-def materialized(models: Path, broken: tuple[str, ...]) -> tuple[list[Asset], list[Event]]:
+def materialized(
+    models: Path, broken: tuple[str, ...], description: str = "a chair", notes: tuple[str, ...] = ()
+) -> tuple[list[Asset], list[Event]]:
     told: list[Event] = []
     kept: list[Asset] = []
-    chair = Asset(asset_id="chair", asset_type="object", description="a chair", name="chair")
-    materialize(quick_run(ContinuityMemoryGraph(assets=(chair,)), Settings(models=models), broken, told, kept))
+    chair = Asset(asset_id="chair", asset_type="object", description=description, name="chair")
+    story = ContinuityMemoryGraph(assets=(chair,))
+    materialize(quick_run(story, Settings(models=models), broken, told, kept, notes))
     return kept, [event for event in told if event.kind == "warning"]
 
 
@@ -104,3 +119,17 @@ def test_dressing_of_one_more_scene_does_not_look_at_every_scene(monkeypatch: py
     materialize(run)
     assert len(seen) == 1, "only the first place where it stands says something about it"
     assert [asset.asset_id for asset in kept] == ["set_lamp"]
+
+
+def test_a_model_keeps_its_size_unless_the_script_tells_one(tmp_path: Path) -> None:
+    (tmp_path / "chair.glb").write_bytes(b"a model")
+    (asset,), _ = materialized(tmp_path, ())
+    assert asset.canonical is not None and "told" not in asset.canonical.params
+    (asset,), _ = materialized(tmp_path, (), "a chair, 2 m tall")
+    assert asset.canonical is not None and asset.canonical.params["told"] is True
+
+
+def test_what_was_changed_in_a_model_is_said(tmp_path: Path) -> None:
+    (tmp_path / "chair.glb").write_bytes(b"a model")
+    _, warnings = materialized(tmp_path, (), notes=("chair.glb: it is turned by 90 degrees",))
+    assert [event.message for event in warnings] == ["chair.glb: it is turned by 90 degrees"]

@@ -125,6 +125,31 @@ def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(ret
     assert retriever.propose(request("teapot", models)).key == "teapot", "nothing of the user's is like it"
 
 
+@pytest.mark.parametrize(
+    ("phrase", "path"),
+    [
+        ("chair", "chair-office.glb"),
+        ("office chair", "chair-office.glb"),
+        ("lamp", "object-lamp.glb"),
+        ("bed", "bed-king.glb"),
+        ("brass table lamp", "lamp_table_brass_v2.obj"),
+        ("old armchair", "furniture/ArmChair01.glb"),
+        ("coffee table", "tableCoffee.glb"),
+    ],
+)
+def test_a_model_that_has_the_noun_wins_whatever_the_order_of_its_words(phrase, path):
+    models = (ModelFile(path=path, name=path), ModelFile(path="car-key.glb", name="car key"))
+    assert Retriever(no_model).propose(request(phrase, models)).key == path
+    assert Retriever(no_model).propose(request("car", models)).source == "catalog", "a car key is a key"
+
+
+def test_of_several_models_the_one_that_shares_most_words_is_taken():
+    names = ("chair-dining", "chair-red", "chair-office", "chair")
+    models = tuple(ModelFile(path=f"{name}.glb", name=name) for name in names)
+    for phrase, path in (("chair", "chair.glb"), ("red chair", "chair-red.glb"), ("office chair", "chair-office.glb")):
+        assert Retriever(no_model).propose(request(phrase, models)).key == path
+
+
 def test_the_generator_takes_over(embedder, retriever):
     outcome = reflect(
         "asset_retriever", "it", request("dragon statue"), retriever, MatchCritic(),
