@@ -62,6 +62,22 @@ def test_a_turned_model_in_centimetres_comes_back_canonical(tmp_path, suffix):
     assert sat.location == pytest.approx(made.location, abs=0.08) and sat.direction[1] < -0.99
 
 
+def test_a_compressed_model_is_unpacked_by_blender_and_its_addresses_are_checked_all_the_same(tmp_path):
+    build = build_prop("armchair")
+    placed(build.mesh)
+    for name, kind in (("a.glb", "GLB"), ("b.gltf", "GLTF_SEPARATE")):
+        bpy.ops.export_scene.gltf(
+            filepath=str(tmp_path / name), export_format=kind, export_draco_mesh_compression_enable=True
+        )
+    found = build_from_file(tmp_path / "a.glb")
+    assert found.dimensions == pytest.approx(build.dimensions, rel=0.02)
+    assert any(anchor.kind == "seat" for anchor in found.anchors) and len(found.mesh.materials) == 2
+    (tmp_path / "models").mkdir()
+    (tmp_path / "models/b.gltf").write_text((tmp_path / "b.gltf").read_text().replace('"b.bin"', '"../b.bin"'))
+    with pytest.raises(InputError, match="outside the folder"):
+        build_from_file(tmp_path / "models/b.gltf")
+
+
 @pytest.mark.parametrize("key", ["desk", "bicycle", "table_lamp", "car"])
 def test_what_has_no_back_keeps_its_pose_and_size(tmp_path, key):
     build = build_prop(key)

@@ -116,7 +116,7 @@ def broken_glbs() -> dict[str, bytes]:
         "wrong utf-8": _json_only(b"\xff\xfe{}"),
         "old": changed("asset.version", "1.0"),
         "no version": changed("asset", {}),
-        "compressed": changed("extensionsRequired", ["KHR_draco_mesh_compression"]),
+        "compressed": changed("extensionsRequired", ["EXT_meshopt_compression"]),
         "nodes is a number": changed("nodes", 7),
         "a node is a number": changed("nodes.0", 7),
         "scene out of range": changed("scene", 9),

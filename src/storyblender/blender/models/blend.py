@@ -1,4 +1,4 @@
-"""Reads the surface of a .blend in a process of its own, so that neither its content nor a crash reaches the worker."""
+"""Lets Blender read a file in a process of its own, so that neither its content nor a crash reaches the worker."""
 
 from __future__ import annotations
 
@@ -28,6 +28,15 @@ def read_blend(path: Path, folder: Path) -> PlainModel:
         InputError: It cannot be read; one clause, without the file's name.
     """
     check_blend(path, folder)
+    return read_aside(path, folder)
+
+
+def read_aside(path: Path, folder: Path) -> PlainModel:
+    """Let Blender read a .blend, or a glTF that only Blender can unpack, whose addresses have been checked.
+
+    Raises:
+        InputError: It cannot be read; one clause, without the file's name.
+    """
     with TemporaryDirectory(prefix="storyblender-") as name:
         out = Path(name)
         command = [sys.executable, "-m", "storyblender.blender.models.blend_reader", str(path), str(folder), name]

@@ -29,7 +29,7 @@ _PAINT = frozenset(("VERTEX_COLOR", "ATTRIBUTE"))
 
 
 def read_scene(path: Path, folder: Path) -> PlainModel:
-    """Read the meshes of a .blend into the open file, and return them as plain data.
+    """Read the meshes of a .blend or a glTF into the open file, and return them as plain data.
 
     Args:
         path: The file.
@@ -38,7 +38,10 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
     Raises:
         InputError: It holds no mesh, is too large, or takes parts from elsewhere.
     """
-    _append(path, folder)
+    if path.suffix.lower() == ".blend":
+        _append(path, folder)
+    else:
+        _import_gltf(path)
     shelf = _Shelf(path, folder)
     parts: list[Part] = []
     vertices = faces = count = 0
@@ -58,6 +61,14 @@ def read_scene(path: Path, folder: Path) -> PlainModel:
         parts += _parts(obj, mesh, np.array(instance.matrix_world), shelf)
         obj.to_mesh_clear()
     return checked(joined(parts)).with_materials(tuple(shelf.materials), tuple(dict.fromkeys(shelf.notes)))
+
+
+def _import_gltf(path: Path) -> None:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.gltf(filepath=str(path), disable_bone_shape=True)
+    for obj in bpy.data.objects:
+        _tame(obj)
+    bpy.context.view_layer.update()
 
 
 def _append(path: Path, folder: Path) -> None:

@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.blender.models.blend import read_aside
 from storyblender.blender.models.document import Document, Json, read_document, whole
-from storyblender.blender.models.limits import DEPTH, MATERIALS, NODES, PARTS
+from storyblender.blender.models.limits import DEPTH, MATERIALS, NODES, PARTS, VERTICES
 from storyblender.blender.models.parts import Part, joined, within_bounds
 from storyblender.blender.models.pictures import clean_picture
 from storyblender.blender.models.plain import PlainMaterial, PlainModel
@@ -26,6 +27,7 @@ _UPRIGHT = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 """Z up from Y up."""
 _READ = ("KHR_materials_", "KHR_texture_transform", "KHR_mesh_quantization", "KHR_lights_punctual", "EXT_texture_webp")
 """Required extensions that the surface can be read with."""
+_DRACO = "KHR_draco_mesh_compression"
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
 
 
@@ -42,9 +44,11 @@ def read_gltf(path: Path, folder: Path) -> PlainModel:
     document = read_document(path, folder)
     required = document.json.get("extensionsRequired", [])
     for name in required if isinstance(required, list) else [required]:
-        if not str(name).startswith(_READ):
+        if name != _DRACO and not str(name).startswith(_READ):
             mend = "export it again without compression" if "compression" in str(name) else ""
             raise InputError(f"it needs the glTF extension {str(name)[:60]!r}, which cannot be read", mend=mend)
+    if isinstance(required, list) and _DRACO in required:
+        return _unpacked(document, path, folder)
     notes: list[str] = []
     materials = tuple(_materials(document, notes))
     parts: list[Part] = []
@@ -54,6 +58,22 @@ def read_gltf(path: Path, folder: Path) -> PlainModel:
         within_bounds(vertices, faces)
         parts.append(part)
     return joined(parts).with_materials(materials, tuple(dict.fromkeys(notes)))
+
+
+def _unpacked(document: Document, path: Path, folder: Path) -> PlainModel:
+    """Return a model whose meshes only Blender can unpack, once its nodes, sizes and addresses have been checked."""
+    _places(document)
+    within_bounds(
+        sum(whole(record.get("count"), "count", VERTICES) for record in document.items("accessors")) // 4 or 1, 1
+    )
+    for index, buffer in enumerate(document.items("buffers")):
+        document.resource(buffer.get("uri"), index)
+    for index in range(len(document.items("bufferViews"))):
+        document.bytes_of(index)
+    for image in document.items("images"):
+        if image.get("uri") is not None:
+            clean_picture(document.resource(image["uri"], -1), str(image.get("name", ""))[:60])
+    return read_aside(path, folder)
 
 
 # ---------------------------------------------------------------------- nodes
