@@ -43,7 +43,7 @@ def test_blender_comes_up_first_for_a_project_and_never_outlives_the_command(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     worker = Starter()
-    monkeypatch.setattr("storyblender.engine.worker.blender_worker", lambda root: worker)
+    monkeypatch.setattr("storyblender.engine.worker.blender_worker", lambda root, models: worker)
     assert CliRunner().invoke(app, ["check", str(tmp_path)]).exit_code == 2
     assert worker.told == [], "no project, no Blender"
     (tmp_path / "graph.json").write_text("{}")

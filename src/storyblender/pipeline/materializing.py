@@ -10,7 +10,12 @@ from pathlib import Path
 from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
-from storyblender.agents.layout_artist.dimension_estimator import DimensionCritic, DimensionRules, tells_size
+from storyblender.agents.layout_artist.dimension_estimator import (
+    DimensionCritic,
+    DimensionRules,
+    knows_size,
+    tells_size,
+)
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.errors import EngineError
@@ -89,8 +94,11 @@ def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
 def _with_size(asset: Asset, dimension: AssetDimension) -> Asset:
     """Return an asset with its dimension; a model keeps its own size unless the script tells one."""
     canonical = asset.canonical
-    if canonical is not None and canonical.source == "file" and tells_size(asset):
-        canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
+    if canonical is not None and canonical.source == "file":
+        if tells_size(asset):
+            canonical = canonical.model_copy(update={"params": {**canonical.params, "told": True}})
+        elif not knows_size(asset):
+            return asset
     return asset.model_copy(update={"dimension": dimension, "canonical": canonical})
 
 

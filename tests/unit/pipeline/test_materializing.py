@@ -73,11 +73,15 @@ def quick_run(
 
 
 def materialized(
-    models: Path, broken: tuple[str, ...], description: str = "a chair", notes: tuple[str, ...] = ()
+    models: Path,
+    broken: tuple[str, ...],
+    description: str = "a chair",
+    notes: tuple[str, ...] = (),
+    name: str = "chair",
 ) -> tuple[list[Asset], list[Event]]:
     told: list[Event] = []
     kept: list[Asset] = []
-    chair = Asset(asset_id="chair", asset_type="object", description=description, name="chair")
+    chair = Asset(asset_id=name, asset_type="object", description=description, name=name)
     story = ContinuityMemoryGraph(assets=(chair,))
     materialize(quick_run(story, Settings(models=models), broken, told, kept, notes))
     return kept, [event for event in told if event.kind == "warning"]
@@ -125,6 +129,7 @@ def test_a_model_keeps_its_size_unless_the_script_tells_one(tmp_path: Path) -> N
     (tmp_path / "chair.glb").write_bytes(b"a model")
     (asset,), _ = materialized(tmp_path, ())
     assert asset.canonical is not None and "told" not in asset.canonical.params
+    assert asset.dimension is not None, "what chairs measure tells the unit"
     (asset,), _ = materialized(tmp_path, (), "a chair, 2 m tall")
     assert asset.canonical is not None and asset.canonical.params["told"] is True
 
@@ -133,3 +138,9 @@ def test_what_was_changed_in_a_model_is_said(tmp_path: Path) -> None:
     (tmp_path / "chair.glb").write_bytes(b"a model")
     _, warnings = materialized(tmp_path, (), notes=("chair.glb: it is turned by 90 degrees",))
     assert [event.message for event in warnings] == ["chair.glb: it is turned by 90 degrees"]
+
+
+def test_nobody_guesses_the_size_of_a_model_of_something_unknown(tmp_path: Path) -> None:
+    (tmp_path / "frobnicator.glb").write_bytes(b"a model")
+    (asset,), _ = materialized(tmp_path, (), "a frobnicator", name="frobnicator")
+    assert asset.canonical is not None and asset.canonical.source == "file" and asset.dimension is None

@@ -167,6 +167,11 @@ def tells_size(asset: Asset) -> bool:
     return _measured(_text(asset), asset.asset_type == "character") is not None
 
 
+def knows_size(asset: Asset) -> bool:
+    """Return whether the thing's noun says how large such things are."""
+    return _usual(asset, _text(asset)) is not _USUAL
+
+
 def _text(asset: Asset) -> str:
     return f"{asset.name or asset.asset_id.replace('_', ' ')}. {asset.description}".lower()
 
