@@ -176,6 +176,8 @@ def _is_sound(run: Run, name: str) -> bool:
     """Return whether a picture is as it was written, or is one all the same: somebody painted on it."""
     if run.outputs.whole(name):
         return True
+    if not run.outputs.changed(name):  # gone, empty, or the one before, where a run was stopped
+        return False
     from PIL import Image
 
     try:

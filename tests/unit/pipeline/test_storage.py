@@ -20,6 +20,7 @@ from PIL import Image
 from tests.file_engine import SETTINGS, Stage
 
 from storyblender.errors import InputError
+from storyblender.folder import Folder
 from storyblender.project import Project
 from storyblender.studio import Studio
 
@@ -161,6 +162,26 @@ def test_what_is_painted_stays_until_the_shot_looks_otherwise_and_then_beside_it
     assert len(stage.told) == 1 and f"frames/{copies[0].name}" in stage.told[0]
     stage.render()
     assert copies[0].exists(), "nor is it ever deleted"
+
+
+def test_a_frame_that_found_no_room_beside_its_former_one_takes_its_place_next_time(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.render(wide=320)
+    wanted = outputs(stage)
+    stage.render()
+    write = Folder.write
+
+    def full(folder: Folder, name: str, content: str | bytes) -> Path:
+        if name.startswith("frames/"):
+            raise InputError("cannot be written")
+        return write(folder, name, content)
+
+    with monkeypatch.context() as patched, pytest.raises(InputError):
+        patched.setattr(Folder, "write", full)
+        stage.render(wide=320)
+    stage.render(wide=320)
+    assert outputs(stage) == wanted and not stage.told
 
 
 def test_a_list_that_a_person_wrote_in_is_kept_beside_the_new_one(stage: Stage) -> None:
