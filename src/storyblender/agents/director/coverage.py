@@ -359,9 +359,9 @@ class _SceneCoverage:
         if not last or last.explicit or not last.beats or last.beats[-1].unit.kind != "dialogue":
             return False
         before = last.beats[-1].unit
-        seconds = sum(speech_seconds(beat.unit.text) for beat in last.beats) + speech_seconds(unit.text)
         if unit.dual and before.speaker in unit.on_stage:
             return True
+        seconds = sum(speech_seconds(beat.unit.text) for beat in last.beats) + speech_seconds(unit.text)
         if before.speaker == speaker and speaker in last.focus:
             return seconds <= _JOINED
         shown = last.kind in ("two_shot", "group") and speaker in last.focus

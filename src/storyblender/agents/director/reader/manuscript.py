@@ -34,7 +34,7 @@ _RAISED = re.compile(r"((?:\A|[.!?])\s*)?([^\W\d_]+)")
 _LONGEST = 1000
 """Characters of what is searched for a camera direction at once."""
 QUOTATION = re.compile(
-    r"""["“][^"”]*["”]|«[^»]*»|„[^“”]*[“”]|‘[^‘’]*(?:(?<=\w)’(?=\w)[^‘’]*)*’(?!\w)"""
+    r""""[^"”]*["”]|“[^"“”]*["”]|«[^«»]*»|„[^„“”]*[“”]|‘[^‘’]*(?:(?<=\w)’(?=\w)[^‘’]*)*’(?!\w)"""
     rf"""|(?<!\w)'(?=[{UPPER}])[^"]{{1,400}}?[,.!?…—-]'(?!\w)"""
 )
 """Something in quotation marks, also single ones; an apostrophe stands between letters."""

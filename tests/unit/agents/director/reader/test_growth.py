@@ -72,6 +72,7 @@ _SHAPES: dict[str, Callable[[int], str]] = {
     "notes in a line": lambda size: _ROOM + "[[a]] b\n" * (size // 8),
     "a long word": lambda size: _ROOM + "A" * size,
     "one paragraph": lambda size: _ROOM + "Tom walks to the table. She looks at him. " * (size // 42),
+    "quotations never closed": lambda size: "“I saw him. " * (size // 12),
     "dots": lambda size: _ROOM + "." * size,
 }
 _MORE: dict[str, Callable[[int], str]] = {

@@ -35,11 +35,14 @@ def is_family(told: str) -> bool:
 
 def link_surnames(roster: Roster) -> None:
     """Mr. White is the husband of Mrs. White, Herbert White their son."""
+    families: dict[str, list[Person]] = {}
+    for person in roster.people:
+        families.setdefault(_surname(person), []).append(person)
     for head in roster.people:
         title = _title(head)
         if title not in _COUPLE:
             continue
-        family = [person for person in roster.people if person is not head and _surname(person) == _surname(head)]
+        family = [person for person in families[_surname(head)] if person is not head]
         if title in _HUSBANDS:
             for person in family:
                 roster.call_no_longer(person, _surname(head))

@@ -74,10 +74,12 @@ def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> N
     """
     for naming in namings:
         _name(roster, told, naming)
+    nameless = [person for person in roster.people if is_nameless(person)]
     for person in sorted(roster.people, key=lambda person: person.first):
         plain = person.role != bare(person.name) and person is not roster.narrator and person.kind == "human"
         if plain and told.startswith(person.name, person.first) and not is_person_noun(singular(person.name)):
-            _turns_up(roster, person, told)
+            nameless = [each for each in nameless if roster.person(each.id) is each]
+            _turns_up(roster, person, told, nameless)
 
 
 # -- names that are said -----------------------------------------------------------------------------------------
@@ -216,9 +218,9 @@ def _places(told: str, pattern: str) -> tuple[int, ...]:
 # -- names that turn up ------------------------------------------------------------------------------------------
 
 
-def _turns_up(roster: Roster, named: Person, told: str) -> None:
+def _turns_up(roster: Roster, named: Person, told: str, nameless: Sequence[Person]) -> None:
     """``a man came down the stairs … said Jostein``: a new name without anybody coming in."""
-    nameless = [each for each in roster.people if is_nameless(each) and each.first < named.first]
+    nameless = [each for each in nameless if is_nameless(each) and each.first < named.first]
     nameless = [each for each in nameless if each is not roster.narrator and each.role not in _BABIES]
     for each in sorted(
         nameless, key=lambda each: -max((at for at in _mentions(told, each) if at < named.first), default=0)
