@@ -45,13 +45,12 @@ class Project:
         self.files = Folder(self.folder, build)
         """The only way to write and delete here."""
         try:
-            self.files.path(".lock")  # refuses a link
             self._refuse_foreign()
             self.files.make()
+            self.files.path(".lock")  # refuses a link
         except OSError as error:
-            raise InputError(
-                f"cannot make the folder ({error.strerror})", mend="give another --out", path=folder
-            ) from error
+            mend = "give another --out, or mend that, then run the same command again to go on"
+            raise InputError(f"cannot make the folder ({error.strerror})", mend=mend, path=folder) from error
         self._lock = FileLock(self.folder / ".lock", timeout=0)
         try:
             self._lock.acquire()
