@@ -33,6 +33,13 @@ ELSEWHERE = {
     ("shell.py", "open"): "nowhere: who read what we say is gone",
     ("deliver/board.py", "save"): "the canvas has its path already",
     ("pipeline/prints.py", "save"): "into memory",
+    ("blender/models/blend_reader.py", "save"): "into a temporary folder, by a process that reads a user's model",
+    ("blender/models/blend_reader.py", "write_text"): "into that temporary folder",
+    ("blender/models/plain.py", "savez"): "into that temporary folder",
+    ("blender/models/plain.py", "write_text"): "into that temporary folder",
+    ("blender/models/plain.py", "write_bytes"): "into that temporary folder",
+    ("blender/models/palette.py", "save"): "into memory",
+    ("blender/models/pictures.py", "save"): "into memory",
     ("blender/render/motion_frames.py", "copyfile"): "from picture to picture of a private folder",
     ("blender/cut.py", "save_as_mainfile"): "a file of a temporary folder, which gives links their start",
 }
