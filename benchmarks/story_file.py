@@ -56,10 +56,10 @@ def long_story(made: Path, root: Path, scenes: int) -> tuple[ContinuityMemoryGra
     return graph.model_copy(update=parts), packs
 
 
-def compiled(root: Path, graph: ContinuityMemoryGraph, packs: dict[int, PackRef]) -> float:
+def compiled(project: Project, graph: ContinuityMemoryGraph, packs: dict[int, PackRef]) -> float:
     """Return the seconds that the files take with two workers."""
     start = time.perf_counter()
-    with Project(root) as project, BlenderEngine(root, jobs=2) as engine:
+    with BlenderEngine(project.folder, jobs=2) as engine:
         project.graph = graph
         run = Run(project, engine, cast(object, None), Settings(), lambda event: None, packs)  # type: ignore[arg-type]
         Compilation(run).finish()
@@ -71,10 +71,8 @@ def main() -> None:
     parser.add_argument("project", type=Path, help="a finished project")
     parser.add_argument("scenes", type=int, nargs="+")
     arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        print(
-            f"{'scenes':>7} {'files':>6} {'seconds':>8} {'a scene':>8} {'one edit':>9} {'worker MB':>10} {'disk MB':>8}"
-        )
+    with tempfile.TemporaryDirectory() as folder, Project(Path(folder)) as project:
+        print("scenes  files  seconds  a scene  one edit  worker MB  disk MB", flush=True)
         for scenes in arguments.scenes:
             root = Path(folder)
             graph, packs = long_story(arguments.project, root, scenes)
@@ -82,9 +80,9 @@ def main() -> None:
                 shutil.rmtree(left) if left.is_dir() else left.unlink(missing_ok=True)
             if not (root / "assets").exists():
                 shutil.copytree(arguments.project / "assets", root / "assets")
-            seconds = compiled(root, graph, packs)
+            seconds = compiled(project, graph, packs)
             shot = graph.shots[0].model_copy(update={"duration": graph.shots[0].duration + 1})
-            edit = compiled(root, graph.model_copy(update={"shots": (shot, *graph.shots[1:])}), packs)
+            edit = compiled(project, graph.model_copy(update={"shots": (shot, *graph.shots[1:])}), packs)
             files = [root / "story.blend", *root.glob("story/*.blend")]
             size = sum(file.stat().st_size for file in files) / 2**20
             peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 2**10  # of the largest, of all so far
