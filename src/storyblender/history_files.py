@@ -155,8 +155,9 @@ def load(folder: Path) -> Saved:
     else:
         revision, digest = head
         _refuse_missing_end(folder, start.revision, revision, revisions)
-    if revision < start.revision:
-        later = f"change {revision} of {start.revision}"
+    latest = max(revisions, default=0) if graph is None else start.revision
+    if revision < latest:
+        later = f"change {revision} of {latest}"
         notices.append(f"the project is at {later}; `storyblender redo` makes the later ones again")
     saved = moved(start, revision, folder)
     if head is not None and saved.digest and saved.digest != digest:

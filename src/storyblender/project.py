@@ -207,7 +207,8 @@ class Project:
     def _restore_script(self, plan_digest: str) -> None:
         """Put the script of a plan back beside the graph."""
         for copy in sorted((self.folder / SCRIPTS).glob(f"{plan_digest}.*")):
-            self.files.write(f"script{copy.suffix}", self.files.path(f"{SCRIPTS}/{copy.name}").read_bytes())
+            if copy.is_file():
+                self.files.write(f"script{copy.suffix}", self.files.path(f"{SCRIPTS}/{copy.name}").read_bytes())
 
     def _move_head(self, saved: Saved) -> None:
         self.files.write(HEAD, history_files.head_text(saved.revision, saved.digest))

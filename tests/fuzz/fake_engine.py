@@ -9,7 +9,16 @@ from typing import Any, TypeVar
 
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
-from storyblender.memory.jobs import AssetJob, FrameJob, FrameReport, PackRef, SceneJob, StoryJob, asset_suffixes
+from storyblender.memory.jobs import (
+    AssetJob,
+    FrameJob,
+    FrameReport,
+    MotionJob,
+    PackRef,
+    SceneJob,
+    StoryJob,
+    asset_suffixes,
+)
 from storyblender.memory.measure import AssetMeasure, CameraView, Collision, ViewRequest
 
 Result = TypeVar("Result")
@@ -76,6 +85,10 @@ class FakeEngine:
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
         self._write(job.out)
         return answered(FrameReport(out=job.out, lights=job.shot.lights))
+
+    def render_motion(self, job: MotionJob) -> Future[int]:
+        self._write(f"{job.folder}/0001.png")
+        return answered(1)
 
     def compile_story(self, job: StoryJob) -> Future[str]:
         self._write(job.out)
