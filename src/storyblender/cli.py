@@ -125,8 +125,9 @@ def make(
         shots_per_scene=shots_per_scene, models=models, animatic=animatic, slate=slate, paper=paper,
     )  # fmt: skip
     with shown(quiet, json_lines) as terminal:
-        studio = _studio(terminal, script, **settings)
-        delivery = studio.make(script, out or _folder_of(script), reading)
+        project = out or _folder_of(script)
+        studio = _studio(terminal, script, project, **settings)
+        delivery = studio.make(script, project, reading)
         terminal.files(delivery.folder, delivery.files)
 
 
@@ -149,8 +150,9 @@ def plan(
     """Read a script and say who is in it and how it is cut into scenes and shots; quick, nothing is drawn."""
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
     with shown(quiet, json_lines) as terminal:
-        studio = _studio(terminal, script, **settings)
-        delivery = studio.plan(script, out or _folder_of(script), reading, write_reading)
+        project = out or _folder_of(script)
+        studio = _studio(terminal, script, project, **settings)
+        delivery = studio.plan(script, project, reading, write_reading)
         terminal.plan(delivery.graph)
         terminal.files(delivery.folder, delivery.files)
 

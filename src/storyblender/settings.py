@@ -106,7 +106,7 @@ class Settings(Frozen):
 
         Args:
             script: ``storyblender.toml`` is looked for in its folder.
-            project: The folder of a project, where there is no script.
+            project: The folder of a project. Where there is a script too, only the folder of models is taken from it.
             overrides: From the command line; None means not given.
 
         Raises:
@@ -121,6 +121,9 @@ class Settings(Frozen):
         for name in ("models", "build"):
             if file and (folder := file.folder(name)) is not None:
                 values[name] = folder
+        if script is not None and project is not None and "models" not in values:
+            made_with = SettingsFile.read(project / REMEMBERED)
+            values["models"] = made_with.folder("models") if made_with else None
         given = {key: value for key, value in overrides.items() if value is not None}
         try:
             return cls.model_validate(values | given)

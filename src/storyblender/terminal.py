@@ -111,7 +111,7 @@ class Terminal:
         elif event.kind in ("propose", "refine"):
             self._note(f"{event.role} {event.subject} {event.kind}s {event.message}")
         elif event.kind in ("handover", "reject", "warning"):
-            text = f"{event.role} {event.subject} {event.message}"
+            text = " ".join(filter(None, (event.role, event.subject, event.message)))
             self._console.print(f"[yellow]{event.kind}[/] {_plain(text)}", soft_wrap=True)
 
     def files(self, folder: Path, names: Sequence[str]) -> None:

@@ -146,3 +146,15 @@ def test_a_project_remembers_its_folder_of_models_where_it_is_moved_with_it(tmp_
     moved = (tmp_path / "work").rename(tmp_path / "moved")
     again = Settings.load(project=moved / "a.storyboard").models
     assert again is not None and again.resolve() == moved / "models"
+
+
+def test_make_takes_the_folder_of_models_that_the_project_was_made_with(tmp_path: Path) -> None:
+    script, project = tmp_path / "a.fountain", tmp_path / "a.storyboard"
+    project.mkdir()
+    kept, other = tmp_path / "models", tmp_path / "other"
+    (project / REMEMBERED).write_text(Settings(models=kept, look="pencil").remembered(project))
+    again = Settings.load(script, project)
+    assert again.models is not None and again.models.resolve() == kept and again.look == Settings().look
+    assert Settings.load(script, project, models=other).models == other
+    (tmp_path / "storyblender.toml").write_text("models = 'other'")
+    assert Settings.load(script, project).models == other

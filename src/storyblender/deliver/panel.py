@@ -12,6 +12,7 @@ from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.vocabulary import Movement
+from storyblender.screenplay.comments import without_comments
 from storyblender.screenplay.fountain import strip_emphasis
 
 Way = Literal["left", "right", "up", "down", "in", "out"]
@@ -135,9 +136,9 @@ class Panel:
 
     @property
     def dialogue(self) -> tuple[ScriptLine, ...]:
-        """The speeches in the script's own words, without the marks of emphasis."""
+        """The speeches in the script's own words, without notes and the marks of emphasis."""
         spoken = (line for line in self.outline.lines if line.kind == "dialogue")
-        return tuple(line.model_copy(update={"text": strip_emphasis(line.text)}) for line in spoken)
+        return tuple(line.model_copy(update={"text": strip_emphasis(without_comments(line.text))}) for line in spoken)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -184,7 +185,7 @@ def _action(lines: Sequence[ScriptLine], first: int, end: int) -> str:
     """
     texts: list[str] = []
     for index in range(first, end):
-        text = strip_emphasis(lines[index].text).strip()
+        text = strip_emphasis(without_comments(lines[index].text)).strip()
         if lines[index].kind != "action" or not text:
             continue
         if text[0].islower() and (index == first or not _goes_on(lines[index - 1])):

@@ -165,7 +165,7 @@ def _place(run: Run, picture: str, name: str) -> None:
     if run.outputs.digest(name) == run.outputs.digest(picture) and _is_sound(run, name):
         return
     content, target = run.project.path(picture).read_bytes(), run.project.path(name)
-    if target.exists() and target.read_bytes() == content:
+    if target.is_file() and target.read_bytes() == content:
         run.outputs.note(name)
     else:
         run.copy_aside(name)

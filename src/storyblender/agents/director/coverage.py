@@ -6,12 +6,11 @@ when a thing changes hands; a master, then over the shoulder, then singles that 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import Final
 
 from storyblender.agents.director.company import FIXTURES, unique
-from storyblender.agents.director.cutting import step
+from storyblender.agents.director.cutting import middle_of_speech, step
 from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
@@ -378,7 +377,7 @@ class _SceneCoverage:
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
-        cut = _middle(self.text, unit) if listener and word_count(unit.text) > _SPEECH else None
+        cut = middle_of_speech(self.text, unit) if listener and word_count(unit.text) > _SPEECH else None
         if cut is None:
             return
         draft.beats = [Beat(unit, unit.start, cut[0])]
@@ -389,18 +388,3 @@ class _SceneCoverage:
 def _acts_apart(unit: Unit, things: Sequence[str]) -> bool:
     """Whether people do more in a unit than to handle the things of an insert."""
     return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)
-
-
-def _middle(text: str, unit: Unit) -> tuple[int, int] | None:
-    """Return where to cut a speech: the end of the first part and the start of the second, near the middle.
-
-    A sentence end is best, a comma will do; each part keeps at least a quarter of the speech.
-    """
-    words = text[unit.start : unit.end]
-    for pattern in (r"[.!?…]+[\"”'’)]*\s+", r"[,;:–—]\s+"):
-        gaps = [(m.start() + len(m[0].rstrip()), m.end()) for m in re.finditer(pattern, words)]
-        gaps = [gap for gap in gaps if len(words) / 4 < gap[0] and gap[1] < len(words) * 3 / 4]
-        if gaps:
-            end, start = min(gaps, key=lambda gap: abs(gap[0] - len(words) / 2))
-            return unit.start + end, unit.start + start
-    return None

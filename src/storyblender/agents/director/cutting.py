@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.durations import shot_seconds, word_count
 from storyblender.agents.director.motion_families import TRAVEL, WHOLE_BODY
+from storyblender.agents.director.reading import Unit
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 
 _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
@@ -124,3 +126,18 @@ def _resize(draft: ShotDraft, *neighbours: ShotDraft | None) -> None:
     ]
     if allowed:
         draft.size = min(allowed, key=lambda size: (abs(step(size, draft.size)), step(draft.size, size)))
+
+
+def middle_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
+    """Return where to cut a speech: the end of the first part and the start of the second, near the middle.
+
+    A sentence end is best, a comma will do; each part keeps at least a quarter of the speech.
+    """
+    words = text[unit.start : unit.end]
+    for pattern in (r"[.!?…]+[\"”'’)]*\s+", r"[,;:–—]\s+"):
+        gaps = [(m.start() + len(m[0].rstrip()), m.end()) for m in re.finditer(pattern, words)]
+        gaps = [gap for gap in gaps if len(words) / 4 < gap[0] and gap[1] < len(words) * 3 / 4]
+        if gaps:
+            end, start = min(gaps, key=lambda gap: abs(gap[0] - len(words) / 2))
+            return unit.start + end, unit.start + start
+    return None

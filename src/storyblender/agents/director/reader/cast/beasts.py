@@ -7,6 +7,9 @@ from functools import lru_cache
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS, singular
+from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.manuscript import Manuscript
+from storyblender.agents.director.reader.people.roster import Roster
 
 _CLAUSE = r"(?:,? (?:who|which|that) [^.;,]*,?|, [^.;,]*,| (?:in|on|with|of|at) [^.;,]*?)?"
 _ANY = frozenset({"animal", "creature", "beast"})
@@ -30,6 +33,10 @@ _DOING = frozenset(
 )
 _BEING = frozenset({"sit", "stand", "lie", "come", "run", "go", "live", "trot", "hop", "sleep", "appear", "wait"})
 """Verbs an animal may follow: ``on the step sat a cat``."""
+_TOY_ANIMALS = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.words('toys')))})\s+(?=(\w+))", re.IGNORECASE)
+"""``a teddy bear``: words that make an animal a thing."""
+_MOVES = frozenset({"walk", "run", "sneak", "lie_down", "sit", "sleep", "stagger", "eat"})
+_TINY = frozenset({"ant", "bee", "beetle", "butterfly", "fly", "moth", "spider", "wasp", "mosquito", "bird", "gull"})
 
 
 @lru_cache(maxsize=256)
@@ -47,6 +54,33 @@ def does_something(animal: str, told: str) -> bool:
         return True
     appearing = re.compile(rf"\b([a-z]+) (?:an?|the|his|her|their) (?:[\w-]+ ){{0,2}}(?:{animal})\b")
     return any(_appears(match.group(1)) for match in appearing.finditer(told))
+
+
+def add_animals(roster: Roster, script: Manuscript) -> None:
+    """Cast the animals of a screenplay that stand in small letters.
+
+    They come up again or move about; a dog that barks once is not cast.
+    """
+    first: dict[str, int] = {}
+    toys = {toy.lower() for toy in _TOY_ANIMALS.findall(script.text)}
+    roles = {person.role for person in roster.people}
+    for paragraph in script.paragraphs:
+        for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
+            known = phrase.noun in roles or bool(roster.find(phrase.noun))
+            alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS and phrase.noun not in toys
+            if alive and not phrase.plural and not known:
+                if phrase.noun in first or _moves_about(phrase, paragraph.raw):
+                    roster.add(phrase.noun, first.get(phrase.noun, paragraph.start + phrase.start))
+                first.setdefault(phrase.noun, paragraph.start + phrase.start)
+    roster.sort()
+
+
+def _moves_about(animal: PersonNoun, text: str) -> bool:
+    """``A lame dog limps out of the arcade``: somebody to be seen."""
+    verb = re.match(r"\s+([a-z]+)", text[animal.end :])
+    form = FORMS.get(verb.group(1)) if verb else None
+    moves = form is not None and form.kind in ("3sg", "past") and lexicon.MOTION_OF_VERB.get(form.lemma) in _MOVES
+    return moves and animal.determiner in ("a", "an") and animal.noun not in _TINY
 
 
 def _acts(word: str) -> bool:

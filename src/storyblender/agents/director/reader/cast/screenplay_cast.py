@@ -8,11 +8,12 @@ from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
+from storyblender.agents.director.reader.cast.beasts import add_animals
 from storyblender.agents.director.reader.cast.by_names import also_known, nicknamed, tagged_name, worn_name
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.named_groups import name_groups
-from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, is_person_noun, singular
-from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
+from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
+from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.language.text_index import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.people.look import describe
@@ -61,11 +62,7 @@ _FOLLOWING = 40
 _NOT_FAR = 900
 """Characters back to the first sight of somebody who is then called ``the STRANGER``."""
 _SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})
-_TOY_ANIMALS = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.words('toys')))})\s+(?=(\w+))", re.IGNORECASE)
-"""``a teddy bear``: words that make an animal a thing."""
 _NUMBERED = re.compile(r"\s*#?\d+$")
-_MOVES = frozenset({"walk", "run", "sneak", "lie_down", "sit", "sleep", "stagger", "eat"})
-_TINY = frozenset({"ant", "bee", "beetle", "butterfly", "fly", "moth", "spider", "wasp", "mosquito", "bird", "gull"})
 _CHORUS = lexicon.words("chorus")
 """Cues that mean whoever is there."""
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.SCENERY | lexicon.ABSTRACT | lexicon.BODY
@@ -111,7 +108,7 @@ def find_cast(script: Manuscript) -> Roster:
     for paragraph in script.paragraphs:
         if paragraph.kind == "action":
             _named_later(roster, paragraph.raw)
-    _add_animals(roster, script)
+    add_animals(roster, script)
     call_by_nouns(roster, script.text)
     if not roster.people:
         _add_unnamed(roster, script)
@@ -337,30 +334,6 @@ def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Perso
     roster.call(people[0], name.split()[-1].lower())
     people[0].age = people[0].age or lexicon.AGE_WORDS.get(name.split()[0].lower(), "")
     return people[0]
-
-
-def _add_animals(roster: Roster, script: Manuscript) -> None:
-    """An animal in small letters is cast when it comes up again or moves about: not a dog that barks once."""
-    first: dict[str, int] = {}
-    toys = {toy.lower() for toy in _TOY_ANIMALS.findall(script.text)}
-    roles = {person.role for person in roster.people}
-    for paragraph in script.paragraphs:
-        for phrase in find_person_nouns(paragraph.raw) if paragraph.kind == "action" else ():
-            known = phrase.noun in roles or bool(roster.find(phrase.noun))
-            alive = phrase.noun in lexicon.ANIMALS and phrase.noun not in lexicon.PROPS and phrase.noun not in toys
-            if alive and not phrase.plural and not known:
-                if phrase.noun in first or _moves_about(phrase, paragraph.raw):
-                    roster.add(phrase.noun, first.get(phrase.noun, paragraph.start + phrase.start))
-                first.setdefault(phrase.noun, paragraph.start + phrase.start)
-    roster.sort()
-
-
-def _moves_about(animal: PersonNoun, text: str) -> bool:
-    """``A lame dog limps out of the arcade``: somebody to be seen."""
-    verb = re.match(r"\s+([a-z]+)", text[animal.end :])
-    form = FORMS.get(verb.group(1)) if verb else None
-    moves = form is not None and form.kind in ("3sg", "past") and lexicon.MOTION_OF_VERB.get(form.lemma) in _MOVES
-    return moves and animal.determiner in ("a", "an") and animal.noun not in _TINY
 
 
 def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Person:
