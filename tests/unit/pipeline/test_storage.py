@@ -122,6 +122,16 @@ def test_of_a_project_without_a_record_only_what_a_person_changed_is_kept_aside(
     assert len(copies) == 1 and copies[0].startswith("SC020_SH010 ")
 
 
+def test_a_folder_in_the_place_of_a_frame_is_refused_and_stays(stage: Stage) -> None:
+    frame = stage.folder / "frames" / "SC020_SH010.png"
+    frame.unlink()
+    frame.mkdir()
+    (frame / "mine.txt").write_text("mine")
+    with pytest.raises(InputError, match=r"SC020_SH010\.png: cannot be written"):
+        stage.render()
+    assert (frame / "mine.txt").read_text() == "mine"
+
+
 def test_a_damaged_frame_of_another_shot_is_drawn_with_the_one_asked_for(stage: Stage) -> None:
     whole = outputs(stage)
     DAMAGES["cut short"](stage.folder / "frames" / "SC020_SH010.png")
