@@ -39,6 +39,9 @@ _SYNCS = 16
 """Files that are flushed side by side."""
 _numbers = count(1)
 
+FileState = tuple[int, int]
+"""Time of the last change in ns, and size in bytes."""
+
 
 class Folder:
     """A project folder that is written to.
@@ -192,6 +195,24 @@ class Folder:
                 shutil.rmtree(place)
             else:
                 place.unlink(missing_ok=True)
+
+    def state(self, name: str) -> FileState | None:
+        """Return when a file was last written, in ns, and its size in bytes; None where there is none."""
+        try:
+            seen = self.path(name).stat()
+        except FileNotFoundError:
+            return None
+        return seen.st_mtime_ns, seen.st_size
+
+    def refuse_change(self, name: str, former: FileState | None) -> None:
+        """Make sure that nobody saved a file since its state was taken.
+
+        Raises:
+            InputError: Somebody did.
+        """
+        if self.state(name) != former:
+            mend = "run the same command again: it keeps a dated copy first"
+            raise InputError("was saved while it was being written anew", mend=mend, path=self.path(name))
 
     def make_folder(self, name: str) -> Path:
         """Make a folder with its parents, if it does not exist, and return its path.

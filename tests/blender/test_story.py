@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import bpy
+import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -16,6 +17,7 @@ from storyblender.blender.materials import material
 from storyblender.blender.people.parts import Paint
 from storyblender.blender.people.parts import material as people_material
 from storyblender.blender.story import compile_story
+from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.memory.scene_context import Lighting, Sky
 
@@ -115,8 +117,21 @@ def test_a_scene_put_in_anew_finds_the_materials_of_the_others(tmp_path: Path):
     job = story(packs, [shot(1, 1), shot(2, 1)])
     compile_story(job, Folder(tmp_path))
     whole = sorted(block.name for block in bpy.data.materials)
-    compile_story(job.model_copy(update={"changed": (1,)}), Folder(tmp_path))
+    files = Folder(tmp_path)
+    compile_story(job.model_copy(update={"changed": (1,), "former": files.state("story.blend")}), files)
     assert sorted(block.name for block in bpy.data.materials) == whole
+
+
+def test_a_file_that_is_saved_while_it_is_compiled_is_not_overwritten(tmp_path: Path):
+    job, files = story([pack(tmp_path, 1, 1)], [shot(1, 1)]), Folder(tmp_path)
+    files.write("story.blend", b"a person's")
+    former = files.state("story.blend")
+    files.write("story.blend", b"a person's, and saved again")
+    with pytest.raises(InputError, match="saved while it was being written"):
+        compile_story(job.model_copy(update={"former": former}), files)
+    assert files.path("story.blend").read_bytes() == b"a person's, and saved again"
+    compile_story(job.model_copy(update={"former": files.state("story.blend")}), files)
+    assert files.path("story.blend").read_bytes() != b"a person's, and saved again"
 
 
 def test_a_render_needs_no_settings_and_the_file_says_its_version(tmp_path: Path):

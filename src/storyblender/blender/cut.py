@@ -47,6 +47,7 @@ def compile_cut(job: CutJob, files: Folder) -> None:
         open_on(bpy.data.scenes[scene_name(job.packs[0].scene_id)])
         with files.writing(job.out) as part:
             bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True, relative_remap=False)
+            files.refuse_change(job.out, job.former)
 
 
 def add_edit(film: ProjectFormat, packs: Sequence[PackRef], shots: Sequence[ShotContext]) -> None:

@@ -52,6 +52,7 @@ def compile_story(job: StoryJob, files: Folder) -> None:
     bpy.data.orphans_purge(do_recursive=True)
     with files.writing(job.out) as part:
         save_pack(part)
+        files.refuse_change(job.out, job.former)
 
 
 def _take_out(names: list[str]) -> None:

@@ -169,6 +169,8 @@ class StoryJob(Frozen):
     changed: tuple[int, ...] | None = None
     """Scenes to put in anew; the others stay in the file as they are. None compiles it whole."""
     out: str
+    former: tuple[int, int] | None = None
+    """The file that this one replaces: time of its last change in ns, and bytes. Saved since, it is not replaced."""
 
 
 class SequenceFile(Frozen):
@@ -188,6 +190,8 @@ class CutJob(Frozen):
     sequences: tuple[SequenceFile, ...]
     """In order; they need not be there yet."""
     out: str
+    former: tuple[int, int] | None = None
+    """The file that this one replaces: time of its last change in ns, and bytes. Saved since, it is not replaced."""
 
 
 class ExportJob(Frozen):

@@ -143,7 +143,9 @@ class _File:
 
 
 def _compiler(run: Run, job: StoryJob) -> Callable[[tuple[int, ...] | None], Future[str]]:
-    return lambda changed: run.engine.compile_story(job.model_copy(update={"changed": changed}))
+    return lambda changed: run.engine.compile_story(
+        job.model_copy(update={"changed": changed, "former": run.project.files.state(job.out)})
+    )
 
 
 def _story_job(run: Run, packs: Sequence[PackRef], sequence: SequenceFile | None) -> StoryJob:
@@ -178,7 +180,11 @@ def _cut(run: Run, packs: Sequence[PackRef], sequences: tuple[SequenceFile, ...]
     lengths = [[shot.scene_id, shot.shot_id, shot.duration] for shot in graph.shots]
     plain = job.model_dump(mode="json", include={"format", "assets", "sequences"})
     record = StoryRecord(common=content_hash(__version__, STORY_VERSION, plain, list(lengths)), scenes={})
-    return _File(run, STORY, record, lambda _: run.engine.compile_cut(job))
+
+    def compiled(_: tuple[int, ...] | None) -> Future[str]:
+        return run.engine.compile_cut(job.model_copy(update={"former": run.project.files.state(STORY)}))
+
+    return _File(run, STORY, record, compiled)
 
 
 def _record_of(job: StoryJob) -> StoryRecord:
