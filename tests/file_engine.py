@@ -96,7 +96,7 @@ class FileEngine:
         return self._answer("render_motion", 2)
 
     def compile_story(self, job: StoryJob) -> Future[str]:
-        self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"changed"})))
+        self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"changed", "former"})))
         return self._answer("compile_story", job.out)
 
     def _answer(self, tool: str, value: Result) -> Future[Result]:
