@@ -88,6 +88,10 @@ def shown(quiet: bool, json_lines: bool) -> Iterator[Terminal]:
         mend = "mend that, then run the same command again to go on"
         terminal.error(InputError(error.strerror or str(error), mend=mend, path=error.filename))
         raise typer.Exit(2) from error
+    except MemoryError as error:
+        mend = "close other programs or give --jobs 1, then run the same command again to go on"
+        terminal.error(StoryBlenderError("there is not enough memory", mend=mend))
+        raise typer.Exit(2) from error
     except KeyboardInterrupt as error:
         terminal.error(StoryBlenderError("stopped", mend="run the same command again to go on"))
         raise typer.Exit(130) from error

@@ -200,6 +200,17 @@ def test_a_disk_that_takes_no_more(number: int, script: Path, tmp_path: Path, mo
     assert not [path.name for path in (tmp_path / "p").rglob("*") if path.suffix in (".part", ".json")]
 
 
+def test_too_little_memory_is_one_sentence(script: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(_: int) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(os, "fsync", full)
+    code, said = run("plan", script, "--out", tmp_path / "p", "--quiet")
+    assert code == 2 and said.startswith("storyblender: there is not enough memory; ") and said.count("\n") == 1
+    monkeypatch.undo()
+    assert run("plan", script, "--out", tmp_path / "p", "--quiet")[0] == 0
+
+
 def test_errors_reach_a_machine_as_json(tmp_path: Path) -> None:
     done = CliRunner().invoke(app, ["plan", str(tmp_path / "none.txt"), "--json"])
     told = json.loads(done.stdout)

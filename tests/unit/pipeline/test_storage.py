@@ -11,7 +11,7 @@ import re
 import resource
 import shutil
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 import av
@@ -259,7 +259,10 @@ def test_a_link_in_place_of_any_file_or_folder_is_refused(stage: Stage) -> None:
 
 @contextmanager
 def failing(number: int, fault: int = errno.ENOSPC) -> Iterator[list[str]]:
-    """Let the n-th call that changes the disk fail, and every one after it; yield the calls."""
+    """Let the n-th call that changes the disk fail, and every one after it; yield the calls.
+
+    With ``errno.ENOMEM`` it is the memory for the call that cannot be had, as Python says it.
+    """
     calls: list[str] = []
     patches = pytest.MonkeyPatch()
 
@@ -271,7 +274,7 @@ def failing(number: int, fault: int = errno.ENOSPC) -> Iterator[list[str]]:
             if writes:
                 calls.append(name)
                 if len(calls) >= number:
-                    raise OSError(fault, os.strerror(fault))
+                    raise MemoryError if fault == errno.ENOMEM else OSError(fault, os.strerror(fault))
             return real(*arguments, **words)
 
         patches.setattr(os, name, call)
@@ -282,6 +285,13 @@ def failing(number: int, fault: int = errno.ENOSPC) -> Iterator[list[str]]:
         yield calls
     finally:
         patches.undo()
+
+
+def refused(fault: int) -> AbstractContextManager[object]:
+    """Expect one sentence about the disk; the command line turns a lack of memory into its sentence."""
+    if fault == errno.ENOMEM:
+        return pytest.raises(MemoryError)
+    return pytest.raises(InputError, match=re.escape(os.strerror(fault)))
 
 
 def assert_failures_heal(stage: Stage, count: int, fault: int) -> None:
@@ -295,7 +305,7 @@ def assert_failures_heal(stage: Stage, count: int, fault: int) -> None:
     assert total > 100
     for turn, number in enumerate(range(1, total, max(1, total // count))):
         wide = (320, 160)[turn % 2]
-        with failing(number, fault), pytest.raises(InputError, match=re.escape(os.strerror(fault))):
+        with failing(number, fault), refused(fault):
             stage.render(wide=wide)
         stage.render(wide=wide)
         assert outputs(stage) == wanted[wide], number
@@ -303,15 +313,16 @@ def assert_failures_heal(stage: Stage, count: int, fault: int) -> None:
         assert not [path for path in stage.folder.rglob("*") if DATED.search(path.name)], "nobody changed anything"
 
 
-@pytest.mark.parametrize("fault", [errno.ENOSPC, errno.EIO])
+@pytest.mark.parametrize("fault", [errno.ENOSPC, errno.EIO, errno.ENOMEM])
 def test_a_run_that_the_disk_stopped_goes_on_to_the_same_end(stage: Stage, fault: int) -> None:
     assert_failures_heal(stage, 3, fault)
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(1800)
-def test_a_run_that_the_disk_stopped_anywhere_goes_on_to_the_same_end(stage: Stage) -> None:
-    assert_failures_heal(stage, 10**6, errno.ENOSPC)
+@pytest.mark.parametrize("fault", [errno.ENOSPC, errno.ENOMEM])
+def test_a_run_that_was_stopped_anywhere_goes_on_to_the_same_end(stage: Stage, fault: int) -> None:
+    assert_failures_heal(stage, 10**6, fault)
 
 
 @contextmanager
