@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.sax import SAXParseException
 from xml.sax.handler import ContentHandler
@@ -31,8 +32,10 @@ _KIND: dict[str, ElementKind] = {
     "Outline 3": "section",
     "New Act": "section",
     "End of Act": "section",
+    "Script Note": "note",
 }
 """Final Draft's paragraph types; an unknown type is read as action."""
+_SPEECH: tuple[ElementKind, ...] = ("dialogue", "parenthetical", "lyric")
 _EXPORT = "save it again from Final Draft, or export it as Fountain"
 
 
@@ -105,20 +108,17 @@ def _lay(paragraphs: list[_Paragraph]) -> tuple[str, tuple[Element, ...]]:
     pieces: list[str] = []
     elements: list[Element] = []
     position = 0
-    for paragraph in paragraphs:
-        words = paragraph.text
-        kind = _KIND.get(paragraph.type, "action")
-        if kind == "action":  # writers type a heading or FADE IN: without giving it its type
-            kind = kind_of_words(words) or kind
+    for paragraph, kind in _in_order(paragraphs):
+        words = f"[[{paragraph.text}]]" if kind == "note" else paragraph.text
         if pieces:
-            gap = "\n" if kind in ("dialogue", "parenthetical", "lyric") else "\n\n"
+            gap = "\n" if kind in (*_SPEECH, "note") else "\n\n"
             pieces.append(gap)
             position += len(gap)
         name, extension, _ = split_cue(words) if kind == "cue" else ("", "", False)
         elements.append(
             Element(
                 kind=kind,
-                text=words.strip("()").strip() if kind == "parenthetical" else words,
+                text=words.strip("()").strip() if kind == "parenthetical" else paragraph.text,
                 start=position,
                 end=position + len(words),
                 line=paragraph.line,
@@ -131,6 +131,23 @@ def _lay(paragraphs: list[_Paragraph]) -> tuple[str, tuple[Element, ...]]:
         pieces.append(words)
         position += len(words)
     return "".join(pieces), tuple(elements)
+
+
+def _in_order(paragraphs: list[_Paragraph]) -> Iterator[tuple[_Paragraph, ElementKind]]:
+    """Yield each paragraph with what it is; notes come after the speech in which they stand."""
+    notes: list[tuple[_Paragraph, ElementKind]] = []
+    for paragraph in paragraphs:
+        kind = _KIND.get(paragraph.type, "action")
+        if kind == "note":
+            notes.append((paragraph, kind))
+            continue
+        if kind == "action":  # writers type a heading or FADE IN: without giving it its type
+            kind = kind_of_words(paragraph.text) or kind
+        if kind not in _SPEECH:
+            yield from notes
+            notes.clear()
+        yield paragraph, kind
+    yield from notes
 
 
 def _title_page(paragraphs: list[_Paragraph]) -> tuple[tuple[str, str], ...]:
@@ -151,7 +168,7 @@ def _title_page(paragraphs: list[_Paragraph]) -> tuple[tuple[str, str], ...]:
 
 
 class _Handler(ContentHandler):
-    """Collects the paragraphs of the script and of the title page; summaries, notes and headers are passed over."""
+    """Collects the paragraphs of script, script notes and title page; summaries and headers are passed over."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -168,7 +185,8 @@ class _Handler(ContentHandler):
             self._dual_cues = 0
         if name == "Paragraph":
             parents = tuple(self._path)
-            type_ = attrs.get("Type", "General")
+            noted = _in_note(parents)
+            type_ = "Script Note" if noted else attrs.get("Type", "General")
             in_dual = "DualDialogue" in parents
             self._dual_cues += in_dual and type_ == "Character"
             paragraph = _Paragraph(
@@ -179,7 +197,7 @@ class _Handler(ContentHandler):
                 title_page=parents == ("FinalDraft", "TitlePage", "Content"),
             )
             self._open.append(paragraph)
-            if paragraph.title_page or _in_script(parents):
+            if paragraph.title_page or noted or _in_script(parents):
                 self.paragraphs.append(paragraph)
         self._path.append(name)
 
@@ -197,3 +215,8 @@ class _Handler(ContentHandler):
 
 def _in_script(parents: tuple[str, ...]) -> bool:
     return parents[:2] == ("FinalDraft", "Content") and set(parents[2:]) <= {"Paragraph", "DualDialogue"}
+
+
+def _in_note(parents: tuple[str, ...]) -> bool:
+    """Whether a paragraph is of a note that somebody put into the script."""
+    return parents[:2] == ("FinalDraft", "Content") and "ScriptNote" in parents

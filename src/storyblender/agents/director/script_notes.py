@@ -1,10 +1,10 @@
-"""Notes of the script (``[[ ]]`` in Fountain): which scene and which shot each one belongs to."""
+"""Notes of a Fountain or Final Draft script: which scene and which shot each one belongs to."""
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from storyblender.agents.director.reading import SceneReading
@@ -27,19 +27,29 @@ def notes_by_scene(screenplay: Screenplay, scenes: Sequence[SceneReading]) -> di
     """Return the notes of each scene by its id; a note above the first scene belongs to the first.
 
     Args:
-        screenplay: The script; only Fountain has notes.
+        screenplay: The script; prose has no notes.
         scenes: In the order of the script.
     """
     found: dict[int, list[ScriptNote]] = {}
-    if screenplay.format != "fountain" or not scenes:
-        return found
     starts = [scene.start for scene in scenes]
-    for comment in find_comments(screenplay.text):
-        text = screenplay.text[comment.start + 2 : comment.end - 2].strip()
-        if comment.kind == "note" and text:
-            scene = scenes[max(0, bisect_right(starts, comment.start) - 1)]
-            found.setdefault(scene.id, []).append(ScriptNote(comment.start, comment.end, text))
+    for note in _notes(screenplay) if scenes else ():
+        scene = scenes[max(0, bisect_right(starts, note.start) - 1)]
+        found.setdefault(scene.id, []).append(note)
     return found
+
+
+def _notes(screenplay: Screenplay) -> Iterator[ScriptNote]:
+    text = screenplay.text
+    if screenplay.format == "fdx":
+        spans = [(element.start, element.end) for element in screenplay.elements if element.kind == "note"]
+    elif screenplay.format == "fountain":
+        spans = [(comment.start, comment.end) for comment in find_comments(text) if comment.kind == "note"]
+    else:
+        return
+    for start, end in spans:
+        words = text[start + 2 : end - 2].strip()
+        if words:
+            yield ScriptNote(start, end, words)
 
 
 def notes_by_shot(

@@ -64,3 +64,23 @@ def test_every_note_is_kept_once_and_what_is_cut_is_no_note() -> None:
 def test_brackets_in_prose_are_no_notes() -> None:
     outline = _plan("Tom sat in the kitchen [[twice]] and drank his tea.\n\nHe left.\n").storyboard_outline
     assert not any(shot.notes for scene in outline for shot in scene.shots)
+
+
+def test_the_notes_of_final_draft_come_after_the_line_or_speech_they_stand_in() -> None:
+    note = '<ScriptNote ID="1"><Paragraph><Text>{}</Text></Paragraph></ScriptNote>'
+    body = [
+        '<Paragraph Type="Scene Heading"><Text>INT. KITCHEN - DAY</Text></Paragraph>',
+        f'<Paragraph Type="Action">{note.format("check the cup")}<Text>Ada sits at the table.</Text></Paragraph>',
+        '<Paragraph Type="Character"><Text>ADA</Text></Paragraph>',
+        f'<Paragraph Type="Dialogue">{note.format("too long?")}<Text>You came back.</Text></Paragraph>',
+        '<Paragraph Type="Parenthetical"><Text>(quietly)</Text></Paragraph>',
+        '<Paragraph Type="Dialogue"><Text>I knew it.</Text></Paragraph>',
+        '<Paragraph Type="Action"><Text>Tom runs to the door.</Text></Paragraph>',
+    ]
+    text = f'<FinalDraft DocumentType="Script"><Content>{"".join(body)}</Content></FinalDraft>'
+    (kitchen,) = _plan(text).storyboard_outline
+    told = {shot.lines[0].text: shot.notes for shot in kitchen.shots}
+    assert told["Ada sits at the table."] == ("check the cup",)
+    assert told["You came back."] == ("too long?",) and not told["Tom runs to the door."]
+    speech = next(shot for shot in kitchen.shots if shot.notes == ("too long?",))
+    assert [line.text for line in speech.lines] == ["You came back.", "I knew it."]
