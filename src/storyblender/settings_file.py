@@ -41,7 +41,10 @@ class SettingsFile:
         Raises:
             InputError: It holds something else than settings.
         """
-        if not path.is_file():
+        try:
+            if not path.is_file():
+                return None
+        except OSError:  # a name that no disk can have; whoever writes there says so
             return None
         text, line = "", None
         try:
