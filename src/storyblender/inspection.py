@@ -16,7 +16,7 @@ from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line, walked_around
 from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.orbit import Orbit
-from storyblender.memory.base import Frozen, Vec3, shot_name
+from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, Collision, ViewRequest
@@ -76,13 +76,19 @@ class ShotSight(Frozen):
     figures: tuple[Figure, ...]
 
 
-def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence[PackRef]) -> Inspection:
+def inspect(
+    graph: ContinuityMemoryGraph,
+    engine: BlenderEngine,
+    packs: Sequence[PackRef],
+    progress: Callable[[int, int, str], None] = lambda step, total, scene: None,
+) -> Inspection:
     """Check a project.
 
     Args:
         graph: The story.
         engine: Looks and measures.
         packs: The scenes as built.
+        progress: Hears how many scenes are checked, of how many, and which one is next.
     """
     waiting = [
         (_Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
@@ -90,10 +96,12 @@ def inspect(graph: ContinuityMemoryGraph, engine: BlenderEngine, packs: Sequence
     sights: dict[str, ShotSight] = {}
     collisions: list[Collision] = []
     drift = 0.0
-    for sighting, hits, drifted in waiting:
+    for step, (sighting, hits, drifted) in enumerate(waiting):
+        progress(step, len(waiting), scene_name(packs[step].scene_id))
         sights |= sighting.seen()
         collisions += hits.result()
         drift = max(drift, drifted.result())
+    progress(len(waiting), len(waiting), "")
     findings: list[str] = []
     rows = [
         _layout_row(graph, findings),

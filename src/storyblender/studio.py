@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -189,7 +190,7 @@ class Studio:
                 raise InputError("has shots without a camera yet", mend=mend, path=run.project.folder)
             _restore_assets(run)
             pack_scenes(run)
-            report = inspect(run.graph, run.engine, list(run.packs.values()))
+            report = inspect(run.graph, run.engine, list(run.packs.values()), partial(run.progress, "check"))
             return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
 
     def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:

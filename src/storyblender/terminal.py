@@ -51,6 +51,7 @@ LABELS = {
     "encode": "Encoding the film",
     "story": "Compiling the Blender files",
     "export": "Writing the scenes",
+    "check": "Checking the scenes",
 }
 LINES, LEAST_STEPS = 50, 5
 """A log says of a stage how far it has come this many times at most, and never before so many steps more are done."""

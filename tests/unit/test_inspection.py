@@ -79,6 +79,13 @@ def value(inspection: Inspection, name: str) -> tuple[str, bool]:
     return next((row.value, row.ok) for row in inspection.rows if row.name == name)
 
 
+def test_a_long_story_says_how_many_scenes_are_checked() -> None:
+    packs = [PackRef(scene_id=number, path="build/scenes/a.blend", starts=((1, 1),)) for number in (1, 2)]
+    told: list[tuple[int, int, str]] = []
+    inspect(ContinuityMemoryGraph(), cast(BlenderEngine, Blind()), packs, lambda *step: told.append(step))
+    assert told == [(0, 2, "SC010"), (1, 2, "SC020"), (2, 2, "")]
+
+
 def test_layout_violations_are_counted_by_kind() -> None:
     assert value(report(), "layout violations") == ("0", True)
     crowded = report(second=(0.5, 0.2, 0))
