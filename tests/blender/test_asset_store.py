@@ -30,10 +30,10 @@ def test_a_damaged_asset_is_built_again(tmp_path: Path, suffix: str, damage: Cal
     store = AssetStore(Folder(tmp_path))
     first = store.measure(JOB)
     path = tmp_path / "assets" / f"{JOB.digest}.blend"
-    untouched = path.stat().st_ino
-    assert store.measure(JOB) == first and path.stat().st_ino == untouched, "built once"
+    untouched = path.stat().st_ctime_ns
+    assert store.measure(JOB) == first and path.stat().st_ctime_ns == untouched, "built once"
     damage(tmp_path / "assets" / f"{JOB.digest}{suffix}")
-    assert store.measure(JOB) == first and path.stat().st_ino != untouched
+    assert store.measure(JOB) == first and path.stat().st_ctime_ns != untouched
     assert len(list((tmp_path / "assets").iterdir())) == 2
     assert store.append_mesh(
         JOB.asset.model_copy(update={"canonical": CUP.model_copy(update={"digest": first.digest})})
