@@ -114,14 +114,14 @@ def test_usd_shows_everybody_when_they_are_seen(file: Path):
     starts = [1 + LENGTH * number for number in range(len(SHOTS))]
 
     def seen(name: str) -> list[bool]:
-        prim = UsdGeom.Imageable(stage.GetPrimAtPath(f"/root/{name}"))
+        prim = UsdGeom.Imageable(stage.GetDefaultPrim().GetChild(name))
         assert prim, name
         return [prim.ComputeVisibility(frame + 1) == UsdGeom.Tokens.inherited for frame in starts]
 
     assert seen("SC010_tom_rig") == [False, True, True]
     assert seen("SC010_wall_back") == [True, False, True]
     assert seen("SC010_ada_rig") == [True, True, True]
-    lights = [prim.GetName() for prim in stage.GetPrimAtPath("/root").GetChildren() if "ada_key" in prim.GetName()]
+    lights = [prim.GetName() for prim in stage.GetDefaultPrim().GetChildren() if "ada_key" in prim.GetName()]
     assert len(lights) == len(SHOTS)
     for light in lights:
         assert seen(light) == [light.startswith(shot) for shot in SHOTS]
