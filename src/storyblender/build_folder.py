@@ -1,6 +1,6 @@
 """``build/`` on another disk: which folder may take its place.
 
-A project that came from somebody else may name any folder, so a folder counts only if it says itself whose it is.
+A project from another person may name any folder, so a folder is used only if a file in it names this project.
 """
 
 from __future__ import annotations

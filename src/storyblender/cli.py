@@ -147,7 +147,7 @@ def plan(
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
-    """Read a script and say who is in it and how it is cut into scenes and shots; quick, nothing is drawn."""
+    """Read a script and list its cast, scenes and shots; quick, nothing is drawn."""
     settings: dict[str, Any] = dict(crew=crew, shots_per_scene=shots_per_scene, aspect=aspect, fps=fps, seed=seed)
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)

@@ -1,7 +1,7 @@
 """The one way to write and delete files of a project, in the client and in the workers.
 
 Nothing outside the project is touched: a name never leaves the folder, and no link is followed. A file appears whole
-or not at all: it is written as a private part file that nobody else uses, flushed to disk, then renamed. A library
+or not at all: it is written as a part file private to this process, flushed to disk, then renamed. A library
 that writes files itself gets a path in a private folder from ``Folder.writing``; call that path ``part``, then
 ``tests/unit/test_folder_is_the_only_writer.py`` lets it pass.
 """
@@ -110,7 +110,7 @@ class Folder:
 
     @contextmanager
     def writing(self, name: str) -> Iterator[Path]:
-        """Let a library write a file: yield a path of the same name in a private folder, which it becomes at the end.
+        """Write a file through a library: yield a path in a private folder, renamed to ``name`` at the end.
 
         What else the library leaves beside it is deleted.
 
@@ -122,7 +122,7 @@ class Folder:
 
     @contextmanager
     def writing_tree(self, name: str, *, lone: bool = False) -> Iterator[Path]:
-        """Let somebody write a folder of files: yield a private folder that takes the name's place at the end.
+        """Write a folder of files: yield a private folder that is renamed to ``name`` at the end.
 
         Args:
             name: Of the folder; one that is there already is replaced.
@@ -173,7 +173,7 @@ class Folder:
             return _regular(place, os.O_WRONLY | os.O_APPEND)
 
     def empty(self, name: str) -> None:
-        """Empty a file, if there is one; who has it open goes on writing to it.
+        """Truncate a file, if it exists; a process that has it open keeps writing to the same file.
 
         Raises:
             InputError: As ``write``.
@@ -205,10 +205,10 @@ class Folder:
         return seen.st_mtime_ns, seen.st_size
 
     def refuse_change(self, name: str, former: FileState | None) -> None:
-        """Make sure that nobody saved a file since its state was taken.
+        """Refuse to go on if a file was saved after its state was taken.
 
         Raises:
-            InputError: Somebody did.
+            InputError: The file was saved.
         """
         if self.state(name) != former:
             mend = "run the same command again: it keeps a dated copy first"
@@ -234,7 +234,7 @@ class Folder:
         _make(self.root)
 
     def clear_parts(self) -> None:
-        """Delete part files that killed runs left. Only for who holds the project's lock.
+        """Delete part files that killed runs left. Call it only while holding the project's lock.
 
         Raises:
             InputError: The disk refuses.
@@ -261,7 +261,7 @@ def _explained(place: Path, deed: str = "written", *, body: bool = False) -> Ite
     Args:
         place: The file.
         deed: What could not be done to it.
-        body: Somebody else's code runs: only what is the disk's fault is turned.
+        body: The block runs a library: only errors of the disk are converted.
     """
     try:
         yield

@@ -56,7 +56,7 @@ class Outputs:
     """The files that the program wrote into a folder. Safe to use from several threads.
 
     Args:
-        files: The folder, locked by whoever uses this.
+        files: The folder; the caller holds the project's lock.
     """
 
     def __init__(self, files: Folder) -> None:

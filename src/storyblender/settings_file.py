@@ -44,7 +44,7 @@ class SettingsFile:
         try:
             if not path.is_file():
                 return None
-        except OSError:  # a name that no disk can have; whoever writes there says so
+        except OSError:  # the name is too long for the disk; the folder itself is refused when it is made
             return None
         text, line = "", None
         try:

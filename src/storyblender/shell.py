@@ -1,5 +1,5 @@
 """What every command shares with the shell it is called from: Blender started ahead, errors in a sentence or as JSON,
-and an end without noise where whoever reads the output has read enough.
+and a quiet exit when the reader of the output closes the pipe.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from storyblender.engine.worker import Worker
 
 CLOSED_PIPE = 141
-"""Exit code of a program whose output nobody reads any more: 128 and the number of SIGPIPE, as shells count it."""
+"""Exit code after a closed pipe: 128 plus the number of SIGPIPE, as shells report it."""
 _NEED_BLENDER = ("render", "check", "export")
 """Commands on finished projects that Blender answers."""
 
@@ -82,7 +82,7 @@ def shown(quiet: bool, json_lines: bool) -> Iterator[Terminal]:
     except StoryBlenderError as error:
         terminal.error(error)
         raise typer.Exit(2) from error
-    except BrokenPipeError:  # whoever read our words has read enough
+    except BrokenPipeError:  # the reader closed the pipe
         raise
     except OSError as error:  # no room, no permission, no such disk: the machine's sentence, and what to do
         mend = "mend that, then run the same command again to go on"

@@ -1,4 +1,4 @@
-"""Exchange formats of one scene: glTF and USD, with the people's motion and who is seen in which shot."""
+"""Exchange formats of one scene: glTF and USD, with the motion of people and the visibility of objects in each shot."""
 
 from __future__ import annotations
 

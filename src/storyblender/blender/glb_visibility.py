@@ -1,4 +1,4 @@
-"""Who is seen in which shot, written into a .glb: glTF hides a node by a scale of zero.
+"""Visibility of objects in each shot, written into a .glb: glTF hides a node by a scale of zero.
 
 The specification says so, and every viewer shows it; ``KHR_node_visibility`` and ``KHR_animation_pointer`` would be
 cleaner, and most viewers know neither. Without an animation a node is as in the first shot, but never of no size at
@@ -16,7 +16,7 @@ from typing import Any
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _FLOAT = 5126
 _SPECK = 0.001
-"""Scale of who is not there at the beginning: a person of two millimetres."""
+"""Rest scale of a node that is hidden at the start: a person is two millimetres tall."""
 
 
 def hide_nodes(part: Path, shots: Sequence[tuple[str, float]], shown: Mapping[str, Sequence[bool]]) -> None:

@@ -1,4 +1,4 @@
-"""Who is seen in which shot, written into a USD file: Blender's exporter leaves out what is hidden at the start."""
+"""Visibility of objects in each shot, written into a USD file: Blender's exporter omits objects hidden at the start."""
 
 from __future__ import annotations
 

@@ -78,8 +78,8 @@ def subrip(shots: Sequence[Panel]) -> str:
 def _unmarked(text: str) -> str:
     """Return words for SubRip, which has no way to escape its markup.
 
-    A joiner, which nobody sees, keeps ``<i>`` and ``&lt;`` from being read as codes. Players hide all that stands in
-    braces, whatever it is, so braces become those of full width.
+    An invisible word joiner keeps ``<i>`` and ``&lt;`` from being read as markup. Players hide any text in braces, so
+    braces become full-width ones.
     """
     return _MARKUP.sub("\\g<0>\u2060", text).translate(_BRACES)
 

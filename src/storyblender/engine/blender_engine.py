@@ -61,7 +61,7 @@ class BlenderEngine:
         Folder(root, build).empty(LOG)  # not deleted: a worker that is ahead has it open
         self._pool = WorkerPool(lambda: blender_worker(root, models, build), jobs, ahead)
         self._running: dict[str, Future[Any]] = {}
-        """The last job for each output: nobody starts another while it runs."""
+        """The last job for each output: a second request for the same output waits for it."""
         self._starting = threading.Lock()
 
     def __enter__(self) -> BlenderEngine:

@@ -1,4 +1,4 @@
-"""What a worker says, read without trust: whatever a line holds is an answer, is for nobody, or loses the worker."""
+"""Messages to and from a worker. Every line is untrusted: it is the answer, is skipped, or ends the worker."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ PROTOCOL = "2025-06-18"
 LONGEST = 1 << 26
 """Bytes of the longest line that a worker may say: an answer has some thousands."""
 _QUOTED = 200
-"""Characters of somebody else's words in an error."""
+"""Most characters of a worker's text that an error message quotes."""
 
 
 class Lost(Exception):

@@ -85,7 +85,7 @@ class Worker:
             process.wait()
 
     def _request(self, method: str, parameters: dict[str, Any]) -> dict[str, Any]:
-        """Greet the server if nobody has, send a request and return the answer; all of it within the timeout."""
+        """Initialize the server on the first request, send the request and return the answer, within the timeout."""
         self.start()
         process, late = self._process, threading.Event()
         if process is None:
@@ -93,7 +93,7 @@ class Worker:
 
         def stop() -> None:
             late.set()
-            process.kill()  # whoever waits for it, to read or to write, meets the end of the pipe
+            process.kill()  # a blocked read or write then ends with the pipe
 
         alarm = threading.Timer(self._timeout, stop)
         alarm.daemon = True
@@ -144,7 +144,7 @@ def blender_worker(root: Path, models: Path | None = None, build: Path | None = 
 
 
 def _log_of(files: Folder) -> FileIO:
-    """Return the log; a disk that has no room for it stops nobody."""
+    """Return the log file; where it cannot be opened (full disk), the worker runs without one."""
     try:
         return files.log(LOG)
     except InputError as error:

@@ -34,7 +34,7 @@ _SOFT, _SOFT_BED = 0.09, 0.2
 _SHOULDERS = 0.52
 """Metres that each of several sitters takes."""
 _DEEP = 0.6
-"""Metres: nobody sits further back from the front edge."""
+"""Metres: largest distance of a sitting point from the seat's front edge."""
 _BED = (0.55, 1.25)
 """Metres: least width and length of a bed."""
 _BACK, _CLEARER = 0.14, 0.1

@@ -29,7 +29,7 @@ def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], pl
     Args:
         instruction: The camera.
         names: Asset id to what people call it.
-        place: What is seen where nobody is in focus.
+        place: What the shot shows if no person is in focus.
         order: The words of the script that asked for it, if it did.
     """
     form = _SIZES[instruction.size]

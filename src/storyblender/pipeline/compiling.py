@@ -128,7 +128,7 @@ class _File:
             self._compiled.add_done_callback(self._note)
 
     def _note(self, compiled: Future[str]) -> None:
-        """Note the file as soon as it is there: if the run is killed from here on, nobody takes it for changed."""
+        """Record the file as soon as it exists, so that after a kill it does not count as changed by hand."""
         if not compiled.cancelled() and compiled.exception() is None:
             with suppress(InputError, OSError):  # ``finish`` says it
                 self._outputs.note(self.name)

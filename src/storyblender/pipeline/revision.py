@@ -181,7 +181,7 @@ def _planned(shot: ShotContext) -> dict[str, object]:
 
 
 def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
-    """Give everybody and everything that is told as before the model and the size that they had."""
+    """Keep the model and size of every asset that the script describes as before."""
     if old.settings_digest != plan.settings_digest:
         return plan
     former = {asset.asset_id: asset for asset in old.assets}

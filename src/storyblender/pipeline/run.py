@@ -75,7 +75,7 @@ class Run:
 
     @contextmanager
     def delivering(self, name: str) -> Iterator[Path]:
-        """Let somebody write a file that people open; if a person changed the former one, a copy stays beside it.
+        """Write a deliverable; if the present one was changed by hand, a dated copy of it is kept beside it.
 
         Args:
             name: In the project.

@@ -173,7 +173,7 @@ def _place(run: Run, picture: str, name: str) -> None:
 
 
 def _is_sound(run: Run, name: str) -> bool:
-    """Return whether a picture is as it was written, or is one all the same: somebody painted on it."""
+    """Return whether a frame is as it was written, or a readable picture that a person changed."""
     if run.outputs.whole(name):
         return True
     if not run.outputs.changed(name):  # gone, empty, or the one before, where a run was stopped

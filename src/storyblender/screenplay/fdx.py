@@ -218,5 +218,5 @@ def _in_script(parents: tuple[str, ...]) -> bool:
 
 
 def _in_note(parents: tuple[str, ...]) -> bool:
-    """Whether a paragraph is of a note that somebody put into the script."""
+    """Return whether a paragraph belongs to a script note."""
     return parents[:2] == ("FinalDraft", "Content") and "ScriptNote" in parents

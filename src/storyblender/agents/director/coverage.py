@@ -148,7 +148,7 @@ class _SceneCoverage:
     def _plays_under_direction(self, unit: Unit) -> bool:
         """Whether a unit is the line under a direction that tells nothing itself: ``CLOSE ON the ring.``
 
-        A line that is said plays in that shot whoever says it. What people do plays there where the shot can show it.
+        A speech always plays in that shot, even if its speaker is not shown; an action only if the shot can show it.
         """
         shot = self.awaiting
         if shot is None:

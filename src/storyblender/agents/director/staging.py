@@ -42,7 +42,7 @@ class Staging:
         self.on_foot = {*on_foot}
         self.bodies: dict[str, _Body] = {}
         self._last: dict[str, tuple[tuple[object, ...], BodyState]] = {}
-        """Everybody as they were found last: most people of a scene are as they were a shot ago."""
+        """The last state of each person: most do not change from one shot to the next."""
         self.first: dict[str, Unit] = {}
         for unit in units:
             for person in unit.on_stage:

@@ -38,7 +38,7 @@ SUFFIXES = tuple(_READERS)
 _LAIN_ON, _SAT_ON = ("cradle", "stretcher"), ("toilet",)
 """Props that one lies or sits on though their names do not say so."""
 _LARGE = 12.0
-"""Metres: of what is larger, nobody looks for a seat."""
+"""Metres: no seat is looked for on a larger model."""
 _Z_UP = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 """Undoes the turn of an .obj that was Z up already."""
 

@@ -260,7 +260,7 @@ def _is_called(name: str, low: str) -> bool:
 
 @lru_cache(maxsize=4096)
 def _call_names(aliases: tuple[str, ...]) -> tuple[tuple[str, frozenset[str]], ...]:
-    """The names without a space that somebody may be called by, and the words in each."""
+    """Return the one-word names of a person, and the words in each."""
     names = {word for alias in aliases for word in (alias.split()[0], alias.split()[-1])}
     return tuple((name, frozenset(_WORDS.findall(name))) for name in sorted(names - lexicon.TITLES - {"i"}))
 

@@ -147,7 +147,7 @@ class Stage:
         return self.roster.in_order(filter(None, map(self.roster.person, self.scene.on)))
 
     def told_of(self) -> list[Person]:
-        """Everybody on stage or spoken of in this scene, in the order of the cast."""
+        """Return the people on stage or mentioned in this scene, in the order of the cast."""
         ids = dict.fromkeys((*self.scene.on, *self.scene.named))
         return self.roster.in_order(filter(None, map(self.roster.person, ids)))
 

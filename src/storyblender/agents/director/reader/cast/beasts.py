@@ -76,7 +76,7 @@ def add_animals(roster: Roster, script: Manuscript) -> None:
 
 
 def _moves_about(animal: PersonNoun, text: str) -> bool:
-    """``A lame dog limps out of the arcade``: somebody to be seen."""
+    """Whether an animal moves through the scene, as in ``A lame dog limps out of the arcade``."""
     verb = re.match(r"\s+([a-z]+)", text[animal.end :])
     form = FORMS.get(verb.group(1)) if verb else None
     moves = form is not None and form.kind in ("3sg", "past") and lexicon.MOTION_OF_VERB.get(form.lemma) in _MOVES

@@ -58,7 +58,7 @@ _NAMING = re.compile(
     rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
 )
 _FOLLOWING = 40
-"""Characters after a name that tell whether it is somebody's."""
+"""How many characters after a name are read to decide whether it names a person."""
 _NOT_FAR = 900
 """Characters back to the first sight of somebody who is then called ``the STRANGER``."""
 _SOMEBODY = frozenset({"man", "woman", "boy", "girl", "figure", "stranger", "child", "kid"})

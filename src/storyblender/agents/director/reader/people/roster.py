@@ -69,11 +69,11 @@ class Roster:
         return self._by_id.get(id)
 
     def wearing(self, words: str) -> list[Person]:
-        """Everybody who is named by what they have on or with them: ``grey suit`` of a MAN IN A GREY SUIT."""
+        """Return the people named by clothes or things: ``grey suit`` finds the MAN IN A GREY SUIT."""
         return self.in_order(self._wearing.get(words, {}).values())
 
     def meant_by(self, noun: str, start: int | None = None) -> list[Person]:
-        """Everybody whose role or name is a noun, or who is first told of at an offset; needs ``index``."""
+        """Return the people with a noun as role or name, or first mentioned at an offset; call ``index`` before."""
         introduced = self._introduced.get(start, {}) if start is not None else {}
         return self.in_order((self._meant.get(noun, {}) | introduced).values())
 
@@ -182,7 +182,7 @@ class Roster:
         self._note_title(person)
 
     def remove(self, person: Person) -> None:
-        """Take somebody off the cast."""
+        """Remove a person from the cast."""
         for worn in self._wearing.values():
             worn.pop(person.id, None)
         for name in person.aliases:
