@@ -25,7 +25,7 @@ from storyblender.project import Project, read_project_graph
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from tests.fuzz.damage import copied, damage
-from tests.fuzz.fake_engine import FakeEngine
+from tests.stand_in_engine import StandInEngine
 
 RELEASED = Path(__file__).parents[1] / "data" / "projects"
 QUICK, MANY = 30, 5000
@@ -38,7 +38,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Path]]:
     """The released projects, drawn once without Blender, so that they have records of packs and frames."""
     patch = pytest.MonkeyPatch()
     patch.setattr(os, "fsync", lambda _: None)
-    patch.setattr(studio, "BlenderEngine", FakeEngine)
+    patch.setattr(studio, "BlenderEngine", StandInEngine)
     patch.setattr(delivery, "deliver", _deliver)
     made = [copied(source, tmp_path_factory.mktemp("whole") / source.name) for source in sorted(RELEASED.iterdir())]
     for folder in made:

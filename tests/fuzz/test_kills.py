@@ -27,7 +27,7 @@ from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.studio import Studio
 from tests.fuzz.damage import copied
-from tests.fuzz.fake_engine import FakeEngine
+from tests.stand_in_engine import StandInEngine
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="kills a forked process")
 RELEASED = sorted((Path(__file__).parents[1] / "data" / "projects").iterdir())[-1]
@@ -135,7 +135,7 @@ class Killed:
 @contextmanager
 def _without_blender() -> Iterator[None]:
     patch = pytest.MonkeyPatch()
-    patch.setattr(studio, "BlenderEngine", FakeEngine)
+    patch.setattr(studio, "BlenderEngine", StandInEngine)
     patch.setattr(delivery, "deliver", lambda run, clips, story: [])
     yield
     patch.undo()

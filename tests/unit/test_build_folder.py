@@ -6,7 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
-from tests.file_engine import SETTINGS, FileEngine, Stage
+from tests.stage import SETTINGS, Stage
+from tests.stand_in_engine import StandInEngine
 
 from storyblender.build_folder import MARK, check_build_folder
 from storyblender.errors import InputError
@@ -31,10 +32,10 @@ def test_a_project_is_drawn_there_and_again_only_what_is_damaged(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stage, build = Stage(tmp_path / "p", monkeypatch), tmp_path / "disk"
-    engines: list[FileEngine] = []
+    engines: list[StandInEngine] = []
 
-    def engine(root: Path, *_: object, build: Path | None = None, **__: object) -> FileEngine:
-        engines.append(FileEngine(root, build=build))
+    def engine(root: Path, *_: object, build: Path | None = None, **__: object) -> StandInEngine:
+        engines.append(StandInEngine(root, build=build))
         return engines[-1]
 
     monkeypatch.setattr("storyblender.studio.BlenderEngine", engine)

@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from tests.fuzz.fake_engine import FakeEngine
+from tests.stand_in_engine import StandInEngine
 
 from storyblender import studio
 from storyblender.errors import InputError
@@ -20,7 +20,7 @@ RELEASED = Path(__file__).parents[1] / "data" / "projects" / "schema-1"
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setattr(studio, "BlenderEngine", FakeEngine)
+    monkeypatch.setattr(studio, "BlenderEngine", StandInEngine)
     return shutil.copytree(RELEASED, tmp_path / "p")
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 import av
 import pytest
 from PIL import Image
-from tests.file_engine import SETTINGS, Stage
+from tests.stage import SETTINGS, Stage
 
 from storyblender.errors import InputError
 from storyblender.folder import Folder

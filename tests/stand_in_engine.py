@@ -1,43 +1,48 @@
-"""An engine without Blender that answers every tool at once: whole runs are tested, and profiled, in seconds."""
+"""An engine without Blender: it writes the files that workers write, and people are seen wherever they stand."""
 
 from __future__ import annotations
 
+import json
 import math
 from collections import Counter
 from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
-from typing import TypeVar
+from types import TracebackType
+from typing import Any, TypeVar
 
 import numpy as np
 from PIL import Image
 
 from storyblender.agents.layout_artist.camera_brief import orbit_of
-from storyblender.catalog.props import PROPS
+from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
     FrameJob,
     FrameReport,
+    MotionJob,
     PackRef,
     SceneJob,
     StoryJob,
     asset_suffixes,
 )
-from storyblender.memory.measure import AssetMeasure, CameraView, SubjectView, ViewRequest
+from storyblender.memory.measure import AssetMeasure, CameraView, Collision, SubjectView, ViewRequest
 from storyblender.memory.scene_context import Light
 
 Result = TypeVar("Result")
-PERSON = (0.5, 0.4, 1.7)
-HEAD = 0.23
+STATURE, HEAD = 1.7, 0.23
+"""Metres."""
+KEY = Light(name="key", kind="AREA", location=(0, -2, 2), power=50.0)
 
 
-class QuickEngine:
-    """People stand on their marks and are seen wherever they stand; pictures are grey.
+class StandInEngine:
+    """As ``BlenderEngine``, in this process: every answer and every file depends only on the request.
 
     Args:
         root: The project folder.
+        build: Where names below ``build/`` lie instead.
 
     Attributes:
         calls: Tool name to the number of its calls.
@@ -45,75 +50,91 @@ class QuickEngine:
 
     processes = 1
 
-    def __init__(self, root: Path) -> None:
-        self._root = root
-        self._jobs: dict[str, SceneJob] = {}
+    def __init__(self, root: Path, *_: Any, build: Path | None = None, **__: Any) -> None:
+        self.files = Folder(root, build)
         self.calls: Counter[str] = Counter()
+        self._scenes: dict[str, SceneJob] = {}
+
+    def __enter__(self) -> StandInEngine:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        """Nothing runs."""
+
+    def warm(self) -> None:
+        """Nothing to start."""
 
     def build_asset(self, job: AssetJob) -> Future[AssetMeasure]:
-        """Measure a thing as the catalogue says it is."""
-        asset = job.asset
-        canonical = asset.canonical
+        """An asset measures what the Concept Artist expects of it."""
+        canonical = job.asset.canonical
         assert canonical is not None
-        size = PROPS[canonical.key].size if canonical.key in PROPS else canonical.dimensions
+        for suffix in (*asset_suffixes(job.asset), ".json"):
+            self.files.write(f"{ASSETS}/{job.digest}{suffix}", f"{suffix} of {job.digest}")
         measure = AssetMeasure(
-            asset_id=asset.asset_id,
+            asset_id=job.asset.asset_id,
             digest=job.digest,
-            geometry_hash=job.digest,
-            dimensions=PERSON if asset.asset_type == "character" else size,
+            geometry_hash=canonical.geometry_hash or job.digest,
+            dimensions=canonical.dimensions,
+            anchors=canonical.anchors,
         )
-        for suffix in (*asset_suffixes(asset), ".json"):
-            self._write(f"{ASSETS}/{job.digest}{suffix}", b"an asset")
         return self._answer("build_asset", measure)
 
     def pack_scene(self, job: SceneJob) -> Future[PackRef]:
-        """Keep the job: it is the scene."""
-        self._jobs[job.out] = job
+        self._scenes[job.out] = job
         starts, start = [], 1
         for shot in job.shots:
             starts.append((shot.shot_id, start))
             start += shot.duration
-        self._write(job.out, b"a pack")
-        reference = PackRef(scene_id=job.scene.scene_id, path=job.out, starts=tuple(starts))
-        self._write(job.record, reference.model_dump_json().encode())
-        return self._answer("pack_scene", reference)
+        self.files.write(job.out, f"pack {job.digest}")
+        return self._answer("pack_scene", PackRef(scene_id=job.scene.scene_id, path=job.out, starts=tuple(starts)))
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> Future[list[list[Figure]]]:
-        """Return everybody who is seen in the shot of each frame."""
         return self._answer("read_figures", [self._figures(pack, frame) for frame in frames])
 
     def look(self, pack: PackRef, requests: Sequence[ViewRequest], aspect: float) -> Future[list[CameraView]]:
-        """See everybody's head, past everything that may stand before it."""
         return self._answer("look", [self._view(pack, request, aspect) for request in requests])
 
+    def find_collisions(self, pack: PackRef) -> Future[list[Collision]]:
+        return self._answer("find_collisions", [])
+
+    def measure_drift(self, pack: PackRef) -> Future[float]:
+        return self._answer("measure_drift", 0.0)
+
     def render_frame(self, job: FrameJob) -> Future[FrameReport]:
-        """Draw a grey picture; every shot has its own grey."""
-        grey = int(job.digest[:2], 16)
-        path = self._root / job.out
-        path.parent.mkdir(parents=True, exist_ok=True)
-        Image.new("RGB", (32, 18), (grey, grey, grey)).save(path)
-        key = Light(name="key", kind="AREA", location=(0, -2, 2), power=50.0)
-        return self._answer("render_frame", FrameReport(out=job.out, lights=(key,)))
+        with self.files.writing(job.out) as part:
+            picture(job.digest).save(part)
+        return self._answer("render_frame", FrameReport(out=job.out, lights=job.shot.lights or (KEY,)))
+
+    def render_motion(self, job: MotionJob) -> Future[int]:
+        with self.files.writing_tree(job.folder) as part:
+            for number in (1, 2):
+                picture(job.digest[number:]).save(part / f"{number:05d}.jpg")
+        return self._answer("render_motion", 2)
 
     def compile_story(self, job: StoryJob) -> Future[str]:
-        """Write a file that is no story."""
-        self._write(job.out, b"a story")
+        self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"changed", "former"})))
         return self._answer("compile_story", job.out)
 
     def _figures(self, pack: PackRef, frame: int) -> list[Figure]:
-        job = self._jobs[pack.path]
+        """Return the people of a frame on their first marks; none for a pack that an earlier engine made."""
+        scene = self._scenes.get(pack.path)
+        if scene is None:
+            return []
         shot_id = max((shot_id for shot_id, start in pack.starts if start <= frame), default=pack.starts[0][0])
-        shot = next(shot for shot in job.shots if shot.shot_id == shot_id)
+        shot = next(shot for shot in scene.shots if shot.shot_id == shot_id)
         found: list[Figure] = []
         for blocking in shot.blocking:
             if blocking.visible:
                 x, y, z = blocking.start.location
                 yaw = math.radians(blocking.start.yaw)
-                face, forward = (x, y, z + 0.935 * PERSON[2]), (math.sin(yaw), -math.cos(yaw), 0.0)
+                face, forward = (x, y, z + 0.935 * STATURE), (math.sin(yaw), -math.cos(yaw), 0.0)
                 found.append(Figure(blocking.start.asset_id, face, forward, HEAD, (x, y, z)))
         return found
 
     def _view(self, pack: PackRef, request: ViewRequest, aspect: float) -> CameraView:
+        """Return what a camera sees if nothing stands before anybody's head."""
         camera = orbit_of(request.pose, Film(request.sensor_width, aspect))
         figures = self._figures(pack, pack.start_of(request.shot_id) + request.frame)
         seen: list[SubjectView] = []
@@ -146,7 +167,7 @@ class QuickEngine:
         future.set_result(value)
         return future
 
-    def _write(self, name: str, content: bytes) -> None:
-        path = self._root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
+
+def picture(digest: str) -> Image.Image:
+    """Return a picture whose colour is told by the first six hex digits."""
+    return Image.new("RGB", (64, 48), (int(digest[:2], 16), int(digest[2:4], 16), int(digest[4:6], 16)))
