@@ -200,17 +200,16 @@ class Studio:
             InputError: The project has no story.blend yet, or an adapter is missing.
         """
         from storyblender.deliver.timeline import EXTRA_FORMATS, write_extra
-        from storyblender.pipeline.delivery import clip_paths, frame_paths
+        from storyblender.pipeline.delivery import timeline_media
 
         read_project_graph(folder)
         with self._open_made(folder) as run:
             files: list[str] = []
             for kind in kinds:
                 if kind in EXTRA_FORMATS:
-                    start = self._settings.start_timecode
                     files.append(f"timeline{EXTRA_FORMATS[kind]}")
                     with run.delivering(files[-1]) as part:
-                        write_extra(run.graph, frame_paths(run), clip_paths(run), part, run.project.folder, kind, start)
+                        write_extra(timeline_media(run), part, kind)
                 else:
                     files += self._export_scenes(run, kind)
             return Delivery(run.project.folder, files, run.graph)

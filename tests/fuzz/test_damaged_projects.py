@@ -17,6 +17,7 @@ import pytest
 from storyblender import studio
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
+from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.errors import StoryBlenderError
 from storyblender.pipeline import compiling, delivery
 from storyblender.pipeline.delivery import checks_of
@@ -51,7 +52,7 @@ def _deliver(run: Run, clips: object, story: compiling.Compilation) -> list[str]
     """The deliverables that are text."""
     start = run.settings.start_timecode
     write_shot_list(run.graph, run.project.folder / "shots.csv", start)
-    write_timeline(run.graph, {}, {}, run.project.folder / "timeline.otio", run.project.folder, start)
+    write_timeline(TimelineMedia(run.graph, {}, {}, run.project.folder, start), run.project.folder / "timeline.otio")
     checks_of(run)
     story.finish()
     return []

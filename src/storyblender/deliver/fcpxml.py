@@ -16,7 +16,7 @@ import av
 
 from storyblender.deliver.panel import Panel, panels
 from storyblender.deliver.speech import speeches
-from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.deliver.timeline_media import TimelineMedia
 
 _REC709 = "1-1-1 (Rec. 709)"
 """Primaries, transfer and matrix as FCPXML names them."""
@@ -24,24 +24,9 @@ _NO_XML = {code: " " for code in (*range(32), 127, 0xFFFE, 0xFFFF) if chr(code) 
 """Characters that XML may not hold."""
 
 
-def write_fcpxml(
-    graph: ContinuityMemoryGraph,
-    frames: Mapping[str, Path],
-    clips: Mapping[str, Path],
-    part: Path,
-    folder: Path,
-    first: int,
-) -> None:
-    """Write the file.
-
-    Args:
-        graph: The story.
-        frames: Shot name to picture.
-        clips: Shot name to moving picture; it stands in place of the frame.
-        part: The file.
-        folder: Where it is opened: media are named relative to it.
-        first: Frame that the timeline's timecode begins at.
-    """
+def write_fcpxml(media: TimelineMedia, part: Path) -> None:
+    """Write the timeline to ``part``; a shot's moving picture stands in place of its still."""
+    graph, clips = media.graph, media.clips
     shots, fps = panels(graph), graph.format.fps
     root = Element("fcpxml", version="1.8")
     resources = SubElement(root, "resources")
@@ -52,11 +37,11 @@ def write_fcpxml(
     title = _text(" ".join(graph.title.split()) or "Storyboard")
     project = SubElement(SubElement(root, "event", name=title), "project", name=title)
     length = _seconds(sum(panel.shot.duration for panel in shots), fps)
-    timing = {"format": "r1", "duration": length, "tcStart": _seconds(first, fps), "tcFormat": "NDF"}
+    timing = {"format": "r1", "duration": length, "tcStart": _seconds(media.first, fps), "tcFormat": "NDF"}
     spine = SubElement(SubElement(project, "sequence", timing), "spine")
     for panel in shots:
-        media = clips.get(panel.name) or frames.get(panel.name)
-        _shot(resources, spine, panel, media and media.relative_to(folder), panel.name in clips, first)
+        path = clips.get(panel.name) or media.frames.get(panel.name)
+        _shot(resources, spine, panel, path and path.relative_to(media.folder), panel.name in clips, media.first)
     ElementTree.indent(root, "  ")
     text = ElementTree.tostring(root, encoding="unicode")
     part.write_text(f'<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE fcpxml>\n{text}\n', encoding="utf-8")

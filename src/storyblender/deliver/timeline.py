@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 
 import opentimelineio as otio
 
 from storyblender.deliver.fcpxml import write_fcpxml
-from storyblender.deliver.panel import Panel, frame_of, panels
+from storyblender.deliver.panel import Panel, panels
 from storyblender.deliver.speech import speeches
+from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.errors import InputError
-from storyblender.memory.graph import ContinuityMemoryGraph
 
 EXTRA_FORMATS = {"edl": ".edl", "fcpxml": ".fcpxml"}
 _EDL = "cmx_3600"
@@ -19,62 +18,35 @@ STILL = "still"
 """Name of a clip's other media: its board frame, beside the moving picture."""
 
 
-def build_timeline(
-    graph: ContinuityMemoryGraph,
-    frames: Mapping[str, Path],
-    clips: Mapping[str, Path],
-    folder: Path,
-    start: str = "00:00:00:00",
-) -> otio.schema.Timeline:
+def build_timeline(media: TimelineMedia) -> otio.schema.Timeline:
     """Return one video track with a clip per shot, markers for dialogue, and the numbers as metadata.
 
-    Args:
-        graph: The story.
-        frames: Shot name to picture.
-        clips: Shot name to moving picture, as long as the shot; the frame is the clip's other media then.
-        folder: Media are named relative to it, so the project can be moved.
-        start: Timecode of the first frame.
+    A shot with a moving picture has its still as the clip's other media.
     """
-    timeline = otio.schema.Timeline(name=" ".join(graph.title.split()) or "storyboard")
-    fps = graph.format.fps
-    timeline.global_start_time = otio.opentime.RationalTime(frame_of(start, fps), fps)
+    timeline = otio.schema.Timeline(name=" ".join(media.graph.title.split()) or "storyboard")
+    timeline.global_start_time = otio.opentime.RationalTime(media.first, media.graph.format.fps)
     track = otio.schema.Track(name="storyboard", kind=otio.schema.TrackKind.Video)
     timeline.tracks.append(track)
-    for panel in panels(graph):
-        track.append(_clip(panel, frames.get(panel.name), clips.get(panel.name), folder))
+    for panel in panels(media.graph):
+        track.append(_clip(panel, media))
     return timeline
 
 
-def write_timeline(
-    graph: ContinuityMemoryGraph,
-    frames: Mapping[str, Path],
-    clips: Mapping[str, Path],
-    part: Path,
-    folder: Path,
-    start: str,
-) -> None:
-    """Write ``timeline.otio`` to ``part``; the other arguments are those of ``build_timeline``."""
-    otio.adapters.write_to_file(build_timeline(graph, frames, clips, folder, start), str(part))
+def write_timeline(media: TimelineMedia, part: Path) -> None:
+    """Write ``timeline.otio`` to ``part``."""
+    otio.adapters.write_to_file(build_timeline(media), str(part))
 
 
-def write_extra(
-    graph: ContinuityMemoryGraph,
-    frames: Mapping[str, Path],
-    clips: Mapping[str, Path],
-    part: Path,
-    folder: Path,
-    name: str,
-    start: str,
-) -> None:
-    """Write the timeline to ``part`` as ``edl`` or ``fcpxml``; the other arguments are those of ``build_timeline``.
+def write_extra(media: TimelineMedia, part: Path, name: str) -> None:
+    """Write the timeline to ``part`` as ``edl`` or ``fcpxml``.
 
     Raises:
         InputError: The adapter is not installed, or an EDL has no timecode for the rate.
     """
     if name == "edl":
-        _write_edl(build_timeline(graph, frames, clips, folder, start), part, graph.format.fps)
+        _write_edl(build_timeline(media), part, media.graph.format.fps)
     else:
-        write_fcpxml(graph, frames, clips, part, folder, frame_of(start, graph.format.fps))
+        write_fcpxml(media, part)
 
 
 def _write_edl(timeline: otio.schema.Timeline, part: Path, rate: int) -> None:
@@ -94,12 +66,11 @@ def reel_of(panel: Panel) -> str:
     return panel.name.replace("SC", "").replace("SH", "")
 
 
-def _clip(panel: Panel, frame: Path | None, clip: Path | None, folder: Path) -> otio.schema.Clip:
+def _clip(panel: Panel, media: TimelineMedia) -> otio.schema.Clip:
     duration = otio.opentime.RationalTime(panel.shot.duration, panel.fps)
     span = otio.opentime.TimeRange(otio.opentime.RationalTime(0, panel.fps), duration)
-    pictures = [
-        otio.schema.ExternalReference(path.relative_to(folder).as_posix(), span) for path in (clip, frame) if path
-    ]
+    paths = [found[panel.name] for found in (media.clips, media.frames) if panel.name in found]
+    pictures = [otio.schema.ExternalReference(path.relative_to(media.folder).as_posix(), span) for path in paths]
     shown: list[otio.core.MediaReference] = [*pictures, otio.schema.MissingReference(available_range=span)]
     result = otio.schema.Clip(name=panel.name, media_reference=shown[0], source_range=span)
     if len(pictures) == 2:

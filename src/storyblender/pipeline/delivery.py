@@ -15,6 +15,7 @@ from storyblender.deliver.panel import frame_of, panels
 from storyblender.deliver.segments import encoded
 from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
+from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.memory.base import content_hash
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.prints import make_prints
@@ -35,6 +36,11 @@ def clip_paths(run: Run) -> dict[str, Path]:
     """Return shot name to moving picture, for those there are: they show the shots as they are."""
     paths = {panel.name: run.project.folder / CLIPS / f"{panel.name}.mp4" for panel in panels(run.graph)}
     return {name: path for name, path in paths.items() if path.exists()}
+
+
+def timeline_media(run: Run) -> TimelineMedia:
+    """Return what the timeline formats are written from."""
+    return TimelineMedia(run.graph, frame_paths(run), clip_paths(run), run.project.folder, run.settings.start_timecode)
 
 
 def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compilation) -> list[str]:
@@ -81,7 +87,7 @@ def deliver(run: Run, clips: Mapping[str, Sequence[Path]] | None, story: Compila
         run.tell(Event(kind="warning", role="animatic.mp4", message=told))
         _place_clips(run, {name: path for name, path in clip_paths(run).items() if name not in stale})
     with run.delivering("timeline.otio") as part:
-        write_timeline(graph, frames, clip_paths(run), part, folder, run.settings.start_timecode)
+        write_timeline(timeline_media(run), part)
     run.progress("deliver", 5, steps, "story.blend")
     story.finish()
     with run.delivering("index.html") as part:

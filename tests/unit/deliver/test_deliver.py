@@ -19,6 +19,7 @@ from storyblender.deliver import animatic, board, contact_sheet, lettering, page
 from storyblender.deliver.checklist import Check
 from storyblender.deliver.panel import cue_of, panels, timecode
 from storyblender.deliver.speech import speeches, subtitles
+from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.errors import InputError
 from storyblender.folder import Folder
 from storyblender.geometry import orbit
@@ -109,7 +110,7 @@ def test_shot_list_rows_are_verbatim_and_inert(graph: ContinuityMemoryGraph, tmp
 def test_timeline_reads_back_with_relative_media(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:
-    timeline.write_timeline(graph, frames, {}, tmp_path / "timeline.otio", tmp_path, START)
+    timeline.write_timeline(TimelineMedia(graph, frames, {}, tmp_path, START), tmp_path / "timeline.otio")
     read = otio.adapters.read_from_file(str(tmp_path / "timeline.otio"))
     assert read.duration().value == 24
     clips = list(read.find_clips())
@@ -137,13 +138,14 @@ def test_every_timeline_shows_moving_pictures_where_there_are_any(
 ) -> None:
     graph = graph.model_copy(update={"title": "One\n& two \x07", "format": ProjectFormat(fps=25, width=160)})
     clips = {"SC010_SH020": film_of(graph, {}, frames, tmp_path)[1]}
-    still, shown = timeline.build_timeline(graph, frames, clips, tmp_path, START).find_clips()
+    media = TimelineMedia(graph, frames, clips, tmp_path, START)
+    still, shown = timeline.build_timeline(media).find_clips()
     assert still.media_reference.target_url == "frames/SC010_SH010.png"
     assert shown.media_reference.target_url == f"build/film/{clips['SC010_SH020'].name}"
     assert shown.media_references()[timeline.STILL].target_url == "frames/SC010_SH020.png"
 
     path = tmp_path / "timeline.fcpxml"
-    timeline.write_extra(graph, frames, clips, path, tmp_path, "fcpxml", START)
+    timeline.write_extra(media, path, "fcpxml")
     root = ElementTree.parse(path).getroot()
     formats = {item.get("id"): item for item in root.iter("format")}
     assets = {item.get("id"): item for item in root.iter("asset")}
@@ -364,7 +366,7 @@ def test_the_film_is_read_in_pieces_while_mouths_move(graph: ContinuityMemoryGra
     assert all(len(piece.text) <= 84 for piece in pieces) and len(pieces) == 6
     assert pieces[0].start == pytest.approx(14 / 12) and pieces[-1].end == pytest.approx(2.0)
     assert all(a.end <= b.start + 1e-9 for a, b in pairwise(pieces))
-    marker = list(timeline.build_timeline(graph, {}, {}, tmp_path).find_clips())[1].markers[0]
+    marker = list(timeline.build_timeline(TimelineMedia(graph, {}, {}, tmp_path)).find_clips())[1].markers[0]
     assert (marker.marked_range.start_time.value, marker.marked_range.duration.value) == (2, 4)
 
 
@@ -512,10 +514,10 @@ def test_an_edl_has_one_reel_a_shot_and_one_line_a_marker(
     said = graph.outline[0].shots[1].model_copy(update={"lines": (lines[0].model_copy(update={"text": "One.\nTwo."}),)})
     scene = graph.outline[0].model_copy(update={"shots": (graph.outline[0].shots[0], said)})
     with pytest.raises(InputError, match="cannot count 12 frames a second"):
-        timeline.write_extra(graph, frames, {}, tmp_path / "timeline.edl", tmp_path, "edl", START)
+        timeline.write_extra(TimelineMedia(graph, frames, {}, tmp_path, START), tmp_path / "timeline.edl", "edl")
     graph = graph.model_copy(update={"outline": (scene,), "format": ProjectFormat(fps=25)})
     path = tmp_path / "timeline.edl"
-    timeline.write_extra(graph, frames, {}, tmp_path / "timeline.edl", tmp_path, "edl", START)
+    timeline.write_extra(TimelineMedia(graph, frames, {}, tmp_path, START), tmp_path / "timeline.edl", "edl")
     events = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line[:3].isdigit()]
     assert [event[1] for event in events] == ["010_010", "010_020"]
     assert [event[6] for event in events] == ["01:00:00:00", "01:00:00:12"], "the record begins where the setting says"
