@@ -216,15 +216,16 @@ class Terminal:
         note = f" ({event.subject})" if event.subject else ""
         period = max(LEAST_STEPS, -(-total // LINES))
         if event.role not in self._begun:
-            self._begun[event.role] = monotonic(), step + period
+            self._begun[event.role] = monotonic(), step
             self._console.print(f"{label} ...", soft_wrap=True)
-        began, due = self._begun[event.role]
+        then, told = self._begun[event.role]
         if step == total:
             del self._begun[event.role]
             self._console.print(f"{label}: {step} of {total}{_plain(note)}", soft_wrap=True)
-        elif step >= due:
-            self._begun[event.role] = began, step + period
-            left = roughly((monotonic() - began) / step * (total - step))
+        elif step >= told + period:
+            now = monotonic()
+            self._begun[event.role] = now, step
+            left = roughly((now - then) / (step - told) * (total - step))
             self._console.print(f"{label}: {step} of {total}{_plain(note)}, {left} left", soft_wrap=True)
 
     def _note(self, text: str) -> None:

@@ -49,6 +49,19 @@ def test_a_log_of_a_feature_says_now_and_then_how_far_it_has_come(
     assert 40 <= len(lines) <= 52
 
 
+def test_steps_that_cost_nothing_do_not_shorten_the_estimate(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run that goes on where it was stopped passes over 300 frames at once; the others take ten seconds each."""
+    now = 0.0
+    monkeypatch.setattr("storyblender.terminal.monotonic", lambda: now)
+    with Terminal(quiet=False, json_lines=False) as terminal:
+        for step in range(321):
+            terminal.show(progress("frames", step, 500))
+            now += 0.0 if step < 300 else 10.0
+    assert capsys.readouterr().err.splitlines()[-1].endswith("320 of 500 (item 320), about 30 minutes left")
+
+
 @pytest.mark.parametrize(
     ("seconds", "said"),
     [

@@ -57,20 +57,19 @@ def write_shot_list(graph: ContinuityMemoryGraph, part: Path, start: str = "00:0
                 "dialogue": " / ".join(f"{line.speaker_name}: {line.text}" for line in panel.dialogue),
                 "notes": " / ".join(panel.notes),
                 "sound": shot.sound_effect or "",
-                "description": _description(panel, names),
+                "description": _description(panel, names, graph.scene(shot.scene_id).setup.place),
                 "script_start": min((span.start for span in spans), default=""),
                 "script_end": max((span.end for span in spans), default=""),
             }
             writer.writerow({key: _inert(value) for key, value in row.items()})
 
 
-def _description(panel: Panel, names: Mapping[str, str]) -> str:
+def _description(panel: Panel, names: Mapping[str, str], place: str) -> str:
     """Return the camera in a sentence as it became: where it was to move and stands still, it stands still here too."""
     wanted = panel.shot.camera_instruction
     way = panel.way if panel.way not in ("in", "out") else None
     became = wanted.model_copy(update={"movement": panel.move, "direction": way})
-    place = capwords(panel.scene.heading.partition(".")[2].partition(" - ")[0])
-    return camera_sentence(became, names, place, order_of(wanted.description))
+    return camera_sentence(became, names, capwords(place), order_of(wanted.description))
 
 
 def _inert(value: object) -> object:

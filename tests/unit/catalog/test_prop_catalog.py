@@ -2,6 +2,7 @@ import pytest
 
 from storyblender.catalog.materials import MATERIALS, hex_color
 from storyblender.catalog.props import PROPS, variants
+from storyblender.catalog.props.called import called
 from storyblender.catalog.props.variants import read_variant
 from storyblender.catalog.stand_ins import guess_class
 from storyblender.look import backdrop_patterns, patterns
@@ -61,3 +62,9 @@ def test_the_head_of_a_name_says_its_class(name, key):
 
 def test_nothing_is_guessed_of_unknown_words():
     assert guess_class("zorblax") is None
+
+
+@pytest.mark.parametrize(("name", "key"), [("two couches", "sofa"), ("old park benches", "park_bench")])
+def test_a_plural_names_the_same_prop(name: str, key: str) -> None:
+    found = called(name)
+    assert found is not None and found.key == key

@@ -133,6 +133,17 @@ def test_the_shot_list_describes_the_camera_as_it_became(graph: ContinuityMemory
     assert row["description"] == "A static insert close-up of Bar, eye-level (script: CLOSE ON)."
 
 
+def test_the_shot_list_takes_the_place_from_the_graph(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
+    empty = graph.shots[0].camera_instruction.model_copy(update={"focus_on_ids": (), "kind": "establishing"})
+    shots = (graph.shots[0].model_copy(update={"camera_instruction": empty}), graph.shots[1])
+    scene = graph.scenes[0].model_copy(update={"setup": graph.scenes[0].setup.model_copy(update={"place": "CAR"})})
+    outline = (graph.outline[0].model_copy(update={"heading": "INT./EXT. CAR - DAY"}), *graph.outline[1:])
+    told = graph.model_copy(update={"shots": shots, "scenes": (scene, *graph.scenes[1:]), "outline": outline})
+    shot_list.write_shot_list(told, tmp_path / "shots.csv")
+    row = next(csv.DictReader((tmp_path / "shots.csv").open(encoding="utf-8-sig")))
+    assert " of Car, " in row["description"]
+
+
 def test_every_timeline_shows_moving_pictures_where_there_are_any(
     graph: ContinuityMemoryGraph, frames: dict[str, Path], tmp_path: Path
 ) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 from storyblender.agents.concept_artist.file_names import words_of_file
 from storyblender.agents.concept_artist.recipe import AssetRequest, ModelFile, Recipe
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS, read_variant, words_of
+from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS, read_variant, singular, words_of
 from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.ports import Embedder
 from storyblender.reflection import Critique
@@ -163,21 +163,13 @@ def _kept(words: list[str]) -> list[str]:
     return [word for word in words[:-1] if word not in _MODIFIERS] + words[-1:]
 
 
-def _singular(word: str) -> str:
-    if len(word) > 4 and word.endswith("ies"):
-        return word[:-3] + "y"
-    if len(word) > 4 and word.endswith(("ches", "shes", "xes", "sses")):
-        return word[:-2]
-    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
-
-
 def _by_words(phrase: str, terms: tuple[_Term, ...]) -> list[_Match]:
     """Return matches of whole phrases and of their ends, best first, longer ends before shorter ones."""
-    full = [_singular(word) for word in words_of(phrase)]
-    bare = [_singular(word) for word in _kept(words_of(phrase))]
+    full = [singular(word) for word in words_of(phrase)]
+    bare = [singular(word) for word in _kept(words_of(phrase))]
     found: list[tuple[float, int, _Match]] = []
     for term in terms:
-        name = tuple(_singular(word) for word in term.words)
+        name = tuple(singular(word) for word in term.words)
         score, length = _fit(name, full, bare, term.is_name)
         if score > 0:
             found.append((score, length, _Match(term.key, score, f"is called {' '.join(term.words)!r}")))
@@ -220,14 +212,14 @@ def _models_by_words(phrase: str, models: tuple[ModelFile, ...], terms: tuple[_T
     A model whose name has the thing's noun and explains the words before it is the thing itself, in whatever order the
     name has them; of several the one comes first that shares most words with the phrase and has fewest others.
     """
-    said = {_singular(word) for word in words_of(phrase)}
-    thing = [_singular(word) for word in _thing(_kept(words_of(phrase)))]
+    said = {singular(word) for word in words_of(phrase)}
+    thing = [singular(word) for word in _thing(_kept(words_of(phrase)))]
     meant: list[tuple[int, int, str, _Match]] = []
     for model in models:
         name = words_of_file(model.path)
-        own = {_singular(word) for word in name.words}
+        own = {singular(word) for word in name.words}
         left = [word for word in thing[:-1] if word not in own | _MODIFIERS | TOY_WORDS]
-        if thing and _singular(name.noun) == thing[-1] and not left:
+        if thing and singular(name.noun) == thing[-1] and not left:
             match = _Match(model.path, EXACT, f"its name has the noun {thing[-1]!r}")
             meant.append((-len(own & said), len(own - said), model.path, match))
     return _best_of([match for *_, match in sorted(meant, key=lambda item: item[:3])] + _by_words(phrase, terms))
@@ -235,7 +227,7 @@ def _models_by_words(phrase: str, models: tuple[ModelFile, ...], terms: tuple[_T
 
 def _lookalike(word: str, other: str) -> bool:
     """Tell whether one word only begins like another, which the model takes for likeness: hatch and hatchet."""
-    short, long = sorted((_singular(word), _singular(other)), key=len)
+    short, long = sorted((singular(word), singular(other)), key=len)
     return short != long and long.startswith(short)
 
 
@@ -243,7 +235,7 @@ def _meant(match: _Match, phrase: str, means: Mapping[str, str]) -> str:
     """Return the prop that a match means in its place, by the plain word or by what that usually is."""
     if match.score < HEAD - 2 * _UNEXPLAINED:
         return match.key
-    plain = [_singular(word) for word in _kept(words_of(phrase))]
+    plain = [singular(word) for word in _kept(words_of(phrase))]
     word = plain[0] if len(plain) == 1 else ""
     return means.get(word) or means.get(match.key, match.key)
 

@@ -42,19 +42,23 @@ class Document:
 
     def __post_init__(self) -> None:
         self._buffers: dict[int, bytes] = {}
+        self._lists: dict[str, list[Json]] = {}
         self._read = 0
 
     def items(self, name: str) -> list[Json]:
-        """Return one of the document's lists.
+        """Return one of the document's lists, checked the first time it is asked for.
 
         Raises:
             InputError: It is no list of objects, or a very long one.
         """
+        if name in self._lists:
+            return self._lists[name]
         found = self.json.get(name, [])
         if not isinstance(found, list) or not all(isinstance(item, dict) for item in found):
             raise InputError(f"its {name!r} is no list of objects")
         if len(found) > PARTS * 10:
             raise InputError(f"it has {len(found)} {name}, which is too many")
+        self._lists[name] = found
         return found
 
     def item(self, name: str, index: Any) -> Json:

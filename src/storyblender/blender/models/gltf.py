@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.models.blend import read_aside
 from storyblender.blender.models.document import Document, Json, read_document, whole
-from storyblender.blender.models.limits import DEPTH, MATERIALS, NODES, PARTS, VERTICES
+from storyblender.blender.models.limits import CORNERS, DEPTH, MATERIALS, NODES, PARTS, PICTURES
 from storyblender.blender.models.parts import Part, joined, within_bounds
 from storyblender.blender.models.pictures import clean_picture
 from storyblender.blender.models.plain import PlainMaterial, PlainModel
@@ -64,7 +64,7 @@ def _unpacked(document: Document, path: Path, folder: Path) -> PlainModel:
     """Return a model whose meshes only Blender can unpack, once its nodes, sizes and addresses have been checked."""
     _places(document)
     within_bounds(
-        sum(whole(record.get("count"), "count", VERTICES) for record in document.items("accessors")) // 4 or 1, 1
+        sum(whole(record.get("count"), "count", CORNERS) for record in document.items("accessors")) // 4 or 1, 1
     )
     for index, buffer in enumerate(document.items("buffers")):
         document.resource(buffer.get("uri"), index)
@@ -294,6 +294,8 @@ def _picture(document: Document, texture: Json, pictures: dict[int, bytes], note
         webp = _object(_object(record.get("extensions")).get("EXT_texture_webp"))
         index = whole(webp.get("source", record.get("source")), "picture", len(document.items("images")) - 1)
         if index not in pictures:
+            if len(pictures) == PICTURES:
+                raise InputError(f"it has more than {PICTURES} pictures")
             image = document.item("images", index)
             view = image.get("bufferView")
             data = bytes(document.bytes_of(view)) if view is not None else document.resource(image.get("uri"), -1)

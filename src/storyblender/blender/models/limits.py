@@ -20,6 +20,7 @@ PARTS = 20_000
 """Meshes, materials, pictures, instances ... of one kind."""
 MATERIALS = 256
 PICTURES = 64
+"""Of a glTF; further ones are left out."""
 PICTURE_BYTES = 64 * MIB
 PICTURE_PIXELS = 64_000_000
 """Of a picture as it comes; none is decoded before its header says so."""

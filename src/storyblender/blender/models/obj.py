@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,7 +89,7 @@ def read_obj(path: Path, folder: Path) -> PlainModel:
         InputError: It cannot be read; one clause, without the file's name.
     """
     surface = _Surface()
-    for number, line in enumerate(_lines(path), start=1):
+    for number, line in _lines(path):
         word, *rest = line.split()
         try:
             surface.take(word, rest, line)
@@ -141,14 +142,14 @@ def _index(written: str, count: int) -> int:
     return index - 1 if index > 0 else count + index if index < 0 else -1
 
 
-def _lines(path: Path) -> Iterator[str]:
-    """Yield the lines with words on them; a backslash at the end joins the next line."""
+def _lines(path: Path) -> Iterator[tuple[int, str]]:
+    """Yield the lines with words on them and their numbers; a backslash at the end joins the next line."""
     size = path.stat().st_size
     if size > TEXT_BYTES:
         raise InputError(f"it has {size // MIB} MiB; at most {TEXT_BYTES // MIB} are read", mend="export it as .glb")
     with path.open("rb") as file:
         whole: list[str] = []
-        for raw in file:
+        for number, raw in enumerate(file, start=1):
             line = raw.split(b"#", 1)[0].decode("utf-8", "replace").rstrip("\r\n")
             if line.endswith("\\"):
                 whole.append(line[:-1])
@@ -156,18 +157,18 @@ def _lines(path: Path) -> Iterator[str]:
             line = " ".join([*whole, line]).strip()
             whole.clear()
             if line:
-                yield line
+                yield number, line
 
 
 def _materials(path: Path, folder: Path, notes: list[str]) -> Iterator[tuple[str, PlainMaterial]]:
     """Yield the materials of an .mtl by name."""
     readable(folder, path)
     name, fields = "", {}
-    for line in _lines(path):
+    for _, line in _lines(path):
         word, *rest = line.split()
         if word == "newmtl":
             if name:
-                yield name, PlainMaterial(name=name, **fields)
+                yield name, _material(name, fields)
             name, fields = line.split(maxsplit=1)[1].strip() if rest else "", {}
             continue
         try:
@@ -177,7 +178,13 @@ def _materials(path: Path, folder: Path, notes: list[str]) -> Iterator[tuple[str
         except ValueError:
             notes.append(f"its {path.name!r} has a line that is no {word!r}; it is left out")
     if name:
-        yield name, PlainMaterial(name=name, **fields)
+        yield name, _material(name, fields)
+
+
+def _material(name: str, fields: dict[str, Any]) -> PlainMaterial:
+    """Return a material of an .mtl; its picture is shown as it is, wherever ``Kd`` stands."""
+    white = {"color": (1.0, 1.0, 1.0)} if "picture" in fields else {}
+    return PlainMaterial(name=name, **{**fields, **white})
 
 
 def _property(word: str, rest: list[str], path: Path, folder: Path) -> dict[str, object]:
@@ -197,7 +204,7 @@ def _property(word: str, rest: list[str], path: Path, folder: Path) -> dict[str,
         case "map_Kd" if rest:
             address = _address(rest)
             picture = inside(folder, path.parent, address)
-            return {"picture": clean_picture(picture.read_bytes(), address[-60:]), "color": (1.0, 1.0, 1.0)}
+            return {"picture": clean_picture(picture.read_bytes(), address[-60:])}
     return {}
 
 

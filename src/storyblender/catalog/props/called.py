@@ -6,12 +6,12 @@ from functools import cache
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.entry import PropEntry
-from storyblender.catalog.props.variants import words_of
+from storyblender.catalog.props.variants import singular, words_of
 
 
 def called(name: str) -> PropEntry | None:
     """Return the prop whose name, or other name, ends a phrase; the longest that does. None if none does."""
-    words = tuple(_singular(word) for word in words_of(name))
+    words = tuple(singular(word) for word in words_of(name))
     for start in range(len(words)):
         if (found := _names().get(words[start:])) is not None:
             return found
@@ -24,9 +24,5 @@ def _names() -> dict[tuple[str, ...], PropEntry]:
     names: dict[tuple[str, ...], PropEntry] = {}
     for entry in PROPS.values():
         for term in entry.tags:
-            names.setdefault(tuple(_singular(word) for word in words_of(term)), entry)
-    return names | {tuple(_singular(word) for word in words_of(entry.name)): entry for entry in PROPS.values()}
-
-
-def _singular(word: str) -> str:
-    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
+            names.setdefault(tuple(singular(word) for word in words_of(term)), entry)
+    return names | {tuple(singular(word) for word in words_of(entry.name)): entry for entry in PROPS.values()}
