@@ -35,7 +35,7 @@ def graph() -> ContinuityMemoryGraph:
         title="Žluťoučký kůň",
         format=ProjectFormat(fps=12),
         outline=(outline,),
-        scenes=(SceneContext(scene_id=1, setup=SceneSetup()),),
+        scenes=(SceneContext(scene_id=1, setup=SceneSetup(place="BAR")),),
         shots=contexts,
     )
 
