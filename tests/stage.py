@@ -94,8 +94,8 @@ class Stage:
             if name not in passed and not name.startswith("history/")
         }
 
-    def _engine(self, root: Path, *_: Any, **__: Any) -> StandInEngine:
-        self.engine = StandInEngine(root)
+    def _engine(self, root: Path, *_: Any, **named: Any) -> StandInEngine:
+        self.engine = StandInEngine(root, **named)
         return self.engine
 
     def _hear(self, event: Any) -> None:

@@ -20,6 +20,7 @@ from storyblender.geometry.framing import Figure, Film, project
 from storyblender.memory.jobs import (
     ASSETS,
     AssetJob,
+    CutJob,
     FrameJob,
     FrameReport,
     MotionJob,
@@ -116,6 +117,10 @@ class StandInEngine:
     def compile_story(self, job: StoryJob) -> Future[str]:
         self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"changed", "former"})))
         return self._answer("compile_story", job.out)
+
+    def compile_cut(self, job: CutJob) -> Future[str]:
+        self.files.write(job.out, json.dumps(job.model_dump(mode="json", exclude={"former"})))
+        return self._answer("compile_cut", job.out)
 
     def _figures(self, pack: PackRef, frame: int) -> list[Figure]:
         """Return the people of a frame on their first marks; none for a pack that an earlier engine made."""

@@ -8,6 +8,7 @@ checkpoint brought up to HEAD on opening. Killed at any instant, the folder open
 from __future__ import annotations
 
 from collections.abc import Iterator
+from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
@@ -25,7 +26,9 @@ from storyblender.outputs import Outputs
 from storyblender.trace import Event
 
 SCRIPTS = "history/scripts"
-"""A copy of each script that was planned, named by the plan's digest."""
+"""A copy of each script that was planned, and of its corrected reading, named by the plan's digest."""
+KEPT_READING = "reading.json"
+"""The corrected reading that a project was made with."""
 
 
 class Project:
@@ -118,22 +121,6 @@ class Project:
         self._move_head(Saved(graph, commit.revision, commit.digest))
         return commit
 
-    def undo(self) -> Commit | None:
-        """Step back one commit and return it; None at the beginning."""
-        if self.revision == 0:
-            return None
-        commit = history_files.read_commit(self.folder, self.revision)
-        self.go_to(self.revision - 1)
-        return commit
-
-    def redo(self) -> Commit | None:
-        """Step forward again; None where nothing was undone."""
-        commit = self.next_commit()
-        if commit is None:
-            return None
-        self.go_to(commit.revision)
-        return commit
-
     def go_to(self, revision: int) -> None:
         """Undo or redo as many commits as lie between, all or none.
 
@@ -143,12 +130,8 @@ class Project:
         self._redoable = True
         saved = history_files.moved(self._saved, revision, self.folder)
         if saved.graph.plan_digest not in ("", self.graph.plan_digest):
-            self._restore_script(saved.graph.plan_digest)
+            self._restore_sources(saved.graph.plan_digest)
         self._move_head(saved)
-
-    def next_commit(self) -> Commit | None:
-        """Return the commit that ``redo`` would make again, if any."""
-        return next(self.forwards(), None)
 
     def log(self) -> list[Commit]:
         """Return every commit up to the current revision, oldest first."""
@@ -204,16 +187,28 @@ class Project:
             self.files.delete(commit_name(revision))
         self._redoable = False
 
-    def _restore_script(self, plan_digest: str) -> None:
-        """Put the script of a plan back beside the graph."""
+    def _restore_sources(self, plan_digest: str) -> None:
+        """Put the script of a plan, and its corrected reading if it has one, back beside the graph."""
+        former, now = (self.folder / reading_copy(digest) for digest in (self.graph.plan_digest, plan_digest))
+        kept = self.path(KEPT_READING)
+        if former.is_file() and not now.is_file() and kept.is_file() and kept.read_bytes() == former.read_bytes():
+            self.files.delete(KEPT_READING)
         for copy in sorted((self.folder / SCRIPTS).glob(f"{plan_digest}.*")):
             if copy.is_file():
-                self.files.write(f"script{copy.suffix}", self.files.path(f"{SCRIPTS}/{copy.name}").read_bytes())
+                name = KEPT_READING if copy.name == now.name else f"script{copy.suffix}"
+                if self.outputs.known(name):
+                    self.outputs.copy_aside(name, datetime.now())
+                self.outputs.write(name, self.path(f"{SCRIPTS}/{copy.name}").read_bytes())
 
     def _move_head(self, saved: Saved) -> None:
         self.files.write(HEAD, history_files.head_text(saved.revision, saved.digest))
         # At once: a run that is stopped here writes its checkpoint.
         self.graph, self.revision, self._digest = saved.graph, saved.revision, saved.digest
+
+
+def reading_copy(plan_digest: str) -> str:
+    """Return the name of the copy of a plan's corrected reading."""
+    return f"{SCRIPTS}/{plan_digest}.{KEPT_READING}"
 
 
 def read_project_graph(folder: Path) -> ContinuityMemoryGraph:

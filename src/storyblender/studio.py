@@ -99,11 +99,12 @@ class Studio:
         """
         from storyblender.pipeline.grounding import export_reading, ground
 
+        if export is not None and export.exists():
+            raise InputError("is there already", mend="give --write-reading another name, or delete it", path=export)
         with self._open(script, folder) as run:
             ground(run, script, reading)
             if export is not None:
                 export_reading(run, script, export)
-            run.project.checkpoint()
             return Delivery(run.project.folder, ["graph.json"], run.graph)
 
     def make(self, script: Path, folder: Path, reading: Path | None = None) -> Delivery:
@@ -304,7 +305,8 @@ class Studio:
             yield project
 
     def _shoot(self, run: Run, shots: Sequence[ShotContext]) -> Delivery:
-        others = [shot for shot in run.graph.shots if shot not in shots]
+        asked = {(shot.scene_id, shot.shot_id) for shot in shots}
+        others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
         shoot_frames(run, [*shots, *damaged_frames(run, others)])
         story = Compilation(run)
         from storyblender.pipeline.delivery import deliver

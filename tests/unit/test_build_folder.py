@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 from tests.stage import SETTINGS, Stage
-from tests.stand_in_engine import StandInEngine
 
 from storyblender.build_folder import MARK, check_build_folder
 from storyblender.errors import InputError
@@ -32,20 +31,13 @@ def test_a_project_is_drawn_there_and_again_only_what_is_damaged(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stage, build = Stage(tmp_path / "p", monkeypatch), tmp_path / "disk"
-    engines: list[StandInEngine] = []
-
-    def engine(root: Path, *_: object, build: Path | None = None, **__: object) -> StandInEngine:
-        engines.append(StandInEngine(root, build=build))
-        return engines[-1]
-
-    monkeypatch.setattr("storyblender.studio.BlenderEngine", engine)
     check_build_folder(build, stage.folder, take=True)
     settings = SETTINGS.model_copy(update={"build": build})
     Studio(settings).render(stage.folder, [], {})
-    assert engines[-1].calls["render_frame"] == 3 and not list((stage.folder / "build").glob("*"))
+    assert stage.engine.calls["render_frame"] == 3 and not list((stage.folder / "build").glob("*"))
     next((build / "frames").glob("*.png")).unlink()
     Studio(settings).render(stage.folder, [], {})
-    assert engines[-1].calls == {"render_frame": 1}
+    assert stage.engine.calls == {"render_frame": 1}
 
 
 @pytest.mark.parametrize("content", [None, "empty", "mine", "of another"])

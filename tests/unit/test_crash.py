@@ -124,7 +124,7 @@ def names_in(project: Project) -> tuple[str, ...]:
 
 
 def work(folder: Path, states: list[tuple[str, ...]]) -> None:
-    """Commit, undo, redo and write; ``states`` gets what stands after each step that has returned."""
+    """Commit, go back and forward, and write; ``states`` gets what stands after each step that has returned."""
 
     def add(project: Project, name: str) -> None:
         asset = Asset(asset_id=name, asset_type="object", description="")
@@ -138,8 +138,8 @@ def work(folder: Path, states: list[tuple[str, ...]]) -> None:
             for number in (1, 2, 3):
                 add(project, f"{round_}{number}")
                 states.append(names_in(project))
-            for step in (project.undo, project.undo, project.redo):
-                step()
+            for step in (-1, -1, 1):
+                project.go_to(project.revision + step)
                 states.append(names_in(project))
             add(project, f"{round_}4")
             states.append(names_in(project))

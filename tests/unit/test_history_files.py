@@ -219,7 +219,7 @@ def test_undo_checks_that_the_graph_is_the_one_that_the_commit_led_to(folder: Pa
     (folder / "graph.json").write_text(json.dumps(body))
     before = files(folder)
     with Project(folder) as project, pytest.raises(InputError, match=r"graph.json: does not belong to the history"):
-        project.undo()
+        project.go_to(project.revision - 1)
     assert files(folder)["history/HEAD"] == before["history/HEAD"]
 
 
@@ -229,8 +229,8 @@ def test_the_order_of_the_cast_comes_back(tmp_path: Path) -> None:
         project.commit(first, "director", "plans")
         project.commit(ContinuityMemoryGraph(assets=(asset("pen"), asset("new"), asset("cup"))), "director", "plans")
         assert [item.asset_id for item in project.graph.assets] == ["pen", "new", "cup"]
-        project.undo()
+        project.go_to(1)
         assert project.graph == first
-        project.redo()
+        project.go_to(2)
     (tmp_path / "p" / "graph.json").unlink()
     assert names_at(tmp_path / "p") == ("pen", "new", "cup")

@@ -43,15 +43,16 @@ def test_undo_redo_survive_reopening(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
         add(project, "cup")
         add(project, "key")
-        undone = project.undo()
-        assert undone is not None and undone.reason == "adds key" and names(project) == ["cup"]
-    with Project(tmp_path / "p") as project:
+        assert next(project.backwards()).reason == "adds key"
+        project.go_to(1)
         assert names(project) == ["cup"]
-        assert project.redo() is not None and names(project) == ["cup", "key"]
-        assert project.redo() is None
-        project.undo()
+    with Project(tmp_path / "p") as project:
+        assert names(project) == ["cup"] and [commit.reason for commit in project.forwards()] == ["adds key"]
+        project.go_to(2)
+        assert names(project) == ["cup", "key"] and not project.has_undone
+        project.go_to(1)
         add(project, "box")
-        assert project.redo() is None and names(project) == ["cup", "box"]
+        assert not project.has_undone and names(project) == ["cup", "box"]
         assert [commit.author for commit in project.log()] == ["director", "director"]
 
 
@@ -60,13 +61,12 @@ def test_a_new_commit_ends_what_could_be_redone(tmp_path: Path) -> None:
         for name in ("cup", "key", "hat"):
             add(project, name)
     project = Project(tmp_path / "p")
-    for _ in range(3):
-        project.undo()
+    project.go_to(0)
     add(project, "box")
-    assert project.redo() is None and names(project) == ["box"]
+    assert not project.has_undone and names(project) == ["box"]
     project._lock.release()  # killed: the checkpoint of three commits ago must not need what was forgotten
     with Project(tmp_path / "p") as again:
-        assert names(again) == ["box"] and again.redo() is None
+        assert names(again) == ["box"] and not again.has_undone
 
 
 def test_killed_before_the_first_commit_it_is_a_project_all_the_same(tmp_path: Path) -> None:

@@ -38,18 +38,9 @@ class Gatekeeper:
             raise Rejected(violations)
 
     def _violations(self, graph: ContinuityMemoryGraph, changes: Sequence[Change]) -> Iterator[str]:
-        yield from _duplicate_items(graph)
         removed = any(change.after is None for change in changes)
         touched = {(change.layer, change.key) for change in changes}
-        assets = {asset.asset_id for asset in graph.assets}
-        scenes = {scene.scene_id: scene for scene in graph.scenes}
-        yield from _cast_violations(graph, assets)
-        for scene in graph.scenes:
-            if removed or ("scenes", (scene.scene_id,)) in touched:
-                yield from _scene_violations(scene, scenes, assets)
-        for shot in graph.shots:
-            if removed or ("shots", (shot.scene_id, shot.shot_id)) in touched:
-                yield from _shot_violations(shot, scenes, assets)
+        yield from _faulty_references(graph, None if removed else touched)
         yield from self._lock_violations(graph, touched)
 
     def _lock_violations(
@@ -68,20 +59,34 @@ class Gatekeeper:
 
 def faults_of(graph: ContinuityMemoryGraph) -> Iterator[str]:
     """Yield one sentence for everything that is wrong in a whole graph, as one that was just read."""
-    assets = {asset.asset_id for asset in graph.assets}
-    scenes = {scene.scene_id: scene for scene in graph.scenes}
-    yield from _duplicate_items(graph)
-    yield from _cast_violations(graph, assets)
-    for scene in graph.scenes:
-        yield from _scene_violations(scene, scenes, assets)
-    for shot in graph.shots:
-        yield from _shot_violations(shot, scenes, assets)
+    yield from _faulty_references(graph, None)
     planned = [f"{scene.scene_id}/{shot.shot_id}" for scene in graph.outline for shot in scene.shots]
     yield from _duplicates("outline of shot", planned)
     made = {f"{shot.scene_id}/{shot.shot_id}" for shot in graph.shots}
     for name in planned:
         if name not in made:
             yield f"the outline has shot {name}, which does not exist"
+
+
+def _faulty_references(
+    graph: ContinuityMemoryGraph, touched: set[tuple[str, tuple[int | str, ...]]] | None
+) -> Iterator[str]:
+    """Yield duplicates and references to items that do not exist.
+
+    Args:
+        graph: The graph.
+        touched: Layer and key of the scenes and shots to check; None checks all.
+    """
+    assets = {asset.asset_id for asset in graph.assets}
+    scenes = {scene.scene_id: scene for scene in graph.scenes}
+    yield from _duplicate_items(graph)
+    yield from _cast_violations(graph, assets)
+    for scene in graph.scenes:
+        if touched is None or ("scenes", (scene.scene_id,)) in touched:
+            yield from _scene_violations(scene, scenes, assets)
+    for shot in graph.shots:
+        if touched is None or ("shots", (shot.scene_id, shot.shot_id)) in touched:
+            yield from _shot_violations(shot, scenes, assets)
 
 
 def _duplicate_items(graph: ContinuityMemoryGraph) -> Iterator[str]:

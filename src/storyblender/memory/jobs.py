@@ -99,6 +99,11 @@ class PackRef(Frozen):
     problems: tuple[Flaw, ...] = ()
     """What could not be staged as asked."""
 
+    @property
+    def record(self) -> str:
+        """Path of this reference on disk, written when the pack is whole."""
+        return f"{self.path.removesuffix('.blend')}.json"
+
     def start_of(self, shot_id: int) -> int:
         """Return the first frame of a shot on the scene's timeline."""
         return dict(self.starts)[shot_id]

@@ -104,10 +104,9 @@ def _place_clips(run: Run, clips: Mapping[str, Path]) -> None:
     """Give the shots of the film their names for editors, and take away those of shots that look otherwise now."""
     names = {f"{CLIPS}/{name}.mp4": path for name, path in clips.items()}
     for name, path in names.items():
-        kept = run.project.files.name_of(path)
-        if name != kept and (run.outputs.digest(name) != run.outputs.digest(kept) or not run.outputs.whole(name)):
-            run.copy_aside_if_known(name)
-            run.outputs.write(name, path.read_bytes())
+        segment = run.project.files.name_of(path)
+        if name != segment:
+            run.place(segment, name)
     run.outputs.keep_only(f"{CLIPS}/", names)
 
 

@@ -53,7 +53,7 @@ class PackViewfinder:
     @cached_property
     def _figures(self) -> dict[int, list[Figure]]:
         """Everybody's faces, by frame of the scene's timeline."""
-        outputs, record = self._run.outputs, f"{FIGURES}/{Path(self._pack.path).stem}.json"
+        outputs, record = self._run.outputs, figures_of(self._pack)
         known = outputs.read(record, _RECORD.validate_json) or {}
         wanted = [self._pack.start_of(shot.shot_id) + frame for shot in self._shots for frame in telling_frames(shot)]
         missing = [frame for frame in wanted if frame not in known]
@@ -63,6 +63,11 @@ class PackViewfinder:
             outputs.keep_only(f"{FIGURES}/{scene_name(self._pack.scene_id)}-", ())
             outputs.write(record, _RECORD.dump_json(known))
         return known
+
+
+def figures_of(pack: PackRef) -> str:
+    """Return the name of the record of everybody's faces in a pack."""
+    return f"{FIGURES}/{Path(pack.path).stem}.json"
 
 
 def film(run: Run) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from pathlib import Path
 
 from storyblender.agents.director.breakdown import storyboard
@@ -19,13 +20,10 @@ from storyblender.pipeline.materializing import model_files
 from storyblender.pipeline.revision import revise, with_digests
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.staging import design
-from storyblender.project import SCRIPTS
+from storyblender.project import KEPT_READING, SCRIPTS, reading_copy
 from storyblender.screenplay.model import Screenplay
 from storyblender.screenplay.source import load
 from storyblender.trace import Event
-
-KEPT_READING = "reading.json"
-"""The corrected reading that a project was made with."""
 
 
 def ground(run: Run, script: Path, reading: Path | None = None) -> None:
@@ -43,18 +41,18 @@ def ground(run: Run, script: Path, reading: Path | None = None) -> None:
     screenplay = load(script)
     corrected = reading or _kept_reading(run, screenplay)
     digest = _plan_digest(run, screenplay, corrected)
+    sources = {f"script{script.suffix}": script.read_bytes()}
+    if corrected is not None:
+        sources[KEPT_READING] = corrected.read_bytes()
     if run.graph.plan_digest != digest:
-        understood = read_script(screenplay) if corrected is None else read_reading(corrected, screenplay)
-        graph = _revised(run, _plan(run, script, understood, digest))
-        if reading is not None:
-            run.project.files.write(KEPT_READING, reading.read_bytes())
-        for name in (f"script{script.suffix}", f"{SCRIPTS}/{digest}{script.suffix}"):
-            run.project.files.write(name, script.read_bytes())
+        graph = _revised(run, _plan(run, script, _understood(screenplay, corrected), digest))
+        _keep(run, digest, sources)
         run.project.commit(graph, "director", f"plans {script.name}")
         for shot in graph.shots:
             for flag in shot.flags:
                 run.tell(Event(kind="propose", role="director", subject=flag.topic, message=flag.reason))
     else:
+        _keep(run, digest, sources)
         _take_over_format(run)
     counts = ((len(run.graph.scenes), "scene"), (len(run.graph.shots), "shot"))
     run.progress("ground", 1, 1, ", ".join(f"{count} {word}{'s' * (count != 1)}" for count, word in counts))
@@ -80,17 +78,28 @@ def export_reading(run: Run, script: Path, out: Path) -> None:
     Args:
         run: With the script grounded.
         script: The script.
-        out: The JSON file; one that is there already stays.
+        out: The JSON file.
 
     Raises:
-        InputError: The file is there already, or cannot be written.
+        InputError: The file cannot be written.
     """
-    if out.exists():
-        raise InputError("is there already", mend="give --write-reading another name, or delete it", path=out)
     screenplay = load(script)
-    corrected = _kept_reading(run, screenplay)
-    understood = read_script(screenplay) if corrected is None else read_reading(corrected, screenplay)
-    Folder(out.parent).write(out.name, write_reading(understood))
+    Folder(out.parent).write(out.name, write_reading(_understood(screenplay, _kept_reading(run, screenplay))))
+
+
+def _understood(screenplay: Screenplay, corrected: Path | None) -> Reading:
+    return read_script(screenplay) if corrected is None else read_reading(corrected, screenplay)
+
+
+def _keep(run: Run, digest: str, sources: Mapping[str, bytes]) -> None:
+    """Copy what a plan was made from into the project: once for people, once by the plan's digest for ``undo``."""
+    for name, content in sources.items():
+        if run.outputs.digest(name) != hashlib.sha256(content).hexdigest() or not run.outputs.whole(name):
+            run.copy_aside_if_known(name)
+            run.outputs.write(name, content)
+        copy = f"{SCRIPTS}/{digest}{name.removeprefix('script')}" if name != KEPT_READING else reading_copy(digest)
+        if not run.project.path(copy).exists():
+            run.project.files.write(copy, content)
 
 
 def _kept_reading(run: Run, screenplay: Screenplay) -> Path | None:
@@ -155,6 +164,8 @@ def _format(run: Run) -> ProjectFormat:
 def _plan_digest(run: Run, screenplay: Screenplay, corrected: Path | None) -> str:
     words = [screenplay.text, screenplay.format, _plan_settings(run)]
     if corrected is not None:
+        if not corrected.is_file():
+            raise InputError("there is no such file", mend="check the name", path=corrected)
         words.append(hashlib.sha256(corrected.read_bytes()).hexdigest())
     return content_hash(*words)
 

@@ -53,8 +53,7 @@ def make_prints(run: Run, frames: Mapping[str, Path]) -> Prints:
             run.progress("prints", step, len(missing))
     small = {name: f"{THUMBNAILS}/{name}.jpg" for name in frames}
     for name, (_, thumbnail) in zip(small.values(), pairs, strict=True):
-        if outputs.digest(name) != outputs.digest(thumbnail) or not outputs.whole(name):
-            outputs.write(name, path(thumbnail).read_bytes())
+        run.place(thumbnail, name)
     outputs.keep_only(f"{PRINTS}/", {name for pair in pairs for name in pair})
     outputs.keep_only(f"{THUMBNAILS}/", small.values())
     large = {name: path(printed) for name, (printed, _) in zip(frames, pairs, strict=True)}

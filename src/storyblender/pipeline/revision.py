@@ -25,7 +25,7 @@ Words = tuple[tuple[str, str], ...]
 Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 """The set that a scene of a graph would get."""
 
-_DECIDED = ("size", "angle", "movement", "direction", "lens")
+_DECIDED = tuple(CameraDecision.model_fields)
 _STAGED = ("blocking", "cues", "prop_states", "duration", "lighting", "camera", "lights", "locked")
 """What the crew, and later a person, adds to the Director's shot."""
 

@@ -87,6 +87,17 @@ class Run:
         with self.outputs.writing(name) as part:
             yield part
 
+    def place(self, cached: str, name: str) -> None:
+        """Give a cached file its name for people, if it is not there yet; one changed by hand is copied aside.
+
+        Args:
+            cached: Name of the file in the cache, as it was written.
+            name: Its name for people.
+        """
+        if self.outputs.digest(name) != self.outputs.digest(cached) or not self.outputs.whole(name):
+            self.copy_aside_if_known(name)
+            self.outputs.write(name, self.project.path(cached).read_bytes())
+
     def copy_aside_if_known(self, name: str) -> None:
         """As ``copy_aside``; of a file that this program never wrote under that name nothing is kept."""
         if self.outputs.known(name):

@@ -11,6 +11,7 @@ from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting
 from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.filming import figures_of
 from storyblender.pipeline.run import Run
 
 MOTION_WIDTH_STEP = 4
@@ -117,13 +118,13 @@ def shots_not_in_film(run: Run) -> list[str]:
 
 def prune(run: Run, shots: Collection[ShotContext]) -> None:
     """Delete pictures, moving frames and packs of ours that no shot of the story uses any more."""
-    kept = {pack.path for pack in run.packs.values()} | {f"{pack.path[:-6]}.json" for pack in run.packs.values()}
+    kept = {name for pack in run.packs.values() for name in (pack.path, pack.record, figures_of(pack))}
     for shot in shots:
         job = _frame_job(run, shot, run.settings.look)
         name = shot_name(shot.scene_id, shot.shot_id)
         kept |= {job.out, f"{job.out}.json", _motion_folder(run, shot)}
         kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
-    for folder in ("build/frames/", "build/motion/", "build/scenes/", "frames/"):
+    for folder in ("build/frames/", "build/motion/", "build/scenes/", "build/figures/", "frames/"):
         run.outputs.keep_only(folder, kept)
 
 

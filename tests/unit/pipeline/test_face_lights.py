@@ -56,7 +56,7 @@ def test_another_look_changes_nothing_and_can_be_followed_by_redo(tmp_path: Path
 
         cup = Asset(asset_id="cup", asset_type="object", description="")
         project.commit(replace(project.graph, cup), "user", "adds a cup")
-        project.undo()
+        project.go_to(project.revision - 1)
         for look in ("board", "pencil"):
             keep(run_in(project, look), report("other"))
-        assert lights(project) == ["better"] and project.redo() is not None
+        assert lights(project) == ["better"] and project.has_undone

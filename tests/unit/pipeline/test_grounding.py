@@ -34,6 +34,9 @@ class Desk:
     def plan(self, reading: Path | None = None, export: Path | None = None) -> ContinuityMemoryGraph:
         return Studio(Settings(), self.told.append).plan(self.script, self.folder, reading, export).graph
 
+    def undo(self) -> None:
+        Studio(Settings(), self.told.append).undo(self.folder)
+
     def corrected(self) -> Path:
         """Ada is a young woman with red hair: not what the script says, so that it can only come from the file."""
         self.plan(export=self.reading)
@@ -75,6 +78,30 @@ def test_a_correction_of_other_words_is_set_aside_and_said(desk: Desk) -> None:
     warnings = [event for event in desk.told if event.kind == "warning"]
     assert any("other words" in event.message for event in warnings)
     assert (desk.folder / "reading.json").exists(), "what a person corrected stays on disk"
+
+
+def test_undo_takes_a_corrected_reading_back(desk: Desk) -> None:
+    plain, first = desk.plan(), desk.corrected()
+    second = desk.reading.with_name("second.json")
+    second.write_text(first.read_text(encoding="utf-8").replace("red hair", "white hair"), encoding="utf-8")
+    red = desk.plan(reading=first)
+    desk.undo()
+    assert desk.plan() == plain, "the correction is not applied again"
+    assert hair(desk.plan(reading=first)) == hair(red) != hair(desk.plan(reading=second))
+    desk.undo()
+    desk.plan(reading=first)
+    assert hair(desk.plan()) == hair(red), "the reading that the project was made with last"
+
+
+def test_what_a_person_wrote_into_the_projects_copies_is_kept_aside(desk: Desk) -> None:
+    desk.plan()
+    (desk.folder / "script.fountain").write_text("my own words", encoding="utf-8")
+    desk.script.write_text(WORDS.replace("a cup", "a glass"), encoding="utf-8")
+    desk.plan()
+    copies = [
+        path for path in desk.folder.glob("script *.fountain") if path.read_text(encoding="utf-8") == "my own words"
+    ]
+    assert len(copies) == 1 and any("script.fountain" in event.role for event in desk.told if event.kind == "warning")
 
 
 def test_a_file_that_is_there_is_not_overwritten(desk: Desk) -> None:

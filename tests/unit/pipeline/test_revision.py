@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from storyblender.edits import redo_edit, undo_edit
+from storyblender.edits import decide_cameras, redo_edit, undo_edit
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
@@ -73,22 +73,17 @@ class Stage:
         return studio.plan(self.file, self.folder).graph
 
     def decide(self, words: str, decision: CameraDecision) -> None:
-        """As ``edits.decide_cameras``."""
+        """Set the camera of the shot with these words by hand."""
         with Project(self.folder) as project:
-            shot = shot_of(project.graph, words)
-            fresh = shot.model_copy(
-                update={
-                    "camera_instruction": decision.applied(shot.camera_instruction),
-                    "camera_decision": (shot.camera_decision or CameraDecision()).then(decision),
-                    "camera": None,
-                }
-            )
-            project.commit(replace(project.graph, fresh), "user", f"{words}: {decision.words}")
+            decide_cameras(self._run(project), [shot_of(project.graph, words)], decision)
+
+    def _run(self, project: Project) -> Run:
+        return Run(project, None, lambda: pytest.fail("unused"), Settings(), lambda _: None)  # type: ignore[arg-type]
 
     def stage(self) -> ContinuityMemoryGraph:
         """Stand in for the crew: something in every field that it fills."""
         with Project(self.folder) as project:
-            run = Run(project, None, lambda: pytest.fail("unused"), Settings(), lambda _: None)  # type: ignore[arg-type]
+            run = self._run(project)
             for scene in project.graph.scenes:
                 room = design(run, project.graph, scene.scene_id)
                 thing = LayoutObject(
@@ -183,7 +178,7 @@ def test_undo_takes_the_revision_back_and_nothing_else(cups: Stage) -> None:
         assert project.graph == changed
         assert "Not me." in (cups.folder / "script.fountain").read_text()
         undo_edit(project)
-        assert undo_edit(project)[0].reason == "It always is: angle low angle, movement push in"
+        assert undo_edit(project)[0].reason == "SC020_SH040: angle low angle, movement push in"
 
 
 def test_untouched_scenes_stay_as_they_were_staged(cups: Stage) -> None:

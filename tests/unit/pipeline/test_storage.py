@@ -122,6 +122,13 @@ def test_of_a_project_without_a_record_only_what_a_person_changed_is_kept_aside(
     assert len(copies) == 1 and copies[0].startswith("SC020_SH010 ")
 
 
+def test_a_thumbnail_that_a_person_changed_is_kept_aside(stage: Stage) -> None:
+    mine = stage.folder / "thumbnails" / "SC020_SH010.jpg"
+    mine.write_bytes(b"mine")
+    stage.render(wide=320)
+    assert [path.read_bytes() for path in mine.parent.glob("* *.jpg")] == [b"mine"]
+
+
 def test_a_folder_in_the_place_of_a_frame_is_refused_and_stays(stage: Stage) -> None:
     frame = stage.folder / "frames" / "SC020_SH010.png"
     frame.unlink()

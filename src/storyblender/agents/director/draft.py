@@ -22,11 +22,6 @@ class Beat:
         """Cover all of a unit."""
         return cls(unit, unit.start, unit.end)
 
-    @property
-    def complete(self) -> bool:
-        """Whether it covers all of its unit."""
-        return (self.start, self.end) == (self.unit.start, self.unit.end)
-
 
 @dataclass
 class ShotDraft:

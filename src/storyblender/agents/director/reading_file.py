@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable
-from functools import cache
 from pathlib import Path
 from typing import Annotated
 
@@ -119,14 +118,9 @@ def _digest(screenplay: Screenplay) -> str:
     return content_hash(screenplay.text, screenplay.format)
 
 
-@cache
-def _file_type() -> TypeAdapter[ReadingFile]:
-    return TypeAdapter(ReadingFile)
-
-
 def _parsed(path: Path) -> ReadingFile:
     try:
-        return _file_type().validate_json(path.read_bytes())
+        return ReadingFile.model_validate_json(path.read_bytes())
     except OSError as error:
         raise InputError(f"cannot be read ({error.strerror})", mend="check the name", path=path) from error
     except ValidationError as error:

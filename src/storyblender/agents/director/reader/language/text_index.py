@@ -21,10 +21,6 @@ class TextIndex:
         for word in _WORD.finditer(text):
             self._starts.setdefault(word[0].lower(), []).append(word.start())
 
-    def has_word(self, word: str) -> bool:
-        """Whether a word stands in the text, in capitals or not."""
-        return word.lower() in self._starts
-
     def places(self, phrase: str) -> Iterator[int]:
         """The offsets at which a phrase stands as it is written, no part of a longer word.
 
