@@ -25,6 +25,7 @@ _KINDS: dict[str, ParagraphKind] = {
 }  # fmt: skip
 _MARKUP = re.compile(r"[*\\]|(?<!\w)_(?=\S)|(?<=\S)_(?!\w)|\[\[.*?\]\]|/\*.*?\*/", re.DOTALL)
 _BRACKETS = re.compile(r"\([^)]*\)")
+_ASIDES = re.compile(r"\([^)]*\)|\[[^\]]*\]")
 _SENTENCE_END = re.compile(
     r"(?<=[.!?])(?<!\bMR\.)(?<!\bDR\.)(?<!\bMS\.)(?<!\bST\.)(?<!\bMRS\.)(?<!\bMr\.)(?<!\bDr\.)(?<!\bMs\.)(?<!\bSt\.)"
     rf"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[{UPPER}\"“'‘0-9#])"
@@ -90,6 +91,11 @@ def blanked(pattern: re.Pattern[str], text: str) -> str:
 def without_brackets(text: str) -> str:
     """Text with descriptions in brackets blanked."""
     return blanked(_BRACKETS, text)
+
+
+def without_asides(text: str) -> str:
+    """Text with everything in round and square brackets blanked."""
+    return blanked(_ASIDES, text)
 
 
 def without_quotations(text: str) -> str:

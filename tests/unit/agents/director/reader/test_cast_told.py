@@ -91,3 +91,21 @@ def test_a_bust_and_who_had_been_before_are_nobody(story: str) -> None:
 def test_who_has_a_portrait_and_speaks_is_there() -> None:
     story = 'Nora looked at a portrait of Edward. "It is a poor likeness," said Edward. Nora laughed.\n'
     assert [*told(story)] == ["nora", "edward"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "The clerk: Tomorrow, perhaps. Nora sighed.",
+        "Nora drew up the Mortgage that day. It was a Mortgage.",
+        "Nora waited. (Softly) Whatever was in it glowed. Sorry, she thought.",
+        "Only Nora stayed. Also the lamp. Medium, she thought.",
+    ],
+)
+def test_a_capital_alone_names_nobody(line: str) -> None:
+    assert [*told(f"Nora walked into the hall.\n\n{line}\n")] in (["nora"], ["nora", "clerk"])
+
+
+def test_a_writer_who_says_i_tells_no_story() -> None:
+    story = "I should like to record that Nora waited. She sat down. I think it is my best chapter.\n"
+    assert [*told(story)] == ["nora"]

@@ -14,12 +14,15 @@ from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
 _TITLE = rf"(?:{'|'.join(sorted(title.title() for title in lexicon.TITLES | {'master'}))})"
+_WORDS = rf"[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
 _NAME = re.compile(
-    rf"(?<![.!?—–-]\s)(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
+    rf"(?<![.!?—–:)(\]\[-]\s)(?<![.!?—–:)(\]\[-]\s\s)(?<![(\[\-_/<#])(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?{_WORDS}"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+(?: [{UPPER}][{LOWER}]+)*"
-    rf"|(?:(?<=[.!?]\s)|^|(?<=\n))[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
+    rf"|(?<=:\s)[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)+"
+    rf"|(?:(?<=[.!?:)\]]\s)|(?<=[.!?:)\]]\s\s)|(?<=[(\[])|^|(?<=\n)){_WORDS}(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
+"""A capital right after a full stop, a colon or a bracket names somebody only if something else says so."""
 _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
 """``named Iver, tall and stooped, with a grey beard``."""
 _NOT_NAMES = lexicon.words("not_names")

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
+from storyblender.agents.director.reader.language.morphology import FORMS
 from storyblender.agents.director.reader.language.words import Mention, Word
-from storyblender.agents.director.reader.manuscript import QUOTATION, Manuscript, without_quotations
+from storyblender.agents.director.reader.manuscript import QUOTATION, Manuscript, without_asides, without_quotations
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
@@ -16,6 +18,7 @@ from storyblender.memory.vocabulary import Gender
 ALONE, TOGETHER = frozenset({"i", "me", "myself"}), frozenset({"we", "us", "ourselves"})
 OWN = frozenset({"my", "our"})
 _I = re.compile(r"\bI\b(?= [a-z]|['’,])")
+_I_DO = re.compile(r"\bI (?:[a-z]+ly |then |just |had |was |am )?([a-z]+)\b")
 _MINE = re.compile(r"\b(?:[Mm]e|[Mm]y|[Mm]yself)\b")
 _OFTEN = 2
 """Uses of ``I`` and ``my`` outside speech that make a narrator, and no numeral."""
@@ -25,6 +28,8 @@ _INTRODUCED = re.compile(
     rf"((?:(?:Mr|Mrs|Miss|Ms|Dr)\.? )?[{UPPER}][{LOWER}]+(?: [{UPPER}][{LOWER}]+)?)"
 )
 """``"This is my friend, Dr. Watson"``, in a story that Dr. Watson tells."""
+_MINDFUL = frozenset({"think", "talk", "listen"})
+"""``I think``, ``I ask for a quiet panel``: that is how one writes to somebody, too."""
 _MY_SPOUSE = re.compile(rf"\b[Mm]y ({'|'.join(_SPOUSES)})\b")
 
 
@@ -38,7 +43,7 @@ def find_narrator(script: Manuscript, roster: Roster) -> None:
     told = [(paragraph.start, without_quotations(paragraph.raw)) for paragraph in script.paragraphs]
     uses = [start + match.start() for start, text in told for match in _I.finditer(text)]
     owned = sum(len(_MINE.findall(text)) for _, text in told)
-    if not uses or len(uses) + owned < _OFTEN:
+    if not uses or len(uses) + owned < _OFTEN or not any(_takes_part(text) for _, text in told):
         return
     roster.narrator = roster.add("Narrator", uses[0])
     roster.call(roster.narrator, "i")
@@ -50,6 +55,17 @@ def find_narrator(script: Manuscript, roster: Roster) -> None:
                 roster.call(roster.narrator, bare(introduced.group(1)).split()[-1])
     spouse = next((match for _, text in told if (match := _MY_SPOUSE.search(text))), None)
     roster.narrator.gender = _SPOUSES[spouse.group(1)] if spouse else "unknown"
+
+
+def _takes_part(told: str) -> bool:
+    """Whether ``I`` does something in the story, who else only writes it: ``I should like to record``."""
+    text = without_asides(told)
+    for match in _I_DO.finditer(text):
+        form = FORMS.get(match.group(1))
+        motion = lexicon.MOTION_OF_VERB.get(form.lemma) if form else None
+        if motion and form and (form.kind in ("past", "ing") or motion not in _MINDFUL):
+            return True
+    return False
 
 
 def mark_narrator(words: Sequence[Word], narrator: Person | None) -> None:

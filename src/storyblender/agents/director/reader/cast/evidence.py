@@ -1,0 +1,75 @@
+"""What shows that a word with a capital in a story names somebody: a capital alone is nothing."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.naming import unaccented
+from storyblender.agents.director.reader.language.morphology import form_kind, singular
+from storyblender.agents.director.reader.language.text_index import TextIndex
+
+_REACH = 40
+"""Characters before a name, and after it, that are read."""
+_KNOWN = lexicon.FIRST_NAMES | lexicon.TITLES | lexicon.KIN
+_DETERMINED = re.compile(
+    rf"\b(?:{'|'.join(sorted(lexicon.DETERMINERS | lexicon.POSSESSIVES))})\s+(?:([a-z-]+)\s+)?$", re.IGNORECASE
+)
+"""``that certain Messuage``, ``a Mortgage``."""
+_SAID = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.SPEECH_VERBS))}|said|asked|cried)\s+$")
+_AFTER = re.compile(r"(?:,\s+(?:who|with|in|an?|the|his|her)\b[^.;,]{0,30},)?\s+(?:[a-z]+ly\s+)?([a-z]+)")
+_OWNED = re.compile(r"['’]s\s+(?:[a-z]+\s+)?([a-z]+)")
+_AGED = re.compile(r"\s*[,(]\s*(?:aged?\s)?\d\d?\b")
+_OPENS = re.compile(r"(?:^|[.!?:;…”\"\n(\[—–-])\s*$")
+
+
+def is_somebody(name: str, told: TextIndex) -> bool:
+    """Whether a name is that of a person: known as one, acts, speaks, is of an age, or is named inside sentences.
+
+    Args:
+        name: As written.
+        told: The words of the story without what is said.
+    """
+    words = name.lower().split()
+    first = unaccented(words[0].strip("."))
+    if first in lexicon.TITLES and len(words) > 1:
+        return True
+    known = first in _KNOWN
+    inside, places = False, list(told.places(name))
+    for at in places:
+        before, after = told.text[max(0, at - _REACH) : at], told.text[at + len(name) : at + len(name) + _REACH]
+        determined = _is_determined(before)
+        if _AGED.match(after) or _SAID.search(before) or (not determined and (_acts(after) or _owns(after))):
+            return True
+        inside = inside or not (determined or _OPENS.search(before))
+    return not places or (inside and (known or not _is_common(words)))
+
+
+def _is_determined(before: str) -> bool:
+    """``a Mortgage``, ``that certain Messuage``, but not ``in the house Margaret Hale sat``."""
+    left = _DETERMINED.search(before)
+    between = left.group(1) if left else None
+    return left is not None and (between is None or lexicon.noun_class(singular(between)) == "unknown")
+
+
+def _acts(after: str) -> bool:
+    """A verb that tells what somebody does follows."""
+    following = _AFTER.match(after)
+    word = following.group(1) if following else ""
+    return word in ("and", "who") or form_kind(word) in ("3sg", "past", "aux")
+
+
+def _owns(after: str) -> bool:
+    """``Corin's hand``, ``Corin's coat``."""
+    owned = _OWNED.match(after)
+    return owned is not None and singular(owned.group(1)) in lexicon.BODY | lexicon.WORN
+
+
+def _is_common(words: list[str]) -> bool:
+    """A word that means something else is no name for its capital: ``Mortgage``, ``Media``, ``Only``."""
+    last = singular(words[-1])
+    return (
+        lexicon.noun_class(last) != "unknown"
+        or words[0] in lexicon.ADJECTIVES | lexicon.ADVERBS
+        or form_kind(words[0]) != ""
+    )
