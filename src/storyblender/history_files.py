@@ -33,8 +33,11 @@ _DIGEST_LINE = re.compile(rb'\A\{\n "digest": "([0-9a-f]{16})",\n')
 _HEAD_LINE = re.compile(rb"\A(\d{1,9})(?: ([0-9a-f]{16}))?\s*\Z")
 _COMMIT_NAME = re.compile(r"\A(\d{6,9})\.json\Z")
 
-UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {1: lambda body: body | {"schema_version": 2}}
-"""From schema version n to n + 1; kept forever, so that every saved project opens. Schema 2 added fields only."""
+UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {
+    1: lambda body: body | {"schema_version": 2},
+    2: lambda body: body | {"schema_version": 3},
+}
+"""From schema version n to n + 1; kept forever, so that every saved project opens. 2 and 3 added fields only."""
 
 
 @dataclass(frozen=True)

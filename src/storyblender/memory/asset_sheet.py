@@ -100,6 +100,10 @@ class Asset(Frozen):
     """As written in the script, for people to read."""
     tags: tuple[str, ...] = ()
     origin: Literal["script", "dressing", "user"] = "script"
+    writing: str = ""
+    """Words that can be read on it: a sign, a letter, a screen."""
+    part_of: Identifier | None = None
+    """The asset that this is a part of; a part is shown on its whole."""
     look: CharacterLook | None = None
     """Characters only."""
     dimension: AssetDimension | None = None

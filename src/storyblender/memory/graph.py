@@ -12,7 +12,7 @@ from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 """Raised with every change of the stored models, with an upgrade in ``history_files.UPGRADES``."""
 
 _T = TypeVar("_T")

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from storyblender.memory.asset_sheet import ParamValue
 from storyblender.memory.base import Color, Coordinate, Frozen, Identifier, SceneId, Vec3
-from storyblender.memory.vocabulary import Facing, RelationKind, Relationship, SceneType, TimeOfDay, Weather
+from storyblender.memory.vocabulary import Facing, RelationKind, Relationship, SceneType, Side, TimeOfDay, Weather
 
 
 class Relation(Frozen):
@@ -19,6 +19,22 @@ class Relation(Frozen):
     anchor_asset_id: Identifier
     second_anchor_asset_id: Identifier | None = None
     """For ``between``."""
+
+
+class Spot(Frozen):
+    """Where a person or a thing is, as the script says it; what is left out is the crew's to choose."""
+
+    relation: RelationKind = "at"
+    anchor_id: Identifier | None = None
+    """The thing, the person or the fixture of the set (``door``, ``window``) that it is told by."""
+    side: Side | None = None
+    """Of the anchor; for a vehicle, which seat or door."""
+    distance: float | None = Field(default=None, ge=0, le=1000)
+    """Metres from the anchor."""
+    height: float | None = Field(default=None, ge=-100, le=1000)
+    """Metres of the feet, or of the underside of a thing, above the floor."""
+    facing: Identifier | None = None
+    """An id, or ``away`` from the anchor, or ``camera``."""
 
 
 class SceneSetup(Frozen):
@@ -33,6 +49,8 @@ class SceneSetup(Frozen):
     """As written in the heading, e.g. ``RICK'S CAFE``."""
     place_kind: str = ""
     """Key of the place lexicon, e.g. ``cafe``; chooses the set kit."""
+    kit: str = ""
+    """Key of the set kit where it was chosen by name; counts before the words."""
     time_of_day: TimeOfDay = "day"
     weather: Weather = "clear"
     layout_description: str = ""

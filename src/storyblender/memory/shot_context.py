@@ -8,20 +8,25 @@ from typing import Annotated, Literal
 from pydantic import Field, field_validator, model_validator
 
 from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3
-from storyblender.memory.scene_context import Light, Lighting
+from storyblender.memory.scene_context import Light, Lighting, Spot
 from storyblender.memory.vocabulary import (
     DISTANCE_OF_SIZE,
     Angle,
     BodyPart,
     CameraDirection,
     Distance,
+    Expression,
+    GazeDirection,
+    Grip,
     Hand,
     ModificationType,
+    Moment,
     Mood,
     Movement,
     Posture,
     ShotKind,
     ShotSize,
+    TetherKind,
 )
 
 
@@ -60,6 +65,24 @@ class BodyState(Frozen):
     """What they sit, lie or lean on."""
     held: tuple[Identifier, ...] = ()
     looking_at: Identifier | None = None
+    gaze: GazeDirection | None = None
+    """Where the eyes go, where they rest on nothing in the set; counts before ``looking_at``."""
+    expression: Expression = "neutral"
+    activity: str = ""
+    """Key of a motion that goes on until it is changed: ``phone``, ``drive``, ``paint``."""
+    grips: tuple[tuple[Identifier, Grip], ...] = ()
+    """How things are carried; what is held and not named here is carried as the crew chooses."""
+    spot: Spot | None = None
+    """Where they are, if the script says it."""
+
+
+class Tether(Frozen):
+    """Somebody or something is led or tied: a dog on its leash, a child by the hand."""
+
+    holder: Identifier
+    """A person, or the thing that it is tied to."""
+    held: Identifier
+    kind: TetherKind = "rope"
 
 
 class CameraInstruction(Frozen):
@@ -85,6 +108,8 @@ class CameraInstruction(Frozen):
     description: str = ""
     explicit: bool = False
     """Written in the script: never overruled by taste."""
+    through: str = ""
+    """POV: what it looks through: ``binoculars``, ``keyhole``, ``scope``, ``window``."""
 
 
 class CameraDecision(Frozen):
@@ -257,6 +282,15 @@ class ShotContext(Frozen):
     """Characters the shot is meant to show."""
     states: tuple[BodyState, ...] = ()
     """At the start of the shot, one for each person on stage."""
+    end_states: tuple[BodyState, ...] = ()
+    """At its end, for those whom its words have changed."""
+    thing_spots: dict[Identifier, Spot] = {}
+    """Where things are by the end of the shot, if the script says it: a cup that was put on the sill."""
+    absent: tuple[Identifier, ...] = ()
+    """Things of the scene that are not in the set during the shot: not there yet, or gone."""
+    tethers: tuple[Tether, ...] = ()
+    moment: Moment | None = None
+    """The moment that the board's frame shows, if the script or a person says it."""
     asset_modifications: tuple[AssetModification, ...] = ()
     character_actions: tuple[CharacterAction, ...] = ()
     new_lighting_description: str | None = None

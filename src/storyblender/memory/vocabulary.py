@@ -31,9 +31,25 @@ Relationship = Literal["on_top_of", "on_the_left_of", "on_the_right_of", "in_fro
 Facing = Literal["facing", "facing_away", "left_side_facing", "right_side_facing"]
 RelationKind = Literal[
     "on", "in", "under", "over", "behind", "in_front_of", "next_to", "at", "against", "between", "facing",
-    "left_of", "right_of", "inside",
+    "left_of", "right_of", "inside", "above", "around",
 ]  # fmt: skip
-Posture = Literal["stand", "sit", "lie", "kneel", "crouch", "lean", "asleep"]
+Posture = Literal[
+    "stand", "sit", "lie", "kneel", "crouch", "lean", "asleep",
+    "crawl", "hang", "upside_down", "float", "ride",
+]  # fmt: skip
+Expression = Literal[
+    "neutral", "smile", "laugh", "sad", "cry", "angry", "rage", "afraid", "terrified", "surprised", "disgusted",
+    "pained", "tender", "thoughtful", "suspicious", "tired",
+]  # fmt: skip
+Grip = Literal["right", "left", "both", "under_arm", "shoulder", "lap", "mouth", "worn"]
+"""How a thing is carried: in which hand, or where on the body."""
+GazeDirection = Literal["left", "right", "up", "down", "camera", "closed"]
+"""Where eyes go that rest on nothing in the set, as the audience sees it; ``closed`` for closed eyes."""
+Side = Literal["left", "right", "front", "back", "driver", "passenger", "rear"]
+"""A side of a thing, from its own point of view; the last three are seats and doors of a vehicle."""
+TetherKind = Literal["leash", "rope", "chain", "hand"]
+Moment = Literal["start", "middle", "end"]
+"""Which moment of its words a panel shows; ``end`` is when the last of them has been done."""
 Hand = Literal["L", "R"]
 BodyPart = Literal["hand", "eyes", "mouth", "feet"]
 Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]

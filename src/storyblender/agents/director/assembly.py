@@ -86,6 +86,8 @@ class Assembly:
             description=thing.description
             or one_line(f"{size_of(thing, self.text)} {modifiers_of(thing, self.text)} {thing.name}"),
             name=self.company.names[thing.id],
+            writing=thing.writing,
+            part_of=thing.part_of if thing.part_of in self.company.assets else None,
             tags=(thing.kind, *(("handled",) if thing.handled else ())),
         )
 
@@ -138,6 +140,10 @@ class Assembly:
                 *(id_ for deed in unit.deeds for id_ in (deed.target, deed.prop)),
                 *(support for _, support in unit.posture.values()),
                 *(thing for things in unit.held.values() for thing in things),
+                *(thing for grips in unit.grips.values() for thing in grips),
+                *unit.gaze.values(),
+                *(id_ for id_, spot in unit.spots.items() for id_ in (id_, spot.anchor_id)),
+                *(id_ for tether in unit.tethers for id_ in (tether.holder, tether.held)),
             )
             if each in self.company.assets
         )
@@ -151,6 +157,7 @@ class Assembly:
                 scene_type=scene.scene_type,
                 place=scene.place,
                 place_kind=scene.place_kind,
+                kit=scene.kit,
                 time_of_day=scene.time,
                 weather=scene.weather,
                 layout_description=self._layout(scene, relations),

@@ -68,4 +68,8 @@ def _with_copies(unit: Unit, owners: Owners) -> Unit:
         unit,
         deeds=[own(deed) for deed in unit.deeds],
         held={who: [owners.get((who, thing), thing) for thing in things] for who, things in unit.held.items()},
+        grips={
+            who: {owners.get((who, thing), thing): grip for thing, grip in grips.items()}
+            for who, grips in unit.grips.items()
+        },
     )

@@ -154,6 +154,8 @@ class _SceneCoverage:
         if shot is None:
             return False
         under = shot.beats[1:]
+        if shot.panel != unit.panel:
+            return False
         if under:
             return under[0].unit.element == unit.element and self._shows(shot, unit)
         return unit.kind == "dialogue" or self._shows(shot, unit)
@@ -266,6 +268,7 @@ class _SceneCoverage:
             or not last.beats
             or last.kind not in ("establishing", "action", "reaction", "group")
             or (last.strong and new.strong)
+            or last.panel != new.panel
         ):
             return False
         unit, before = new.beats[0].unit, last.beats[-1].unit
@@ -345,7 +348,8 @@ class _SceneCoverage:
         listeners = [person for person in unit.on_stage if person != unit.speaker]
         seen = [person for draft in reversed(self.drafts) for person in draft.focus if person in listeners]
         acting = next(iter([*seen, *listeners]), None)
-        if last and not last.explicit and last.focus[:1] == ([acting] if acting else []) and last.beats:
+        held = last and not last.explicit and last.focus[:1] == ([acting] if acting else []) and last.beats
+        if last and held and last.panel == unit.panel:
             seconds = speech_seconds(unit.text) + sum(action_seconds(beat.unit.text) for beat in last.beats)
             if seconds <= _JOINED:
                 last.beats.append(Beat.whole(unit))
@@ -356,6 +360,8 @@ class _SceneCoverage:
         """Whether a speech needs no cut: a short reply, a speech that goes on, or one of two at the same time."""
         last = self._last
         if not last or last.explicit or not last.beats or last.beats[-1].unit.kind != "dialogue":
+            return False
+        if last.panel != unit.panel:
             return False
         before = last.beats[-1].unit
         if unit.dual and before.speaker in unit.on_stage:
@@ -377,7 +383,9 @@ class _SceneCoverage:
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
-        cut = middle_of_speech(self.text, unit) if listener and word_count(unit.text) > _SPEECH else None
+        cut = None
+        if listener and word_count(unit.text) > _SPEECH and unit.panel is None:
+            cut = middle_of_speech(self.text, unit)
         if cut is None:
             return
         draft.beats = [Beat(unit, unit.start, cut[0])]

@@ -55,6 +55,11 @@ class ShotDraft:
         return self.note is not None
 
     @property
+    def panel(self) -> int | None:
+        """The panel that the script, or a corrected reading, puts it in."""
+        return self.beats[0].unit.panel if self.beats else None
+
+    @property
     def speech(self) -> bool:
         """Whether it covers speech and nothing else."""
         return bool(self.beats) and all(beat.unit.kind == "dialogue" for beat in self.beats)

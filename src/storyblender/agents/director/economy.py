@@ -8,6 +8,7 @@ word of the script is lost: what a dropped shot covered goes to its neighbour. T
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from dataclasses import replace
 from heapq import heappop, heappush
 
 from storyblender.agents.director.cutting import step
@@ -28,9 +29,10 @@ def economise(
         text: The script.
         settings: Target and longest shot.
     """
-    if settings.shots_per_scene is None:
-        return list(drafts)
     scene = _Economy(list(drafts), people, text, settings)
+    scene.panels()
+    if settings.shots_per_scene is None:
+        return scene.drafts
     for give_up in (scene.inserts, scene.split_speeches, scene.reactions, scene.talk, scene.actor, scene.neighbours):
         give_up()
     return scene.drafts
@@ -45,6 +47,21 @@ class _Economy:
         self.text = text
         self.settings = settings
         self.target = settings.shots_per_scene or 0
+
+    def panels(self) -> None:
+        """Make one shot of the units of each panel that is given, and drop what comes between panels without a line."""
+        if not any(draft.panel is not None for draft in self.drafts):
+            return
+        kept: list[ShotDraft] = []
+        for index, draft in enumerate(self.drafts):
+            following = next((later.panel for later in self.drafts[index:] if later.beats), None)
+            if not draft.beats and not draft.explicit and following is not None:
+                continue
+            if kept and draft.panel is not None and kept[-1].panel == draft.panel:
+                self._join(kept[-1], draft)
+            else:
+                kept.append(draft)
+        self.drafts = kept
 
     def inserts(self) -> None:
         """Drop inserts without a line; the shot before widens to show the thing."""
@@ -152,7 +169,7 @@ class _Economy:
 
     def _may_share(self, a: ShotDraft, b: ShotDraft) -> bool:
         """Whether neighbours are short enough together, and only one of them wants a picture of its own."""
-        ordered = a.explicit or b.explicit or (a.strong and b.strong)
+        ordered = a.explicit or b.explicit or (a.strong and b.strong) or a.panel is not None or b.panel is not None
         return not ordered and bool(a.beats and b.beats) and self._seconds(a, b) <= self._limit(a, b)
 
     def _limit(self, a: ShotDraft, b: ShotDraft) -> float:
@@ -174,7 +191,15 @@ class _Economy:
         return [each for each in draft.focus if each in self.people]
 
     def _join(self, a: ShotDraft, b: ShotDraft) -> None:
-        """Let ``a`` tell ``b`` as well: wide enough for both, on the people of both."""
+        """Let ``a`` tell ``b`` as well: wide enough for both, on the people of both, as the script orders either."""
+        if b.explicit and not a.explicit:
+            ordered = replace(b, beats=a.beats + b.beats, on_stage=list(dict.fromkeys([*a.on_stage, *b.on_stage])))
+            vars(a).update(vars(ordered))
+            return
+        if a.explicit:
+            a.beats += b.beats
+            a.on_stage = list(dict.fromkeys([*a.on_stage, *b.on_stage]))
+            return
         talk = a.speech and b.speech
         a.size = a.size if a.kind == "establishing" else _wider(a.size, b.size, "MS" if talk else a.size)
         a.look_at(*([b.over] if b.over else []), *b.focus)

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Person, Reading, Unit
-from storyblender.memory.scene_context import Relation
+from storyblender.memory.scene_context import Relation, Spot
 
 MOST = 4
 """Bodies for one group; a crowd is suggested, not counted."""
@@ -74,8 +74,22 @@ def _expand(unit: Unit, members: dict[str, list[str]]) -> Unit:
         posture=_each(unit.posture, members),
         held={_one(person, members): things for person, things in unit.held.items()},
         expressions=_each(unit.expressions, members),
+        gaze=_each({person: _one(where, members) for person, where in unit.gaze.items()}, members),
+        grips={_one(person, members): grips for person, grips in unit.grips.items()},
+        activities=_each(unit.activities, members),
+        spots=_each({each: _spot(spot, members) for each, spot in unit.spots.items()}, members),
+        tethers=[
+            tether.model_copy(update={"holder": _one(tether.holder, members), "held": _one(tether.held, members)})
+            for tether in unit.tethers
+        ],
         speaker=_maybe(unit.speaker, members),
         to=_maybe(unit.to, members),
+    )
+
+
+def _spot(spot: Spot, members: dict[str, list[str]]) -> Spot:
+    return spot.model_copy(
+        update={"anchor_id": _maybe(spot.anchor_id, members), "facing": _maybe(spot.facing, members)}
     )
 
 

@@ -25,6 +25,10 @@ LOW: Final = frozenset({"fall", "lie_down", "crawl"})
 """Seen from above."""
 POSES: Final = frozenset({"sit", "lie_down", "kneel", "crouch", "lean", "stand", "sleep"})
 """Where a scene opens on one of these, it is a state, not a movement."""
+POSING: Final = POSES | {"stand_up", "wake", "fall", "bow", "turn"}
+"""Leads to a posture."""
+PORTABLE: Final = frozenset({"phone", "sing", "talk", "carry", "drive", "ride", "play_music"})
+"""Lasting activities that go on while a person walks."""
 GETTING: Final = frozenset({"take", "pick_up", "catch"})
 """A thing comes into the hand."""
 PARTING: Final = frozenset({"give", "throw", "drop", "put_down"})

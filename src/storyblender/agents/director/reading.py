@@ -11,9 +11,9 @@ from typing import Literal
 
 from pydantic import ConfigDict
 
-from storyblender.memory.scene_context import Relation
-from storyblender.memory.shot_context import Flag
-from storyblender.memory.vocabulary import Gender, Mood, Posture, SceneType, TimeOfDay, Weather
+from storyblender.memory.scene_context import Relation, Spot
+from storyblender.memory.shot_context import Flag, Tether
+from storyblender.memory.vocabulary import Gender, Grip, Moment, Mood, Posture, SceneType, TimeOfDay, Weather
 from storyblender.screenplay.model import Screenplay
 
 
@@ -60,6 +60,10 @@ class Thing(Facts):
     description: str = ""
     handled: bool = False
     first: int = 0
+    writing: str = ""
+    """Words that can be read on it: a sign, a letter, a screen."""
+    part_of: str | None = None
+    """The thing that this is a part of: the lid of a box."""
 
 
 @dataclass
@@ -94,6 +98,8 @@ class CameraNote(Facts):
     who: str = ""
     """POV and OTS: whose."""
     roll: float = 0.0
+    through: str = ""
+    """POV: what it looks through: ``binoculars``, ``keyhole``."""
 
 
 @dataclass
@@ -103,7 +109,8 @@ class StateChange(Facts):
     subject: str
     """Thing id, or ``light``."""
     state: str
-    """``open``, ``closed``, ``on``, ``off``, ``broken``, ``gone``, or a description for ``light``."""
+    """``open``, ``closed``, ``on``, ``off``, ``lit``, ``broken``, ``tipped``, ``spilled``, ``burning``, ``running``,
+    ``wet``, ``torn``, ``dirty``, ``bloody``, ``gone``, or a description for ``light``."""
     at: int = 0
 
 
@@ -136,7 +143,23 @@ class Unit(Facts):
     changes: list[StateChange] = field(default_factory=list)
     sounds: list[str] = field(default_factory=list)
     expressions: dict[str, str] = field(default_factory=dict)
-    """Person -> face words without a motion: smiles, frowns."""
+    """Person -> what their face does, after the unit: one of the sixteen expressions, or the script's own words."""
+    gaze: dict[str, str] = field(default_factory=dict)
+    """Person -> whom or what they look at, or ``left``, ``right``, ``up``, ``down``, ``camera``, ``closed``."""
+    grips: dict[str, dict[str, Grip]] = field(default_factory=dict)
+    """Person -> thing -> how they carry it; until they no longer hold it."""
+    activities: dict[str, str] = field(default_factory=dict)
+    """Person -> motion that goes on until it is changed; an empty word ends it."""
+    spots: dict[str, Spot] = field(default_factory=dict)
+    """Person or thing -> where they are after the unit, until they move."""
+    absent: list[str] = field(default_factory=list)
+    """Things of the scene that are not in the set during this unit: not there yet, or gone."""
+    tethers: list[Tether] = field(default_factory=list)
+    """Who leads or ties whom during this unit."""
+    moment: Moment | None = None
+    """The moment of the unit that a panel shows; None lets the crew choose."""
+    panel: int | None = None
+    """Units with the same number share one shot, units with another never do; None lets the crew choose."""
     speaker: str | None = None
     speaker_name: str = ""
     to: str | None = None
@@ -165,6 +188,8 @@ class SceneReading(Facts):
     number: str = ""
     start: int = 0
     end: int = 0
+    kit: str = ""
+    """Key of the set kit, where it is chosen by name."""
     furniture: list[str] = field(default_factory=list)
     """Things of this scene that belong to the set, as mentioned."""
 

@@ -11,15 +11,18 @@ import json
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError
 
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
+from storyblender.catalog.motions import CLIP_OF
+from storyblender.catalog.sets import SETS
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, Identifier, content_hash
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag
+from storyblender.memory.vocabulary import GazeDirection
 from storyblender.screenplay.model import Screenplay
 
 READING_VERSION = 1
@@ -185,17 +188,36 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
             raise InputError(f"the id {each.id!r} is given twice", mend="rename one of them", path=path)
         known.add(each.id)
     people = {person.id for person in file.people}
+    for index, written in enumerate(file.scenes):
+        if written.scene.kit and written.scene.kit not in SETS:
+            mend = "`storyblender catalog sets` lists them"
+            raise InputError(
+                f"scene {index} has the kit {written.scene.kit!r}, which does not exist", mend=mend, path=path
+            )
     for written in file.units:
-        _refuse_unknown(_people_of(written.unit), people, f"unit {written.number}", "person", path)
-        _refuse_unknown(written.unit.things, known, f"unit {written.number}", "thing", path)
+        unit, where = written.unit, f"unit {written.number}"
+        _refuse_unknown(_people_of(unit), people, where, "person", path)
+        _refuse_unknown(_things_of(unit), known, where, "thing", path)
+        _refuse_unknown(unit.gaze.values(), {*known, *get_args(GazeDirection)}, where, "person or thing", path)
+        _refuse_unknown([key for key in unit.activities.values() if key], {*CLIP_OF}, where, "motion", path)
 
 
 def _people_of(unit: Unit) -> list[str]:
     """Return every id of a unit that must be a person's."""
-    lists = (unit.on_stage, unit.entering, unit.leaving, unit.people, unit.posture, unit.held, unit.expressions)
+    lists = (
+        unit.on_stage, unit.entering, unit.leaving, unit.people, unit.posture, unit.held, unit.expressions, unit.gaze,
+        unit.grips, unit.activities,
+    )  # fmt: skip
     named = [each for ids in lists for each in ids]
     named += [deed.actor for deed in unit.deeds]
     return named + [each for each in (unit.speaker, unit.to) if each is not None]
+
+
+def _things_of(unit: Unit) -> list[str]:
+    """Return every id of a unit that may be a thing's or a person's."""
+    gripped = (thing for grips in unit.grips.values() for thing in grips)
+    tied = (each for tether in unit.tethers for each in (tether.holder, tether.held))
+    return [*unit.things, *unit.absent, *unit.spots, *gripped, *tied]
 
 
 def _refuse_unknown(ids: Iterable[str], known: set[str], where: str, kind: str, path: Path) -> None:

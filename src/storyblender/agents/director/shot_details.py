@@ -16,12 +16,14 @@ from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import deed_words, mood_of, wanted_camera
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import find_kit
+from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import (
     AssetModification,
     CameraInstruction,
     CharacterAction,
     Flag,
     ShotContext,
+    Tether,
 )
 from storyblender.memory.vocabulary import DISTANCE_OF_SIZE
 
@@ -75,8 +77,8 @@ class ShotDetails:
         self.scene = scene
         self.text = text
         self.flags = flags
-        kit = SETS[find_kit(scene.place_kind, scene.place, scene.scene_type)]
-        self.staging = Staging(units, company.assets, seated=kit.seated, on_foot=kit.on_foot)
+        kit = SETS[scene.kit or find_kit(scene.place_kind, scene.place, scene.scene_type)]
+        self.staging = Staging(units, company.assets, company.fixtures, seated=kit.seated, on_foot=kit.on_foot)
         self.told: set[int] = set()
         """Starts of the units that a shot has played."""
         self.seen: set[str] = set()
@@ -92,7 +94,8 @@ class ShotDetails:
         return tuple(self._shot(number, draft, fps) for number, draft in enumerate(drafts, 1))
 
     def _shot(self, number: int, draft: ShotDraft, fps: int) -> ShotContext:
-        states = self.staging.states(draft)
+        states, end_states = self.staging.states(draft)
+        units = [beat.unit for beat in draft.beats] or ([draft.before] if draft.before else [])
         fresh = [beat.unit for beat in draft.beats if beat.unit.start not in self.told]
         self.told |= {unit.start for unit in fresh}
         on_stage = [person for person in draft.on_stage if person in self.company.actors]
@@ -105,6 +108,11 @@ class ShotDetails:
             on_stage=tuple(on_stage),
             in_frame=tuple(unique([*self._in_frame(draft, on_stage), *holders])),
             states=tuple(state for state in states if state.asset_id in self.company.actors),
+            end_states=tuple(state for state in end_states if state.asset_id in self.company.actors),
+            thing_spots=self._thing_spots(units),
+            absent=self._absent(units),
+            tethers=self._tethers(units),
+            moment=next((unit.moment for unit in reversed(units) if unit.moment), None),
             asset_modifications=tuple(self._modifications(fresh)),
             character_actions=tuple(self._actions(draft, on_stage)),
             new_lighting_description=light,
@@ -131,6 +139,21 @@ class ShotDetails:
             shown += _walking_along(draft)
         return [person for person in unique(shown) if person in on_stage and person != draft.pov]
 
+    def _thing_spots(self, units: Sequence[Unit]) -> dict[str, Spot]:
+        """Where things, and animals that are no cast, are by the end of these units."""
+        told = {each: spot for unit in units for each, spot in unit.spots.items()}
+        placed = self.company.assets - self.company.actors
+        return {each: self.staging.known_spot(spot) for each, spot in told.items() if each in placed}
+
+    def _absent(self, units: Sequence[Unit]) -> tuple[str, ...]:
+        """Things that are missing in all of these units: what comes or goes meanwhile is seen."""
+        missing = [{*unit.absent} for unit in units]
+        return tuple(sorted(set[str].intersection(*missing) & self.company.assets)) if missing else ()
+
+    def _tethers(self, units: Sequence[Unit]) -> tuple[Tether, ...]:
+        told = {(tether.holder, tether.held): tether for unit in units for tether in unit.tethers}
+        return tuple(tether for ends, tether in told.items() if self.company.assets.issuperset(ends))
+
     def _camera(self, draft: ShotDraft) -> CameraInstruction:
         return CameraInstruction(
             focus_on_ids=tuple(each for each in draft.focus if each in self.company.assets),
@@ -147,6 +170,7 @@ class ShotDetails:
             axis=draft.axis,
             description=wanted_camera(draft, self.company.names, capwords(self.scene.place)),
             explicit=draft.explicit,
+            through=draft.note.through if draft.note and draft.kind == "pov" else "",
         )
 
     def _modifications(self, units: Sequence[Unit]) -> list[AssetModification]:

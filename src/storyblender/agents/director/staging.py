@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from itertools import takewhile
+from typing import get_args
 
 from storyblender.agents.director.draft import ShotDraft
-from storyblender.agents.director.motion_families import GETTING, HOLDING, PARTING, POSES, TRAVEL
+from storyblender.agents.director.motion_families import GETTING, HOLDING, PARTING, PORTABLE, POSES, POSING, TRAVEL
 from storyblender.agents.director.reading import Deed, Unit
+from storyblender.agents.director.wording import expression_of
+from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import BodyState
-from storyblender.memory.vocabulary import Posture
+from storyblender.memory.vocabulary import Expression, GazeDirection, Grip, Posture
 
 _KEYBOARDS = ("piano", "organ", "harpsichord", "keyboard")
 """Instruments that are played sitting before them."""
@@ -22,6 +25,11 @@ class _Body:
     support: str | None = None
     held: list[str] = field(default_factory=list)
     looking_at: str | None = None
+    gaze: GazeDirection | None = None
+    expression: Expression = "neutral"
+    activity: str = ""
+    grips: dict[str, Grip] = field(default_factory=dict)
+    spot: Spot | None = None
 
 
 class Staging:
@@ -30,14 +38,22 @@ class Staging:
     Args:
         units: The scene's units.
         assets: Ids on the asset sheet; nothing else can support, be held or be looked at.
+        fixtures: Ids of parts of the set: people can be beside them.
         seated: The place is one where everybody sits unless they come in: a car.
         on_foot: Trades that do not sit there.
     """
 
     def __init__(
-        self, units: Sequence[Unit], assets: Collection[str], *, seated: bool = False, on_foot: Sequence[str] = ()
+        self,
+        units: Sequence[Unit],
+        assets: Collection[str],
+        fixtures: Collection[str] = (),
+        *,
+        seated: bool = False,
+        on_foot: Sequence[str] = (),
     ) -> None:
         self.assets = assets
+        self.places = {*assets, *fixtures}
         self.seated = seated
         self.on_foot = {*on_foot}
         self.bodies: dict[str, _Body] = {}
@@ -71,18 +87,65 @@ class Staging:
         posed = list(takewhile(lambda other: other.motion in POSES, mine))
         return deed in posed
 
-    def states(self, draft: ShotDraft) -> tuple[BodyState, ...]:
-        """Return the bodies as the shot begins, then play its units."""
+    def states(self, draft: ShotDraft) -> tuple[tuple[BodyState, ...], tuple[BodyState, ...]]:
+        """Return the bodies as the shot begins, and at its end those that its words have changed.
+
+        What no deed of the shot brings about is so from its first frame on: a posture, a face, a thing in the hand.
+        """
         for person in draft.on_stage:
             if person not in self.bodies:
                 self.bodies[person] = self._found(person)
         if draft.before:
             self._hold_what_is_shown(draft.before, draft.focus)
-        start = draft.beats[0].unit.start if draft.beats else -1
+        units = [beat.unit for beat in draft.beats]
+        self._set_scene(units)
+        start = units[0].start if units else -1
         states = tuple(self._state(person, start) for person in draft.on_stage)
-        for beat in draft.beats:
-            self._play(beat.unit)
-        return states
+        for unit in units:
+            self._play(unit)
+        ends = (self._state(person, start) for person in draft.on_stage)
+        changed = tuple(end for end, state in zip(ends, states, strict=True) if end != state)
+        return states, changed
+
+    def _set_scene(self, units: Sequence[Unit]) -> None:
+        """Bring bodies into what the units tell of them without a deed that leads there."""
+        deeds = [deed for unit in units for deed in unit.deeds]
+        movers = {deed.actor for deed in deeds if deed.motion in TRAVEL}
+        posing = movers | {deed.actor for deed in deeds if deed.motion in POSING}
+        got = {(deed.actor, deed.prop) for deed in deeds if deed.motion in GETTING}
+        got |= {(deed.target or "", deed.prop) for deed in deeds if deed.motion == "give"}
+        for unit in units:
+            self._set_faces(unit)
+            for person in unit.posture.keys() - posing:
+                self._pose(person, unit)
+            for person in unit.spots.keys() - movers:
+                self._body(person).spot = unit.spots[person]
+            for person, things in unit.held.items():
+                body = self._body(person)
+                body.held += [t for t in things if t not in body.held and (person, t) not in got]
+
+    def _set_faces(self, unit: Unit) -> None:
+        """Bring faces, eyes, lasting activities and grips into what a unit says."""
+        for person, words in unit.expressions.items():
+            self._body(person).expression = expression_of(words)
+        if unit.kind == "dialogue" and unit.speaker and unit.parenthetical and unit.speaker not in unit.expressions:
+            told = expression_of(unit.parenthetical)
+            if told != "neutral":
+                self._body(unit.speaker).expression = told
+        for person, where in unit.gaze.items():
+            body = self._body(person)
+            direction = next((each for each in get_args(GazeDirection) if each == where), None)
+            body.gaze, body.looking_at = direction, None if direction else where
+        for person, motion in unit.activities.items():
+            self._body(person).activity = motion
+        for person, grips in unit.grips.items():
+            self._body(person).grips.update(grips)
+
+    def known_spot(self, spot: Spot) -> Spot:
+        """Return a spot without what is neither on the sheet nor a part of the set."""
+        facing = spot.facing if spot.facing in {*self.places, "away", "camera"} else None
+        anchor = spot.anchor_id if spot.anchor_id in self.places else None
+        return spot.model_copy(update={"anchor_id": anchor, "facing": facing})
 
     def _hold_what_is_shown(self, unit: Unit, shown: Sequence[str]) -> None:
         """``CLOSE ON the coin in his palm``: it is there before the unit of these words begins."""
@@ -108,17 +171,28 @@ class Staging:
         instrument = _keyboard(mine)
         if instrument is not None and body.posture in ("stand", "sit"):
             body.posture, body.support = "sit", instrument
+        if all(deed.motion not in TRAVEL for deed in mine):
+            body.spot = unit.spots.get(person)
         return body
 
+    def _pose(self, person: str, unit: Unit) -> None:
+        posture, support = unit.posture[person]
+        body = self._body(person)
+        kept = body.support if posture == body.posture else None
+        body.posture, body.support = posture, support or kept
+
     def _play(self, unit: Unit) -> None:
-        for person, (posture, support) in unit.posture.items():
-            body = self._body(person)
-            kept = body.support if posture == body.posture else None
-            body.posture, body.support = posture, support or kept
+        for person in unit.posture:
+            self._pose(person, unit)
         for person in unit.on_stage:
-            self._body(person).held = list(unit.held.get(person, []))
+            body = self._body(person)
+            body.held = list(unit.held.get(person, []))
+            body.grips = {thing: grip for thing, grip in body.grips.items() if thing in body.held or grip == "worn"}
         for deed in unit.deeds:
             body = self._body(deed.actor)
+            if deed.motion in TRAVEL:
+                body.spot = None
+                body.activity = body.activity if body.activity in PORTABLE else ""
             if deed.motion in ("look", "read", "aim", "talk", "whisper", "shout", "listen"):
                 body.looking_at = deed.target or deed.prop
             elif deed.motion in TRAVEL or deed.motion in ("turn", "look_around"):
@@ -127,12 +201,19 @@ class Staging:
             for person in unit.on_stage:
                 other = unit.to if person == unit.speaker else unit.speaker
                 self.bodies[person].looking_at = other if other != person else None
+        self._set_faces(unit)
+        for person in unit.spots:
+            self._body(person).spot = unit.spots[person]
 
     def _state(self, person: str, start: int) -> BodyState:
         body = self.bodies[person]
         brought = [thing for thing, parted in self.brought.get(person, {}).items() if start <= parted]
         held = tuple(thing for thing in dict.fromkeys([*body.held, *brought]) if thing in self.assets)
-        told = (body.posture, body.support, held, body.looking_at)
+        grips = tuple(sorted(pair for pair in body.grips.items() if pair[0] in self.assets))
+        spot = self.known_spot(body.spot) if body.spot else None
+        told = (
+            body.posture, body.support, held, body.looking_at, body.gaze, body.expression, body.activity, grips, spot,
+        )  # fmt: skip
         last = self._last.get(person)
         if last is None or last[0] != told:
             state = BodyState(
@@ -141,6 +222,11 @@ class Staging:
                 support_id=self._known(body.support),
                 held=held,
                 looking_at=self._known(body.looking_at),
+                gaze=body.gaze,
+                expression=body.expression,
+                activity=body.activity,
+                grips=grips,
+                spot=spot,
             )
             last = self._last[person] = (told, state)
         return last[1]

@@ -129,7 +129,9 @@ _PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
 
 
 def kit_of(setup: SceneSetup) -> str:
-    """Return the key of a scene's kit: by its heading, else by who and what is there, else by its description."""
+    """Return the key of a scene's kit: as chosen, by its heading, by who and what is there, or by its description."""
+    if setup.kit in SETS:
+        return setup.kit
     key = _hall_of(setup) or find_kit(setup.place_kind, setup.place, setup.scene_type)
     vague = bool(setup.place) and _VAGUE.issuperset(_tokens(setup.place))
     if not vague and (key != FALLBACK[setup.scene_type] or _names(setup.place, key)):
