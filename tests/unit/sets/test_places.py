@@ -40,7 +40,7 @@ from storyblender.memory.scene_context import SceneSetup
         ("ASHCOMBE MANOR, LIBRARY", "indoor", "library"),
         ("AIRPORT", "indoor", "lobby"),
         ("AIRPORT RUNWAY", "outdoor", "airfield"),
-        ("HOSPITAL - PARKING LOT", "outdoor", "street"),
+        ("HOSPITAL - PARKING LOT", "outdoor", "parking_lot"),
         ("HIGHWAY", "outdoor", "street"),
         ("WOODS", "outdoor", "forest"),
         ("HARBOUR", "outdoor", "dock"),
@@ -95,6 +95,8 @@ from storyblender.memory.scene_context import SceneSetup
         ("DESERT ROAD", "outdoor", "desert"),
         ("COUNTRY ROAD", "outdoor", "street"),
         ("HYDROPONICS BAY", "indoor", "greenhouse"),
+        ("HOTEL - CORRIDOR", "indoor", "hotel_corridor"),
+        ("BOARDROOM", "indoor", "meeting_room"),
     ],
 )
 def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:

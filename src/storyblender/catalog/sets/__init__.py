@@ -84,6 +84,7 @@ from storyblender.catalog.sets import (
     workshop,
 )
 from storyblender.catalog.sets.drawing import Period, SetParams
+from storyblender.catalog.sets.from_file import kits_from_files
 from storyblender.catalog.sets.kit import SetKit, Span
 from storyblender.catalog.sets.snow import under_snow
 from storyblender.errors import InputError
@@ -104,9 +105,10 @@ SETS: Catalog[SetKit] = Catalog(
             open_ground, vineyard, street, alley, square, park, porch, cemetery, pool, stadium, forest, beach, dock,
             airfield, rooftop, balcony, bridge, platform, trench, desert, mountain, ship_deck, space_hull,
         )
-    ),
+    )
+    + kits_from_files(),
 )  # fmt: skip
-"""Indoor kits first, each group from the most general to the most particular."""
+"""Indoor kits first, each group from the most general to the most particular; then those of the kit files."""
 
 
 def plan_of(environment: Environment) -> SetPlan:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
+from storyblender.catalog.sets import SETS
+
 _ENOUGH = 3
 """Points that things must give before they overrule the plain fallback."""
 
@@ -50,7 +52,7 @@ _TELLING: dict[str, str] = {
 _POINTS: Mapping[str, Mapping[str, int]] = {
     kit: {word: int(points) for word, points in (pair.split("=") for pair in told.split())}
     for kit, told in _TELLING.items()
-}
+} | {kit.key: kit.told_by for kit in SETS.values() if kit.told_by}
 
 
 def told_by_things(words: Iterable[str], kits: Iterable[str]) -> str | None:

@@ -99,6 +99,7 @@ carpet_worn        carpet     #6b5a48
 tatami             linen      #a89a62
 mat_border         fabric     #1f2a24
 hull_plate         concrete   #a3a6a8
+carpet_red         carpet     #6e2b2a
 void               plastic_black #05060a
 cell_blue          glass_dark #16305c
 sea_blue           lampshade  #2b5c94

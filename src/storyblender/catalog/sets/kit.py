@@ -44,6 +44,9 @@ class SetKit:
         has: Words for what its pieces are already, such as the mirror of a car: nothing else is put there for them.
         seated: Everybody who is found here sits unless the script says otherwise.
         on_foot: Trades that stand here all the same: the steward of a cabin.
+        description: What is to be seen there, in a sentence or two.
+        counterpart: The kit for EXT. of this indoor place, or for INT. of this outdoor one; empty for the usual.
+        told_by: Things and trades that tell this place where no word of the heading does, with their points.
     """
 
     key: str
@@ -60,6 +63,9 @@ class SetKit:
     has: tuple[str, ...] = ()
     seated: bool = False
     on_foot: tuple[str, ...] = ()
+    description: str = ""
+    counterpart: str = ""
+    told_by: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def meanings(self) -> Mapping[str, str]:

@@ -186,7 +186,7 @@ def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
     best = max(scores, key=suits)
     if SETS[best].indoor == indoor:
         return best
-    return _INSIDE_OF.get(best, "room") if indoor else _OUTSIDE_OF.get(best, "street")
+    return SETS[best].counterpart or (_INSIDE_OF.get(best, "room") if indoor else _OUTSIDE_OF.get(best, "street"))
 
 
 class _Heading(NamedTuple):

@@ -127,7 +127,7 @@ KIT = SetKit(
     name="Street",
     tags=("street", "road", "avenue", "sidewalk", "pavement", "city", "downtown", "town", "boulevard", "intersection",
           "bus stop", "suburb", "neighborhood", "shopfront", "outside the house", "building", "crosswalk", "village",
-          "parking lot", "car park", "highway", "freeway", "motorway"),
+          "highway", "freeway", "motorway"),
     indoor=False,
     draw=draw,
     width=Span(10.0, 14.0, 24.0),

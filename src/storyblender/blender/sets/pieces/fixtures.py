@@ -152,3 +152,12 @@ def column_post(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a square post from the floor up. Parameters: height."""
     height = spec.number("height", 2.4)
     builder.box(finish("wood_dark"), (0, 0, height / 2), (0.11, 0.11, height), bevel=0.008)
+
+
+@piece("door_number")
+def door_number(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a brass plate with three figures on a wall at y = 0. Parameters: seed."""
+    builder.box(finish("brass"), (0, -0.012, 0), (0.2, 0.015, 0.11), bevel=0.004)
+    for x in (-0.055, 0.0, 0.055):
+        tall = float(spec.rng.uniform(0.05, 0.066))
+        builder.box(finish("paint_black"), (x, -0.022, 0), (0.028, 0.006, tall))

@@ -16,13 +16,17 @@ from storyblender.catalog.sets.arcades import arch_radius, piers
 
 @piece("column")
 def column(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a column. Parameters: height, width, material, style (round, gothic, post, girder)."""
+    """Build a column. Parameters: height, width, material, style (round, gothic, post, girder, square)."""
     height, width, skin = spec.number("height", 3.5), spec.number("width", 0.5), spec.finish("material", "stone")
     style = spec.word("style", "round")
     if style == "post":
         builder.box(skin, (0, 0, height / 2), (width, width, height), bevel=0.02)
         for side in (-1, 1):
             builder.box(skin, (side * 0.4, 0, height - 0.42), (0.14, 0.12, 1.1), rotation=(0, 45 * side, 0))
+    elif style == "square":
+        builder.box(skin, (0, 0, height / 2), (width, width, height), bevel=0.02)
+        for z in (0.35, 1.15):
+            builder.box(finish("paint_yellow" if z < 1 else "paint_black"), (0, 0, z), (width + 0.01, width + 0.01, 0.3))
     elif style == "girder":
         for y in (-width / 2, width / 2):
             builder.box(skin, (0, y, height / 2), (width, 0.025, height))

@@ -1,0 +1,34 @@
+"""Code that kit files may call by name, for what tables do not say: ``[[hook]] name = "row_of_houses"``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.sets.drawing import Drawing
+from storyblender.catalog.sets.street import STREET_LENGTH, row_of_facades
+
+Hook = Callable[[Drawing, Mapping[str, ParamValue]], None]
+
+
+def row_of_houses(drawing: Drawing, given: Mapping[str, ParamValue]) -> None:
+    """Close one side of a street with houses.
+
+    Args:
+        drawing: Of the kit.
+        given: ``y`` of the fronts, ``yaw`` (0 looks to -Y), least and most storeys ``low`` and ``high``, ``shops``,
+            and where the row ends: ``start`` and ``end``.
+    """
+    low, high = int(given.get("low", 3)), int(given.get("high", 5))
+    row_of_facades(
+        drawing,
+        float(given.get("y", 6.0)),
+        float(given.get("yaw", 0.0)),
+        start=float(given.get("start", -STREET_LENGTH)),
+        end=float(given.get("end", STREET_LENGTH)),
+        floors=tuple(range(low, high + 1)),
+        shops=bool(given.get("shops", True)),
+    )
+
+
+HOOKS: Mapping[str, Hook] = {"row_of_houses": row_of_houses}

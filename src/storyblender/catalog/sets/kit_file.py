@@ -1,0 +1,286 @@
+"""What a kit file may say: one TOML file in ``kits/`` is one kind of place. ``docs/add-a-set.md`` explains it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator, Field, model_validator
+
+from storyblender.catalog.materials import MATERIALS
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.sets.drawing import Period
+from storyblender.catalog.sets.finishes import FINISHES
+from storyblender.catalog.sets.hooks import HOOKS
+from storyblender.catalog.sets.room import Side, View
+from storyblender.catalog.sets.terms import Term
+from storyblender.memory.base import Frozen, Identifier
+
+Backdrop = Literal["skyline", "treeline", "hills", "sea", "facades", "stars"]
+Limits = tuple[float, float, float]
+"""Least, usual and most metres."""
+
+
+def _known_prop(key: str) -> str:
+    if key not in PROPS:
+        raise ValueError(f"there is no prop called {key!r}")
+    return key
+
+
+def _known_finish(key: str) -> str:
+    if key not in FINISHES and key not in MATERIALS:
+        raise ValueError(f"there is no finish or material called {key!r}")
+    return key
+
+
+def _known_hook(key: str) -> str:
+    if key not in HOOKS:
+        raise ValueError(f"there is no hook called {key!r}; there are {', '.join(HOOKS)}")
+    return key
+
+
+Prop = Annotated[str, AfterValidator(_known_prop)]
+Skin = Annotated[str, AfterValidator(_known_finish)]
+
+
+class KitHead(Frozen):
+    """The lines above the first table: what finds the kit, without drawing it."""
+
+    name: str
+    description: str
+    tags: tuple[str, ...]
+    indoor: bool
+    width: Limits
+    depth: Limits
+    height: Limits = (2.4, 2.8, 4.0)
+    period: Period = "classic"
+    options: dict[str, ParamValue] = {}
+    means: dict[str, Prop] = {}
+    has: tuple[str, ...] = ()
+    seated: bool = False
+    on_foot: tuple[str, ...] = ()
+    counterpart: str = ""
+    told_by: dict[str, int] = {}
+
+
+class Row(Frozen):
+    """Several places at equal distances: ``count`` of them, or one ``every`` so many metres at most."""
+
+    start: Term = Field(alias="from")
+    end: Term = Field(alias="to")
+    count: int | None = None
+    every: float | None = None
+
+    @model_validator(mode="after")
+    def _one_of(self) -> Row:
+        if (self.count is None) == (self.every is None):
+            raise ValueError("a row needs either count or every")
+        return self
+
+
+Place = Term | Row
+
+
+class Conditional(Frozen):
+    """Something that may belong to some periods or options only."""
+
+    when: tuple[str, ...] = ()
+    """Periods and options of which one must hold; none: always."""
+
+
+class _Shell(Frozen):
+    """What a room is made of; ``past``, ``classic`` and ``modern`` replace single entries in their period."""
+
+    wall: Skin | None = None
+    floor: Skin | None = None
+    ceiling: Skin | None = None
+    dado: Skin | None = None
+    dado_height: float | None = None
+    beams: int | None = None
+    outside: Skin | None = None
+
+
+class ShellTable(_Shell):
+    """``[shell]``: indoors."""
+
+    view: View = "facades"
+    thickness: float = 0.15
+    pit: float = 0.0
+    past: _Shell = _Shell()
+    classic: _Shell = _Shell()
+    modern: _Shell = _Shell()
+
+
+class GroundTable(Frozen):
+    """``[ground]``: outdoors."""
+
+    material: Skin
+    wet: bool = False
+    relief: float = 0.0
+    rise: float = 0.0
+    flat: Term | None = None
+    entrances: tuple[Literal["left", "right", "back"], ...] = ("left", "right", "back")
+
+
+class DoorTable(Conditional):
+    """``[[door]]``."""
+
+    side: Side
+    at: Term = 0.0
+    width: float = 0.95
+    height: float = 2.1
+    style: str = "panel"
+    state: Literal["open", "closed"] = "closed"
+    name: Identifier = "door"
+    tags: tuple[str, ...] = ("enter", "exit", "door")
+
+
+class WindowTable(Conditional):
+    """``[[window]]``."""
+
+    side: Side
+    at: Place = 0.0
+    width: float = 1.3
+    height: float = 1.45
+    sill: float = 0.9
+    style: str = "sash"
+    mark: bool = False
+
+
+class PutTable(Conditional):
+    """``[[put]]``: a prop, or a piece of the set, once or in rows, free, against a side, or on or by another."""
+
+    prop: Prop | tuple[Prop, ...] = ()
+    piece: Identifier | tuple[Identifier, ...] = ()
+    id: Identifier | None = None
+    x: Place = 0.0
+    y: Place = 0.0
+    z: Term | None = None
+    yaw: Term = 0.0
+    side: Side | None = None
+    at: Place = 0.0
+    off: Term | None = None
+    on: Identifier | None = None
+    by: Identifier | None = None
+    hang: float | None = None
+    vary: float = 0.0
+    turn: float = 0.0
+    skip: tuple[int, ...] = ()
+    required: bool = False
+    scale: float = 1.0
+    footprint: tuple[Term, Term] | None = None
+    give: dict[str, ParamValue | tuple[ParamValue, ...]] = Field(default={}, alias="with")
+
+    @model_validator(mode="after")
+    def _one_thing(self) -> PutTable:
+        if bool(self.prop) == bool(self.piece):
+            raise ValueError("a [[put]] needs either prop or piece")
+        if self.hang is not None and not self.prop:
+            raise ValueError("only a prop can hang")
+        if sum(word is not None for word in (self.side, self.on, self.by, self.hang)) > 1:
+            raise ValueError("side, on, by and hang exclude each other")
+        return self
+
+
+class SlabTable(Conditional):
+    """``[[slab]]``: a rectangle of another ground, a road, a rug of tiles, a stage."""
+
+    role: Literal["floor", "ground", "ceiling", "patch", "block"] = "patch"
+    box: tuple[Term, Term, Term, Term]
+    material: Skin
+    z: Term = 0.008
+    thickness: float = 0.0
+    wet: bool = False
+
+
+class ScatterTable(Conditional):
+    """``[[scatter]]``: planting."""
+
+    pieces: tuple[Identifier, ...]
+    count: int
+    inner: Term
+    outer: Term
+    gap: float
+    variants: int = 3
+    scale: tuple[float, float] = (0.8, 1.2)
+    sector: tuple[float, float] = (0.0, 360.0)
+    lanes: tuple[tuple[Term, Term, Term, Term, Term], ...] = ()
+    sunk: float = 0.05
+    solid: float = 0.0
+    x: Term = 0.0
+    y: Term = 0.0
+
+
+class BackdropTable(Conditional):
+    """``[[backdrop]]``: what closes the horizon, all around or between two azimuths; 0 is +Y, counter-clockwise."""
+
+    kind: Backdrop
+    radius: float = 70.0
+    top: float
+    bottom: float = -2.0
+    between: tuple[float, float] = (0.0, 360.0)
+    sides: int = 12
+
+
+class LampTable(Conditional):
+    """``[[lamp]]``: light without a prop."""
+
+    name: Identifier = "lamp"
+    x: Place = 0.0
+    y: Place = 0.0
+    z: Term
+    watts: float
+    color: str = "warm"
+    kind: Literal["POINT", "SPOT", "AREA"] = "POINT"
+    target: tuple[Term, Term, Term] | None = None
+    size: float = 0.1
+    cone: float = 120.0
+    glow: float = 0.0
+    role: Literal["set", "practical"] = "practical"
+
+
+class MarkTable(Conditional):
+    """``[[mark]]``: where somebody enters, stands or waits."""
+
+    name: Identifier
+    x: Term = 0.0
+    y: Term = 0.0
+    yaw: Term = 0.0
+    tags: tuple[str, ...] = ()
+
+
+class HookTable(Conditional):
+    """``[[hook]]``: code of ``hooks.py`` draws what no table says."""
+
+    name: Annotated[str, AfterValidator(_known_hook)]
+    give: dict[str, ParamValue] = Field(default={}, alias="with")
+
+
+class KitBody(Frozen):
+    """The tables of a kit file."""
+
+    shell: ShellTable | None = None
+    ground: GroundTable | None = None
+    door: tuple[DoorTable, ...] = ()
+    window: tuple[WindowTable, ...] = ()
+    slab: tuple[SlabTable, ...] = ()
+    put: tuple[PutTable, ...] = ()
+    scatter: tuple[ScatterTable, ...] = ()
+    backdrop: tuple[BackdropTable, ...] = ()
+    lamp: tuple[LampTable, ...] = ()
+    mark: tuple[MarkTable, ...] = ()
+    hook: tuple[HookTable, ...] = ()
+
+    @model_validator(mode="after")
+    def _shell_or_ground(self) -> KitBody:
+        if (self.shell is None) == (self.ground is None):
+            raise ValueError("a kit needs [shell] where it is indoors, else [ground]")
+        if self.shell is not None and (self.shell.wall is None or self.shell.floor is None):
+            raise ValueError("[shell] needs wall and floor")
+        known: set[str] = set()
+        for item in self.put:
+            for name in (item.on, item.by):
+                if name is not None and name not in known:
+                    raise ValueError(f"a [[put]] is on or by {name!r}, which no [[put]] before it has as its id")
+            known |= {item.id} if item.id else set()
+        return self

@@ -1,0 +1,253 @@
+"""Draws the tables of a kit file: shell or ground first, then what stands in it, in the order of the file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from storyblender.catalog.materials import hex_color
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets.drawing import CANDLE, COOL, SODIUM, WARM, SetParams, rectangle
+from storyblender.catalog.sets.ground import Ground
+from storyblender.catalog.sets.hooks import HOOKS
+from storyblender.catalog.sets.kit_file import (
+    Conditional,
+    GroundTable,
+    KitBody,
+    LampTable,
+    Place,
+    PutTable,
+    Row,
+    ScatterTable,
+    ShellTable,
+)
+from storyblender.catalog.sets.room import YAW_OF_SIDE, Finishes, Room
+from storyblender.catalog.sets.terms import value_of
+from storyblender.memory.base import Color, Vec3
+
+_COLORS: dict[str, Color] = {"warm": WARM, "candle": CANDLE, "cool": COOL, "sodium": SODIUM}
+_CLEAR_OF_WALL = 0.04
+"""Metres between a wall and what stands against it."""
+
+
+def drawn(kit: str, body: KitBody, params: SetParams, rng: np.random.Generator) -> SetPlan:
+    """Return the plan of a kit file.
+
+    Args:
+        kit: Its key.
+        body: Its tables.
+        params: Size, period and options.
+        rng: The seeded source of variation.
+
+    Raises:
+        ValueError: A table asks for something that cannot be drawn.
+    """
+    drawing = _room(kit, body.shell, params, rng) if body.shell else _ground(kit, body.ground, params, rng)
+    return _Tables(drawing, params).draw(body)
+
+
+def _room(kit: str, shell: ShellTable, params: SetParams, rng: np.random.Generator) -> Room:
+    names = ("wall", "floor", "ceiling", "dado", "dado_height", "beams", "outside")
+    said = {name: getattr(table, name) for table in (shell, getattr(shell, params.period)) for name in names
+            if getattr(table, name) is not None}  # fmt: skip
+    return Room(kit, params, rng, Finishes(**said), view=shell.view, thickness=shell.thickness, pit=shell.pit)
+
+
+def _ground(kit: str, table: GroundTable | None, params: SetParams, rng: np.random.Generator) -> Ground:
+    if table is None:
+        raise ValueError("there is neither [shell] nor [ground]")
+    ground = Ground(kit, params, rng)
+    names = {"x": ground.half_x, "y": ground.half_y, "h": 0.0, "n": 0.0}
+    if table.relief or table.rise:
+        flat = None if table.flat is None else value_of(table.flat, names)
+        ground.land(table.material, relief=table.relief, rise=table.rise, flat=flat)
+    else:
+        ground.level(table.material, wet=table.wet)
+    return ground
+
+
+@dataclass
+class _Tables:
+    """One drawing in progress.
+
+    Args:
+        drawing: Receives everything.
+        params: Size, period and options.
+    """
+
+    drawing: Room | Ground
+    params: SetParams
+    placed: dict[str, list[_Spot]] = field(default_factory=dict)
+    """Where the things with an id are."""
+
+    def draw(self, body: KitBody) -> SetPlan:
+        """Draw all tables and return the plan."""
+        if isinstance(self.drawing, Room):
+            self._openings(self.drawing, body)
+        for slab in filter(self._holds, body.slab):
+            x0, y0, x1, y1 = (self._value(term) for term in slab.box)
+            self.drawing.slab(slab.role, rectangle(x0, y0, x1, y1), slab.material,
+                              z=self._value(slab.z), thickness=slab.thickness, wet=slab.wet)  # fmt: skip
+        for put in filter(self._holds, body.put):
+            self._put(put)
+        if isinstance(self.drawing, Ground):
+            self._outdoors(self.drawing, body)
+        for lamp in filter(self._holds, body.lamp):
+            self._lamp(lamp)
+        for mark in filter(self._holds, body.mark):
+            x, y, yaw = (self._value(term) for term in (mark.x, mark.y, mark.yaw))
+            self.drawing.mark(mark.name, x, y, yaw, *mark.tags)
+        for hook in filter(self._holds, body.hook):
+            HOOKS[hook.name](self.drawing, hook.give)
+        return self.drawing.finish()
+
+    def _holds(self, table: Conditional) -> bool:
+        facts = {self.params.period, *(name for name, value in self.params.options.items() if value)}
+        return not table.when or bool(facts.intersection(table.when))
+
+    def _value(self, term: float | str, copy: int = 0) -> float:
+        height = self.params.height if isinstance(self.drawing, Room) else 0.0
+        return value_of(term, {"x": self.drawing.half_x, "y": self.drawing.half_y, "h": height, "n": float(copy)})
+
+    def _values(self, place: Place) -> list[float]:
+        """Return the positions that a term or a row stands for."""
+        if not isinstance(place, Row):
+            return [self._value(place)]
+        start, end = self._value(place.start), self._value(place.end)
+        count = place.count if place.every is None else 1 + math.floor(max(0.0, end - start) / place.every + 1e-6)
+        if place.every is not None:  # the row stays in the middle of its span
+            slack = (end - start - (count - 1) * place.every) / 2
+            start, end = start + slack, end - slack
+        return [round(float(value), 4) for value in np.linspace(start, end, count)]
+
+    def _openings(self, room: Room, body: KitBody) -> None:
+        for door in filter(self._holds, body.door):
+            room.door(door.side, self._value(door.at), width=door.width, height=door.height, style=door.style,
+                      state=door.state, name=door.name, tags=door.tags)  # fmt: skip
+        for window in filter(self._holds, body.window):
+            for at in self._values(window.at):
+                room.window(window.side, at, width=window.width, height=window.height, sill=window.sill,
+                            style=window.style, mark=window.mark)  # fmt: skip
+
+    def _outdoors(self, ground: Ground, body: KitBody) -> None:
+        for table in filter(self._holds, body.scatter):
+            self._scatter(ground, table)
+        for card in filter(self._holds, body.backdrop):
+            ground.ring(card.kind, card.radius, card.top, bottom=card.bottom, azimuths=card.between, sides=card.sides)
+        ground.mark("centre", 0.0, 0.0, 0.0, "centre")
+        ways = body.ground.entrances if body.ground else ()
+        x, y = ground.half_x - 0.5, ground.half_y - 0.5
+        for side, spot in (("left", (-x, 0.0, 90.0)), ("right", (x, 0.0, 270.0)), ("back", (0.0, y, 0.0))):
+            if side in ways:
+                ground.mark(f"enter_{side}", *spot, "enter", "exit", side)
+
+    def _scatter(self, ground: Ground, table: ScatterTable) -> None:
+        lanes = tuple(((a, b), (c, d), wide) for a, b, c, d, wide in (map(self._value, lane) for lane in table.lanes))
+        ground.scatter(
+            table.pieces, table.count, inner=self._value(table.inner), outer=self._value(table.outer), gap=table.gap,
+            variants=table.variants, scale=table.scale, sector=table.sector, clear=lanes, sunk=table.sunk,
+            solid=table.solid, centre=(self._value(table.x), self._value(table.y)),
+        )  # fmt: skip
+
+    def _lamp(self, table: LampTable) -> None:
+        color = _COLORS[table.color] if table.color in _COLORS else hex_color(table.color)
+        target = None if table.target is None else tuple(map(self._value, table.target))
+        for x in self._values(table.x):
+            for y in self._values(table.y):
+                aim: Vec3 | None = None if target is None else (target[0], target[1], target[2])
+                self.drawing.lamp(
+                    table.name, (x, y, self._value(table.z)), table.watts, color, kind=table.kind, target=aim,
+                    size=table.size, cone=table.cone, glow=table.glow, role=table.role,
+                )  # fmt: skip
+
+    # ------------------------------------------------------------------ props and pieces
+
+    def _put(self, table: PutTable) -> None:
+        keys = table.prop or table.piece
+        keys = (keys,) if isinstance(keys, str) else keys
+        spots = self.placed.setdefault(table.id, []) if table.id else []
+        for copy, spot in enumerate(self._spots(table, keys)):
+            if copy in table.skip:
+                continue
+            spot = self._varied(spot, table)
+            key = keys[copy % len(keys)]
+            given = {name: self._given(value, copy) for name, value in table.give.items()}
+            if table.prop:
+                if table.hang is not None and isinstance(self.drawing, Room):
+                    self.drawing.hang(key, spot.x, spot.y, low=table.hang)
+                else:
+                    self.drawing.furnish(key, *spot, required=table.required, **given)
+            else:
+                print_ = None if table.footprint is None else tuple(self._value(term) for term in table.footprint)
+                footprint = None if print_ is None else (print_[0], print_[1])
+                self.drawing.piece(key, *spot, scale=table.scale, footprint=footprint, **given)
+            spots.append(spot.topped(float(given.get("height", PROPS[key].size[2])) if table.prop else 0.0))
+
+    def _given(self, value: ParamValue | tuple[ParamValue, ...], copy: int) -> ParamValue:
+        if isinstance(value, tuple):
+            value = value[copy % len(value)]
+        return self._value(value[1:], copy) if isinstance(value, str) and value.startswith("=") else value
+
+    def _spots(self, table: PutTable, keys: tuple[str, ...]) -> Iterator[_Spot]:
+        z, yaw = 0.0 if table.z is None else self._value(table.z), self._value(table.yaw)
+        if table.side is not None and isinstance(self.drawing, Room):
+            off = self._depth(keys[0], table) / 2 + _CLEAR_OF_WALL if table.off is None else self._value(table.off)
+            for at in self._values(table.at):
+                x, y = self.drawing.spot(table.side, at, off)
+                yield _Spot(x, y, z, YAW_OF_SIDE[table.side] + yaw)
+            return
+        offsets = [(x, y) for x in self._values(table.x) for y in self._values(table.y)]
+        anchor = table.on or table.by
+        for base in self.placed.get(anchor, []) if anchor else [_Spot(0.0, 0.0, 0.0, 0.0)]:
+            for x, y in offsets:
+                spot = base.beside(x, y, z + (base.top if table.on else 0.0), yaw)
+                if isinstance(self.drawing, Ground) and anchor is None:
+                    spot = spot.lifted(self.drawing.height(spot.x, spot.y))
+                yield spot
+
+    def _depth(self, key: str, table: PutTable) -> float:
+        """Return how far a thing reaches from front to back; a piece of the set has its back at its origin."""
+        depth = table.give.get("depth")
+        if not table.prop:
+            return -2 * _CLEAR_OF_WALL
+        return float(depth) if isinstance(depth, int | float) else PROPS[key].size[1]
+
+    def _varied(self, spot: _Spot, table: PutTable) -> _Spot:
+        if not table.vary and not table.turn:
+            return spot
+        dx, dy = (self.drawing.between(-table.vary, table.vary) if table.vary else 0.0 for _ in "xy")
+        turned = self.drawing.between(-table.turn, table.turn) if table.turn else 0.0
+        return _Spot(round(spot.x + dx, 3), round(spot.y + dy, 3), spot.z, spot.yaw + turned)
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """Where something stands: metres and degrees, and how high its top is above its foot."""
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+    top: float = 0.0
+
+    def __iter__(self) -> Iterator[float]:
+        yield from (self.x, self.y, self.z, self.yaw)
+
+    def beside(self, x: float, y: float, z: float, yaw: float) -> _Spot:
+        """Return a spot given in the frame of this one."""
+        turn = math.radians(self.yaw)
+        dx, dy = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
+        return _Spot(round(self.x + dx, 4), round(self.y + dy, 4), round(self.z + z, 4), self.yaw + yaw)
+
+    def lifted(self, height: float) -> _Spot:
+        """Return the spot on ground of that height."""
+        return _Spot(self.x, self.y, round(self.z + height, 4), self.yaw)
+
+    def topped(self, top: float) -> _Spot:
+        """Return the spot with what stands there."""
+        return _Spot(self.x, self.y, self.z, self.yaw, top)
