@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -40,11 +41,13 @@ def kit_with(tmp_path: Path, tables: str = SHELL, head: str = HEAD) -> SetKit:
     return read_kit(file)
 
 
-def plan_with(tmp_path: Path, tables: str, **params: object) -> SetPlan:
-    import numpy as np
+def put(things: str) -> str:
+    return f"[plan]\nput = [{things}]\n"
 
+
+def plan_with(tmp_path: Path, tables: str, **params: object) -> SetPlan:
     sized = SetParams(**({"width": 8.0, "depth": 6.0, "options": {"wet": False}} | params))  # type: ignore[arg-type]
-    return kit_with(tmp_path, SHELL + tables).draw(sized, np.random.default_rng(0))
+    return kit_with(tmp_path, SHELL + put(tables)).draw(sized, np.random.default_rng(0))
 
 
 @given(x=st.floats(1, 20), y=st.floats(1, 20))
@@ -60,16 +63,16 @@ def test_a_term_is_nothing_but_a_sum(term: str) -> None:
 
 
 def test_a_row_keeps_its_distance_and_stays_in_the_middle(tmp_path: Path) -> None:
-    plan = plan_with(tmp_path, '[[put]]\nprop = "barrel"\nx = { from = "-x", to = "x", every = 3 }\ny = "y - 1"\n')
+    plan = plan_with(tmp_path, '{ prop = "barrel", x = { from = "-x", to = "x", every = 3 }, y = "y - 1" }')
     places = [item.location[:2] for item in plan.furnishings]
     assert places == [(-3.0, 2.0), (0.0, 2.0), (3.0, 2.0)]
 
 
 def test_what_is_on_and_by_follows_what_it_belongs_to(tmp_path: Path) -> None:
     tables = (
-        '[[put]]\nprop = "desk"\nid = "desk"\nx = { from = -2, to = 2, count = 2 }\nyaw = 90\n'
-        '[[put]]\nprop = "laptop"\non = "desk"\ny = -0.2\n'
-        '[[put]]\nprop = "chair"\nby = "desk"\ny = 0.8\nyaw = 180\n'
+        '{ prop = "desk", id = "desk", x = { from = -2, to = 2, count = 2 }, yaw = 90 },'
+        '{ prop = "laptop", on = "desk", y = -0.2 },'
+        '{ prop = "chair", by = "desk", y = 0.8, yaw = 180 },'
     )
     plan = plan_with(tmp_path, tables)
     laptops = [item for item in plan.furnishings if item.prop == "laptop"]
@@ -80,7 +83,7 @@ def test_what_is_on_and_by_follows_what_it_belongs_to(tmp_path: Path) -> None:
 
 
 def test_a_period_changes_the_walls_and_an_option_the_furniture(tmp_path: Path) -> None:
-    tables = '[[put]]\nprop = "bucket"\nwhen = ["wet", "past"]\n'
+    tables = '{ prop = "bucket", when = ["wet", "past"] }'
     classic, modern = plan_with(tmp_path, tables), plan_with(tmp_path, tables, period="modern", options={"wet": True})
     assert (classic.walls[0].material, modern.walls[0].material) == ("boards_grey", "plaster_grey")
     assert ([item.prop for item in classic.furnishings], [item.prop for item in modern.furnishings]) == ([], ["bucket"])
@@ -92,22 +95,30 @@ def test_a_period_changes_the_walls_and_an_option_the_furniture(tmp_path: Path) 
         (SHELL, "name = 'Boat", "Unterminated|Expected|Illegal"),
         (SHELL, HEAD.replace('name = "Boat house"\n', ""), "name: Field required"),
         (SHELL, HEAD + "windth = 3\n", "windth: Extra inputs"),
-        (SHELL + '[[put]]\nprop = "barel"\n', HEAD, "put 1 prop.*: there is no prop called 'barel'"),
-        (SHELL + '[[put]]\nprop = "barrel"\nx = "-q"\n', HEAD, "put 1 x.*'q' is neither a number nor"),
-        (SHELL + '[[put]]\nprop = "laptop"\non = "desk"\n', HEAD, "is on or by 'desk'"),
-        (SHELL + "[[put]]\nx = 1\n", HEAD, "put 1: a ..put.. needs either prop or piece"),
+        (SHELL + put('{ prop = "barel" }'), HEAD, "plan put 1 prop.*: there is no prop called 'barel'"),
+        (SHELL + put('{ prop = "barrel", x = "-q" }'), HEAD, "plan put 1 x.*'q' is neither a number nor"),
+        (SHELL + put('{ prop = "laptop", on = "desk" }'), HEAD, "put 1 is on or by 'desk'"),
+        (SHELL + put("{ x = 1 }"), HEAD, "plan put 1: this needs either prop or piece"),
         (SHELL.replace("boards_grey", "gold_leaf"), HEAD, "no finish or material called 'gold_leaf'"),
         ("", HEAD, "needs .shell. where it is indoors"),
     ],
 )
 def test_a_damaged_file_is_told_in_one_sentence(tmp_path: Path, tables: str, head: str, sentence: str) -> None:
     with pytest.raises(InputError, match=f"^the kit file boat_house.toml cannot be used .*({sentence})") as caught:
-        import numpy as np
-
         kit_with(tmp_path, tables, head).draw(
             SetParams(width=8.0, depth=6.0, options={"wet": False}), np.random.default_rng(0)
         )
     assert "\n" not in str(caught.value)
+
+
+def test_the_examples_of_the_guide_make_a_kit(tmp_path: Path) -> None:
+    guide = (Path(__file__).parents[3] / "docs" / "add-a-set.md").read_text(encoding="utf-8")
+    head, indoors, outdoors, things = (block.split("```")[0] for block in guide.split("```toml\n")[1:])
+    size = SetParams(width=7.0, depth=7.0, options={"wet": False})
+    room = kit_with(tmp_path, indoors + things, head).draw(size, np.random.default_rng(0))
+    assert [item.prop for item in room.furnishings] == ["workbench", "toolbox", "lantern"]
+    open_air = kit_with(tmp_path, outdoors, head).draw(size, np.random.default_rng(0))
+    assert len(open_air.backdrops) == 12 and not open_air.indoor
 
 
 @pytest.mark.parametrize("key", FILES)

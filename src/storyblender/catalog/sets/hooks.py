@@ -1,4 +1,4 @@
-"""Code that kit files may call by name, for what tables do not say: ``[[hook]] name = "row_of_houses"``."""
+"""Code that kit files may call by name, for what lists do not say: ``hook = [{ name = "row_of_houses" }]``."""
 
 from __future__ import annotations
 

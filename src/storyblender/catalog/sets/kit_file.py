@@ -16,7 +16,7 @@ from storyblender.catalog.sets.room import Side, View
 from storyblender.catalog.sets.terms import Term
 from storyblender.memory.base import Frozen, Identifier
 
-Backdrop = Literal["skyline", "treeline", "hills", "sea", "facades", "stars"]
+Backdrop = Literal["skyline", "treeline", "hills", "sea", "facades"]
 Limits = tuple[float, float, float]
 """Least, usual and most metres."""
 
@@ -123,7 +123,7 @@ class GroundTable(Frozen):
 
 
 class DoorTable(Conditional):
-    """``[[door]]``."""
+    """``door``."""
 
     side: Side
     at: Term = 0.0
@@ -136,7 +136,7 @@ class DoorTable(Conditional):
 
 
 class WindowTable(Conditional):
-    """``[[window]]``."""
+    """``window``."""
 
     side: Side
     at: Place = 0.0
@@ -148,7 +148,7 @@ class WindowTable(Conditional):
 
 
 class PutTable(Conditional):
-    """``[[put]]``: a prop, or a piece of the set, once or in rows, free, against a side, or on or by another."""
+    """``put``: a prop, or a piece of the set, once or in rows, free, against a side, or on or by another."""
 
     prop: Prop | tuple[Prop, ...] = ()
     piece: Identifier | tuple[Identifier, ...] = ()
@@ -174,7 +174,7 @@ class PutTable(Conditional):
     @model_validator(mode="after")
     def _one_thing(self) -> PutTable:
         if bool(self.prop) == bool(self.piece):
-            raise ValueError("a [[put]] needs either prop or piece")
+            raise ValueError("this needs either prop or piece")
         if self.hang is not None and not self.prop:
             raise ValueError("only a prop can hang")
         if sum(word is not None for word in (self.side, self.on, self.by, self.hang)) > 1:
@@ -183,7 +183,7 @@ class PutTable(Conditional):
 
 
 class SlabTable(Conditional):
-    """``[[slab]]``: a rectangle of another ground, a road, a rug of tiles, a stage."""
+    """``slab``: a rectangle of another ground, a road, a rug of tiles, a stage."""
 
     role: Literal["floor", "ground", "ceiling", "patch", "block"] = "patch"
     box: tuple[Term, Term, Term, Term]
@@ -194,7 +194,7 @@ class SlabTable(Conditional):
 
 
 class ScatterTable(Conditional):
-    """``[[scatter]]``: planting."""
+    """``scatter``: planting."""
 
     pieces: tuple[Identifier, ...]
     count: int
@@ -212,7 +212,7 @@ class ScatterTable(Conditional):
 
 
 class BackdropTable(Conditional):
-    """``[[backdrop]]``: what closes the horizon, all around or between two azimuths; 0 is +Y, counter-clockwise."""
+    """``backdrop``: what closes the horizon, all around or between two azimuths; 0 is +Y, counter-clockwise."""
 
     kind: Backdrop
     radius: float = 70.0
@@ -223,7 +223,7 @@ class BackdropTable(Conditional):
 
 
 class LampTable(Conditional):
-    """``[[lamp]]``: light without a prop."""
+    """``lamp``: light without a prop."""
 
     name: Identifier = "lamp"
     x: Place = 0.0
@@ -240,7 +240,7 @@ class LampTable(Conditional):
 
 
 class MarkTable(Conditional):
-    """``[[mark]]``: where somebody enters, stands or waits."""
+    """``mark``: where somebody enters, stands or waits."""
 
     name: Identifier
     x: Term = 0.0
@@ -250,17 +250,15 @@ class MarkTable(Conditional):
 
 
 class HookTable(Conditional):
-    """``[[hook]]``: code of ``hooks.py`` draws what no table says."""
+    """``hook``: code of ``hooks.py`` draws what no table says."""
 
     name: Annotated[str, AfterValidator(_known_hook)]
     give: dict[str, ParamValue] = Field(default={}, alias="with")
 
 
-class KitBody(Frozen):
-    """The tables of a kit file."""
+class PlanTable(Frozen):
+    """``[plan]``: lists of what is there, a line each."""
 
-    shell: ShellTable | None = None
-    ground: GroundTable | None = None
     door: tuple[DoorTable, ...] = ()
     window: tuple[WindowTable, ...] = ()
     slab: tuple[SlabTable, ...] = ()
@@ -272,15 +270,27 @@ class KitBody(Frozen):
     hook: tuple[HookTable, ...] = ()
 
     @model_validator(mode="after")
+    def _known_neighbours(self) -> PlanTable:
+        known: set[str] = set()
+        for number, item in enumerate(self.put, 1):
+            for name in (item.on, item.by):
+                if name is not None and name not in known:
+                    raise ValueError(f"put {number} is on or by {name!r}, which nothing before it has as its id")
+            known |= {item.id} if item.id else set()
+        return self
+
+
+class KitBody(Frozen):
+    """The tables of a kit file."""
+
+    shell: ShellTable | None = None
+    ground: GroundTable | None = None
+    plan: PlanTable = PlanTable()
+
+    @model_validator(mode="after")
     def _shell_or_ground(self) -> KitBody:
         if (self.shell is None) == (self.ground is None):
             raise ValueError("a kit needs [shell] where it is indoors, else [ground]")
         if self.shell is not None and (self.shell.wall is None or self.shell.floor is None):
             raise ValueError("[shell] needs wall and floor")
-        known: set[str] = set()
-        for item in self.put:
-            for name in (item.on, item.by):
-                if name is not None and name not in known:
-                    raise ValueError(f"a [[put]] is on or by {name!r}, which no [[put]] before it has as its id")
-            known |= {item.id} if item.id else set()
         return self

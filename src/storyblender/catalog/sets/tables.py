@@ -21,6 +21,7 @@ from storyblender.catalog.sets.kit_file import (
     KitBody,
     LampTable,
     Place,
+    PlanTable,
     PutTable,
     Row,
     ScatterTable,
@@ -87,22 +88,23 @@ class _Tables:
 
     def draw(self, body: KitBody) -> SetPlan:
         """Draw all tables and return the plan."""
+        plan = body.plan
         if isinstance(self.drawing, Room):
-            self._openings(self.drawing, body)
-        for slab in filter(self._holds, body.slab):
+            self._openings(self.drawing, plan)
+        for slab in filter(self._holds, plan.slab):
             x0, y0, x1, y1 = (self._value(term) for term in slab.box)
             self.drawing.slab(slab.role, rectangle(x0, y0, x1, y1), slab.material,
                               z=self._value(slab.z), thickness=slab.thickness, wet=slab.wet)  # fmt: skip
-        for put in filter(self._holds, body.put):
+        for put in filter(self._holds, plan.put):
             self._put(put)
         if isinstance(self.drawing, Ground):
-            self._outdoors(self.drawing, body)
-        for lamp in filter(self._holds, body.lamp):
+            self._outdoors(self.drawing, plan, body.ground)
+        for lamp in filter(self._holds, plan.lamp):
             self._lamp(lamp)
-        for mark in filter(self._holds, body.mark):
+        for mark in filter(self._holds, plan.mark):
             x, y, yaw = (self._value(term) for term in (mark.x, mark.y, mark.yaw))
             self.drawing.mark(mark.name, x, y, yaw, *mark.tags)
-        for hook in filter(self._holds, body.hook):
+        for hook in filter(self._holds, plan.hook):
             HOOKS[hook.name](self.drawing, hook.give)
         return self.drawing.finish()
 
@@ -119,28 +121,30 @@ class _Tables:
         if not isinstance(place, Row):
             return [self._value(place)]
         start, end = self._value(place.start), self._value(place.end)
-        count = place.count if place.every is None else 1 + math.floor(max(0.0, end - start) / place.every + 1e-6)
-        if place.every is not None:  # the row stays in the middle of its span
+        if place.every is None:
+            count = place.count or 1
+        else:  # the row stays in the middle of its span
+            count = 1 + math.floor(max(0.0, end - start) / place.every + 1e-6)
             slack = (end - start - (count - 1) * place.every) / 2
             start, end = start + slack, end - slack
         return [round(float(value), 4) for value in np.linspace(start, end, count)]
 
-    def _openings(self, room: Room, body: KitBody) -> None:
-        for door in filter(self._holds, body.door):
+    def _openings(self, room: Room, plan: PlanTable) -> None:
+        for door in filter(self._holds, plan.door):
             room.door(door.side, self._value(door.at), width=door.width, height=door.height, style=door.style,
                       state=door.state, name=door.name, tags=door.tags)  # fmt: skip
-        for window in filter(self._holds, body.window):
+        for window in filter(self._holds, plan.window):
             for at in self._values(window.at):
                 room.window(window.side, at, width=window.width, height=window.height, sill=window.sill,
                             style=window.style, mark=window.mark)  # fmt: skip
 
-    def _outdoors(self, ground: Ground, body: KitBody) -> None:
-        for table in filter(self._holds, body.scatter):
-            self._scatter(ground, table)
-        for card in filter(self._holds, body.backdrop):
+    def _outdoors(self, ground: Ground, plan: PlanTable, table: GroundTable | None) -> None:
+        for planting in filter(self._holds, plan.scatter):
+            self._scatter(ground, planting)
+        for card in filter(self._holds, plan.backdrop):
             ground.ring(card.kind, card.radius, card.top, bottom=card.bottom, azimuths=card.between, sides=card.sides)
         ground.mark("centre", 0.0, 0.0, 0.0, "centre")
-        ways = body.ground.entrances if body.ground else ()
+        ways = table.entrances if table else ()
         x, y = ground.half_x - 0.5, ground.half_y - 0.5
         for side, spot in (("left", (-x, 0.0, 90.0)), ("right", (x, 0.0, 270.0)), ("back", (0.0, y, 0.0))):
             if side in ways:

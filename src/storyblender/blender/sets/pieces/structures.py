@@ -26,7 +26,8 @@ def column(builder: MeshBuilder, spec: PieceSpec) -> None:
     elif style == "square":
         builder.box(skin, (0, 0, height / 2), (width, width, height), bevel=0.02)
         for z in (0.35, 1.15):
-            builder.box(finish("paint_yellow" if z < 1 else "paint_black"), (0, 0, z), (width + 0.01, width + 0.01, 0.3))
+            band = finish("paint_yellow" if z < 1 else "paint_black")
+            builder.box(band, (0, 0, z), (width + 0.01, width + 0.01, 0.3))
     elif style == "girder":
         for y in (-width / 2, width / 2):
             builder.box(skin, (0, y, height / 2), (width, 0.025, height))
