@@ -182,7 +182,7 @@ class AssetStore:
                 told = canonical.params.get("told") is True
                 return build_from_file(path, asset.dimension, folder=self._models, name=asset.name, told=told)
             case _:
-                return build_stand_in(asset.name or asset.asset_id, canonical.key, seed, asset.dimension)
+                return build_stand_in(canonical.key, asset.dimension)
 
     def _model_path(self, name: str, content: str) -> Path:
         """Return the file of a user's model; in the folder and with the content decided on."""

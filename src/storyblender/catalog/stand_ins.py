@@ -1,4 +1,4 @@
-"""Stand-ins: for what the library cannot make, an honest labelled shape of about the right size. Pure data.
+"""Stand-ins: for what nothing in the catalog is near, the plainest thing of its class and size. Pure data.
 
 A class is found by the words of its list (exact head nouns first), or by likeness of meaning to them.
 """
@@ -26,12 +26,22 @@ class StandIn(Frozen):
     """Width, depth, height in metres of an average one."""
     material: Identifier
     holdable: bool = False
+    prop: Identifier | None = None
+    """The prop of the catalog that is built for the class; without one its plain shape is."""
 
 
-def _class(key: str, shape: Shape, size: Vec3, material: str, words: str, holdable: bool = False) -> StandIn:
-    tags = tuple(word.strip() for word in words.split(","))
+def _class(
+    key: str, shape: Shape, size: Vec3, material: str, words: str, holdable: bool = False, prop: str | None = None
+) -> StandIn:
     return StandIn(
-        key=key, name=key.replace("_", " "), tags=tags, shape=shape, size=size, material=material, holdable=holdable
+        key=key,
+        name=key.replace("_", " "),
+        tags=tuple(word.strip() for word in words.split(",")),
+        shape=shape,
+        size=size,
+        material=material,
+        holdable=holdable,
+        prop=prop,
     )
 
 
@@ -74,6 +84,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "toothbrush, paint brush, paintbrush, pointer, ruler, flute, recorder, clarinet, oboe, lever, "
             "boathook",
             True,
+            prop="cane",
         ),
         _class(
             "vessel",
@@ -85,6 +96,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "stockpot, saucepan, colander, spittoon, crucible, test tube, petri dish, ice bucket, candle jar, "
             "tea caddy, shaker",
             True,
+            prop="jug",
         ),
         _class(
             "sheet",
@@ -95,6 +107,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "handkerchief, rag, tissue, menu, bill, check, receipt, x-ray, photostat, sticker, quilt, sail, "
             "canvas, palette, cutting board, tape, towel rail, placard, plank of wood, pillowcase, curtain",
             True,
+            prop="letter",
         ),
         _class(
             "round_thing",
@@ -105,6 +118,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "potato, lemon, orange, tomato, cabbage, turnip, tangerine, coconut, watermelon, beach ball, drum, "
             "tambourine, gong, wheel, tyre, hoop, wreath, garland, cushion",
             True,
+            prop="ball",
         ),
         _class(
             "food",
@@ -115,6 +129,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "pasta, rice, sauce, meat, roast, steak, stew, porridge, toast, dough, bun, roll, broth, noodles, "
             "bacon, sausage, lobster, cabbage, lettuce, leek, candyfloss, ice cream, popcorn, crust",
             True,
+            prop="plate",
         ),
         _class(
             "garment",
@@ -126,6 +141,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "shawl, veil, hat box, saddle, saddlebag, holster, glove, boot, shoe, parka, parcel, bundle, "
             "bandage roll",
             True,
+            prop="folded_clothes",
         ),
         _class(
             "furnishing",
@@ -136,6 +152,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "rack, ironing board, treadmill, barbell, trough, water trough, trestle, podium, box, locker, "
             "playpen, platform bed, mattress, hammock, spinning wheel, loom, anvil, grindstone, bench press, "
             "hitching post, workstation, bathtub, barrel organ, pushcart, jury box, dollhouse",
+            prop="cabinet",
         ),
         _class(
             "appliance",
@@ -145,6 +162,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "appliance, washing machine, dryer, dishwasher, heater, generator, printer, copier, robot, engine, "
             "water cooler, oven, freezer, jukebox, photocopier, vending machine, stove, mainframe, fish tank, "
             "aquarium, incubator, satellite dish, aerial, antenna",
+            prop="fridge",
         ),
         _class(
             "machine",
@@ -152,6 +170,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (1.8, 1.2, 1.7),
             "paint",
             "machine, press, loom, lathe, turbine, reactor, forklift, printing press, time machine, portal",
+            prop="reactor",
         ),
         _class(
             "pillar",
@@ -160,6 +179,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             "concrete",
             "pillar, column, post, totem, obelisk, chimney, pipe, tank, silo, boiler, fountain, well, "
             "hitching post, flagpole, mast, pole, lamp post, streetlight, periscope mast",
+            prop="standing_stone",
         ),
         _class(
             "monument",
@@ -167,6 +187,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (1.2, 1.2, 2.6),
             "rock",
             "monument, dragon statue, tomb, gravestone, tombstone, shrine, idol, pyramid, tent, teepee, pile, heap",
+            prop="statue",
         ),
         _class(
             "creature",
@@ -174,6 +195,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (0.7, 1.8, 1.2),
             "leather",
             "creature, beast, monster, dragon, lion, tiger, bear, cow, elephant, wolf, deer, camel, pig, goat, sheep",
+            prop="dog",
         ),
         _class(
             "small_creature",
@@ -181,6 +203,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (0.18, 0.35, 0.2),
             "leather",
             "rat, mouse, rabbit, snake, frog, turtle, squirrel, spider, insect, monkey, hamster, lizard, chicken",
+            prop="mouse",
         ),
         _class(
             "vehicle",
@@ -188,6 +211,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (1.9, 4.6, 1.7),
             "paint",
             "vehicle, tractor, tank, ambulance, limousine, jeep, carriage, wagon, sled, sleigh, chariot, buggy",
+            prop="car",
         ),
         _class(
             "large_vehicle",
@@ -195,6 +219,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (2.6, 10.0, 3.2),
             "paint",
             "bus, train, tram, locomotive, lorry, coach, submarine, fire engine, carriage car, trailer, hovercraft",
+            prop="bus",
         ),
         _class(
             "craft",
@@ -202,6 +227,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (5.0, 8.0, 4.0),
             "steel",
             "spaceship, spacecraft, rocket, ufo, shuttle, helicopter, aircraft, airship, ship, yacht, satellite",
+            prop="airliner",
         ),
         _class(
             "building",
@@ -216,6 +242,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (2.4, 0.15, 1.1),
             "sheet_metal",
             "barrier, wall, fence, gate, railing, barricade, hedge, screen, net, goal, billboard",
+            prop="fence_panel",
         ),
     ),
 )

@@ -16,6 +16,7 @@ from storyblender.agents.layout_artist.dimension_estimator import (
     knows_size,
     tells_size,
 )
+from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.errors import EngineError
@@ -137,6 +138,12 @@ class ConceptArtist:
             fallback=self._generator,
             listener=self._run.tell,
         ).draft
+        if recipe.score < RETRIEVAL_THRESHOLD:
+            name = PROPS[recipe.key].name if recipe.source == "catalog" else recipe.key.replace("_", " ")
+            message = (
+                f"the library has no {asset.name or asset.asset_id}; the {name} stands in for it ({recipe.reason})"
+            )
+            self._run.tell(Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message))
         return asset.model_copy(update={"canonical": recipe.canonical()})
 
     def _request(self, asset: Asset) -> AssetRequest:

@@ -1,7 +1,9 @@
-"""The Asset Generator, without a service: a labelled stand-in of plausible shape and size.
+"""The Asset Generator, without a service: what stands in for a thing that the library does not have.
 
-Omega hands over to it where the Retriever found nothing that fits. With an image-to-3D provider a language crew puts
-its own policy here; this one always ends, so a run never stops for want of a model.
+Omega hands over to it where the Retriever found nothing that fits. It takes the nearest prop of the catalog: by the
+noun's kind, by the head of the phrase, by likeness of meaning; and only where nothing is near a plain shape. A
+language crew with an image-to-3D provider puts its own policy here; this one always ends, so no run stops for want of a
+model.
 """
 
 from __future__ import annotations
@@ -12,35 +14,66 @@ from functools import cached_property
 import numpy as np
 
 from storyblender.agents.concept_artist.recipe import AssetRequest, Recipe
+from storyblender.agents.concept_artist.retriever import noun_words
+from storyblender.catalog.kinds import near_kind
+from storyblender.catalog.props import PROPS, PropEntry
+from storyblender.catalog.props.called import called
+from storyblender.catalog.props.variants import read_variant
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS, StandIn, guess_class
 from storyblender.ports import Embedder
 from storyblender.reflection import Critique
 
+CLOSE, LIKE, PLAIN = 6.0, 4.5, 3.0
+"""Match scores: a prop of a close kind, one that is like it in meaning, a plain shape. None is the thing itself."""
+ALIKE = 0.5
+"""Least cosine for a prop to stand in by likeness of meaning; a creature or a vehicle takes the nearest of all."""
 SURE = 0.5
-"""Least cosine for a class to be taken by likeness of meaning."""
+"""Least cosine for a class of shapes to be taken by likeness of meaning."""
 _OF_KIND: dict[str, str] = {"set_piece": "furnishing", "vehicle": "vehicle", "animal": "creature"}
 """Kind of thing -> its class where nothing else is known; everything else is a small thing."""
-HONEST = 3.0
-"""Match score of every stand-in: it is labelled, and it is not the thing."""
 
 
 class Generator:
     """The policy that makes something of a thing that the library does not have.
 
     Args:
-        embedder: Likeness of meaning, for words that no class lists.
+        embedder: Likeness of meaning, for words that no table lists.
     """
 
     def __init__(self, embedder: Callable[[], Embedder]) -> None:
         self._load = embedder
 
     def propose(self, view: AssetRequest) -> Recipe:
-        """Return a stand-in of the class that the thing's words or their meaning say."""
-        kind = next(iter(view.asset.tags), "")
-        moving = [entry for entry in STAND_INS.values() if _suits(entry, kind)] if kind in ("vehicle", "animal") else []
-        known = guess_class(view.phrase, moving)
+        """Return the nearest prop of the catalog, or a plain shape of the class that the thing's words say."""
+        words, kind = noun_words(view.phrase), next(iter(view.asset.tags), "")
+        found = near_kind(words)
+        if found is not None:
+            return _prop(view, found[0], CLOSE, f"of a kind with {found[1]!r}")
+        head = called(" ".join(words))
+        if head is not None:
+            return _prop(view, head.key, CLOSE, f"a kind of {head.name}")
+        return self._by_meaning(view, kind) or self._shape(view, kind)
+
+    def refine(self, draft: Recipe, critique: Critique, view: AssetRequest) -> Recipe:
+        """Return the draft: a stand-in cannot be improved by criticism."""
+        return draft
+
+    def _by_meaning(self, view: AssetRequest, kind: str) -> Recipe | None:
+        """Return the prop of the thing's kind whose name means most nearly the same, if it is near enough."""
+        entries, vectors = self._props
+        query = self._model.embed([" ".join(noun_words(view.phrase)) or view.phrase])[0]
+        likeness = vectors @ query - [2.0 * (not _suitable(PROPS[key], kind)) for key, _ in entries]
+        best = int(np.argmax(likeness))
+        (key, name), cosine = entries[best], float(likeness[best])
+        if cosine < ALIKE and kind not in ("animal", "vehicle"):
+            return None
+        return _prop(view, key, LIKE, f"like {name!r} ({cosine:.2f})")
+
+    def _shape(self, view: AssetRequest, kind: str) -> Recipe:
+        """Return a plain shape of the size that the thing's class has."""
+        known = guess_class(view.phrase)
         if known is not None:
-            return Recipe(source="stand_in", key=known.key, score=HONEST, reason=f"a kind of {known.name}")
+            return _plain(view, known, f"a kind of {known.name}")
         query = self._model.embed([view.phrase])[0]
         words, vectors = self._words
         likeness = vectors @ query - [not _suits(STAND_INS[key], kind) for key, _ in words]
@@ -48,20 +81,45 @@ class Generator:
         cosine = float(likeness[best])
         key = words[best][0] if cosine >= SURE else _OF_KIND.get(kind, DEFAULT)
         reason = f"like {words[best][1]!r} ({cosine:.2f})" if cosine >= SURE else "nothing is known about it"
-        return Recipe(source="stand_in", key=key, score=HONEST, reason=reason)
-
-    def refine(self, draft: Recipe, critique: Critique, view: AssetRequest) -> Recipe:
-        """Return the draft: a stand-in cannot be improved by criticism."""
-        return draft
+        return _plain(view, STAND_INS[key], reason)
 
     @cached_property
     def _model(self) -> Embedder:
         return self._load()
 
     @cached_property
+    def _props(self) -> tuple[list[tuple[str, str]], np.ndarray]:
+        names = [(entry.key, name) for entry in PROPS.values() for name in (entry.name, *entry.tags)]
+        return names, self._model.embed([name for _, name in names])
+
+    @cached_property
     def _words(self) -> tuple[list[tuple[str, str]], np.ndarray]:
         words = [(entry.key, tag) for entry in STAND_INS.values() for tag in entry.tags]
         return words, self._model.embed([tag for _, tag in words])
+
+
+def _prop(view: AssetRequest, key: str, score: float, reason: str) -> Recipe:
+    """Return a prop of the catalog in the colour, material and state that the script tells."""
+    params = read_variant(PROPS[key], f"{view.phrase} {view.asset.description} {view.weather}")
+    return Recipe(source="catalog", key=key, params=params, score=score, reason=reason)
+
+
+def _plain(view: AssetRequest, entry: StandIn, reason: str) -> Recipe:
+    """Return what is built for a class of things: its prop, or its shape."""
+    if entry.prop is not None:
+        return _prop(view, entry.prop, PLAIN, reason)
+    return Recipe(source="stand_in", key=entry.key, score=PLAIN, reason=reason)
+
+
+def _suitable(entry: PropEntry, kind: str) -> bool:
+    """Tell whether a prop can stand in for one of the script's kinds of things: no lion for a dandelion clock."""
+    match kind:
+        case "animal" | "vehicle":
+            return entry.category == kind
+        case "prop":
+            return entry.holdable or entry.placement == "surface"
+        case _:
+            return entry.category != "animal"
 
 
 def _suits(entry: StandIn, kind: str) -> bool:

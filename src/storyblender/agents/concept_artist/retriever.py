@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import PurePath
 
 import numpy as np
 
 from storyblender.agents.concept_artist.file_names import words_of_file
 from storyblender.agents.concept_artist.recipe import AssetRequest, ModelFile, Recipe
+from storyblender.catalog.kinds import near_kind
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import COLORS, MATERIALS, PLAIN, TOY_WORDS, read_variant, singular, words_of
 from storyblender.catalog.stand_ins import STAND_INS
@@ -82,7 +83,8 @@ class Retriever:
         phrase, theirs = view.phrase, _model_terms(view.models)
         matches, models = _by_words(phrase, CATALOG_TERMS), _models_by_words(phrase, view.models, theirs)
         if all(match.score < HEAD for match in matches + models):
-            matches = self._with_likely(matches, view, CATALOG_TERMS)
+            if near_kind(noun_words(phrase)) is None:
+                matches = self._with_likely(matches, view, _suitable_terms(view))
             models = self._with_likely(models, view, theirs)
         contents = {model.path: model.content for model in view.models}
         files = [
@@ -153,6 +155,22 @@ def _terms() -> Iterator[_Term]:
 
 
 CATALOG_TERMS: tuple[_Term, ...] = tuple(_terms())
+
+
+@cache
+def _terms_of(category: str) -> tuple[_Term, ...]:
+    return tuple(term for term in CATALOG_TERMS if PROPS[term.key].category == category)
+
+
+def _suitable_terms(view: AssetRequest) -> tuple[_Term, ...]:
+    """Return the names that a thing may mean: of an animal or a vehicle only those of animals or vehicles."""
+    kind = next(iter(view.asset.tags), "")
+    return _terms_of(kind) if kind in ("animal", "vehicle") else CATALOG_TERMS
+
+
+def noun_words(phrase: str) -> list[str]:
+    """Return the words of a phrase that name the thing, its head last, without colours, sizes and materials."""
+    return _thing(_kept(words_of(phrase)))
 
 
 def _kept(words: list[str]) -> list[str]:

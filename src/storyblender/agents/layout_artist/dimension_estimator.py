@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD
 from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import TOY_WORDS
@@ -193,6 +194,8 @@ def _estimated(asset: Asset) -> AssetDimension:
             value = _TOY
         elif carried and entry.surface is Surface.FOLIAGE:
             value = min(value, _IN_ARMS)
+        elif carried and not entry.holdable and (asset.canonical.match_score or 10.0) < RETRIEVAL_THRESHOLD:
+            value = min(value, _IN_HAND)
         elif entry.category == "furniture":
             scale **= _FURNITURE
     elif asset.canonical is not None and asset.canonical.source == "stand_in":

@@ -5,6 +5,7 @@ import pytest
 from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
+from storyblender.catalog.kinds import kinds
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.library.embedder import load_embedder
@@ -156,18 +157,18 @@ def test_the_generator_takes_over(embedder, retriever):
         threshold=RETRIEVAL_THRESHOLD, horizon=1, fallback=Generator(lambda: embedder),
     )  # fmt: skip
     assert outcome.handed_over
-    assert (outcome.draft.source, outcome.draft.key) == ("stand_in", "monument")
+    assert (outcome.draft.source, outcome.draft.key) == ("catalog", "statue")
     assert outcome.draft.canonical().match_score < RETRIEVAL_THRESHOLD
 
 
 @pytest.mark.parametrize(
     ("name", "kind", "key"),
     [
-        ("frobnicator", "set_piece", "furnishing"),
+        ("frobnicator", "set_piece", "cabinet"),
         ("frobnicator", "prop", "small_thing"),
-        ("frobnicator", "animal", "creature"),
-        ("papaya", "prop", "round_thing"),
-        ("tank", "vehicle", "vehicle"),
+        ("papaya", "prop", "apple"),
+        ("fire engine", "vehicle", "truck"),
+        ("robot dog", "animal", "dog"),
     ],
 )
 def test_an_unknown_thing_is_of_its_kind(embedder, name, kind, key):
@@ -175,9 +176,24 @@ def test_an_unknown_thing_is_of_its_kind(embedder, name, kind, key):
     assert Generator(lambda: embedder).propose(AssetRequest(asset=asset)).key == key
 
 
-def test_an_unlisted_word_gets_the_class_it_is_most_like(embedder):
-    recipe = Generator(lambda: embedder).propose(request("starship"))
-    assert recipe.key == "craft"
+@pytest.mark.parametrize("kind", ["animal", "vehicle"])
+def test_an_unknown_creature_or_vehicle_is_always_one(embedder, kind):
+    asset = Asset(asset_id="it", asset_type="object", description="", name="frobnicator", tags=(kind,))
+    recipe = Generator(lambda: embedder).propose(AssetRequest(asset=asset))
+    assert PROPS[recipe.key].category == kind
+
+
+def test_a_stand_in_has_the_colour_that_is_told():
+    asset = Asset(asset_id="it", asset_type="object", description="green velvet chaise longue", name="chaise longue")
+    recipe = Generator(no_model).propose(AssetRequest(asset=asset))
+    assert recipe.key == "armchair" and recipe.params["color"] == "#3c6a42"
+
+
+def test_every_listed_kind_is_a_prop_and_no_name_of_the_catalog():
+    nouns = kinds()
+    assert set(nouns.values()) <= set(PROPS)
+    named = [noun for noun in nouns if (entry := PROPS.get("_".join(noun))) is not None and entry.key != nouns[noun]]
+    assert not named
 
 
 @pytest.mark.parametrize(
