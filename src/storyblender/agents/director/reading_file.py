@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import json
 import re
+from bisect import bisect_right
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, get_args
 
@@ -92,7 +94,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         InputError: The file is no reading, or is one of other words; the sentence names the unit and the field.
     """
     file = _parsed(path)
-    if file.script != _digest(screenplay):
+    if not _is_of(file, screenplay):
         mend = "write a new one with `storyblender plan SCRIPT --write-reading FILE`"
         raise InputError("is a reading of other words than this script's", mend=mend, path=path)
     _check_units(file, screenplay, path)
@@ -102,7 +104,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         people=list(file.people),
         things=list(file.things),
         scenes=[written.scene for written in file.scenes],
-        units=[written.unit for written in file.units],
+        units=[replace(written.unit, element=_element_at(written.unit.start, screenplay)) for written in file.units],
         relations=[(index, relation) for index, written in enumerate(file.scenes) for relation in written.relations],
         flags=list(file.flags),
     )
@@ -114,11 +116,21 @@ def is_reading_of(path: Path, screenplay: Screenplay) -> bool:
     Raises:
         InputError: The file is no reading.
     """
-    return _parsed(path).script == _digest(screenplay)
+    return _is_of(_parsed(path), screenplay)
 
 
 def _digest(screenplay: Screenplay) -> str:
-    return content_hash(screenplay.text, screenplay.format)
+    return content_hash(screenplay.text)
+
+
+def _is_of(file: ReadingFile, screenplay: Screenplay) -> bool:
+    """Whether a file is a reading of these words; early versions counted the format in."""
+    return file.script in (_digest(screenplay), content_hash(screenplay.text, screenplay.format))
+
+
+def _element_at(start: int, screenplay: Screenplay) -> int:
+    """Return the index of the element that a character belongs to: a later version may cut the page otherwise."""
+    return max(bisect_right(screenplay.elements, start, key=lambda element: element.start) - 1, 0)
 
 
 def _parsed(path: Path) -> ReadingFile:
@@ -155,16 +167,12 @@ def _check_units(file: ReadingFile, screenplay: Screenplay, path: Path) -> None:
             fault = f"has the number {written.number}"
         elif not 0 <= unit.scene < len(file.scenes):
             fault = f"is in scene {unit.scene}, and scenes count from 0 to {len(file.scenes) - 1}"
-        elif not 0 <= unit.element < len(screenplay.elements):
-            fault = f"is of element {unit.element}, which the script does not have"
         elif not end <= unit.start < unit.end <= len(screenplay.text):
             fault = f"covers the characters {unit.start} to {unit.end}, which are not after those of the unit before"
         elif not _said_in(unit.text, screenplay.text[unit.start : unit.end]):
             fault = "does not have the script's own words"
         if fault:
-            raise InputError(
-                f"unit {number} {fault}", mend="keep number, scene, element, start, end and text", path=path
-            )
+            raise InputError(f"unit {number} {fault}", mend="keep number, start, end and text", path=path)
         end = unit.start
 
 
