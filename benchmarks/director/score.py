@@ -171,7 +171,8 @@ class Scorer:
         return self.counts
 
     def _cast(self) -> None:
-        seen = {person for unit in self.reading.units for person in unit.on_stage}
+        crowds = {p.id for p in self.reading.people if p.count > 1 and bare(p.name) not in self.gold.cast}
+        seen = {person for unit in self.reading.units for person in unit.on_stage} - crowds
         self.counts["cast"].add(set(self.gold.cast.values()), [self.people[id] for id in sorted(seen)])
 
     def _scenes(self) -> None:

@@ -160,7 +160,9 @@ SOUNDS = _pairs(_nouns["sound"])
 # -- people ------------------------------------------------------------------------------------------------------
 MALE_NOUNS, FEMALE_NOUNS = frozenset(_people["male"]), frozenset(_people["female"])
 ANIMALS = frozenset(_people["animal"])
-PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS | _wordnet["person"]
+COMMON_PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS
+"""Nouns for people of the hand-made lists: nothing else goes by them."""
+PERSON_NOUNS = COMMON_PERSON_NOUNS | _wordnet["person"]
 RARE_PERSON_NOUNS = _wordnet["person"]
 """Of the large list: after a title rather a surname."""
 YOUNG_NOUNS = frozenset(_people["young"])

@@ -109,3 +109,20 @@ def test_a_capital_alone_names_nobody(line: str) -> None:
 def test_a_writer_who_says_i_tells_no_story() -> None:
     story = "I should like to record that Nora waited. She sat down. I think it is my best chapter.\n"
     assert [*told(story)] == ["nora"]
+
+
+@pytest.mark.parametrize(
+    ("action", "who"),
+    [
+        ("A waitress brings OTTO (50) the soup.", {"otto", "waitress"}),
+        ("At the bar sits a tall sailor. OTTO (50) nods.", {"otto", "sailor"}),
+        ("Two guards drag OTTO (50) in.", {"otto", "guard"}),
+        ("OTTO (50) waits. Nadia opens the window.", {"otto", "nadia"}),
+        ("The bartender pours OTTO (50) a drink.", {"otto", "bartender"}),
+        ("OTTO (50) sits in the witness stand like a judge.", {"otto"}),
+        ("A bride, SELMA (27), kisses OTTO (50).", {"otto", "selma"}),
+        ('OTTO (50) hangs up a sign: "HAPPY BIRTHDAY ANNA". A CRASH, a SCREAM.', {"otto"}),
+    ],
+)
+def test_walk_ons_who_do_something_are_cast(read_scene: Read, action: str, who: set[str]) -> None:
+    assert {person.id for person in read_scene(action).people} == who

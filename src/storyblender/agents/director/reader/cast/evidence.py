@@ -6,21 +6,23 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import unaccented
-from storyblender.agents.director.reader.language.morphology import form_kind, singular
+from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.text_index import TextIndex
 
 _REACH = 40
 """Characters before a name, and after it, that are read."""
 _KNOWN = lexicon.FIRST_NAMES | lexicon.TITLES | lexicon.KIN
 _DETERMINED = re.compile(
-    rf"\b(?:{'|'.join(sorted(lexicon.DETERMINERS | lexicon.POSSESSIVES))})\s+(?:([a-z-]+)\s+)?$", re.IGNORECASE
+    rf"\b(?:(?:{'|'.join(sorted((lexicon.DETERMINERS | lexicon.POSSESSIVES) - {'that'}))})\s+|that\s+(?=[a-z]))"
+    r"(?:([a-z-]+)\s+)?$",
+    re.IGNORECASE,
 )
 """``that certain Messuage``, ``a Mortgage``."""
 _SAID = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.SPEECH_VERBS))}|said|asked|cried)\s+$")
 _AFTER = re.compile(r"(?:,\s+(?:who|with|in|an?|the|his|her)\b[^.;,]{0,30},)?\s+(?:[a-z]+ly\s+)?([a-z]+)")
 _OWNED = re.compile(r"['’]s\s+(?:[a-z]+\s+)?([a-z]+)")
 _AGED = re.compile(r"\s*[,(]\s*(?:aged?\s)?\d\d?\b")
-_OPENS = re.compile(r"(?:^|[.!?:;…”\"\n(\[—–-])\s*$")
+_OPENS = re.compile(r"(?:^|[.!?;…”\"\n(\[—–-])\s*$")
 
 
 def is_somebody(name: str, told: TextIndex) -> bool:
@@ -46,9 +48,11 @@ def is_somebody(name: str, told: TextIndex) -> bool:
 
 
 def _is_determined(before: str) -> bool:
-    """``a Mortgage``, ``that certain Messuage``, but not ``in the house Margaret Hale sat``."""
+    """``a Mortgage``, ``that certain Messuage``, but not ``in the house Margaret sat``, ``her son Pierre``."""
     left = _DETERMINED.search(before)
     between = left.group(1) if left else None
+    if between is not None and is_person_noun(singular(between)):
+        return False
     return left is not None and (between is None or lexicon.noun_class(singular(between)) == "unknown")
 
 

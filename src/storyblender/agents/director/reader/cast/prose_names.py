@@ -18,7 +18,7 @@ _WORDS = rf"[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
 _NAME = re.compile(
     rf"(?<![.!?—–:)(\]\[-]\s)(?<![.!?—–:)(\]\[-]\s\s)(?<![(\[\-_/<#])(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?{_WORDS}"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+(?: [{UPPER}][{LOWER}]+)*"
-    rf"|(?<=:\s)[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)+"
+    rf"|(?<=:\s)[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)+|(?<=:\s)[{UPPER}][{LOWER}]+(?=\.)"
     rf"|(?:(?<=[.!?:)\]]\s)|(?<=[.!?:)\]]\s\s)|(?<=[(\[])|^|(?<=\n)){_WORDS}(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
@@ -59,6 +59,8 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
         if first in lexicon.KIN and re.match(r" and ([a-z]+)", text[match.end() : match.end() + 9]):
             continue
         before = text[max(0, at - 30) : at].lower()
+        if before.endswith(": ") and " " not in name and not any(find_person_nouns(text[max(0, at - 60) : at])):
+            continue
         if _is_a_place(name):
             continue
         known = first.strip(".") in _KNOWN

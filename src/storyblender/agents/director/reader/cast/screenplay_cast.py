@@ -8,14 +8,14 @@ from dataclasses import dataclass
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
-from storyblender.agents.director.reader.cast.beasts import add_animals
 from storyblender.agents.director.reader.cast.by_names import also_known, nicknamed, tagged_name, worn_name
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.named_groups import name_groups
+from storyblender.agents.director.reader.cast.walk_ons import add_walk_ons
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.language.text_index import TextIndex
-from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
+from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_quotations
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
@@ -108,7 +108,7 @@ def find_cast(script: Manuscript) -> Roster:
     for paragraph in script.paragraphs:
         if paragraph.kind == "action":
             _named_later(roster, paragraph.raw)
-    add_animals(roster, script)
+    add_walk_ons(roster, script)
     call_by_nouns(roster, script.text)
     if not roster.people:
         _add_unnamed(roster, script)
@@ -130,7 +130,7 @@ def _in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> lis
         found.append(_Sighting(start + at, name, text[end : end + _FOLLOWING], nickname))
         pieces += [text[done:at], " " * (end - at)]
         done = end
-    text = "".join([*pieces, text[done:]])
+    text = without_quotations("".join([*pieces, text[done:]]))
     for match in _RUN.finditer(text):
         name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
         before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + _FOLLOWING]
@@ -172,11 +172,11 @@ def _is_person(name: str, before: str, after: str, cues: set[str], written: Text
         return True
     if _AGED.match(after) or _is_called_a_person(after) or (_told_before(before) and re.match(r"[,.;]| \(", after)):
         return True
-    if head in lexicon.PROPS | lexicon.SET_PIECES:
+    if head in lexicon.PROPS | lexicon.SET_PIECES or base.lower() in lexicon.NOT_PEOPLE or head in lexicon.SOUNDS:
         return False
     if {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES or _INTRODUCED.match(after):
         return True
-    if base.lower() in lexicon.NOT_PEOPLE or head in _THINGS:
+    if head in _THINGS:
         return False
     return _acts_like_a_person(base, before, after, written)
 
