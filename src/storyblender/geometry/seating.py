@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeVar
 
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec3
 
 PERCHES = (0.2, 0.95)
 """Metres: heights of what one sits on that is no seat: a parcel, a desk."""
+_ROW = 0.45
+"""Metres between the rows of seats of a vehicle."""
 _WIDE = 0.25
 """Metres across, at least, of what one sits on."""
 
@@ -27,3 +30,37 @@ def seats_of(anchors: Iterable[Anchor], dimensions: Vec3, *, asked: bool = False
     if seats or not asked or not fits or any(anchor.kind == "bed" for anchor in anchors):
         return seats
     return [Anchor(kind="seat", location=(0.0, -depth / 2, height), size=(width, depth))]
+
+
+_Seat = TypeVar("_Seat")
+
+
+def on_side(seats: Sequence[_Seat], side: str, ahead: Callable[[_Seat], tuple[float, float]]) -> list[_Seat]:
+    """Return the seats of a vehicle on the side that is told, all of them where it has none there.
+
+    Args:
+        seats: Of one vehicle.
+        side: ``driver`` and ``passenger`` sit in front, left and right of the middle; ``front``, ``rear`` or
+            ``back``, ``left`` and ``right`` are what they say, from the vehicle's own point of view.
+        ahead: Returns how far to the vehicle's own left and how far ahead of its middle a seat is, metres.
+    """
+    if not seats:
+        return []
+    foremost = max(ahead(seat)[1] for seat in seats)
+    rearmost = min(ahead(seat)[1] for seat in seats)
+    rows = foremost - rearmost > _ROW
+
+    def fits(seat: _Seat) -> bool:
+        left, on = ahead(seat)
+        in_front = not rows or foremost - on < _ROW
+        if side == "driver":
+            return in_front and left >= 0
+        if side == "passenger":
+            return in_front and left < 0
+        if side in ("rear", "back"):
+            return not in_front
+        if side == "front":
+            return in_front
+        return (left > 0) == (side == "left")
+
+    return [seat for seat in seats if fits(seat)] or list(seats)

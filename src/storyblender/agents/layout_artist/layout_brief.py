@@ -39,6 +39,8 @@ class LayoutBrief:
         company: Who stands with whom as the scene begins: companion to the one the script places.
         found: Postures of whom a later shot finds in their place without their having come: jurors, guests, guards.
         stations: What somebody is found at who does nothing there: the dock, the door.
+        props: Keys of the catalog by asset id: what things are.
+        deeds: What everybody does on the spot in the first shot they are in: motions, and the prop of each.
     """
 
     scene_id: int
@@ -57,6 +59,8 @@ class LayoutBrief:
     handlers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     company: Mapping[str, str] = field(default_factory=dict)
     stations: Mapping[str, str] = field(default_factory=dict)
+    props: Mapping[str, str] = field(default_factory=dict)
+    deeds: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:
@@ -137,7 +141,15 @@ def layout_brief(
         company=_company(graph, first) if first is not None else {},
         found=_found(shots),
         stations=_stations(shots),
+        props=props_of(graph.assets),
+        deeds=_deeds(shots, props_of(graph.assets)),
     )
+
+
+def props_of(assets: Iterable[Asset]) -> dict[str, str]:
+    """Return what things are, by asset id: the key of the prop they became."""
+    made = ((asset.asset_id, asset.canonical) for asset in assets)
+    return {asset_id: each.key for asset_id, each in made if each is not None and each.source == "catalog"}
 
 
 def _found(shots: Sequence[ShotContext]) -> tuple[BodyState, ...]:
@@ -161,6 +173,19 @@ def _stations(shots: Sequence[ShotContext]) -> dict[str, str]:
                 stations.setdefault(action.asset_id, action.target_id)
         seen |= {*shot.on_stage}
     return stations
+
+
+def _deeds(shots: Sequence[ShotContext], props: Mapping[str, str]) -> dict[str, tuple[tuple[str, str | None], ...]]:
+    """Return what everybody does before they go anywhere in the first shot that shows them."""
+    deeds: dict[str, tuple[tuple[str, str | None], ...]] = {}
+    for shot in shots:
+        done: dict[str, list[tuple[str, str | None]]] = {person: [] for person in shot.on_stage}
+        for action in shot.character_actions:
+            if clip_of(action.motion).speed is None and action.asset_id in done:
+                done[action.asset_id].append((action.motion, props.get(action.prop_id or action.target_id or "")))
+        for person, motions in done.items():
+            deeds.setdefault(person, tuple(motions))
+    return deeds
 
 
 def _company(graph: ContinuityMemoryGraph, first: ShotContext) -> dict[str, str]:

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief
 from storyblender.agents.layout_artist.layout_things import room_of, size_of, thing_of, walls_of, with_surfaces
+from storyblender.catalog.fixtures import Fixture, fixtures_called
+from storyblender.catalog.props.kin import kin_of, meant_by
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.lanes import blocks
 from storyblender.geometry.paths import Footprint, clearance
@@ -97,6 +99,27 @@ class Stage:
             return self.things[asset_id]
         shown = [thing for name, thing in self.things.items() if self.assets[name] == asset_id]
         return min(shown, key=lambda thing: math.dist((thing.box.x, thing.box.y), near), default=None)
+
+    def anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> Thing | None:
+        """Return what a name means to who is at it: the thing, one that stands for it, or a part of the set."""
+        near = near or self.middle
+        thing = self.find(asset_id, near)
+        if thing is not None or asset_id is None or asset_id in self.brief.pending:
+            return thing
+        prop = self.brief.props.get(asset_id)
+        kin = kin_of(prop) if prop is not None else meant_by(asset_id)
+        alike = [thing for name, thing in self.things.items() if self.brief.props.get(self.assets[name]) in kin]
+        if alike:
+            return min(alike, key=lambda thing: math.dist((thing.box.x, thing.box.y), near))
+        fixture = self.fixture(asset_id, near)
+        return Thing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
+
+    def fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
+        """Return the part of the set that a name means: the nearest of those that are meant equally."""
+        found = fixtures_called(self.brief.plan, name)
+        near = near or self.middle
+        sure = [fixture for fixture in found if fixture.kind == found[0].kind and fixture.tags == found[0].tags]
+        return min(sure, key=lambda each: math.dist((each.box.x, each.box.y), near), default=None)
 
     def box(self, asset_id: str, x: float, y: float, z: float = 0.0, yaw: float = 0.0) -> Box:
         """Return the box of an asset at a place; yaw in radians."""

@@ -3,35 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
-from storyblender.agents.layout_artist.layout_things import PERSON, anchors_of, seat_box
-from storyblender.agents.layout_artist.object_places import angles_of
+from storyblender.agents.layout_artist.people_seats import SEATED, sit
+from storyblender.agents.layout_artist.people_stations import Wanted, stand_at, wanted_by, work_place
 from storyblender.catalog.set_plan import PlanMark
-from storyblender.geometry.boxes import Box, facing, separation, wrapped
-from storyblender.geometry.relations import BEARING, Thing
-from storyblender.geometry.seating import seats_of
-from storyblender.memory.asset_sheet import Anchor
-from storyblender.memory.scene_context import Relation
+from storyblender.geometry.boxes import facing, separation, wrapped
+from storyblender.geometry.relations import Thing
 from storyblender.memory.shot_context import BodyState
 
 TALK = 1.15
 """Metres between people who talk."""
-_SEAT_FOOT = 0.32
-"""Metres: what begins higher lies on something, and nobody sits on it."""
-_STANDING = 0.15
-"""Metres from the middle of somebody who stands to the next thing, at least."""
-_SHOULDERS = 0.8
-"""Metres between people who stand side by side."""
 _CHEAT = math.radians(16)
 """How far a talker turns towards the audience."""
 _ALONE = 1.5
 """Metres between a person and a group they do not belong to."""
-_OPPOSITE, _ACROSS = ("facing", "in_front_of"), 1.6
-"""Relations of who sits opposite somebody, and how many metres ahead of them that is."""
 _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, -20.0)}
 """Degrees around the middle of a group, open to the audience."""
 
@@ -39,44 +27,56 @@ _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, 
 def place_people(stage: Stage) -> None:
     """Place everybody who is on stage at the start, then those whom a later shot finds at a place of their own."""
     states = {state.asset_id: state for state in stage.brief.states}
-    everybody = {*states, *(state.asset_id for state in stage.brief.found)}
-    stated = [relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in everybody]
-    settled = {relation.asset_id: relation for relation in stated}
-    relations = {each: relation for each, relation in settled.items() if each in states}
-    for state in sorted(states.values(), key=lambda state: state.asset_id in relations):
-        if state.posture in ("sit", "lie", "asleep"):
-            _sit(stage, state, relations.get(state.asset_id))
-    for state in states.values():
-        relation = relations.get(state.asset_id)
-        leaned_on = state.support_id if state.posture == "lean" else None
-        carried = relation is not None and stage.brief.placements.get(leaned_on or "") == "surface"
-        anchor = stage.find(None if carried else leaned_on)  # who leans on a stick by the boat is by the boat
-        anchor = anchor or (stage.find(relation.anchor_asset_id) if relation is not None else None)
-        if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
-            _stand_at(stage, state.asset_id, anchor, relation)
-        elif state.asset_id not in stage.things:
-            _stand_at_work(stage, state.asset_id, relation)
-    company = {**stage.brief.company, **{each: relation.anchor_asset_id for each, relation in relations.items()}}
-    for member in (each for each in states if each not in stage.things):
-        other = stage.things.get(company.get(member, ""))
-        if other is not None and other.walks:
-            _accompany(stage, member, other)
+    wishes = wanted_by(stage)
+    for state in sorted(states.values(), key=lambda state: state.asset_id in wishes):
+        if state.posture in SEATED:
+            _sit(stage, state, wishes.get(state.asset_id))
+    for state in (each for each in states.values() if each.asset_id not in stage.things):
+        _stand(stage, state, wishes.get(state.asset_id))
+    company = stage.brief.company
+    for member in sorted((each for each in states if each not in stage.things), key=lambda each: each not in wishes):
+        _stand_with(stage, member, wishes.get(member), company.get(member, ""))
     for members in _groups(stage, list(states)):
         _gather(stage, members)
     for state in stage.brief.found:
-        _find(stage, state, settled.get(state.asset_id))
+        _find(stage, state, wishes.get(state.asset_id))
     _look_at_each_other(stage)
 
 
-def _find(stage: Stage, state: BodyState, relation: Relation | None) -> None:
+def _stand(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+    """Stand at the thing or the part of the set that is told, at one's work, at the mark of one's trade."""
+    leaned_on = state.support_id if state.posture == "lean" else None
+    carried = wanted is not None and stage.brief.placements.get(leaned_on or "") == "surface"
+    anchor = stage.anchor(None if carried else leaned_on)  # who leans on a stick by the boat is by the boat
+    anchor = anchor or (stage.anchor(wanted.anchor) if wanted is not None else None)
+    anchor = anchor or work_place(stage, state)
+    if anchor is not None and not anchor.walks:
+        stand_at(stage, state.asset_id, anchor, wanted or Wanted())
+    elif wanted is None or wanted.anchor not in stage.assets.values():
+        _stand_at_work(stage, state.asset_id, wanted)
+
+
+def _stand_with(stage: Stage, member: str, wanted: Wanted | None, companion: str) -> None:
+    """Stand where the script says beside, behind or before somebody who stands already, else with a companion."""
+    told = stage.things.get(wanted.anchor or "") if wanted is not None else None
+    if wanted is not None and told is not None and told.walks:
+        if member not in stage.things:
+            stand_at(stage, member, told, wanted)
+        return
+    other = stage.things.get(companion)
+    if other is not None and other.walks and member not in stage.things:
+        _accompany(stage, member, other)
+
+
+def _find(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
     """Place who is there already when a later shot shows them: on a seat, at what the script says, at their trade."""
-    if state.posture in ("sit", "lie", "asleep"):
-        _sit(stage, state, relation)
-    if state.asset_id not in stage.things:
-        _stand_at_work(stage, state.asset_id, relation)
-    anchor = stage.find(relation.anchor_asset_id) if relation is not None else None
-    if state.asset_id not in stage.things and anchor is not None and not anchor.walks:
-        _stand_at(stage, state.asset_id, anchor, relation)
+    if state.posture in SEATED:
+        _sit(stage, state, wanted)
+    if state.asset_id not in stage.things and (wanted is None or not wanted.sure):
+        _stand_at_work(stage, state.asset_id, wanted)
+    anchor = stage.anchor(wanted.anchor) if wanted is not None else None
+    if state.asset_id not in stage.things and wanted is not None and anchor is not None and not anchor.walks:
+        stand_at(stage, state.asset_id, anchor, wanted)
 
 
 def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
@@ -97,92 +97,11 @@ def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
     return groups + [[member] for member in present if member not in told]
 
 
-def _sit(stage: Stage, state: BodyState, relation: Relation | None) -> None:
-    """Take the free seat of the support nearest to the middle, another near it if that is full; without one, stand.
-
-    Who sits opposite somebody takes the seat nearest to what that one looks at.
-    """
-    kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
-    support = stage.find(state.support_id)
-    named = [name for name in stage.things if state.support_id in (name, stage.assets[name])]
-    asked = [name for name in named if stage.things[name].box.z < _SEAT_FOOT]
-    support = support if asked or not named else None
-    found = _free_seats(stage, asked, kinds, stage.middle, asked=True) if asked else []
-    if not found:
-        station = relation.anchor_asset_id if relation is not None and relation.kind not in _OPPOSITE else None
-        own = _mark_of(stage, state.asset_id, state.support_id or station)
-        near = own.location[:2] if own is not None else stage.middle
-        near = (support.box.x, support.box.y) if support is not None else near
-        other = stage.things.get(relation.anchor_asset_id) if relation is not None else None
-        if other is not None and relation is not None and relation.kind in _OPPOSITE:
-            near = other.box.to_world(0.0, -_ACROSS)
-        found = _free_seats(stage, list(stage.things), kinds, near, asked=False)
-    if not found:
-        return
-    _, name, anchor = min(found, key=lambda seat: seat[:2])
-    base = stage.things[name].box
-    x, y = base.to_world(*anchor.location[:2])
-    dx, dy, _ = anchor.direction
-    yaw = base.yaw + facing(dx, dy)
-    box = seat_box(x, y, base.z + anchor.location[2], yaw)
-    stage.add(Thing(state.asset_id, box, anchor=name, walks=True), state.asset_id)
-
-
-def _free_seats(
-    stage: Stage, names: list[str], kinds: tuple[str, ...], near: tuple[float, float], asked: bool
-) -> list[tuple[float, str, Anchor]]:
-    """Return the seats nobody and nothing is on, each with its distance in metres and its furniture."""
-    seats: list[tuple[float, str, Anchor]] = []
-    for name in names:
-        thing = stage.things[name]
-        for anchor in [each for kind in kinds if not thing.walks for each in _anchors(stage, name, kind, asked)]:
-            x, y = thing.box.to_world(*anchor.location[:2])
-            if all(math.dist((x, y), (other.box.x, other.box.y)) > 0.45 for other in _on_seats(stage, name)):
-                seats.append((round(math.dist((x, y), near), 3), name, anchor))
-    return seats
-
-
-def _on_seats(stage: Stage, name: str) -> list[Thing]:
-    """Return everybody, and the things that lie on a seat."""
-    return [
-        thing
-        for thing in stage.things.values()
-        if thing.walks or (thing.anchor == name and thing.relationship == "on_top_of")
-    ]
-
-
-def _anchors(stage: Stage, name: str, kind: str, asked: bool) -> list[Anchor]:
-    """Return an asset's beds or seats, also the edge of what the script sits people on."""
-    measure = stage.measure(stage.assets[name])
-    return anchors_of(measure, kind) if kind == "bed" else seats_of(measure.anchors, measure.dimensions, asked=asked)
-
-
-def _stand_at(stage: Stage, asset_id: str, anchor: Thing, relation: Relation | None) -> None:
-    """Stand at, behind, before or beside something, on the side that has room; beside it, turned to the audience."""
-    kind = relation.kind if relation is not None else "at"
-    angles = angles_of(kind, anchor.box)
-    if kind == "at" and _has_its_own_seat(stage, anchor):
-        angles = [*angles[1:3], angles[0], angles[3]]
-    room, box = _roomiest(stage, asset_id, anchor, angles)
-    if len(angles) == 1 and room < _STANDING:  # nobody stands behind what is against a wall
-        room, box = _roomiest(stage, asset_id, anchor, angles_of("at", anchor.box))
-    bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
-    side = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
-    if kind in ("next_to", "left_of", "right_of", "against"):
-        box.turn_to(facing(*_towards_audience(box.x, box.y, stage)))
-    looks = "facing" if kind in ("at", "facing", "in_front_of", "behind") else None
-    stage.add(Thing(asset_id, box, anchor=anchor.name, relationship=side, direction=looks, walks=True), asset_id)
-
-
-def _roomiest(stage: Stage, asset_id: str, anchor: Thing, angles: Sequence[float]) -> tuple[float, Box]:
-    """Return the place before some sides of a thing that has enough room, else most; and how much, negative outside."""
-    places = [box for angle in angles for box in _along_side(stage, asset_id, anchor.box, angle)]
-    room = stage.clearance(np.array([(box.x, box.y) for box in places]))
-    x_min, x_max, y_min, y_max = stage.room
-    inside = [x_min < box.x < x_max and y_min < box.y < y_max for box in places]
-    free = [min(round(float(each), 2), 0.25) if within else -1.0 for each, within in zip(room, inside, strict=True)]
-    best = max(range(len(places)), key=lambda index: (free[index], -index))
-    return free[best], places[best]
+def _sit(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+    """Take the seat that is meant; by one's trade where none is told; without any, stand."""
+    told = wanted.anchor if wanted is not None and wanted.relation not in ("facing", "in_front_of") else None
+    own = _mark_of(stage, state.asset_id, state.support_id or told)
+    sit(stage, state, wanted, own.location[:2] if own is not None else None)
 
 
 def _mark_of(stage: Stage, person: str, place: str | None) -> PlanMark | None:
@@ -203,33 +122,15 @@ def _mark_of(stage: Stage, person: str, place: str | None) -> PlanMark | None:
     return best if meant(best) else None
 
 
-def _stand_at_work(stage: Stage, asset_id: str, relation: Relation | None) -> None:
+def _stand_at_work(stage: Stage, asset_id: str, wanted: Wanted | None) -> None:
     """Stand at one's mark, if the set has it and there is room."""
-    mark = _mark_of(stage, asset_id, relation.anchor_asset_id if relation is not None else None)
+    mark = _mark_of(stage, asset_id, wanted.anchor if wanted is not None else None)
     if mark is None:
         return
     x, y, _ = mark.location
     if float(stage.clearance(np.array([(x, y)]))[0]) > 0.1:
         box = stage.box(asset_id, x, y, 0.0, math.radians(mark.yaw))
         stage.add(Thing(asset_id, box, walks=True), asset_id)
-
-
-def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:
-    """Return whether a seat before a thing faces it, as a piano's stool does: who does not play stands at its ends."""
-    seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
-    return any(seat.direction[1] > 0.5 for seat in seats)
-
-
-def _along_side(stage: Stage, asset_id: str, base: Box, angle: float) -> list[Box]:
-    """Return places before one side of something, its middle first: several people stand side by side at a bar."""
-    out, along = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
-    spare = max(base.reach(along) - PERSON[0] / 2, 0.0)
-    steps = [0.0, *(side * step for step in np.arange(_SHOULDERS, spare + 1e-6, _SHOULDERS) for side in (1, -1))]
-    yaw, off = facing(-out[0], -out[1]), base.reach(out) + 0.25 + PERSON[1] / 2
-    return [
-        stage.box(asset_id, base.x + out[0] * off + along[0] * step, base.y + out[1] * off + along[1] * step, 0.0, yaw)
-        for step in steps
-    ]
 
 
 def _towards_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:

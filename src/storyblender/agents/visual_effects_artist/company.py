@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from storyblender.agents.visual_effects_artist.belongings import brought_along, players_of
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
 from storyblender.agents.visual_effects_artist.on_the_floor import room_for
-from storyblender.agents.visual_effects_artist.person import SEATED, Person, stature_of
+from storyblender.agents.visual_effects_artist.person import Person, stature_of
+from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.catalog.carrying import two_handed
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
@@ -38,6 +39,7 @@ class Company:
 
     Attributes:
         people: By asset id.
+        seats: Which seat somebody takes.
         lying: Where every prop lies that nobody holds.
         touched: Props that left their places, in order.
         jumps: Places people are cut to before the next shot, because nobody can walk there.
@@ -59,6 +61,7 @@ class Company:
         self.lying: dict[str, Vec3] = {
             thing.asset_id: thing.location for thing in reversed(list(floor.things.values()))
         }
+        self.seats = Seats(floor, self.people, objects, self._in_the_way_of_sitting)
         self.touched: dict[str, None] = {}
         self.jumps: dict[str, tuple[Vec2, float]] = {}
         self.aside: set[str] = set()
@@ -188,7 +191,7 @@ class Company:
             if not person.upright:
                 self.stand_beside(person)
         elif state.posture == "sit":
-            if (seat := self.seat_for(person, state.support_id)) is not None:
+            if (seat := self.seats.own(person, state) or self.seat_for(person, state.support_id)) is not None:
                 self.take_seat(person, seat)
             else:
                 person.posture, person.support, person.anchor = "sit", None, ""
@@ -220,27 +223,12 @@ class Company:
         return [p.place for p in self.people.values() if p.present and p is not person]
 
     def seat_for(self, person: Person, name: str | None, beside: Person | None = None) -> SeatPlace | None:
-        """Return the nearest free seat of a thing, of what ``beside`` sits on before that, else one near the person."""
-        next_to = beside.support if beside is not None else None
-        if beside is not None and next_to and (free := self.floor.free_seats(next_to, self.others(person))):
-            return self._best(free, beside.place, person)
-        taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
-        free = self.floor.free_seats(name, taken) if name else []
-        near = (seat for seat in self.floor.free_seats(None, taken) if math.dist(seat.edge, person.place) < 4.0)
-        return self._best(free or list(near), person.place, person)
+        """Return the seat somebody takes on or at a thing, with ``beside``, or anywhere."""
+        return self.seats.choose(person, name, beside)
 
-    def _best(self, seats: Sequence[SeatPlace], near: Vec2, person: Person) -> SeatPlace | None:
-        """Return the nearest seat that is free of things and people and nobody's who is found there later; or None."""
-        absent = [
-            place for name, (place, _) in self.home.items() if name in self.people and not self.people[name].present
-        ]
-
-        def unfit(seat: SeatPlace) -> bool:
-            crowded = any(math.dist(seat.before(person.k), other) < PERSONAL for other in self.others(person))
-            kept = any(math.dist(seat.edge, place) < 0.3 for place in absent)
-            return crowded or kept or any(seat.takes(at) and self._carriable(prop) for prop, at in self.lying.items())
-
-        return min(seats, key=lambda seat: (unfit(seat), math.dist(seat.edge, near)), default=None)
+    def _in_the_way_of_sitting(self) -> list[Vec3]:
+        """Return where things lie on which nobody sits down."""
+        return [place for prop, place in self.lying.items() if self._carriable(prop)]
 
     def take_seat(self, person: Person, seat: SeatPlace) -> None:
         """Sit on a seat by a cut, in the next shot too."""

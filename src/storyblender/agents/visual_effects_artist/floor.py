@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
+from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.kin import kin_of, meant_by
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, path_length, seat_access
@@ -147,7 +149,9 @@ class Floor:
         size = layout.scene_size
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self.open_air = not plan.indoor
-        self.marks = plan.marks
+        self.marks, self.plan = plan.marks, plan
+        made = ((asset.asset_id, asset.canonical) for asset in assets)
+        self.kinds = {name: each.key for name, each in made if each is not None and each.source == "catalog"}
         self.openings = [_opening(place) for wall in plan.walls for place in openings_of(wall)]
         self.set_boxes = [_footprint(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
         self.set_boxes += [_footprint(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece)]
@@ -158,7 +162,17 @@ class Floor:
             return None
         placed = self.things.get(name) or next((t for t in self.things.values() if t.asset_id == name), None)
         kind = _OPENING_WORDS.get(name.rsplit("_", 1)[-1])
-        return placed or next((opening for opening in self.openings if opening.asset_id == kind), None)
+        opening = next((each for each in self.openings if kind in (each.asset_id, each.node_id)), None)
+        return placed or opening or self._alike(name)
+
+    def _alike(self, name: str) -> Thing | None:
+        """Return what stands for a large thing of the script that has no place of its own: ``counter`` is the bar."""
+        key = self.kinds.get(name)
+        kin = kin_of(key) if key is not None else meant_by(name)
+        large = any(PROPS[prop].placement == "floor" for prop in kin if prop in PROPS)
+        middle = (self.bounds[0] + self.bounds[2]) / 2, (self.bounds[1] + self.bounds[3]) / 2
+        found = [t for t in self.things.values() if large and self.kinds.get(t.asset_id) in kin]
+        return min(found, key=lambda thing: math.dist(thing.location[:2], middle), default=None)
 
     def mark_of(self, name: str | None) -> Vec2 | None:
         """Return the place of the set that has a name: stairs, an altar."""

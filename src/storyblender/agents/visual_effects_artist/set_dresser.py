@@ -22,6 +22,7 @@ from storyblender.agents.visual_effects_artist.furniture import (
     size_of_asset,
     without_clutter,
 )
+from storyblender.catalog.props.kin import kin_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.catalog.sets import SETS
 from storyblender.geometry.boxes import penetration
@@ -33,39 +34,6 @@ from storyblender.reflection import Critique, Fault
 _STAGE: Vec2 = (0.0, 0.8)
 """Where the script's things want to be: the middle, a little away from the audience."""
 
-_FAMILIES: tuple[frozenset[str], ...] = tuple(
-    frozenset(line.split())
-    for line in (
-        "round_table dining_table side_table coffee_table",
-        "desk workbench school_desk",
-        "chair office_chair stool rocking_chair deck_chair",
-        "armchair rocking_chair",
-        "sofa booth carriage_seat",
-        "bench pew",
-        "bed hospital_bed bunk_bed",
-        "nightstand side_table",
-        "wardrobe cabinet dresser locker bookshelf",
-        "bar_counter counter",
-        "piano grand_piano",
-        "stove wood_stove",
-        "table_lamp bankers_lamp candle_holder lantern candelabra candle",
-        "floor_lamp candelabra",
-        "pendant_lamp chandelier paper_lantern",
-        "wall_clock",
-        "picture wall_map notice_board",
-        "television",
-        "fireplace",
-        "car van taxi truck police_car",
-        "cart wagon carriage",
-        "shopping_cart",
-        "store_shelf",
-        "crate barrel chest cardboard_box",
-        "market_stall",
-        "log",
-        "throne",
-    )
-)
-"""Props that stand for each other: the script's table takes the place of whatever table the kit has."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
 """Of these a place has one, whatever the script calls it: she walks to the bar and puts her glass on the counter."""
 
@@ -217,8 +185,7 @@ def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, As
     """Return the free furnishing of the same sort that is nearest; the very same prop wins over its family."""
     if prop is None:
         return None
-    kin = frozenset({prop}).union(*(family for family in _FAMILIES if prop in family))
-    choices = [item for item in plan.furnishings if item.prop in kin and item.node_id not in taken]
+    choices = [item for item in plan.furnishings if item.prop in kin_of(prop) and item.node_id not in taken]
     return min(
         choices,
         key=lambda item: (item.prop != prop, not item.required, round(math.dist(item.location[:2], near), 3)),

@@ -408,7 +408,7 @@ def test_nobody_stands_between_a_thing_and_the_wall_it_stands_against() -> None:
     back = LayoutObject(node_id="bar", asset_id="bar", location=(0, room.size.y - 0.3, 0), fixed=True)
     view = brief(relations=[("ana", "behind", "bar")], people=["ana", "ben"], dressed=(back,))
     at = solved(view)
-    assert at["ana"].location[1] < room.size.y - 0.6
+    assert at["ana"].location[1] < room.size.y - 0.6 or abs(at["ana"].location[0]) > 1.2, "before it or at its end"
     assert math.dist(at["ana"].location[:2], back.location[:2]) < 2.2
 
 

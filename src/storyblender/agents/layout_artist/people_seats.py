@@ -1,0 +1,115 @@
+"""Where somebody sits or lies as a scene begins: on what they are told to, at the table, on any free seat near it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
+from storyblender.agents.layout_artist.people_stations import Wanted
+from storyblender.geometry.boxes import distance_to_point, facing
+from storyblender.geometry.relations import Thing
+from storyblender.geometry.seating import on_side, seats_of
+from storyblender.memory.asset_sheet import Anchor
+from storyblender.memory.base import Vec2
+from storyblender.memory.shot_context import BodyState
+
+SEATED = ("sit", "lie", "asleep")
+"""Postures of who is on a seat or a bed, where there is one."""
+_SEAT_FOOT = 0.32
+"""Metres: what begins higher lies on something, and nobody sits on it."""
+_OPPOSITE, _ACROSS = ("facing", "in_front_of"), 1.6
+"""Relations of who sits opposite somebody, and how many metres ahead of them that is."""
+_DRAWN_UP = 0.75
+"""Metres from a table to the front edge of a seat that stands at it."""
+_TAKEN = 0.45
+"""Metres from a seat's edge within which somebody takes it."""
+
+_Seat = tuple[str, Anchor]
+"""Name of the furniture, and the seat on it."""
+
+
+def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None) -> bool:
+    """Seat somebody on the free seat that is meant, else nearest to it; False where there is none.
+
+    Args:
+        stage: Changed.
+        state: Posture and support.
+        wanted: What the script says of their place.
+        near: Where they have their work, if they have.
+    """
+    kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
+    support = stage.find(state.support_id) or (None if near else stage.anchor(state.support_id))
+    other = stage.anchor(wanted.anchor) if wanted is not None else None
+    if support is None and other is not None and not other.walks and wanted and wanted.relation not in _OPPOSITE:
+        support = other
+    wish = near or stage.middle
+    if support is not None:
+        wish = (support.box.x, support.box.y)
+    if other is not None and wanted is not None and wanted.relation in _OPPOSITE:
+        wish = other.box.to_world(0.0, -_ACROSS)
+    elif other is not None and other.walks:
+        wish = (other.box.x, other.box.y)
+    seats: list[_Seat] = []
+    if support is not None and support.name in stage.things and support.box.z < _SEAT_FOOT:
+        on_it = wanted is not None and wanted.relation == "on" and wanted.anchor == state.support_id
+        seats = [] if on_it else _free(stage, _drawn_up(stage, support))
+        seats = seats or _free(stage, _seats(stage, [support.name], kinds, asked=True))
+        if wanted is not None and wanted.side is not None:
+            seats = on_side(seats, wanted.side, lambda seat: (seat[1].location[0], -seat[1].location[1]))
+    seats = seats or _free(stage, _seats(stage, list(stage.things), kinds, asked=False))
+    if not seats:
+        return False
+    name, anchor = min(seats, key=lambda seat: (round(math.dist(_place(stage, seat), wish), 3), seat[0]))
+    base = stage.things[name].box
+    x, y = base.to_world(*anchor.location[:2])
+    dx, dy, _ = anchor.direction
+    box = seat_box(x, y, base.z + anchor.location[2], base.yaw + facing(dx, dy))
+    stage.add(Thing(state.asset_id, box, anchor=name, walks=True), state.asset_id)
+    return True
+
+
+def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[_Seat]:
+    """Return the beds or seats of things, also the edge of what the script sits people on."""
+    found: list[_Seat] = []
+    for name in (name for name in names if not stage.things[name].walks):
+        measure = stage.measure(stage.assets[name])
+        for kind in kinds:
+            beds = kind == "bed"
+            anchors = anchors_of(measure, kind) if beds else seats_of(measure.anchors, measure.dimensions, asked=asked)
+            found += [(name, anchor) for anchor in anchors]
+    return found
+
+
+def _free(stage: Stage, seats: Iterable[_Seat]) -> list[_Seat]:
+    """Return the seats that nobody and nothing is on."""
+    return [
+        seat
+        for seat in seats
+        if all(
+            math.dist(_place(stage, seat), (thing.box.x, thing.box.y)) > _TAKEN
+            for thing in stage.things.values()
+            if thing.walks or (thing.anchor == seat[0] and thing.relationship == "on_top_of")
+        )
+    ]
+
+
+def _place(stage: Stage, seat: _Seat) -> Vec2:
+    return stage.things[seat[0]].box.to_world(*seat[1].location[:2])
+
+
+def _drawn_up(stage: Stage, table: Thing) -> list[_Seat]:
+    """Return the seats that stand at a thing with a top and no seat of its own, and look at it."""
+    own = stage.measure(stage.assets[table.name])
+    if any(anchor.kind in ("seat", "bed") for anchor in own.anchors) or not anchors_of(own, "top"):
+        return []
+    found: list[_Seat] = []
+    for seat in _seats(stage, [name for name in stage.things if name != table.name], ("seat",), asked=False):
+        base = stage.things[seat[0]].box
+        x, y = _place(stage, seat)
+        ahead = base.to_world(*(seat[1].location[i] + 0.3 * seat[1].direction[i] for i in (0, 1)))
+        away = distance_to_point(table.box, x, y)
+        if away < _DRAWN_UP and distance_to_point(table.box, *ahead) < away:
+            found.append(seat)
+    return found

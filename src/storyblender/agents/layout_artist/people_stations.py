@@ -1,0 +1,142 @@
+"""Where somebody stands who is at, behind or beside something: the station that the room allows."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from storyblender.agents.layout_artist.layout_stage import Stage
+from storyblender.agents.layout_artist.layout_things import anchors_of
+from storyblender.catalog.workplaces import workplaces_of
+from storyblender.geometry.boxes import Box, facing, wrapped
+from storyblender.geometry.relations import BEARING, SECTOR, Thing
+from storyblender.geometry.stations import Sort, Station, cheated, stations
+from storyblender.memory.shot_context import BodyState
+
+_STANDING = 0.15
+"""Metres from the middle of somebody who stands to the next thing, at least."""
+_ELBOW = 0.28
+"""The same with room for the elbows; more is no better."""
+_TIGHT = 8.0
+"""Dislike, in metres, of a metre less room than that."""
+_APART = 0.7
+"""Metres between two who stand at the same thing."""
+_FACES = ("at", "facing", "in_front_of", "behind")
+"""Relations in which one looks at what one is at."""
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What the script says of somebody's place.
+
+    Attributes:
+        relation: A ``RelationKind``.
+        anchor: Asset id of what they are at, or a part of the set.
+        side: Of the anchor, from its own point of view.
+        distance: Metres from its edge, or from the middle of a person.
+        facing: An id, ``away`` from the anchor, or ``camera``.
+        sure: It is this person's own place, and not read from a relation that others may share.
+    """
+
+    relation: str = "at"
+    anchor: str | None = None
+    side: str | None = None
+    distance: float | None = None
+    facing: str | None = None
+    sure: bool = False
+
+
+def wanted_by(stage: Stage) -> dict[str, Wanted]:
+    """Return what the script says of everybody's place as the scene begins, or when they are found in it."""
+    people = {state.asset_id for state in (*stage.brief.states, *stage.brief.found)}
+    stated = [relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in people]
+    return {each.asset_id: Wanted(each.kind, each.anchor_asset_id) for each in stated}
+
+
+def work_place(stage: Stage, state: BodyState) -> Thing | None:
+    """Return the thing at which somebody does what they do as the scene begins, where the script names none."""
+    for motion, prop in stage.brief.deeds.get(state.asset_id, ()):
+        for wanted in workplaces_of(motion, prop):
+            found = [t for name, t in stage.things.items() if stage.brief.props.get(stage.assets[name]) == wanted]
+            if found:
+                return min(found, key=lambda thing: math.dist((thing.box.x, thing.box.y), stage.middle))
+    return None
+
+
+def sort_of(stage: Stage, anchor: Thing) -> Sort:
+    """Return what sort of thing an anchor is to who stands at it."""
+    if anchor.walks:
+        return "person"
+    if anchor.name in stage.things:
+        return "thing"
+    kind = next((each.kind for each in (stage.fixture(anchor.name),) if each is not None), "piece")
+    sorts: dict[str, Sort] = {"door": "door", "window": "window", "wall": "wall", "corner": "point", "mark": "point"}
+    return sorts.get(kind, "thing")
+
+
+def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None:
+    """Stand at, behind, before or beside something, on the side that has room.
+
+    Args:
+        stage: Changed.
+        asset_id: The person.
+        anchor: The thing, the person or the part of the set.
+        wanted: How they are to it.
+    """
+    sort, relation = sort_of(stage, anchor), wanted.relation
+    options = stations(anchor.box, sort, relation, wanted.side, wanted.distance)
+    if relation == "at" and wanted.side is None and sort == "thing" and _has_its_own_seat(stage, anchor):
+        options = [*stations(anchor.box, sort, relation, "left"), *stations(anchor.box, sort, relation, "right")]
+    best, room = _best(stage, options)
+    if room < _STANDING and sort == "thing":  # nobody stands behind what is against a wall
+        best, _ = _best(stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")])
+    box = stage.box(asset_id, best.x, best.y, 0.0, best.yaw)
+    turned_to(stage, box, wanted.facing, anchor.box)
+    thing = Thing(asset_id, box, walks=True)
+    if anchor.name in stage.things:
+        bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
+        name = min(BEARING, key=lambda each: abs(wrapped(bearing - BEARING[each])))
+        if abs(wrapped(bearing - BEARING[name])) < SECTOR:
+            thing.anchor, thing.relationship = anchor.name, name
+            thing.direction = "facing" if relation in _FACES and _looks_at(box, anchor.box) else None
+    stage.add(thing, asset_id)
+
+
+def _looks_at(box: Box, other: Box) -> bool:
+    return abs(wrapped(facing(other.x - box.x, other.y - box.y) - box.yaw)) < math.radians(44)
+
+
+def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
+    """Return the station that is least disliked where it is, and how much room it has."""
+    points = np.array([(each.x, each.y) for each in options])
+    x_min, x_max, y_min, y_max = stage.room
+    inside = (points > (x_min, y_min)).all(axis=1) & (points < (x_max, y_max)).all(axis=1)
+    room = np.where(inside, stage.clearance(points), -1.0)
+    people = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
+
+    def cost(index: int) -> float:
+        each = options[index]
+        tight = _TIGHT * max(0.0, _ELBOW - float(room[index]))
+        crowded = sum(max(0.0, _APART - math.dist((each.x, each.y), other)) for other in people)
+        return round(each.dislike + tight + 3 * crowded, 3)
+
+    best = min(range(len(options)), key=lambda index: (cost(index), index))
+    return options[best], float(room[best])
+
+
+def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:
+    """Return whether a seat before a thing faces it, as a piano's stool does: who does not play stands at its ends."""
+    seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
+    return any(seat.direction[1] > 0.5 for seat in seats)
+
+
+def turned_to(stage: Stage, box: Box, wanted: str | None, anchor: Box | None) -> None:
+    """Turn somebody to what the script says they face: an id, ``away`` from the anchor, or ``camera``."""
+    if wanted == "camera":
+        box.turn_to(0.0)
+    elif wanted == "away" and anchor is not None:
+        box.turn_to(facing(box.x - anchor.x, box.y - anchor.y))
+    elif wanted is not None and (thing := stage.anchor(wanted)) is not None:
+        box.turn_to(cheated(facing(thing.box.x - box.x, thing.box.y - box.y)))

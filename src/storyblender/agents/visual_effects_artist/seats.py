@@ -1,0 +1,114 @@
+"""Which seat somebody takes: their own in the layout, one of what they are told to sit on, one at the table. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from storyblender.agents.visual_effects_artist.floor import PERSONAL, Floor, SeatPlace
+from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.geometry.paths import Vec2
+from storyblender.geometry.seating import on_side
+from storyblender.memory.base import Vec3
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.shot_context import BodyState
+
+NEAR_HOME = 2.0
+"""Metres from their place in the layout within which somebody takes the seat that they have there."""
+DRAWN_UP = 0.75
+"""Metres from a table to the front edge of a seat that stands at it."""
+
+
+class Seats:
+    """The seats of a scene.
+
+    Args:
+        floor: Where things are.
+        people: Everybody of the scene by asset id.
+        objects: The layout, for the people's own seats.
+        things: Returns where things lie that nobody sits down on.
+    """
+
+    def __init__(
+        self,
+        floor: Floor,
+        people: Mapping[str, Person],
+        objects: Sequence[LayoutObject],
+        things: Callable[[], Iterable[Vec3]],
+    ) -> None:
+        self.floor, self.people, self.things = floor, people, things
+        placed = [item for item in reversed(objects) if item.asset_id in people]
+        self.home: dict[str, Vec2] = {item.asset_id: item.location[:2] for item in placed}
+        self.seated_on = {
+            item.asset_id: item.anchor_asset_id
+            for item in placed
+            if item.anchor_asset_id is not None and item.relationship is None and item.direction is None
+        }
+
+    def own(self, person: Person, state: BodyState) -> SeatPlace | None:
+        """Return the seat on which the layout has somebody who is still there."""
+        node, home = self.seated_on.get(person.asset_id), self.home.get(person.asset_id, (0.0, 0.0))
+        support = self.floor.thing(state.support_id)
+        told = support is None or node in (support.node_id, *(seat.node_id for seat in self.at(support.node_id)))
+        if node is None or not told or person.posture != "stand" or math.dist(home, person.place) > NEAR_HOME:
+            return None
+        seats = self.floor.seats(node, asked=True)
+        return min(seats, key=lambda seat: math.dist(seat.edge, home), default=None)
+
+    def choose(
+        self, person: Person, name: str | None, beside: Person | None = None, side: str | None = None
+    ) -> SeatPlace | None:
+        """Return the nearest free seat of what ``beside`` sits on, of or at a thing, else of the whole set.
+
+        Args:
+            person: Who sits down.
+            name: What the script says they sit on or at.
+            beside: With whom.
+            side: Of a vehicle, ``driver`` ...
+        """
+        next_to = beside.support if beside is not None else None
+        if beside is not None and next_to and (free := self.floor.free_seats(next_to, self._others(person))):
+            return self._best(free, beside.place, person)
+        taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
+        free: list[SeatPlace] = []
+        if name:
+            free = self._free(self.at(name), taken) or self.floor.free_seats(name, taken)
+            free = on_side(free, side, self._ahead) if side else free
+        return self._best(free or self.floor.free_seats(None, taken), person.place, person)
+
+    def at(self, name: str | None) -> list[SeatPlace]:
+        """Return the seats drawn up to a thing that has none of its own: the chairs of a table, the stools of a bar."""
+        table = self.floor.thing(name)
+        if table is None or table.of_kind("seat", "bed") or not table.of_kind("top"):
+            return []
+        seats = [seat for node in self.floor.things if node != table.node_id for seat in self.floor.seats(node)]
+        found = []
+        for seat in seats:
+            point = table.rim(seat.edge)
+            away = math.dist(seat.edge, point)
+            x, y = seat.edge[0] + 0.3 * math.sin(seat.yaw), seat.edge[1] - 0.3 * math.cos(seat.yaw)
+            if away < DRAWN_UP and math.dist((x, y), table.location[:2]) < math.dist(seat.edge, table.location[:2]):
+                found.append(seat)
+        return found
+
+    def _free(self, seats: Sequence[SeatPlace], taken: Sequence[Vec2]) -> list[SeatPlace]:
+        return [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
+
+    def _ahead(self, seat: SeatPlace) -> Vec2:
+        """Return where a seat is in its vehicle: to its own left, and to its front."""
+        x, y = self.floor.things[seat.node_id].local(seat.edge)
+        return x, -y
+
+    def _others(self, person: Person) -> list[Vec2]:
+        return [p.place for p in self.people.values() if p.present and p is not person]
+
+    def _best(self, seats: Sequence[SeatPlace], near: Vec2, person: Person) -> SeatPlace | None:
+        """Return the nearest seat that is free of things and people, and of those who are in it in a later shot."""
+        absent = [place for name, place in self.home.items() if not self.people[name].present]
+
+        def unfit(seat: SeatPlace) -> bool:
+            crowded = any(math.dist(seat.before(person.k), other) < PERSONAL for other in self._others(person))
+            kept = any(math.dist(seat.edge, place) < 0.3 for place in absent)
+            return crowded or kept or any(seat.takes(at) for at in self.things())
+
+        return min(seats, key=lambda seat: (unfit(seat), math.dist(seat.edge, near)), default=None)

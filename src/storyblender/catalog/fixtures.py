@@ -1,0 +1,111 @@
+"""Parts of a set that people can be at: doors, windows, walls, corners, stairs, pieces, named places. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from storyblender.catalog.openings import openings_of
+from storyblender.catalog.props.variants import singular, words_of
+from storyblender.catalog.set_plan import SetPlan
+from storyblender.geometry.boxes import Box, facing
+
+FixtureKind = Literal["door", "window", "wall", "corner", "piece", "mark"]
+
+_MEANINGS: dict[str, FixtureKind] = {
+    **dict.fromkeys(("door", "doorway", "entrance", "exit", "threshold", "doorframe", "gate", "gateway"), "door"),
+    **dict.fromkeys(("window", "windowsill", "sill", "windowpane", "pane"), "window"),
+    "wall": "wall",
+    "corner": "corner",
+}
+_SAME: dict[str, tuple[str, ...]] = {
+    "staircase": ("stairs",), "stair": ("stairs",), "step": ("stairs",), "pillar": ("column",), "post": ("column",),
+    "rail": ("railing", "parapet"), "railing": ("parapet",), "curtain": ("drape",), "boulder": ("rock",),
+    "bush": ("hedge",), "altar": ("table",), "quay": ("quay_edge",), "pier": ("quay_edge",),
+}  # fmt: skip
+_IN_CORNER = 0.55
+"""Metres from both walls of who stands in a corner."""
+_TALL = 2.0
+_MARK = 0.02
+"""Metres across of a place that has a name and no body."""
+
+
+@dataclass(frozen=True)
+class Fixture:
+    """A part of the set.
+
+    Attributes:
+        name: Of the opening, the wall, the piece or the mark.
+        kind: What it is.
+        box: Its extent; its front looks to who is before it.
+        tags: Other names; ``enter`` where people come in.
+    """
+
+    name: str
+    kind: FixtureKind
+    box: Box
+    tags: tuple[str, ...] = ()
+
+
+def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
+    """Return the parts of a set that a name from the script may mean, the surest first.
+
+    Args:
+        plan: The set.
+        name: An id or words: ``doorway``, ``kitchen_window``, ``the back wall``.
+    """
+    words = [singular(word) for word in words_of((name or "").replace("_", " "))]
+    if not words:
+        return []
+    last = words[-1]
+    kind = _MEANINGS.get(last)
+    found = [fixture for fixture in _fixtures(plan) if fixture.kind == kind]
+    if not found:
+        wanted = {last, *_SAME.get(last, ())}
+        found = [fixture for fixture in _fixtures(plan) if wanted & {*fixture.tags}]
+        found.sort(key=lambda fixture: fixture.kind == "mark")
+    told = {*words}
+    return sorted(found, key=lambda fixture: -len(told & {*fixture.tags, *fixture.name.split("_")}))
+
+
+def _fixtures(plan: SetPlan) -> Iterator[Fixture]:
+    for wall in plan.walls:
+        if not wall.missing:
+            yield _wall(wall.node_id, wall.start, wall.end, wall.height)
+        for place in openings_of(wall):
+            kind = "window" if place.opening.kind == "window" else "door"
+            box = Box(*place.location, *place.size, place.yaw)
+            if place.opening.style != "open":
+                yield Fixture(place.opening.name, kind, box, (kind, *place.opening.name.split("_")))
+    if plan.indoor:
+        yield from _corners(plan)
+    for piece in plan.pieces:
+        width, depth = (size * piece.scale for size in piece.footprint or (_MARK, _MARK))
+        height = float(piece.params.get("tall", _TALL))
+        box = Box(*piece.location, width, depth, height, math.radians(piece.yaw))
+        tags = (piece.part, *(singular(word) for word in piece.part.split("_")))
+        yield Fixture(piece.node_id, "piece", box, tags)
+    for mark in plan.marks:
+        box = Box(*mark.location, _MARK, _MARK, 0.0, math.radians(mark.yaw))
+        yield Fixture(mark.name, "mark", box, (mark.name, *mark.tags))
+
+
+def _wall(name: str, start: tuple[float, float], end: tuple[float, float], height: float) -> Fixture:
+    length = math.dist(start, end)
+    along = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
+    middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+    box = Box(*middle, 0.0, length, _MARK, height, facing(-along[1], along[0]))
+    sides = {(0, 1): "right", (0, -1): "left", (1, 0): "front", (-1, 0): "back"}
+    side = sides.get((round(along[0]), round(along[1])), "side")
+    return Fixture(name, "wall", box, ("wall", side))
+
+
+def _corners(plan: SetPlan) -> Iterator[Fixture]:
+    """The two corners at the back, seen from the audience."""
+    size = plan.size
+    for side, x in (("left", size.x_negative + _IN_CORNER), ("right", size.x - _IN_CORNER)):
+        y = size.y - _IN_CORNER
+        yaw = facing((size.x + size.x_negative) / 2 - x, (size.y + size.y_negative) / 2 - y)
+        yield Fixture(f"{side}_corner", "corner", Box(x, y, 0.0, _MARK, _MARK, 0.0, yaw), ("corner", side))

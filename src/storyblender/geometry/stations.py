@@ -1,0 +1,182 @@
+"""Stations: where somebody is who is at, behind, beside or before something, and which way they face. Pure.
+
+A relation to an anchor gives a few places, each with how much it is disliked by itself. Who asks adds what the room
+says about them: clearance, other people, the way there. The audience sits at -Y.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from storyblender.geometry.boxes import Box, facing, wrapped
+
+Sort = Literal["thing", "person", "door", "window", "wall", "point", "vehicle"]
+"""What the anchor is. A point is a named place of the set or a corner: one stands on it."""
+
+REACH = 0.28
+"""Metres from the edge of a thing to the middle of who works at it, times stature over 1.7."""
+BEFORE, ASIDE, WATCH = 0.75, 0.42, 1.1
+"""Metres from a thing's edge to who is before it, beside it, or looks at it."""
+TALK, SHOULDER, TAIL = 1.15, 0.62, 0.85
+"""Metres between people who talk, who stand side by side, and to who is behind somebody."""
+_SLOT = 0.75
+"""Metres between places along one side of a thing: shoulder to shoulder."""
+_CHEAT = math.radians(20)
+"""How far a body turns from what it looks at towards the audience, so that the face is seen."""
+_BACK_TO_US = 0.3
+"""Dislike, in metres, of standing with the back to the audience."""
+_DOOR_STEP = 0.1
+"""Metres from a wall's face into the room of who stands in a doorway."""
+_AWAY_FROM_SIDE = 1.2
+"""Dislike, in metres, of the sides of a thing at which one is not expected."""
+
+_TURNS = {"front": 0.0, "left": math.pi / 2, "right": -math.pi / 2, "back": math.pi}
+"""Radians from a thing's front to its sides, its own left and right."""
+_SIDES_OF_RELATION: dict[str, tuple[str, ...]] = {
+    "in_front_of": ("front",),
+    "facing": ("front",),
+    "behind": ("back",),
+    "next_to": ("left", "right", "front", "back"),
+    "against": ("front", "left", "right", "back"),
+    "at": ("front", "left", "right", "back"),
+}
+
+
+@dataclass(frozen=True)
+class Station:
+    """A place.
+
+    Attributes:
+        x: Metres.
+        y: Metres.
+        yaw: Radians.
+        dislike: Metres that one would go to avoid it.
+        z: Height of the feet above the floor, metres.
+    """
+
+    x: float
+    y: float
+    yaw: float
+    dislike: float = 0.0
+    z: float = 0.0
+
+
+def stations(
+    anchor: Box, sort: Sort, relation: str, side: str | None = None, distance: float | None = None, k: float = 1.0
+) -> list[Station]:
+    """Return the places at which somebody stands in a relation to something, the likeliest first.
+
+    Args:
+        anchor: What they are at; its front is where its user is.
+        sort: What that is.
+        relation: A ``RelationKind``.
+        side: ``front``, ``back``, ``left``, ``right`` from the anchor's own point of view.
+        distance: Metres from the anchor's edge, or from the middle of a person; None chooses.
+        k: Stature over 1.7.
+    """
+    if relation in ("on", "above"):
+        return [Station(anchor.x, anchor.y, 0.0, z=max(anchor.top, 0.0) if sort != "point" else 0.0)]
+    if relation in ("in", "inside", "aboard") and sort == "door":
+        return [Station(*anchor.to_world(0.0, -_DOOR_STEP), anchor.yaw)]
+    if sort == "point" or relation in ("in", "inside", "aboard", "under"):
+        return [Station(anchor.x, anchor.y, anchor.yaw)]
+    if sort == "person":
+        return list(_by_person(anchor, relation, side, distance))
+    if sort in ("door", "window"):
+        return list(_by_opening(anchor, sort, relation, distance))
+    if relation in ("left_of", "right_of"):
+        angle = math.pi if relation == "left_of" else 0.0
+        return list(_along(anchor, relation, angle, distance, k, 0.0))
+    front = math.atan2(anchor.forward[1], anchor.forward[0])
+    found: list[Station] = []
+    names = _SIDES_OF_RELATION.get(relation, _SIDES_OF_RELATION["at"])
+    names = (side,) if side in _TURNS else names
+    for order, name in enumerate(names):
+        if sort == "wall" and name != "front":
+            continue
+        equal = relation == "next_to" and name in ("left", "right")
+        dislike = 0.0 if order == 0 or equal else _AWAY_FROM_SIDE * (1.0 if name != "back" else 1.6)
+        found += _along(anchor, relation, front + _TURNS[name], distance, k, dislike)
+    return found
+
+
+def cheated(yaw: float, most: float = _CHEAT) -> float:
+    """Return a yaw turned towards the audience by at most so many radians."""
+    yaw = wrapped(yaw)
+    return yaw - max(-most, min(most, yaw))
+
+
+def away_from_audience(yaw: float) -> float:
+    """Return 0 for who faces the audience or shows a profile, up to 1 for who turns their back on it."""
+    return max(0.0, -math.cos(yaw))
+
+
+def _along(
+    anchor: Box, relation: str, angle: float, distance: float | None, k: float, dislike: float
+) -> Iterator[Station]:
+    """Places along one side of a thing, its middle first."""
+    out, along = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    gap = {"next_to": ASIDE, "left_of": ASIDE, "right_of": ASIDE, "in_front_of": BEFORE, "facing": WATCH}
+    usual = gap.get(relation, REACH) * k
+    off = anchor.reach(out) + (usual if distance is None else max(distance, REACH * k))
+    half = max(anchor.reach(along) - 0.3, 0.0)
+    slots = [0.0]
+    for step in range(1, int(half / _SLOT) + 1):
+        slots += [step * _SLOT, -step * _SLOT]
+    inward = facing(-out[0], -out[1])
+    for slot in slots:
+        x, y = anchor.x + out[0] * off + along[0] * slot, anchor.y + out[1] * off + along[1] * slot
+        yaw = inward
+        if relation in ("next_to", "left_of", "right_of"):
+            yaw = cheated(facing(0.0 - 0.25 * out[0], -1.0))
+        elif relation == "against":
+            yaw = inward + math.pi
+        yield Station(x, y, yaw, dislike + 0.15 * abs(slot) + _BACK_TO_US * away_from_audience(yaw))
+
+
+def _by_person(other: Box, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
+    """Places by somebody: before them to talk, at their shoulder, behind their back."""
+    turn = _TURNS.get(side or "")
+    ahead = math.atan2(other.forward[1], other.forward[0])
+    if relation in ("left_of", "right_of"):
+        reach = distance or SHOULDER
+        step = -reach if relation == "left_of" else reach
+        yield Station(other.x + step, other.y, other.yaw)
+        return
+    if relation == "behind":
+        reach, spread, middle, look = distance or TAIL, (0, 20, -20, 40, -40), ahead + math.pi, "same"
+    elif relation in ("next_to", "against"):
+        reach, spread, look = distance or SHOULDER, (0, 15, -15, 30, -30), "same"
+        middle = ahead + (turn if turn is not None else math.pi / 2)
+    else:
+        reach, middle, look = distance or TALK, ahead, "at"
+        spread = (0, 20, -20, 40, -40, 60, -60, 80, -80, 110, -110)
+    if turn is not None:
+        middle = ahead + turn
+    both = relation == "next_to" and turn is None
+    for flip in (0.0, math.pi) if both else (0.0,):
+        for degrees in spread:
+            angle = middle + flip + math.radians(degrees)
+            x, y = other.x + reach * math.cos(angle), other.y + reach * math.sin(angle)
+            yaw = other.yaw if look == "same" else cheated(facing(other.x - x, other.y - y))
+            in_line = max(0.0, abs(math.sin(angle)) - 0.5)  # one would hide the other
+            yield Station(x, y, yaw, abs(degrees) / 120 + in_line + _BACK_TO_US * away_from_audience(yaw))
+
+
+def _by_opening(opening: Box, sort: Sort, relation: str, distance: float | None) -> Iterator[Station]:
+    """Places at a door or a window: beside it, so that what it shows is seen; before it where that is said."""
+    off = distance if distance is not None else 0.45
+    inside = {"in_front_of": (0.0, max(off, 0.7)), "behind": (0.0, -0.7)}.get(relation)
+    if inside is not None:
+        x, y = opening.to_world(inside[0], -inside[1])
+        yield Station(x, y, opening.yaw if sort == "door" else cheated(opening.yaw + math.pi))
+        return
+    half = opening.width / 2
+    for aside in (0.55 * half, -0.55 * half, half + 0.2, -half - 0.2, 0.0):
+        x, y = opening.to_world(aside, -off - (0.15 if sort == "door" else 0.0))
+        look = opening.to_world(-aside * 0.5, 0.4)
+        yaw = facing(look[0] - x, look[1] - y)
+        yield Station(x, y, cheated(yaw, math.radians(45)), 0.3 * (abs(aside) > half))
