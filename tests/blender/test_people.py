@@ -14,6 +14,7 @@ from storyblender.blender.people.scalp import Scalp, above_hairline
 from storyblender.blender.people.skin import whisker_growth
 from storyblender.blender.people.whiskers import build_whiskers
 from storyblender.catalog.bodies import recipe
+from storyblender.catalog.expressions import FACE
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.hair import HAIRSTYLES, hairstyle
 from storyblender.catalog.skeleton import SKELETON
@@ -97,7 +98,7 @@ def test_the_face_moves_with_its_shape_keys() -> None:
     person = build_person("anna", CharacterLook(gender="female", age=30), 1)
     keys = _part(person, "skin").data.shape_keys.key_blocks
     assert [key.name for key in keys] == ["Basis", *person.body.shape_keys]
-    assert person.body.shape_keys == ("mouth_open", "smile", "blink", "brow_up", "brow_down")
+    assert person.body.shape_keys == FACE
     basis = np.array([point.co for point in keys["Basis"].data])
     for key in keys[1:]:
         moved = np.linalg.norm(np.array([point.co for point in key.data]) - basis, axis=1)

@@ -6,57 +6,16 @@ The clips themselves are in ``blender/motion/clips``; the Director's motion voca
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Literal
 
+from storyblender.catalog.acts import ACTS
+from storyblender.catalog.motion_entry import AWAKE, UPRIGHT, Motion
 from storyblender.catalog.registry import Catalog
-from storyblender.memory.vocabulary import Posture
-
-Reach = Literal["self", "person", "thing", "place"]
-"""What a motion is about, besides the one who moves: nobody, another person, a thing, a place to go to."""
-
-
-@dataclass(frozen=True)
-class Motion:
-    """One motion.
-
-    Attributes:
-        key: Name of the clip.
-        name: For people.
-        tags: Other words for it.
-        seconds: Natural length for a stature of 1.7 m, without any way to go; for stretching motions the usual length.
-        directs: The Director's motions that this clip plays.
-        speed: Metres per second of motions that travel.
-        stretches: Its length may be chosen by the cue's duration.
-        before: Postures it can start from; empty for any. Others are left first.
-        after: Posture it ends in; None keeps the one before.
-        reach: What it needs to be near to.
-        distance: Metres to keep from the other person for ``reach`` person; to stand from a thing.
-        hands: Number of hands it needs.
-    """
-
-    key: str
-    name: str
-    tags: tuple[str, ...]
-    seconds: float
-    directs: tuple[str, ...] = ()
-    speed: float | None = None
-    stretches: bool = False
-    before: tuple[Posture, ...] = ()
-    after: Posture | None = None
-    reach: Reach = "self"
-    distance: float = 0.0
-    hands: int = 0
-
 
 TURN_IN_STRIDE = 50.0
 """Degrees; larger turns are done on the spot."""
 TURN_STEP = 55.0
 """Degrees; both feet step once per this much of a turn on the spot."""
 TURN_STEP_SECONDS = 0.26
-
-UPRIGHT: tuple[Posture, ...] = ("stand",)
-AWAKE: tuple[Posture, ...] = ("stand", "sit", "kneel", "crouch", "lean")
 
 MOTIONS: Catalog[Motion] = Catalog(
     "motion",
@@ -78,7 +37,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         ),
         # seats, beds, floor
         Motion(
-            "sit", "sit down", ("take a seat",), 1.4, ("sit", "ride", "drive"), None, False, UPRIGHT, "sit", "thing"
+            "sit", "sit down", ("take a seat",), 1.4, ("sit",), None, False, UPRIGHT, "sit", "thing"
         ),
         Motion("rise", "stand up", ("get up", "rise"), 1.7, ("stand_up",), after="stand"),
         Motion("get_up", "get up", ("from the floor", "out of bed"), 3.2, (), after="stand"),
@@ -99,7 +58,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("shake_head", "shake the head", ("no",), 1.05, ("shake_head",)),
         Motion("think", "think", ("ponder",), 2.4, ("think",), stretches=True, hands=1),
         # voice
-        Motion("talk", "talk", ("say", "speak"), 2.5, ("talk", "sing"), stretches=True),
+        Motion("talk", "talk", ("say", "speak"), 2.5, ("talk",), stretches=True),
         Motion("whisper", "whisper", ("murmur",), 2.0, ("whisper",), stretches=True),
         Motion("shout", "shout", ("yell", "scream"), 1.6, ("shout",), stretches=True),
         Motion("laugh", "laugh", ("giggle",), 2.0, ("laugh",), stretches=True),
@@ -149,11 +108,11 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2),
         Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2),
         Motion(
-            "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean", "cook", "stir"), stretches=True, reach="thing",
+            "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean",), stretches=True, reach="thing",
             distance=0.5, hands=1,
         ),
         Motion(
-            "work", "work", ("hammer", "dig", "cut"), 3.2, ("work", "cut"), stretches=True, reach="thing", distance=0.5,
+            "work", "work", ("hammer", "dig", "cut"), 3.2, ("work",), stretches=True, reach="thing", distance=0.5,
             hands=2,
         ),
         Motion(
@@ -161,13 +120,14 @@ MOTIONS: Catalog[Motion] = Catalog(
             "search",
             ("rummage",),
             3.2,
-            ("search", "fold"),
+            ("search",),
             stretches=True,
             reach="thing",
             distance=0.5,
             hands=2,
         ),
         Motion("dress", "put on or take off clothes", ("wear", "undress"), 2.4, ("wear", "take_off"), hands=2),
+        *(act.motion for act in ACTS.values()),
     ),
 )  # fmt: skip
 """Every motion, in the order it is shown to people."""

@@ -19,9 +19,9 @@ from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
 from storyblender.blender.people.body import Body
+from storyblender.catalog.expressions import FACE, values_of
 
-FACE = ("mouth_open", "smile", "blink", "brow_up", "brow_down")
-"""Shape keys the solver drives, in the order of the face channel."""
+MOUTH, BLINK = FACE.index("mouth_open"), FACE.index("blink")
 HORIZON = 180.0
 """Seconds of blinks and glances made up in advance; no shot is longer."""
 NEAREST = 0.42
@@ -64,7 +64,9 @@ class Performer:
         """Pitch, roll, yaw of the head on top of the gaze."""
         self.gaze = Channel(self.ahead)
         self.eyes = Channel(self.ahead)
-        self.face = Channel((0, 0, 0, 0, 0))
+        self.expression = "neutral"
+        """Their face in this shot where nothing else is shown."""
+        self.face = Channel(values_of({}))
         self.life = Channel(1.0)
         """Amount of idle sway."""
         self.lean_after = Channel(1.0)
@@ -361,15 +363,15 @@ class Performer:
         bones.update("jaw", "eye.L", "eye.R")
 
     def face_at(self, t: float) -> Floats:
-        """Return the values of ``FACE``."""
+        """Return the values of ``FACE``; lids fall with blinks, and the mouth moves with speech."""
         values = np.array(self.face(t), float)
         for start in self.blinks:
             if start <= t < start + 0.17:
-                values[2] = max(values[2], 1.0 if 0.03 < t - start < 0.13 else 0.6)
+                values[BLINK] = max(values[BLINK], 1.0 if 0.03 < t - start < 0.13 else 0.6)
         for start, end, opening, rate in self.speeches:
             if start <= t < end:
                 syllable = abs(math.sin(math.pi * t * rate)) * (0.45 + 0.55 * abs(math.sin(1.7 * t + 1)))
-                values[0] = max(values[0], opening * syllable * clamp(8 * (t - start)) * clamp(8 * (end - t)))
+                values[MOUTH] = max(values[MOUTH], opening * syllable * clamp(8 * (t - start)) * clamp(8 * (end - t)))
         return np.clip(values, 0, 1)
 
     def hand_matrix(self, side: str) -> tuple[Matrix, Vector]:

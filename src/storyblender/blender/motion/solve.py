@@ -12,10 +12,11 @@ from storyblender.blender.motion.clips.floor import crouch, kneel, lie_down, sle
 from storyblender.blender.motion.clips.handling import take_in_hand
 from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
-from storyblender.blender.motion.performer import FACE, Performer
+from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
 from storyblender.blender.motion.skeleton import IDENTITY, Skeleton
 from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.catalog.expressions import FACE
 from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import Cue, Mark

@@ -19,6 +19,7 @@ from storyblender.blender.people.sheet import hemmed, join
 from storyblender.blender.people.tailor import Worn
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.bodies import Complexion, complexion, mix, recipe, resolved_gender
+from storyblender.catalog.expressions import FACE
 from storyblender.catalog.garments import dressed
 from storyblender.catalog.hair import hairstyle
 from storyblender.catalog.skeleton import SKELETON
@@ -78,7 +79,7 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
         *(_build_garment(figure, armature, worn) for worn in wardrobe),
     ]
     bare = PARTS["skin"]
-    body = rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, tuple(skin.EXPRESSIONS))
+    body = rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, FACE)
     return PersonBuild(armature, meshes, body)
 
 

@@ -13,26 +13,18 @@ from storyblender.blender.people.pack import BodyPack, to_scene
 from storyblender.blender.people.scalp import above_hairline
 from storyblender.blender.people.sheet import Sheet
 from storyblender.catalog.bodies import Complexion
+from storyblender.catalog.expressions import FACE_UNITS
 from storyblender.catalog.hair import hairstyle
 from storyblender.memory.asset_sheet import CharacterLook
 
 Floats = NDArray[np.float64]
-
-EXPRESSIONS: dict[str, dict[str, float]] = {
-    "mouth_open": {"mouth-open": 0.7, "mouth-depression": 0.3},
-    "smile": {"mouth-corner-puller": 1.0},
-    "blink": {"eye-left-closure": 1.0, "eye-right-closure": 1.0},
-    "brow_up": {"eyebrows-left-up": 1.0, "eyebrows-right-up": 1.0},
-    "brow_down": {"eyebrows-left-down": 1.0, "eyebrows-right-down": 1.0},
-}
-"""The face's shape keys and the MakeHuman units they are mixed from."""
 
 
 def expressions(pack: BodyPack) -> dict[str, Floats]:
     """Return the offsets of each shape key for the whole base mesh, (V, 3) metres in Blender's axes."""
     return {
         key: to_scene(pack.displacement({f"expression/units/caucasian/{unit}": w for unit, w in units.items()}))
-        for key, units in EXPRESSIONS.items()
+        for key, units in FACE_UNITS.items()
     }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from storyblender.blender.motion.clips import (
+    acts,
     arms,
     crawling,
     dancing,
@@ -25,6 +26,7 @@ from storyblender.blender.motion.clips import (
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, play
 
 FAMILIES = (
+    acts,
     arms,
     crawling,
     dancing,

@@ -9,7 +9,7 @@ import numpy as np
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf, clamp
-from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.gaze import look_at, mood, show
 from storyblender.blender.motion.clips.locomotion import shuffle
 from storyblender.blender.motion.clips.pairs import keep, meet, partner_of
 from storyblender.blender.motion.clips.registry import clip
@@ -102,7 +102,7 @@ def _close_arms(
         who.hips.set(t, CLOSING, (-0.025 * k, 0.03 * k * (1 + bend / 12), low, 0.5 * bend, 0, 0))
         who.hips.set(apart, 0.7, (0, 0, height, 0, 0, 0))
     mood(who, t, "tender")
-    who.face.set(t + CLOSING, 0.3, (0, 0.5, 0.9, 0.1, 0))
+    show(who, t + CLOSING, 0.3, smile=0.5, blink=0.9, brow_up=0.1)
     mood(who, apart, "tender")
     who.gaze.set(t, 0.4, who.ahead)
     for side in SIDES:

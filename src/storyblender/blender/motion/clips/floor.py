@@ -8,7 +8,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from storyblender.blender.motion.channel import Floats, TargetOf
-from storyblender.blender.motion.clips.gaze import look_at, mood
+from storyblender.blender.motion.clips.gaze import look_at, mood, show
 from storyblender.blender.motion.clips.locomotion import step_to, travel
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.clips.seat import go_to_seat, refill_hands, seat_meant, settle, stand_up
@@ -204,7 +204,7 @@ def sleep(stage: Stage, who: Performer, beat: Beat) -> float:
     if who.posture in ("stand", "lean") and (beat.mark is not None or beat.target is not None):
         t = lie_down(stage, who, beat)
     who.look_freely(t)
-    who.face.set(t + 0.1, 0.7, (0, 0, 1, 0, 0))
+    show(who, t + 0.1, 0.7, blink=1)
     who.nod.set(t + 0.1, 0.9, (26 if who.posture == "sit" else 8, 8, 14))
     who.life.set(t, 0.5, 0.3)
     return t + 1.0
@@ -214,9 +214,9 @@ def sleep(stage: Stage, who: Performer, beat: Beat) -> float:
 def wake(stage: Stage, who: Performer, beat: Beat) -> float:
     """Open the eyes, raise the head."""
     t = beat.start
-    who.face.set(t, 0.35, (0.1, 0, 0, 0.6, 0))
+    mood(who, t, "tired", 0.35)
     who.nod.set(t + 0.1, 0.5, (-6, 0, 0))
-    who.face.set(t + 0.7, 0.5, (0, 0, 0, 0, 0))
+    show(who, t + 0.7, 0.5)
     who.nod.set(t + 0.7, 0.5, (0, 0, 0))
     return t + 1.2
 
@@ -234,7 +234,7 @@ def fall(stage: Stage, who: Performer, beat: Beat) -> float:
     if t < 0:
         return _lie_on_floor(stage, who, beat)
     x, y = who.position
-    who.face.set(t, 0.2, (0.6, 0, 0.3, 0.8, 0))
+    mood(who, t, "afraid", 0.2)
     who.look_freely(t)
     who.accent.set(t, 0.3, (-8, 6, 10))
     who.hips.set(t, 0.4, (0.05 * k, 0.10 * k, 0.62 * m.hip_height, -4, 4, 0))
@@ -267,7 +267,7 @@ def fall(stage: Stage, who: Performer, beat: Beat) -> float:
         who.home[side] = beside_body(who, side, 0.0)
         who.hands[side].set(t + 0.05, 0.45, flung)
         who.hands[side].set(t + 0.7, 0.5, _flung_out(who, side))
-    who.face.set(t + 1.0, 0.4, (0.25, 0, 1, 0, 0))
+    show(who, t + 1.0, 0.4, mouth_open=0.25, blink=1)
     who.posture, who.support = "lie", ""
     return t + 1.4
 

@@ -11,6 +11,7 @@ from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_head
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.stage import Beat, PointOf, Stage
+from storyblender.catalog.expressions import EXPRESSIONS, OF_MOOD, values_of
 
 
 def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> float:
@@ -21,20 +22,15 @@ def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> f
     return t + duration
 
 
-MOODS: dict[str, tuple[float, float, float, float, float]] = {
-    "neutral": (0, 0, 0, 0, 0),
-    "happy": (0.1, 0.9, 0, 0.3, 0),
-    "sad": (0, 0, 0.2, 0.6, 0.2),
-    "angry": (0.15, 0, 0, 0, 1),
-    "afraid": (0.35, 0, 0, 1, 0),
-    "tender": (0, 0.45, 0.1, 0.2, 0),
-}
-"""Faces: values of the performer's ``FACE`` keys."""
+def show(who: Performer, t: float, duration: float, **units: float) -> None:
+    """Put on a face made of units of ``FACE``; none is the face that the person has in this shot."""
+    who.face.set(t, duration, values_of(units or EXPRESSIONS[who.expression]))
 
 
 def mood(who: Performer, t: float, name: str, duration: float = 0.3) -> None:
-    """Put on a face."""
-    who.face.set(t, duration, MOODS[name])
+    """Put on the face of a mood or an expression; ``neutral`` is the face that the person has in this shot."""
+    expression = OF_MOOD.get(name, name)
+    show(who, t, duration, **EXPRESSIONS[expression])
 
 
 def look_at_subject(stage: Stage, who: Performer, t: float, beat: Beat) -> float:

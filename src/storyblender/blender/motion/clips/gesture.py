@@ -5,7 +5,7 @@ from __future__ import annotations
 from mathutils import Vector
 
 from storyblender.blender.motion.channel import Floats
-from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, mood
+from storyblender.blender.motion.clips.gaze import look_at, look_at_subject, mood, show
 from storyblender.blender.motion.clips.handling import let_go, prop_of
 from storyblender.blender.motion.clips.registry import clip
 from storyblender.blender.motion.hands import by_chest, by_head, hand
@@ -84,7 +84,7 @@ def shrug(stage: Stage, who: Performer, beat: Beat) -> float:
             who.hands[side].set(t, 0.4, shown)
             who.hands[side].set(t + 0.95, 0.6, who.home[side])
     who.nod.set(t, 0.35, (-4, 10, 0))
-    who.face.set(t, 0.3, (0, 0, 0, 0.9, 0))
+    show(who, t, 0.3, brow_up=0.9)
     who.nod.set(t + 0.95, 0.5, (0, 0, 0))
     mood(who, t + 1.0, "neutral")
     return t + 1.55
@@ -141,7 +141,7 @@ def pray(stage: Stage, who: Performer, beat: Beat) -> float:
         who.hands[side].set(end - 0.5, 0.7, who.home[side])
     who.look_freely(t)
     who.nod.set(t + 0.1, 0.7, (24, 0, 0))
-    who.face.set(t, 0.4, (0, 0, 1, 0.2, 0))
+    show(who, t, 0.4, blink=1, brow_up=0.2)
     who.nod.set(end - 0.5, 0.6, (0, 0, 0))
     mood(who, end - 0.4, "neutral")
     return end

@@ -154,7 +154,7 @@ def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
         )
         who.hands[side].set(t + 0.2, 0.5, belly)
         who.hands[side].set(end - 0.3, 0.6, who.home[side])
-    who.face.set(t, 0.25, (0.75, 1, 0.35, 0.2, 0))
+    mood(who, t, "laugh")
     who.nod.set(t, 0.3, (-16, 4, 0))
     who.nod.set(doubled, 0.35, (8, -3, 0))
     who.accent.set(t, 0.3, (-7, 0, 0))
@@ -163,7 +163,7 @@ def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
         bend = -7 if now < doubled else 15
         who.accent.set(now, 0.11, (bend + 4, 0, 0))
         who.accent.set(now + 0.12, 0.12 if now < doubled else 0.2, (bend, 0, 0))
-    who.face.set(end - 0.3, 0.4, (0, 0.5, 0, 0, 0))
+    mood(who, end - 0.3, "smile", 0.4)
     who.nod.set(end - 0.3, 0.4, (0, 0, 0))
     who.accent.set(end - 0.2, 0.45, (0, 0, 0))
     return end
@@ -173,7 +173,7 @@ def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
 def cry(stage: Stage, who: Performer, beat: Beat) -> float:
     """Weep into the free hands, trunk bent and trembling."""
     t, end = beat.start, beat.start + (beat.duration or 3.0)
-    who.face.set(t, 0.4, (0.2, 0, 0.75, 0.8, 0.3))
+    mood(who, t, "cry", 0.4)
     who.look_freely(t)
     who.nod.set(t + 0.1, 0.7, (22, 0, 0))
     who.accent.set(t, 0.7, (14, 0, 0))
@@ -199,6 +199,6 @@ def cry(stage: Stage, who: Performer, beat: Beat) -> float:
         who.hands[side].set(end - 0.6, 0.7, who.home[side])
     who.nod.set(end - 0.5, 0.6, (6, 0, 0))
     who.accent.set(end - 0.5, 0.6, (4, 0, 0))
-    who.face.set(end - 0.3, 0.6, (0, 0, 0.2, 0.6, 0.2))
+    mood(who, end - 0.3, "sad", 0.6)
     who.lean_after.set(end, 0, 1.0)
     return end

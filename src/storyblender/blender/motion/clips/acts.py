@@ -1,0 +1,317 @@
+"""Plays the acts of the catalogue: rows of key poses become keys on the channels of a person."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import Floats, Target, TargetOf
+from storyblender.blender.motion.clips.gaze import aside, look_at, look_at_subject, mood
+from storyblender.blender.motion.clips.handling import approach, come_up, pick_up, prop_of, reach_down, take_in_hand
+from storyblender.blender.motion.clips.locomotion import step_to
+from storyblender.blender.motion.clips.registry import CLIPS, Clip, Play
+from storyblender.blender.motion.clips.work import WORKING, handle_of
+from storyblender.blender.motion.hands import chest_yaw, hand, shoulder_rest
+from storyblender.blender.motion.performer import Performer
+from storyblender.blender.motion.puppets import Grip, PropPuppet, carried
+from storyblender.blender.motion.skeleton import UP, other, sign
+from storyblender.blender.motion.stage import Beat, Stage
+from storyblender.catalog.acts import ACTS
+from storyblender.catalog.acts.entry import HOME_SECONDS, Act, FootPose, Gaze, HandPose, Key, Triple
+
+AT_HAND = 1.3
+"""Metres from which a thing is picked up for an act; what is farther off is in hand already."""
+OVER_WORK = 0.12
+"""Metres of somebody of 1.7 m that hands work above a surface."""
+STEP_LIFT = 0.03
+"""Metres of somebody of 1.7 m."""
+
+
+def _uses(act: Act) -> tuple[str, ...]:
+    """Return the parts of the body that an act needs."""
+    keys = act.keys
+    uses = ["body"] if any(key.hips or key.lead_foot or key.far_foot for key in keys) else []
+    uses += {0: [], 1: ["hand"], 2: ["hands"]}[act.hands]
+    return (*uses, "head") if any(key.nod or key.gaze or key.face for key in keys) else tuple(uses)
+
+
+def _play_of(act: Act) -> Play:
+    def play(stage: Stage, who: Performer, beat: Beat) -> float:
+        return _Playing(stage, who, beat, act).run()
+
+    return play
+
+
+class _Playing:
+    """One act being performed.
+
+    Args:
+        stage: Where.
+        who: The one who acts.
+        beat: When, with what, to whom.
+        act: What.
+    """
+
+    def __init__(self, stage: Stage, who: Performer, beat: Beat, act: Act) -> None:
+        self.stage, self.who, self.beat, self.act = stage, who, beat, act
+        self.partner = beat.target if isinstance(beat.target, Performer) and beat.target is not who else None
+        self.lead = self._acting_hand()
+        self.spot = Vector((0, 0, 0))
+
+    def run(self) -> float:
+        """Set all keys and return the end."""
+        who, act = self.who, self.act
+        t = self._tool_in_hand(self.beat.start)
+        poses = [pose for key in act.keys for pose in (key.lead, key.far) if pose is not None]
+        bent = 0.0
+        if any(pose.frame == "work" for pose in poses):
+            t = approach(self.stage, who, self.beat, handle_of(self.stage, who, self.beat)[0], WORKING * who.m.arm)
+            self.spot = handle_of(self.stage, who, self.beat)[0]
+            bent = reach_down(who, t, 0.6, self.spot + UP * (OVER_WORK * who.m.k))
+        if poses:
+            who.lean_after.set(t, 0, 0.0 if all(pose.frame in ("chest", "head") for pose in poses) else 1.0)
+        end = t + max(act.once, (self.beat.duration or 0.0) - (0.0 if act.stays else HOME_SECONDS))
+        self._steady_tool(t, end)
+        if self.partner is not None and act.partner:
+            _Playing(self.stage, self.partner, replace(self.beat, start=t, target=who, prop=None), act).react(t)
+        now = self._keys(t, end)
+        if act.stays or now > self.stage.plan.frames / self.stage.fps - 0.3:
+            return now
+        self._home(now)
+        if bent:
+            come_up(who, now, HOME_SECONDS)
+        return now + HOME_SECONDS
+
+    def react(self, t: float) -> None:
+        """Play what the act does to the other person."""
+        for key in self.act.partner:
+            self._key(key, t)
+            t += key.seconds + key.stay
+        self._home(t, [key for key in self.act.partner])
+
+    def _keys(self, t: float, end: float) -> float:
+        """Set the keys, those that are repeated until the end; return when the last is over."""
+        index, keys = 0, self.act.keys
+        while index < len(keys):
+            key = keys[index]
+            self._key(key, t)
+            t += key.seconds + key.stay
+            index += 1
+            if index == len(keys) and self.act.again is not None and self.act.stretches and t < end - 0.1:
+                index = self.act.again
+        return max(t, end) if self.act.stretches else t
+
+    def _key(self, key: Key, t: float) -> None:
+        who, s = self.who, sign(self.lead)
+        for side, pose in ((self.lead, key.lead), (other(self.lead), key.far)):
+            if pose is not None and self._may_move(side):
+                who.hands[side].set(t, key.seconds, self._target(side, pose))
+                if pose.frame == "their_hand":
+                    self.stage.late.append((who, side, t, t + key.seconds + key.stay + HOME_SECONDS))
+        if key.spine is not None:
+            who.accent.set(t, key.seconds, (key.spine[0], -s * key.spine[1], s * key.spine[2]))
+        if key.nod is not None:
+            who.nod.set(t, key.seconds, (key.nod[0], -s * key.nod[1], s * key.nod[2]))
+        if key.hips is not None and who.posture == "stand":
+            side, ahead, up, pitch = key.hips
+            k = who.m.k
+            who.hips.set(t, key.seconds, (s * side * k, -ahead * k, who.standing_height + up * k, pitch, 0, 0))
+        if who.posture == "stand":
+            for foot, pose in ((self.lead, key.lead_foot), (other(self.lead), key.far_foot)):
+                if pose is not None:
+                    step_to(who, foot, t, key.seconds, self._planted(foot, pose), STEP_LIFT * who.m.k)
+        if key.face is not None:
+            mood(who, t, key.face, key.seconds)
+        if key.gaze is not None:
+            self._look(key.gaze, t, key.seconds)
+
+    def _home(self, t: float, keys: list[Key] | None = None) -> None:
+        """Bring back what the keys moved."""
+        who, keys = self.who, list(self.act.keys) if keys is None else keys
+        for side, moved in (
+            (self.lead, any(key.lead for key in keys)),
+            (other(self.lead), any(key.far for key in keys) or self.act.second is not None),
+        ):
+            held = self.stage.props.get(who.held.get(side, ""))
+            if moved and self._may_move(side):
+                who.hands[side].set(t, HOME_SECONDS, carried(who, side, held) if held else who.home[side])
+        if any(key.spine for key in keys):
+            who.accent.set(t, HOME_SECONDS, (0, 0, 0))
+        if any(key.nod for key in keys):
+            who.nod.set(t, HOME_SECONDS, (0, 0, 0))
+        if who.posture == "stand":
+            if any(key.hips for key in keys):
+                who.hips.set(t, HOME_SECONDS, (0, 0, who.standing_height, 0, 0, 0))
+            feet = ((self.lead, any(k.lead_foot for k in keys)), (other(self.lead), any(k.far_foot for k in keys)))
+            for foot, moved in feet:
+                if moved:
+                    step_to(who, foot, t, 0.4, who.plant_at(foot, who.position, who.yaw))
+        if any(key.face for key in keys):
+            mood(who, t, "neutral", HOME_SECONDS)
+        if any(key.gaze for key in keys):
+            look_at(who, t, who.ahead)
+        who.lean_after.set(t + HOME_SECONDS, 0, 1.0)
+
+    # --- hands ----------------------------------------------------------------------------------------------------
+
+    def _acting_hand(self) -> str:
+        """Return the hand that acts: the beat's, or the other one where that holds what is not needed."""
+        side, prop = self.beat.side, prop_of(self.beat)
+        held = self.who.held.get(side)
+        wanted = prop is not None and held == prop.asset_id
+        with_tool = any(key.lead is not None and key.lead.tool is not None for key in self.act.keys)
+        if held is None or wanted or with_tool or other(side) in self.who.held:
+            return side
+        return other(side)
+
+    def _may_move(self, side: str) -> bool:
+        """Tell whether a hand may leave where it is: it is empty, or what it holds goes along."""
+        held = self.who.held.get(side)
+        prop = prop_of(self.beat)
+        return held is None or side == self.lead or (prop is not None and held == prop.asset_id)
+
+    def _tool_in_hand(self, t: float) -> float:
+        """Have what the act is done with in hand; return when."""
+        prop = prop_of(self.beat)
+        if prop is None or prop.holder is self.who or not self.act.hands or prop is self.beat.target:
+            return t
+        if (prop.matrix.translation.xy - self.who.position).length < AT_HAND:
+            t = pick_up(self.stage, self.who, replace(self.beat, side=self.lead))
+        else:
+            take_in_hand(self.stage, self.who, self.lead, prop, t)
+        return t
+
+    def _steady_tool(self, t: float, end: float) -> None:
+        """Let the other hand hold the tool as well."""
+        far, prop = other(self.lead), self.stage.props.get(self.who.held.get(self.lead, ""))
+        if self.act.second is None or prop is None or self.who.held.get(far, prop.asset_id) != prop.asset_id:
+            return
+        grip = _along(prop, far, self.act.second)
+
+        def target(_: float) -> Floats:
+            return grip.hand(prop.matrix, self.who.facing @ Vector((sign(far) * 0.8, 0.3, -0.6)))
+
+        self.who.hands[far].set(t, 0.6, target)
+        self.stage.late.append((self.who, far, t, end + HOME_SECONDS))
+
+    def _target(self, side: str, pose: HandPose) -> TargetOf:
+        who = self.who
+
+        def flip(v: Triple) -> Vector:
+            return Vector((sign(side) * v[0], -v[1], v[2]))
+
+        def target(_: float) -> Floats:
+            origin, turn, scale = self._frame(side, pose)
+            place = origin + turn @ flip(pose.at) * scale
+            elbow = (who.facing if pose.frame == "head" else turn) @ flip(pose.elbow)
+            held = self.stage.props.get(who.held.get(side, ""))
+            if pose.tool is not None and held is not None:
+                return _wielding(held.grip(side), place, [turn @ flip(v) for v in pose.tool], elbow)
+            return hand(place, turn @ flip(pose.fingers), turn @ flip(pose.palm), elbow, pose.curl)
+
+        return target
+
+    def _frame(self, side: str, pose: HandPose) -> tuple[Vector, Matrix, float]:
+        """Return where a hand pose is measured from, its axes, and the length of its unit, at the moment posed."""
+        who, k = self.who, self.who.m.k
+        match pose.frame:
+            case "chest":
+                turn = who.facing @ who.bones.orient["upper_chest"]
+                return who.to_world(shoulder_rest(who, side)), turn, who.m.arm
+            case "upright":
+                turn = who.facing @ Matrix.Rotation(chest_yaw(who), 3, "Z")
+                return who.to_world(shoulder_rest(who, side)), turn, who.m.arm
+            case "head":
+                eyes = (who.bones.head["eye.L"] + who.bones.head["eye.R"]) / 2 - who.bones.head["head"]
+                return who.point("head", eyes), who.facing @ who.bones.orient["head"], k
+            case "work":
+                return self.spot, who.facing, k
+            case "ground":
+                return who.place, who.facing, k
+            case _:
+                return self._of_partner(side, pose.frame), who.facing, k
+
+    def _of_partner(self, side: str, part: str) -> Vector:
+        """Return a place on the other person; a place before one's own face or breast where there is none."""
+        them = self.partner
+        if them is None:
+            ahead = 0.45 if part == "their_hand" else 0.6
+            height = {"their_head": 0.95, "their_hand": 0.5}.get(part, 0.82)
+            return self.who.to_world(Vector((0, -ahead * self.who.m.k, height * self.who.m.eye_height)))
+        if part == "their_head":
+            return (them.point("eye.L") + them.point("eye.R")) / 2
+        if part == "their_hand":
+            near = self.who.to_world(shoulder_rest(self.who, side))
+            return min((them.point("hand.L"), them.point("hand.R")), key=lambda place: (place - near).length)
+        if part == "their_shoulder":
+            near = self.who.to_world(shoulder_rest(self.who, side))
+            places = (them.point("upper_arm.L"), them.point("upper_arm.R"))
+            return min(places, key=lambda place: (place - near).length)
+        return them.point("upper_chest", (0, -them.m.chest_front, 0))
+
+    # --- feet and eyes --------------------------------------------------------------------------------------------
+
+    def _planted(self, side: str, pose: FootPose) -> Floats:
+        who, k = self.who, self.who.m.k
+        left = Vector((math.cos(who.yaw), math.sin(who.yaw)))
+        spot = who.position + who.forward * (pose.ahead * k) + left * (sign(side) * pose.aside * k)
+        foot = who.plant_at(side, spot, who.yaw)
+        foot[2] += pose.up * k
+        foot[4] = pose.pitch
+        return foot
+
+    def _look(self, gaze: Gaze, t: float, seconds: float) -> None:
+        who = self.who
+        if gaze == "target":
+            look_at_subject(self.stage, who, t, self.beat)
+        else:
+            look_at(who, t, self._point(gaze), min(0.5, seconds))
+
+    def _point(self, gaze: Gaze) -> Target:
+        who, k, s = self.who, self.who.m.k, sign(self.lead)
+        match gaze:
+            case "hands":
+                return lambda _: tuple(who.point(f"hand.{self.lead}"))
+            case "down":
+                return lambda _: tuple(who.to_world(Vector((0, -0.9 * k, 0.1))))
+            case "up":
+                return lambda _: tuple(who.to_world(Vector((0, -1.6 * k, who.m.eye_height + 1.5 * k))))
+            case "left":
+                return aside(who, 62)
+            case "right":
+                return aside(who, -62)
+            case "away":
+                return aside(who, -48.0 * s, 0.86)
+            case "back":
+                return aside(who, -118.0 * s)
+            case _:
+                return who.ahead
+
+
+def _wielding(grip: Grip, place: Vector, axes: list[Vector], elbow: Vector) -> Floats:
+    """Return the hand at a place that holds a thing with its top and its front in two directions."""
+    up, front = axes[0].normalized(), axes[1]
+    back = -(front - up * front.dot(up)).normalized()
+    turn = Matrix((back.cross(up), back, up)).transposed()
+    matrix = turn.to_4x4()
+    matrix.translation = place - turn @ grip.palm
+    return grip.hand(matrix, elbow)
+
+
+def _along(prop: PropPuppet, side: str, metres: float) -> Grip:
+    """Return the grip of a hand some metres along a tool, towards its top, or its front if it lies."""
+    grip = prop.grip(side)
+    axis = Vector((0, 0, 1)) if prop.size.z >= prop.size.y else Vector((0, -1, 0))
+    place = grip.palm + axis * metres
+    for index in (1, 2):
+        low = 0.06 if index == 2 else 0.06 - prop.size.y / 2
+        high = prop.size.z - 0.06 if index == 2 else prop.size.y / 2 - 0.06
+        if abs(axis[index]) > 0:
+            place[index] = min(max(place[index], low), max(low, high))
+    return replace(grip, palm=place)
+
+
+for _act in ACTS.values():
+    CLIPS[_act.key] = Clip(_act.key, _uses(_act), _play_of(_act))

@@ -1,0 +1,15 @@
+"""Acts: motions that are rows of key poses. A new one is one row; ``blender/motion/clips/acts.py`` plays them all."""
+
+from __future__ import annotations
+
+from storyblender.catalog.acts.arts import ARTS
+from storyblender.catalog.acts.bodies import BODIES
+from storyblender.catalog.acts.chores import CHORES
+from storyblender.catalog.acts.entry import Act
+from storyblender.catalog.acts.signs import SIGNS
+from storyblender.catalog.registry import Catalog
+
+ACTS: Catalog[Act] = Catalog("act", (*SIGNS, *BODIES, *CHORES, *ARTS))
+"""Every act, by key."""
+
+__all__ = ["ACTS", "Act"]

@@ -1,0 +1,96 @@
+"""Faces: the shape keys of every person, the sixteen expressions made of them, and the words that mean one. Data."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from storyblender.memory.vocabulary import Mood
+
+FACE_UNITS: Mapping[str, Mapping[str, float]] = {
+    "mouth_open": {"mouth-open": 0.7, "mouth-depression": 0.3},
+    "smile": {"mouth-corner-puller": 1.0},
+    "blink": {"eye-left-closure": 1.0, "eye-right-closure": 1.0},
+    "brow_up": {"eyebrows-left-up": 1.4, "eyebrows-right-up": 1.4},
+    "brow_down": {"eyebrows-left-down": 1.3, "eyebrows-right-down": 1.3},
+    "grin": {"mouth-upward-retraction": 1.0},
+    "frown": {"mouth-depression": 1.0},
+    "worry": {"eyebrows-left-inner-up": 1.4, "eyebrows-right-inner-up": 1.4},
+    "wide": {"eye-left-opened-up": 1.4, "eye-right-opened-up": 1.4},
+    "squint": {"eye-left-slit": 0.5, "eye-right-slit": 0.5},
+    "snarl": {"mouth-part-later": 0.8, "nose-left-elevation": 1.0, "nose-right-elevation": 1.0},
+    "purse": {"mouth-pursing": 1.4},
+    "wail": {"mouth-depression-retraction": 1.0},
+    "wrinkle": {
+        "nose-compression": 1.1, "nose-left-elevation": 1.1, "nose-right-elevation": 1.1, "mouth-elevation": 0.5,
+    },
+}  # fmt: skip
+"""Shape keys of a person's face, and the MakeHuman units that each is mixed from."""
+FACE: tuple[str, ...] = tuple(FACE_UNITS)
+"""The order of a face's values."""
+
+EXPRESSIONS: Mapping[str, Mapping[str, float]] = {
+    "neutral": {},
+    "smile": {"smile": 1.0, "squint": 0.25, "brow_up": 0.1},
+    "laugh": {"grin": 1.0, "mouth_open": 0.45, "squint": 0.7, "brow_up": 0.2},
+    "sad": {"frown": 0.8, "worry": 0.95, "blink": 0.3},
+    "cry": {"wail": 0.55, "frown": 0.9, "worry": 1.0, "blink": 0.75},
+    "angry": {"brow_down": 0.85, "frown": 0.5, "squint": 0.4, "wrinkle": 0.25},
+    "rage": {"brow_down": 1.0, "snarl": 0.8, "mouth_open": 0.7, "wide": 0.2, "wrinkle": 0.35},
+    "afraid": {"worry": 0.85, "brow_up": 0.35, "wide": 0.65, "mouth_open": 0.15, "wail": 0.35},
+    "terrified": {"worry": 0.85, "brow_up": 0.65, "wide": 1.0, "mouth_open": 0.85, "wail": 0.3},
+    "surprised": {"brow_up": 1.0, "wide": 0.7, "mouth_open": 0.5},
+    "disgusted": {"brow_down": 0.45, "squint": 0.6, "wrinkle": 1.0, "frown": 0.6},
+    "pained": {"brow_down": 0.55, "worry": 0.55, "blink": 0.8, "snarl": 0.5, "wrinkle": 0.55},
+    "tender": {"smile": 0.6, "worry": 0.4, "blink": 0.15},
+    "thoughtful": {"brow_down": 0.3, "purse": 0.35, "squint": 0.3},
+    "suspicious": {"brow_down": 0.6, "squint": 0.9, "purse": 0.2, "frown": 0.3},
+    "tired": {"blink": 0.5, "worry": 0.3, "frown": 0.35},
+    # beside the sixteen: faces of single acts
+    "asleep": {"blink": 1.0},
+    "eyes_closed": {"blink": 1.0, "smile": 0.2},
+    "whistle": {"purse": 1.0, "mouth_open": 0.06},
+    "sing": {"mouth_open": 0.75, "brow_up": 0.4, "worry": 0.3},
+    "yawn": {"mouth_open": 1.0, "blink": 0.85, "worry": 0.3},
+    "kiss": {"purse": 0.7, "blink": 1.0},
+}
+"""Expression -> values of the shape keys, 0..1."""
+
+OF_MOOD: Mapping[Mood, str] = {
+    "neutral": "neutral", "happy": "smile", "sad": "sad", "angry": "angry", "afraid": "afraid", "tender": "tender",
+}  # fmt: skip
+"""What a mood looks like on a face."""
+
+_WORDS: tuple[tuple[str, str], ...] = (
+    ("eyes_closed", r"(eyes|lids) (are |tightly )?(closed|shut)|shut eyes|closed eyes"),
+    ("neutral", r"neutral|blank|deadpan|expressionless|poker|calm|stoic|serene|impassive"),
+    ("cry", r"cry|tears?\b|teary|tearful|sob|weep|wail|bawl"),
+    ("laugh", r"laugh|giggl|chuckl|guffaw|hysteric|cackl"),
+    ("rage", r"rage|raging|furious|fury|shout|scream|yell|roar|livid|seeth"),
+    ("terrified", r"terrif|horrif|horror|panic|petrif|terror|scared to death|aghast"),
+    ("surprised", r"surpris|astonish|shock|amaz|stun|startl|gasp|wide.?eyed|jaw drop|gape|incredul|awe"),
+    ("disgusted", r"disgust|revolt|repuls|sneer|contempt|distaste|nause|sick"),
+    ("pained", r"pain|hurt|agon|winc|grimac|ache|suffer|strain|exert|effort"),
+    ("suspicious", r"suspici|wary|distrust|squint|doubt|skeptic|sceptic|narrow|sly|smirk|cunning|scheming"),
+    ("angry", r"ang(e)?r|cross|glar|scowl|frown|annoy|irritat|stern|grim|hostile|fierce|bitter|cold|snap|indignan"),
+    ("afraid", r"afraid|fear|anxi|nervous|worr|scare|frighten|alarm|tens|uneasy|concern|urgent|trembl"),
+    ("tender", r"tender|lov|gentl|warm|soft|fond|affection|kind|longing|wistful|grateful|touched"),
+    ("sad", r"\bsad|sorrow|grie|mourn|melanchol|gloom|heartbr|broken|depress|disappoint|pout|downcast|hopeless"),
+    ("tired", r"tired|weary|exhaust|sleepy|drows|fatigu|bored|worn out|drunk|dazed|weak"),
+    ("thoughtful", r"thought|ponder|pensive|puzzl|confus|curious|concentrat|focus|attentive|intent|studi|determin"),
+    ("smile", r"smil|happ|grin|beam|pleas|cheer|joy|delight|amus|content|excit|proud|glad|relie|bright|hope|joke"),
+)
+"""Expressions and the words for them, the more telling ones first."""
+
+
+def values_of(weights: Mapping[str, float]) -> tuple[float, ...]:
+    """Return the values of a face in the order of ``FACE``."""
+    return tuple(weights.get(key, 0.0) for key in FACE)
+
+
+def expression_of(words: str) -> str | None:
+    """Return the expression that words mean: one of the sixteen by name, else by likeness; None where none fits."""
+    said = words.strip().lower()
+    if said in EXPRESSIONS:
+        return said
+    return next((name for name, pattern in _WORDS if re.search(pattern, said)), None)
