@@ -81,24 +81,24 @@ BODIES: tuple[Act, ...] = (
             far_foot=FootPose(0.04, 0.20), lead_foot=FootPose(0.06, -0.18)),
     ), before=UPRIGHT, stays=True),
     Act("punch", "punch", ("box", "strike", "uppercut"), (
-        Key(0.35, 0.05, lead=HandPose((0.10, 0.05, -0.18), (-0.1, 0.9, 0.2), (-1, 0, 0), (0.7, -0.6, -0.4), at.FIST),
+        Key(0.35, 0.05, lead=HandPose((0.16, 0.30, -0.34), (-0.1, 0.9, 0.2), (-1, 0, 0), (0.6, -0.5, -0.7), at.FIST),
             far=HandPose((-0.12, 0.52, -0.05), (-0.2, 0.5, 0.85), (-0.9, -0.4, 0), (0.7, 0.1, -0.9), at.FIST),
             spine=(2, 0, 22), hips=(0, -0.04, -0.05, 0), face="rage", gaze="target",
             far_foot=FootPose(0.03, 0.2), lead_foot=FootPose(0.05, -0.2)),
-        Key(0.12, 0.7, lead=HandPose((-0.03, -0.10, -0.06), (-0.1, 1, 0.1), (-1, 0, -0.1), (0.7, 0, -0.4), at.FIST,
+        Key(0.2, 0.7, lead=HandPose((-0.03, -0.10, -0.06), (-0.1, 1, 0.1), (-1, 0, -0.1), (0.7, 0, -0.4), at.FIST,
             "their_head"),
             spine=(14, 0, -20), hips=(0, 0.08, -0.06, 6)),
     ), reach="person", distance=0.72, before=UPRIGHT, partner=(
-        Key(0.45, 0.0), Key(0.12, 0.7, spine=(-18, 10, 14), nod=(-14, 8, 30), face="pained", hips=(0, -0.08, -0.04,
+        Key(0.5, 0.0), Key(0.2, 0.7, spine=(-18, 10, 14), nod=(-14, 8, 30), face="pained", hips=(0, -0.08, -0.04,
             -8),
                             lead=at.FLUNG, lead_foot=FootPose(0.02, -0.28)),
     )),
     Act("slap", "slap", ("smack", "box somebody's ears"), (
-        Key(0.35, 0.05, lead=HandPose((0.40, 0.25, 0.15), (0.3, 0.3, 0.9), (-0.8, 0.5, 0), (0.9, -0.2, -0.3), at.FLAT),
+        Key(0.35, 0.05, lead=HandPose((0.42, 0.42, 0.10), (0.1, 0.5, 0.8), (-0.9, 0.4, 0), (0.4, -0.3, -0.9), at.FLAT),
             spine=(0, 0, 20), face="angry", gaze="target"),
-        Key(0.13, 0.8, lead=_CHEEK, spine=(6, 0, -12)),
+        Key(0.24, 0.8, lead=_CHEEK, spine=(6, 0, -12)),
     ), reach="person", distance=0.62, partner=(
-        Key(0.46, 0.0), Key(0.12, 0.8, spine=(0, 4, 8), nod=(4, 10, 38), face="pained"),
+        Key(0.5, 0.0), Key(0.2, 0.8, spine=(0, 4, 8), nod=(4, 10, 38), face="pained"),
     )),
     Act("choke", "choke somebody", ("strangle", "throttle"), (
         Key(0.5, 0.4, lead=_THROAT, far=_THROAT, spine=(10, 0, 0), face="rage", gaze="target", hips=(0, 0.04, -0.04,
@@ -113,10 +113,10 @@ BODIES: tuple[Act, ...] = (
     directs=("shake_person",)),
     Act("push_away", "push somebody away", ("shove", "thrust back"), (
         Key(0.4, 0.1, lead=_CHEST, far=_CHEST, spine=(4, 0, 0), face="angry", gaze="target"),
-        Key(0.2, 0.7, lead=at.AHEAD_DOWN, far=at.AHEAD_DOWN, spine=(18, 0, 0), hips=(0, 0.08, -0.05, 8),
+        Key(0.3, 0.7, lead=at.AHEAD_DOWN, far=at.AHEAD_DOWN, spine=(18, 0, 0), hips=(0, 0.08, -0.05, 8),
             lead_foot=FootPose(0, 0.25)),
     ), reach="person", distance=0.6, before=UPRIGHT, partner=(
-        Key(0.45, 0.0), Key(0.25, 0.7, lead=at.FLUNG, far=at.FLUNG, spine=(-18, 0, 0), hips=(0, -0.2, -0.06, -10),
+        Key(0.45, 0.0), Key(0.35, 0.7, lead=at.FLUNG, far=at.FLUNG, spine=(-18, 0, 0), hips=(0, -0.2, -0.06, -10),
                             face="surprised", lead_foot=FootPose(0.02, -0.42), far_foot=FootPose(0, -0.12)),
     )),
     Act("comfort", "put an arm around somebody", ("console", "pat the shoulder"), (

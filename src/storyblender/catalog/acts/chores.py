@@ -87,10 +87,12 @@ CHORES: tuple[Act, ...] = (
         Key(0.35, 0.0, lead=_at_work((0.06, -0.20, 0.10), tool=_BLADE), spine=(20, 0, 6)),
     ), again=1, stretches=True, told=1, reach="thing", distance=0.6),
     Act("chop", "chop", ("chop wood", "axe", "hew", "hack"), (
-        Key(0.7, 0.1, lead=HandPose((-0.12, 0.20, 0.62), tool=((0, -0.75, 0.5), (0, 0.4, 1)), curl=at.GRIP),
+        Key(0.7, 0.1, lead=HandPose((-0.18, 0.45, 0.55), tool=((0, -0.5, 0.8), (0, 0.8, 0.5)), curl=at.GRIP,
+                elbow=(0.9, 0.3, 0.2)),
             spine=(-6, 0, 4), face="angry", gaze="down", far_foot=FootPose(0.08, 0.05), lead_foot=FootPose(0.08,
             -0.05)),
-        Key(0.2, 0.5, lead=HandPose((-0.30, 0.72, -0.62), tool=((0, 0.75, -0.6), (0, -0.6, -0.8)), curl=at.GRIP),
+        Key(0.32, 0.5, lead=HandPose((-0.30, 0.72, -0.62), tool=((0, 0.85, -0.4), (0, -0.4, -0.9)), curl=at.GRIP,
+                elbow=(0.9, 0.1, -0.2)),
             spine=(34, 0, 0), hips=(0, -0.1, -0.14, 16)),
     ), again=0, stretches=True, told=0, before=UPRIGHT, second=-0.16),
     Act("fix", "repair", ("mend", "tinker", "screw", "wire", "assemble"), (

@@ -175,6 +175,6 @@ SIGNS: tuple[Act, ...] = (
     Act("flinch", "flinch", ("recoil", "start", "wince", "duck away"), (
         Key(0.2, 1.0, lead=at.WARDING, far=at.WARDING, spine=(-10, 8, -8), nod=(6, 8, -14), hips=(0, -0.07, -0.04, -4),
             face="terrified"),
-    ), directs=("recoil",)),
+    )),
 )  # fmt: skip
 """Acts that need no place and no tool."""

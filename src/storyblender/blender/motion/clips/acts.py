@@ -11,12 +11,13 @@ from storyblender.blender.motion.channel import Floats, Target, TargetOf
 from storyblender.blender.motion.clips.gaze import aside, look_at, look_at_subject, mood
 from storyblender.blender.motion.clips.handling import approach, come_up, pick_up, prop_of, reach_down, take_in_hand
 from storyblender.blender.motion.clips.locomotion import step_to
+from storyblender.blender.motion.clips.pairs import keep, meet
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, Play
 from storyblender.blender.motion.clips.work import WORKING, handle_of
 from storyblender.blender.motion.hands import chest_yaw, hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import Grip, PropPuppet, carried
-from storyblender.blender.motion.skeleton import UP, other, sign
+from storyblender.blender.motion.skeleton import SIDES, UP, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.acts.entry import HOME_SECONDS, Act, FootPose, Gaze, HandPose, Key, Triple
@@ -32,7 +33,8 @@ STEP_LIFT = 0.03
 def _uses(act: Act) -> tuple[str, ...]:
     """Return the parts of the body that an act needs."""
     keys = act.keys
-    uses = ["body"] if any(key.hips or key.lead_foot or key.far_foot for key in keys) else []
+    moved = any(key.hips or key.lead_foot or key.far_foot for key in keys)
+    uses = ["body"] if moved or act.reach == "person" else []
     uses += {0: [], 1: ["hand"], 2: ["hands"]}[act.hands]
     return (*uses, "head") if any(key.nod or key.gaze or key.face for key in keys) else tuple(uses)
 
@@ -64,6 +66,8 @@ class _Playing:
         """Set all keys and return the end."""
         who, act = self.who, self.act
         t = self._tool_in_hand(self.beat.start)
+        if self.partner is not None and act.reach == "person":
+            t = meet(self.stage, who, self.partner, replace(self.beat, start=t), act.distance * who.m.k)
         poses = [pose for key in act.keys for pose in (key.lead, key.far) if pose is not None]
         bent = 0.0
         if any(pose.frame == "work" for pose in poses):
@@ -86,10 +90,11 @@ class _Playing:
 
     def react(self, t: float) -> None:
         """Play what the act does to the other person."""
+        keep(self.who, SIDES, t, t + sum(key.seconds + key.stay for key in self.act.partner))
         for key in self.act.partner:
             self._key(key, t)
             t += key.seconds + key.stay
-        self._home(t, [key for key in self.act.partner])
+        self._home(t, list(self.act.partner))
 
     def _keys(self, t: float, end: float) -> float:
         """Set the keys, those that are repeated until the end; return when the last is over."""

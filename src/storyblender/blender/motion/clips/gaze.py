@@ -29,7 +29,7 @@ def show(who: Performer, t: float, duration: float, **units: float) -> None:
 
 def mood(who: Performer, t: float, name: str, duration: float = 0.3) -> None:
     """Put on the face of a mood or an expression; ``neutral`` is the face that the person has in this shot."""
-    expression = OF_MOOD.get(name, name)
+    expression = next((face for each, face in OF_MOOD.items() if each == name), name)
     show(who, t, duration, **EXPRESSIONS[expression])
 
 
