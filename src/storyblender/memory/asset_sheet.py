@@ -46,10 +46,11 @@ class Anchor(Frozen):
     All coordinates are in the asset's own frame: bottom-centre origin, front -Y, metres, after scaling.
     """
 
-    kind: Literal["seat", "bed", "top", "grip", "lean", "handle", "mouth"]
+    kind: Literal["seat", "bed", "top", "grip", "lean", "handle", "mouth", "door"]
     name: str = ""
     location: Vec3
-    """seat: middle of the front edge at sitting height; top: centre of the surface; grip: palm centre."""
+    """seat: middle of the front edge at sitting height; door: the floor beside it, where one stands to get in; top:
+    centre of the surface; grip: palm centre."""
     direction: Vec3 = (0.0, -1.0, 0.0)
     """seat: where the sitter faces; bed: from head to feet; grip: the fingers' direction."""
     normal: Vec3 = (0.0, 0.0, 1.0)

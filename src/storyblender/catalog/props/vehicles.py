@@ -3,29 +3,75 @@
 from __future__ import annotations
 
 from storyblender.catalog.props.entry import PropEntry, entry
+from storyblender.memory.base import Vec3
+
+_CAR = {"body": "paint", "trim": "plastic_black", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"}
+
+
+def _car(
+    key: str, words: str, size: Vec3, description: str, color: str = "", band: str = "", **params: str
+) -> PropEntry:
+    """Return a car that people sit in; ``open`` names the doors that stand open, ``all`` for every one."""
+    given = {"open": "", **({"color": color} if color else {}), **params}
+    materials = _CAR | ({"band": band} if band else {})
+    return entry("vehicle", key, words, size, materials, description, params=given, seats=2 if key in _TWO_SEATS else 4)
+
+
+_TWO_SEATS = frozenset({"pickup", "van", "ambulance"})
 
 VEHICLES: tuple[PropEntry, ...] = (
-    entry(
-        "vehicle",
+    _car(
         "car",
-        "motorcar, automobile, sedan, taxi, cab, police car, limousine, vehicle, convertible, roadster, sports car",
-        (1.8, 4.5, 1.5),
-        {"body": "paint", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"},
-        "A four-door car; period 1940s or modern.",
-        params={"period": "modern"},
+        "motorcar, automobile, sedan, limousine, limo, vehicle, sports car, saloon, hatchback, station wagon, "
+        "estate car, coupe, hearse, rental car, getaway car, race car, hot rod, auto",
+        (1.82, 4.6, 1.56),
+        "A four-door car to sit in; period 1940s or modern.",
+        period="modern",
     ),
-    entry(
-        "vehicle",
+    _car(
+        "taxi", "cab, taxicab, taxi cab, minicab, yellow cab, uber", (1.82, 4.6, 1.56), "A taxi to sit in.", "#c79a1e"
+    ),
+    _car(
+        "police_car",
+        "patrol car, squad car, police cruiser, cop car, panda car, sheriff's car",
+        (1.82, 4.6, 1.56),
+        "A police car to sit in.",
+        "#e4e6e8",
+        band="fabric_blue",
+    ),
+    _car(
+        "convertible",
+        "roadster, cabriolet, open-top car, open car, sports convertible, open sports car",
+        (1.8, 4.4, 1.34),
+        "An open car to sit in.",
+        "#8c2320",
+    ),
+    _car(
+        "jeep",
+        "suv, land rover, four-by-four, 4x4, off-roader, army jeep",
+        (1.84, 4.1, 1.78),
+        "A car for rough ground.",
+        "#5e6238",
+    ),
+    _car(
+        "pickup",
+        "pickup truck, pick-up, pick-up truck, ute, flatbed pickup",
+        (1.9, 5.2, 1.76),
+        "A pickup with an open bed.",
+        "#7a2a22",
+    ),
+    _car(
         "van",
-        "delivery van, minibus, ambulance, camper, police van",
-        (1.95, 4.9, 2.15),
-        {"body": "paint", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"},
-        "A van.",
+        "delivery van, minibus, camper, police van, camper van, minivan, motorhome, ice cream van, mail van, "
+        "transit van, moving van, rv, food truck",
+        (1.95, 5.0, 2.15),
+        "A van to sit in.",
     ),
+    _car("ambulance", "emergency ambulance, paramedics' van", (1.95, 5.2, 2.15), "An ambulance.", "#e8e8e4"),
     entry(
         "vehicle",
         "truck",
-        "lorry, pickup, pickup truck, army truck",
+        "lorry, army truck, dump truck, moving truck, semi, juggernaut",
         (2.2, 6.2, 2.5),
         {
             "body": "paint",
@@ -43,7 +89,9 @@ VEHICLES: tuple[PropEntry, ...] = (
         "coach, school bus, city bus",
         (2.5, 9.0, 3.0),
         {"body": "paint", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber", "lamp": "lamp_warm"},
-        "A bus.",
+        "A bus to sit in.",
+        params={"open": False},
+        seats=9,
     ),
     entry(
         "vehicle",
