@@ -141,8 +141,13 @@ def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: floa
         b.box(DARK, (0, r + 0.002, h / 2 + 0.1), (0.014, 0.012, h - 0.75))
     else:
         b.box(paint, (0, r - 0.06, (SILL + style.belt) / 2), (w - 0.08, 0.12, style.belt - SILL), bevel=0.03)
-        b.lathe(spec.material("tyre"), [(0.2, -0.09), (0.33, -0.09), (0.33, 0.09), (0.2, 0.09)], origin=(0, r + 0.06, 0.85),
-                axis=(0, 1, 0), segments=22)  # fmt: skip
+        b.lathe(
+            spec.material("tyre"),
+            [(0.2, -0.09), (0.33, -0.09), (0.33, 0.09), (0.2, 0.09)],
+            origin=(0, r + 0.06, 0.85),
+            axis=(0, 1, 0),
+            segments=22,
+        )
     for x in (-1, 1):
         z = style.bonnet - 0.16
         b.rounded_box(spec.material("lamp"), (x * half * 0.64, f + 0.02, z), (half * 0.38, 0.12, 0.13), 0.04)
@@ -160,11 +165,24 @@ def _roof(b: MeshBuilder, spec: PropSpec, style: Style, front: float, middle: fl
     low, wide = style.belt - 0.03, half * 0.79
     fore, aft = front + style.rake[0], back - style.rake[1]
     rings = []
-    for y, reach, z in ((fore - 0.04, 0.96, -0.02), (fore + 0.12, 1.02, 0.02), ((fore + aft) / 2, 1.04, 0.045),
-                        (aft - 0.1, 1.02, 0.02), (aft + 0.04, 0.96, -0.02)):  # fmt: skip
+    for y, reach, z in (
+        (fore - 0.04, 0.96, -0.02),
+        (fore + 0.12, 1.02, 0.02),
+        ((fore + aft) / 2, 1.04, 0.045),
+        (aft - 0.1, 1.02, 0.02),
+        (aft + 0.04, 0.96, -0.02),
+    ):
         x = wide * reach
-        rings.append([(-x, y, top + z - 0.05), (x, y, top + z - 0.05), (x * 0.95, y, top + z - 0.01),
-                      (x * 0.7, y, top + z + 0.01), (-x * 0.7, y, top + z + 0.01), (-x * 0.95, y, top + z - 0.01)])  # fmt: skip
+        rings.append(
+            [
+                (-x, y, top + z - 0.05),
+                (x, y, top + z - 0.05),
+                (x * 0.95, y, top + z - 0.01),
+                (x * 0.7, y, top + z + 0.01),
+                (-x * 0.7, y, top + z + 0.01),
+                (-x * 0.95, y, top + z - 0.01),
+            ]
+        )
     b.loft(paint, [np.array(ring) for ring in rings])
     for x in (-1, 1):
         posts = [((front + 0.03, half * 0.93), (fore, wide)), ((back - 0.03, half * 0.93), (aft, wide))]
@@ -183,7 +201,7 @@ def _inside(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: fl
     b.tube(DARK, rim, 0.016, segments=6, closed=True)
     b.tube(DARK, [middle, middle - (0, 0.22, 0.12)], 0.03, segments=6)
     for x in (-1, 1):
-        b.tube(DARK, [middle, middle + (x * 0.17, 0, 0.02)], 0.014, segments=5)
+        b.tube(DARK, [middle, np.add(middle, (x * 0.17, 0, 0.02))], 0.014, segments=5)
     rows = [(x * half * 0.44, front + 0.45, half * 0.62) for x in (-1, 1)]
     rows += [(0.0, back - 0.62, half * 1.6)] * (style.rows > 1)
     for x, y, wide in rows:
@@ -214,7 +232,7 @@ def _running_gear(b: MeshBuilder, spec: PropSpec, style: Style) -> None:
     for y in (-d / 2 + max(0.8, style.nose * 0.6), d / 2 - max(0.75, min(style.tail * 0.8, 1.05))):
         for x in (-1, 1):
             arch = radius + 0.055
-            b.cylinder(DARK, (x * (half - 0.26), y, radius), (x * (half + 0.004), y, radius), arch, segments=26)
+            b.cylinder(DARK, (x * (half - 0.26), y, arch), (x * (half + 0.004), y, arch), arch, segments=26)
             at = (x * (half - 0.085), y, radius)
             wheel(b, spec.material("tyre"), spec.material("chrome"), at, radius, 0.2)
 
@@ -232,8 +250,13 @@ def car(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cushion(paint, (x * (half - 0.06), y, 0.58), (0.36, length, 0.6), softness=0.75)
         b.box(paint, (x * (half - 0.02), 0.05, 0.3), (0.26, d * 0.42, 0.05), bevel=0.012)
         b.lathe(chrome, [(0.15, -0.12), (0.15, 0.0)], origin=(x * half * 0.66, f + 0.04, 0.86), axis=(0, -1, 0))
-        b.lathe(spec.material("lamp"), [(0.13, 0.0), (0.08, 0.03), (0.003, 0.045)],
-                origin=(x * half * 0.66, f + 0.04, 0.86), axis=(0, -1, 0), caps=False)  # fmt: skip
+        b.lathe(
+            spec.material("lamp"),
+            [(0.13, 0.0), (0.08, 0.03), (0.003, 0.045)],
+            origin=(x * half * 0.66, f + 0.04, 0.86),
+            axis=(0, -1, 0),
+            caps=False,
+        )
     for k in range(8):
         b.rounded_box(chrome, (0, f - 0.01, 0.56 + 0.055 * k), (half * 0.6, 0.05, 0.022), 0.01)
     return anchors
@@ -242,7 +265,7 @@ def car(b: MeshBuilder, spec: PropSpec) -> Anchors:
 @prop("taxi")
 def taxi(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a taxi with its sign and a band of squares."""
-    (w, d, h), half = spec.size, spec.size[0] / 2
+    (_, d, h), half = spec.size, spec.size[0] / 2
     anchors = automobile(b, spec, SEDAN)
     b.box("lamp_warm", (0, 0.1, h + 0.07), (0.5, 0.2, 0.15), bevel=0.03)
     for k in range(16):

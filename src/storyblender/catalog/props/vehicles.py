@@ -17,6 +17,14 @@ def _car(
     return entry("vehicle", key, words, size, materials, description, params=given, seats=2 if key in _TWO_SEATS else 4)
 
 
+def _craft(
+    key: str, words: str, size: Vec3, description: str, color: str, trim: str = "steel", seats: int = 0
+) -> PropEntry:
+    """Return a craft or a working machine of one colour and a trim."""
+    materials = {"body": "paint", "trim": trim, "chrome": "chrome", "lamp": "lamp_warm"}
+    return entry("vehicle", key, words, size, materials, description, params={"color": color}, seats=seats)
+
+
 _TWO_SEATS = frozenset({"pickup", "van", "ambulance"})
 
 VEHICLES: tuple[PropEntry, ...] = (
@@ -93,10 +101,62 @@ VEHICLES: tuple[PropEntry, ...] = (
         params={"open": False},
         seats=9,
     ),
+    _craft(
+        "helicopter",
+        "chopper, rescue helicopter, police helicopter",
+        (8.9, 7.6, 2.95),
+        "A helicopter with two open seats.",
+        "#37506a",
+        seats=2,
+    ),
+    _craft(
+        "light_plane",
+        "small plane, cessna, biplane, propeller plane, seaplane, light aircraft, crop duster, glider",
+        (10.2, 7.6, 2.7),
+        "A small aeroplane with two seats.",
+        "#e0dccf",
+        "fabric_red",
+        seats=2,
+    ),
+    _craft(
+        "jet",
+        "jetliner, jumbo jet, private jet, passenger jet, jet plane, airbus, boeing, fighter jet",
+        (32.0, 34.0, 10.5),
+        "A jet airliner.",
+        "#dfe2e4",
+        "fabric_blue",
+    ),
+    _craft(
+        "rocket",
+        "spaceship, spacecraft, rocket ship, starship, space rocket, space shuttle, missile",
+        (3.6, 3.6, 10.4),
+        "A rocket on its fins.",
+        "#d9d9d4",
+        "fabric_red",
+    ),
+    _craft("flying_saucer", "ufo, alien ship, alien craft", (8.0, 8.0, 3.65), "A flying saucer.", "#9aa4aa"),
+    _craft(
+        "tractor",
+        "farm tractor, combine harvester, harvester, lawn tractor",
+        (1.9, 3.2, 2.15),
+        "A tractor.",
+        "#8c2a20",
+        seats=1,
+    ),
+    _craft("fire_engine", "fire truck, firetruck, fire brigade", (2.4, 8.0, 3.1), "A fire engine.", "#a81c18", seats=2),
+    _craft(
+        "locomotive",
+        "steam engine, steam train, train, steam locomotive, engine of a train, railway engine, toy train",
+        (2.5, 9.8, 4.1),
+        "A steam engine.",
+        "#2f4a38",
+        "fabric_red",
+    ),
+    _craft("battle_tank", "army tank, panzer, military tank, armoured tank", (3.2, 7.7, 2.3), "A tank.", "#5a5f3e"),
     entry(
         "vehicle",
         "airliner",
-        "airplane, plane, aeroplane, aircraft, passenger plane, propeller plane",
+        "airplane, plane, aeroplane, aircraft, passenger plane, old airliner",
         (29.0, 19.6, 5.2),
         {"body": "sheet_metal", "dark": "iron", "glass": "glass_dark", "chrome": "chrome", "tyre": "rubber"},
         "A twin-engine airliner of the 1940s.",
