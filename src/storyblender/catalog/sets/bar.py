@@ -61,7 +61,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="bar",
     name="Bar",
-    tags=("bar", "saloon", "pub", "tavern", "nightclub", "night club", "club", "inn", "speakeasy", "cantina",
+    tags=("bar", "saloon", "pub", "tavern", "inn", "speakeasy", "cantina",
           "lounge bar", "casino", "wine cellar", "jazz club"),
     indoor=True,
     draw=draw,

@@ -39,7 +39,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="bedroom",
     name="Bedroom",
-    tags=("bedroom", "bed chamber", "bedchamber", "hotel room", "guest room", "dormitory"),
+    tags=("bedroom", "bed chamber", "bedchamber", "guest room", "dormitory"),
     indoor=True,
     draw=draw,
     width=Span(6.8, 7.0, 9.0),

@@ -89,7 +89,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="cafe",
     name="Cafe",
-    tags=("cafe", "café", "coffee shop", "coffee house", "restaurant", "diner", "bistro", "tea room", "canteen",
+    tags=("cafe", "café", "restaurant", "bistro", "tea room", "canteen",
           "cafeteria", "pizzeria", "trattoria", "brasserie", "mess hall"),
     indoor=True,
     draw=draw,

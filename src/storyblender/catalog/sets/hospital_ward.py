@@ -43,8 +43,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="hospital_ward",
     name="Hospital ward",
-    tags=("hospital", "ward", "hospital room", "clinic", "infirmary", "operating room", "surgery", "er",
-          "emergency room", "intensive care", "sickbay", "examination room", "morgue", "asylum"),
+    tags=("hospital", "ward", "clinic", "infirmary", "operating room", "surgery", "er",
+          "emergency room", "sickbay", "morgue", "asylum"),
     indoor=True,
     draw=draw,
     width=Span(7.4, 7.8, 12.0),

@@ -168,7 +168,8 @@ class PutTable(Conditional):
     skip: tuple[int, ...] = ()
     required: bool = False
     scale: float = 1.0
-    footprint: tuple[Term, Term] | None = None
+    footprint: tuple[Term, ...] = Field(default=(), max_length=3)
+    """Width and depth of a piece that people walk around, and its height if it is no wall."""
     give: dict[str, ParamValue | tuple[ParamValue, ...]] = Field(default={}, alias="with")
 
     @model_validator(mode="after")

@@ -47,7 +47,12 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="kitchen",
     name="Kitchen",
-    tags=("kitchen", "scullery", "pantry", "galley", "kitchenette"),
+    tags=(
+        "kitchen",
+        "scullery",
+        "pantry",
+        "galley",
+    ),
     indoor=True,
     draw=draw,
     width=Span(6.8, 7.0, 9.0),

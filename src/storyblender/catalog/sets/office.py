@@ -50,7 +50,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="office",
     name="Office",
-    tags=("office", "study", "detective agency", "newsroom", "headquarters", "bureau",
+    tags=("office", "study", "detective agency", "headquarters", "bureau",
           "studio"),
     indoor=True,
     draw=draw,

@@ -32,7 +32,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="room",
     name="Room",
-    tags=("room", "house", "apartment", "flat", "home", "interior", "chamber", "back room"),
+    tags=("room", "house", "home", "interior", "chamber", "back room"),
     indoor=True,
     draw=draw,
     width=Span(4.2, 6.0, 12.0),

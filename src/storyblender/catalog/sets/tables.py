@@ -187,8 +187,9 @@ class _Tables:
                 else:
                     self.drawing.furnish(key, *spot, required=table.required, **given)
             else:
-                print_ = None if table.footprint is None else tuple(self._value(term) for term in table.footprint)
-                footprint = None if print_ is None else (print_[0], print_[1])
+                width, depth, *tall = [self._value(term) for term in table.footprint] or [0.0, 0.0]
+                footprint = (width, depth) if table.footprint else None
+                given |= {"tall": tall[0]} if tall else {}
                 self.drawing.piece(key, *spot, scale=table.scale, footprint=footprint, **given)
             spots.append(spot.topped(float(given.get("height", PROPS[key].size[2])) if table.prop else 0.0))
 
