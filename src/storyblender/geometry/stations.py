@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from storyblender.geometry.boxes import Box, facing, wrapped
@@ -33,8 +33,13 @@ _DOOR_STEP = 0.1
 _AWAY_FROM_SIDE = 1.2
 """Dislike, in metres, of the sides of a thing at which one is not expected."""
 
-_TURNS = {"front": 0.0, "left": math.pi / 2, "right": -math.pi / 2, "back": math.pi}
-"""Radians from a thing's front to its sides, its own left and right."""
+_TURNS = {
+    "front": 0.0, "left": math.pi / 2, "right": -math.pi / 2, "back": math.pi,
+    "driver": math.pi / 2, "passenger": -math.pi / 2, "rear": math.pi,
+}  # fmt: skip
+"""Radians from a thing's front to its sides, its own left and right; a driver sits on the left."""
+_OTHER_HALF = 0.6
+"""Dislike, in metres, of the half of a side that is not the one told: behind the car, driver's side."""
 _SIDES_OF_RELATION: dict[str, tuple[str, ...]] = {
     "in_front_of": ("front",),
     "facing": ("front",),
@@ -73,7 +78,8 @@ def stations(
         anchor: What they are at; its front is where its user is.
         sort: What that is.
         relation: A ``RelationKind``.
-        side: ``front``, ``back``, ``left``, ``right`` from the anchor's own point of view.
+        side: ``front``, ``back``, ``left``, ``right`` from the anchor's own point of view; ``driver``, ``passenger`` or
+            ``rear`` of a vehicle.
         distance: Metres from the anchor's edge, or from the middle of a person; None chooses.
         k: Stature over 1.7.
     """
@@ -93,14 +99,23 @@ def stations(
     front = math.atan2(anchor.forward[1], anchor.forward[0])
     found: list[Station] = []
     names = _SIDES_OF_RELATION.get(relation, _SIDES_OF_RELATION["at"])
-    names = (side,) if side in _TURNS else names
+    lengthwise = relation in ("behind", "in_front_of") and side not in (None, "front", "back", "rear")
+    names = (side,) if side in _TURNS and not lengthwise else names
+    aside = math.copysign(1.0, _TURNS[side]) if lengthwise and side in _TURNS else 0.0
     for order, name in enumerate(names):
         if sort == "wall" and name != "front":
             continue
         equal = relation == "next_to" and name in ("left", "right")
         dislike = 0.0 if order == 0 or equal else _AWAY_FROM_SIDE * (1.0 if name != "back" else 1.6)
-        found += _along(anchor, relation, front + _TURNS[name], distance, k, dislike)
+        places = list(_along(anchor, relation, front + _TURNS[name], distance, k, dislike, bool(aside)))
+        found += [_on_half(anchor, place, aside) for place in places] if aside else places
     return found
+
+
+def _on_half(anchor: Box, place: Station, aside: float) -> Station:
+    """Return a station, disliked where it is not on the half of a thing that is told: 1 is its own left."""
+    across = anchor.to_local(place.x, place.y)[0] * aside
+    return replace(place, dislike=place.dislike + _OTHER_HALF * (across <= 0.1))
 
 
 def cheated(yaw: float, most: float = _CHEAT) -> float:
@@ -115,7 +130,13 @@ def away_from_audience(yaw: float) -> float:
 
 
 def _along(
-    anchor: Box, relation: str, angle: float, distance: float | None, k: float, dislike: float
+    anchor: Box,
+    relation: str,
+    angle: float,
+    distance: float | None,
+    k: float,
+    dislike: float,
+    halves: bool = False,
 ) -> Iterator[Station]:
     """Places along one side of a thing, its middle first."""
     out, along = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
@@ -123,7 +144,7 @@ def _along(
     usual = gap.get(relation, REACH) * k
     off = anchor.reach(out) + (usual if distance is None else max(distance, REACH * k))
     half = max(anchor.reach(along) - 0.3, 0.0)
-    slots = [0.0]
+    slots = [0.0, *((0.45, -0.45) if halves else ())]
     for step in range(1, int(half / _SLOT) + 1):
         slots += [step * _SLOT, -step * _SLOT]
     inward = facing(-out[0], -out[1])

@@ -50,9 +50,13 @@ class Wanted:
 
 def wanted_by(stage: Stage) -> dict[str, Wanted]:
     """Return what the script says of everybody's place as the scene begins, or when they are found in it."""
-    people = {state.asset_id for state in (*stage.brief.states, *stage.brief.found)}
+    states = (*stage.brief.states, *stage.brief.found)
+    people = {state.asset_id for state in states}
     stated = [relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in people]
-    return {each.asset_id: Wanted(each.kind, each.anchor_asset_id) for each in stated}
+    wishes = {each.asset_id: Wanted(each.kind, each.anchor_asset_id) for each in stated}
+    told = [(state.asset_id, state.spot) for state in reversed(states) if state.spot is not None]
+    own = {name: Wanted(s.relation, s.anchor_id, s.side, s.distance, s.facing, sure=True) for name, s in told}
+    return wishes | {name: wish for name, wish in own.items() if wish.anchor is not None or name not in wishes}
 
 
 def work_place(stage: Stage, state: BodyState) -> Thing | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import across, is_vessel, seat_aboard
@@ -17,7 +17,8 @@ from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2
-from storyblender.memory.shot_context import CharacterAction
+from storyblender.geometry.stations import Station
+from storyblender.memory.shot_context import BodyState, CharacterAction
 from storyblender.memory.vocabulary import Posture
 
 WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
@@ -36,10 +37,11 @@ class Actions:
     Args:
         company: People and props.
         sheet: Where the cues go.
+        ends: How the script has people at the end of the shot, by asset id.
     """
 
-    def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet = company, sheet
+    def __init__(self, company: Company, sheet: CueSheet, ends: Mapping[str, BodyState] | None = None) -> None:
+        self.company, self.sheet, self.ends = company, sheet, ends or {}
         self.hands = Handling(company, sheet)
         self.meetings = Meetings(company, sheet, self.hands)
 
@@ -109,8 +111,18 @@ class Actions:
         if partner is None and not action.target_id:
             partner = self._met_later(person, later)
         goal, yaw = self.sheet.goal(action, person, partner, motion.speed or 0.0)
+        if not goes_on and (told := self._told_end(person)) is not None:
+            goal, yaw = (told.x, told.y), told.yaw
         end = self.sheet.go(person, goal, yaw, start, motion.key)
         self.sheet.done(person, start, end)
+
+    def _told_end(self, person: Person) -> Station | None:
+        """Return where the script has somebody on their feet when the shot ends."""
+        state = self.ends.get(person.asset_id)
+        if state is None or state.spot is None or state.posture in SEATED:
+            return None
+        person.spot = state.spot
+        return self.company.places.station(person, state.spot)
 
     def _meant(self, action: CharacterAction, motion: Motion, person: Person, instead: Person | None) -> Motion:
         """Return what is done: with somebody instead of a thing, or going where there is nothing to climb."""
@@ -212,7 +224,11 @@ class Actions:
 
     def _sit(self, action: CharacterAction, person: Person, start: float, length: float) -> None:
         name = action.target_id if self.company.floor.seats(action.target_id) else None
-        seat = self.company.seat_for(person, name, self.company.people.get(action.target_id or ""))
+        told = self.ends.get(person.asset_id)
+        seat = self.company.places.seat(person, told) if told is not None else None
+        name = name or action.target_id or (told.support_id if told is not None and told.posture == "sit" else None)
+        seat = seat or self.company.seat_for(person, name, self.company.people.get(action.target_id or ""))
+        person.spot = told.spot if told is not None else None
         if person.posture == "sit" and (seat is None or seat.node_id == person.support):
             return
         t = start

@@ -9,6 +9,7 @@ from storyblender.agents.visual_effects_artist.belongings import brought_along, 
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
 from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import Person, stature_of
+from storyblender.agents.visual_effects_artist.places import Places
 from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.catalog.carrying import two_handed
 from storyblender.catalog.motions import clip_of
@@ -40,6 +41,7 @@ class Company:
     Attributes:
         people: By asset id.
         seats: Which seat somebody takes.
+        places: Where the script's spots are.
         lying: Where every prop lies that nobody holds.
         touched: Props that left their places, in order.
         jumps: Places people are cut to before the next shot, because nobody can walk there.
@@ -62,6 +64,7 @@ class Company:
             thing.asset_id: thing.location for thing in reversed(list(floor.things.values()))
         }
         self.seats = Seats(floor, self.people, objects, self._in_the_way_of_sitting)
+        self.places = Places(floor, self.people, self.seats)
         self.touched: dict[str, None] = {}
         self.jumps: dict[str, tuple[Vec2, float]] = {}
         self.aside: set[str] = set()
@@ -160,11 +163,14 @@ class Company:
             for action in actions
             if clip_of(action.motion).key in ("take", "pick_up", "catch")
         }
-        for state in states:
+        by_people = [state.spot is not None and state.spot.anchor_id in self.people for state in states]
+        for _, state in sorted(zip(by_people, states, strict=True), key=lambda pair: pair[0]):
             person = self.people.get(state.asset_id)
             if person is None or not person.present:
                 continue
             self.apply_posture(person, state)
+            if self.places.settle(person, state):
+                self.jumps.pop(person.asset_id, None)
             in_hand = (*state.held, *self._stick_of(state))
             for hand, prop in list(person.held.items()):
                 if prop not in in_hand:

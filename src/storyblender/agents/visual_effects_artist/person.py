@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import Mark
 from storyblender.memory.vocabulary import Hand, Posture
 
@@ -35,6 +36,10 @@ class Person:
     pace: str = ""
     """How the next way is gone, where the script said so before it said where to."""
 
+    z: float = 0.0
+    """Height of the feet above the floor, metres."""
+    spot: Spot | None = None
+    """The place of the script that they were last brought to."""
     opened: str = ""
     """What they have opened in this shot without taking it in hand."""
 
@@ -47,7 +52,7 @@ class Person:
         """Return where this person is."""
         values: dict[str, object] = {
             "asset_id": self.asset_id,
-            "location": (round(self.place[0], 3), round(self.place[1], 3), 0.0),
+            "location": (round(self.place[0], 3), round(self.place[1], 3), round(self.z, 3)),
             "yaw": round(math.degrees(self.yaw) % 360.0, 1),
             "posture": self.posture,
             "support_id": self.support,

@@ -68,7 +68,8 @@ class Rehearsal:
             {person.asset_id: person.mark() for person in cast},
             company.prop_states(shot),
         )
-        actions, speeches = Actions(company, sheet), Speeches(company, sheet)
+        ends = {state.asset_id: state for state in shot.end_states}
+        actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet)
         seconds = speeches.seconds(shot, lines)
         for number, action in enumerate(shot.character_actions):
             person = company.people.get(action.asset_id)

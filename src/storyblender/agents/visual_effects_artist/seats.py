@@ -56,7 +56,12 @@ class Seats:
         return min(seats, key=lambda seat: math.dist(seat.edge, home), default=None)
 
     def choose(
-        self, person: Person, name: str | None, beside: Person | None = None, side: str | None = None
+        self,
+        person: Person,
+        name: str | None,
+        beside: Person | None = None,
+        side: str | None = None,
+        on_it: bool = False,
     ) -> SeatPlace | None:
         """Return the nearest free seat of what ``beside`` sits on, of or at a thing, else of the whole set.
 
@@ -65,6 +70,7 @@ class Seats:
             name: What the script says they sit on or at.
             beside: With whom.
             side: Of a vehicle, ``driver`` ...
+            on_it: They sit on the thing itself, though chairs stand at it.
         """
         next_to = beside.support if beside is not None else None
         if beside is not None and next_to and (free := self.floor.free_seats(next_to, self._others(person))):
@@ -72,7 +78,8 @@ class Seats:
         taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
         free: list[SeatPlace] = []
         if name:
-            free = self._free(self.at(name), taken) or self.floor.free_seats(name, taken)
+            free = [] if on_it else self._free(self.at(name), taken)
+            free = free or self.floor.free_seats(name, taken)
             free = on_side(free, side, self._ahead) if side else free
         return self._best(free or self.floor.free_seats(None, taken), person.place, person)
 

@@ -1,0 +1,148 @@
+"""Where the script's spots are on the floor: at the sink, behind the bar, in the doorway, beside somebody. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing
+from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.agents.visual_effects_artist.seats import Seats
+from storyblender.catalog.fixtures import fixtures_called
+from storyblender.geometry.boxes import Box, facing
+from storyblender.geometry.paths import clearance
+from storyblender.geometry.stations import Sort, Station, cheated, stations
+from storyblender.memory.scene_context import Spot
+from storyblender.memory.shot_context import BodyState
+
+WITHIN = frozenset({"in", "inside", "on", "above", "under", "over"})
+"""Relations of who is where the thing itself is: nothing else has to be free there."""
+_TIGHT, _CROWDED, _FAR = 8.0, 5.0, 0.1
+"""Dislike, in metres, of a metre less room than a body needs, of a metre nearer to others, of a metre to go."""
+_APART = 0.6
+"""Metres between two people at one place."""
+_DOOR_NEAR = 0.9
+"""Metres to the side of a vehicle's middle from which a door counts as one of that side."""
+_LIE = ("lie", "asleep")
+
+
+class Places:
+    """The places that the script tells, on the floor of one scene.
+
+    Args:
+        floor: Where things are.
+        people: Everybody of the scene, as of now.
+        seats: Which seat somebody takes.
+    """
+
+    def __init__(self, floor: Floor, people: Mapping[str, Person], seats: Seats) -> None:
+        self.floor, self.people, self.seats = floor, people, seats
+
+    def settle(self, person: Person, state: BodyState) -> bool:
+        """Bring a person by a cut to where the script says they are, unless they have been brought there before.
+
+        Returns:
+            Whether they have been moved.
+        """
+        spot = state.spot
+        if spot is None or spot == person.spot:
+            person.spot = spot
+            return False
+        person.spot = spot
+        seat = self.seat(person, state)
+        if seat is not None:
+            person.place, person.yaw, person.posture, person.z = seat.edge, seat.yaw, "sit", 0.0
+            person.support, person.anchor = seat.node_id, seat.anchor
+            return True
+        if state.posture in SEATED and person.support is not None:
+            return False
+        there = self.station(person, spot)
+        if there is None:
+            return False
+        person.place, person.yaw, person.z = (there.x, there.y), there.yaw, there.z
+        return True
+
+    def seat(self, person: Person, state: BodyState) -> SeatPlace | None:
+        """Return the seat that a spot means to who sits, or to who is in a vehicle; None where it means none."""
+        spot = state.spot
+        if spot is None or state.posture in _LIE or (state.posture != "sit" and not self._is_boarded(spot)):
+            return None
+        thing = self.floor.thing(state.support_id) or self.floor.thing(spot.anchor_id)
+        if thing is None:
+            return None
+        on_it = spot.relation == "on" and spot.anchor_id in (thing.node_id, thing.asset_id)
+        return self.seats.choose(person, thing.node_id, side=spot.side, on_it=on_it)
+
+    def _is_boarded(self, spot: Spot) -> bool:
+        thing = self.floor.thing(spot.anchor_id)
+        return thing is not None and spot.relation in ("in", "inside") and bool(thing.of_kind("seat"))
+
+    def station(self, person: Person, spot: Spot) -> Station | None:
+        """Return the place on the floor that a spot means to somebody: of all it may be, the one with room."""
+        found = self._anchor(person, spot.anchor_id)
+        if found is None:
+            return self._turned(person, spot, Station(*person.place, person.yaw), None) if spot.facing else None
+        box, sort, thing = found
+        options = self._at_door(thing, spot) or stations(box, sort, spot.relation, spot.side, spot.distance, person.k)
+        best = min(options, key=lambda each: self._cost(person, each, spot.relation in WITHIN))
+        if thing is not None and spot.relation == "on":
+            top = self.floor.on_top(thing, thing.location[:2])
+            best = Station(best.x, best.y, best.yaw, z=top[2] if top else best.z)
+        return self._turned(person, spot, best, box)
+
+    def _anchor(self, person: Person, name: str | None) -> tuple[Box, Sort, Thing | None] | None:
+        """Return what a spot is told by: its extent, what it is, and the thing if it is one."""
+        other = self.people.get(name or "")
+        if other is not None and other is not person:
+            return (
+                (Box(*other.place, 0.0, 0.5, 0.36, 1.7 * other.k, other.yaw), "person", None) if other.present else None
+            )
+        thing = self.floor.thing(name)
+        if thing is not None:
+            sort: Sort = "thing"
+            if thing in self.floor.openings:
+                sort = "window" if thing.asset_id == "window" else "door"
+            return Box(*thing.location, *thing.size, thing.yaw), sort, thing
+        fixture = next(iter(fixtures_called(self.floor.plan, name)), None)
+        if fixture is None:
+            return None
+        sorts: dict[str, Sort] = {"wall": "wall", "corner": "point", "mark": "point"}
+        return fixture.box, sorts.get(fixture.kind, "thing"), None
+
+    def _at_door(self, thing: Thing | None, spot: Spot) -> list[Station]:
+        """Return the places at the doors of a vehicle on the side that is told."""
+        doors = thing.of_kind("door") if thing is not None else []
+        if thing is None or not doors or spot.side is None or spot.relation not in ("at", "next_to", "in_front_of"):
+            return []
+        left = {"driver": 1.0, "left": 1.0, "passenger": -1.0, "right": -1.0}.get(spot.side)
+        found: list[Station] = []
+        for door in doors:
+            x, y, _ = door.location
+            if left is None or x * left > min(_DOOR_NEAR, thing.size[0] / 4):
+                wx, wy, _ = thing.world((x + math.copysign(0.15, x), y, 0.0))
+                found.append(Station(wx, wy, facing(thing.location[0] - wx, thing.location[1] - wy), dislike=0.2 * y))
+        return found
+
+    def _cost(self, person: Person, station: Station, within: bool) -> float:
+        point = (station.x, station.y)
+        others = [each.place for each in self.people.values() if each.present and each is not person]
+        crowded = sum(max(0.0, _APART - math.dist(point, other)) for other in others)
+        cost = station.dislike + _CROWDED * crowded + _FAR * math.dist(point, person.place)
+        if within:
+            return round(cost, 4)
+        room = float(clearance(np.array([point]), self.floor.obstacles())[0]) if self.floor.inside(point) else -1.0
+        return round(cost + _TIGHT * max(0.0, BODY * person.k + 0.02 - room), 4)
+
+    def _turned(self, person: Person, spot: Spot, station: Station, anchor: Box | None) -> Station:
+        """Return a station with the facing and the height that the script tells."""
+        yaw, here = station.yaw, (station.x, station.y)
+        if spot.facing == "camera":
+            yaw = 0.0
+        elif spot.facing == "away" and anchor is not None:
+            yaw = facing(here[0] - anchor.x, here[1] - anchor.y)
+        elif spot.facing is not None and (found := self._anchor(person, spot.facing)) is not None:
+            yaw = cheated(facing(found[0].x - here[0], found[0].y - here[1]))
+        height = spot.height if spot.height is not None else station.z
+        return Station(station.x, station.y, yaw, station.dislike, height)
