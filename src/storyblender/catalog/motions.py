@@ -6,6 +6,7 @@ The clips themselves are in ``blender/motion/clips``; the Director's motion voca
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.motion_entry import AWAKE, UPRIGHT, Motion
@@ -134,11 +135,43 @@ MOTIONS: Catalog[Motion] = Catalog(
 
 CLIP_OF: dict[str, str] = {word: motion.key for motion in MOTIONS.values() for word in motion.directs}
 """The Director's motion -> key of ``MOTIONS``."""
+_CALLED: dict[str, str] = {
+    word.replace("_", " "): motion.key
+    for motion in reversed(list(MOTIONS.values()))
+    for word in (*motion.tags, motion.name, motion.key)
+}
+"""Everything a motion is called -> its key; where two are called the same, the first."""
 
 
+@lru_cache(maxsize=4096)
 def clip_of(motion: str) -> Motion:
-    """Return what plays a motion of the Director's vocabulary; unknown words stand idle."""
-    return MOTIONS[CLIP_OF.get(motion, motion if motion in MOTIONS else "idle")]
+    """Return what plays a motion of the Director's vocabulary, or one of the catalogue's by its key or another name.
+
+    What is called nothing in the catalogue stands idle.
+    """
+    key = CLIP_OF.get(motion, motion if motion in MOTIONS else "")
+    return MOTIONS[key or _called(motion.lower().replace("_", " ").strip())]
+
+
+def _called(words: str) -> str:
+    """Return the motion of these words: all of them, else the verb with its particle, else the verb."""
+    verb, *rest = words.split() or [""]
+    for count in range(len(rest), -1, -1):
+        for form in _forms(verb):
+            said = " ".join((form, *rest[:count]))
+            if said in CLIP_OF or said in _CALLED:
+                return CLIP_OF.get(said, _CALLED.get(said, "idle"))
+    return "idle"
+
+
+def _forms(verb: str) -> list[str]:
+    """Return what a verb's base form may be."""
+    forms = [verb]
+    for ending in ("ing", "es", "s", "ed", "d"):
+        stem = verb.removesuffix(ending)
+        if stem != verb and len(stem) > 2:
+            forms += [stem, f"{stem}e", stem[:-1] if stem[-1] == stem[-2] else stem]
+    return forms
 
 
 def natural_seconds(motion: Motion, *, distance: float = 0.0, stature: float = 1.7) -> float:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from storyblender.catalog.acts import ACTS
+
 TRAVEL: Final = frozenset(
     {"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "swim", "dance", "ride", "drive", "fall"}
 )  # fmt: skip
@@ -11,12 +13,13 @@ TRAVEL: Final = frozenset(
 WHOLE_BODY: Final = frozenset({
     "sit", "stand_up", "lie_down", "kneel", "crouch", "bow", "fight", "hit", "kick", "push", "pull", "throw", "hug",
     "work", "cook", "clean", "lean", "hide", "turn", "carry", "stand", "sleep", "wake", "play_music",
+    "hang", "float", "upside_down", *(act.key for act in ACTS.values() if act.bodily),
 })  # fmt: skip
 """Hips and knees tell it."""
 HANDS: Final = frozenset({
     "give", "take", "pick_up", "put_down", "hold", "open", "close", "press", "type", "write", "read", "phone", "pour",
     "cut", "light", "knock", "touch", "shake_hands", "catch", "drop", "wear", "take_off", "aim", "shoot", "point",
-    "wave", "search",
+    "wave", "search", *(act.key for act in ACTS.values() if act.hands and not act.bodily),
 })  # fmt: skip
 """Hands, and the faces above them."""
 FAST: Final = frozenset({"run", "ride", "drive"})
@@ -37,7 +40,7 @@ HOLDING: Final = frozenset({"hold", "carry", "aim"})
 """A thing is in the hand already."""
 STRONG: Final = PARTING | GETTING | frozenset({
     "hug", "kiss", "hit", "kick", "push", "pull", "fight", "shoot", "aim", "fall", "shake_hands", "touch", "dance",
-    "light", "cut", "pour",
+    "light", "cut", "pour", *(act.key for act in ACTS.values() if act.reach == "person" or act.reach == "thing"),
 })  # fmt: skip
 """What a picture is remembered by; two of them want two pictures."""
 SPOKEN: Final = frozenset({"talk", "whisper", "shout", "sing"})

@@ -10,6 +10,7 @@ from string import capwords
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
+from storyblender.agents.director.finer import finer
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.staging import Staging
@@ -229,11 +230,12 @@ class ShotDetails:
             if deed.actor not in self.company.actors or (unit.kind == "dialogue" and deed.motion in SPOKEN):
                 continue
             face = unit.expressions.get(deed.actor, "")
+            words = deed_words(deed, unit, self.text)
             found.append(
                 CharacterAction(
                     asset_id=deed.actor,
-                    action_description=deed_words(deed, unit, self.text),
-                    motion="idle" if self.staging.already(deed, unit) else deed.motion,
+                    action_description=words,
+                    motion="idle" if self.staging.already(deed, unit) else finer(deed.motion, deed.verb, words),
                     target_id=deed.target if deed.target in self.company.assets | self.company.fixtures else None,
                     prop_id=deed.prop if deed.prop in self.company.assets else None,
                     distance=deed.distance,

@@ -131,6 +131,11 @@ class Act:
         return int(lead) + int(far)
 
     @property
+    def bodily(self) -> bool:
+        """Whether hips and feet tell it."""
+        return any(key.hips or key.lead_foot or key.far_foot for key in self.keys)
+
+    @property
     def once(self) -> float:
         """Seconds of all keys, played once."""
         return sum(key.seconds + key.stay for key in self.keys)

@@ -33,8 +33,7 @@ STEP_LIFT = 0.03
 def _uses(act: Act) -> tuple[str, ...]:
     """Return the parts of the body that an act needs."""
     keys = act.keys
-    moved = any(key.hips or key.lead_foot or key.far_foot for key in keys)
-    uses = ["body"] if moved or act.reach == "person" else []
+    uses = ["body"] if act.bodily or act.reach == "person" else []
     uses += {0: [], 1: ["hand"], 2: ["hands"]}[act.hands]
     return (*uses, "head") if any(key.nod or key.gaze or key.face for key in keys) else tuple(uses)
 

@@ -1,0 +1,56 @@
+"""From a coarse motion of the reader to the act its words mean: to look, over the shoulder, is to look back."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from importlib.resources import files
+from typing import NamedTuple
+
+from storyblender.catalog.motions import MOTIONS
+
+
+class _Row(NamedTuple):
+    """What a coarse motion becomes with one of these verbs and these words; empty means any."""
+
+    motion: str
+    coarse: frozenset[str]
+    verbs: frozenset[str]
+    words: re.Pattern[str] | None
+
+
+@lru_cache(maxsize=1)
+def _rows() -> tuple[_Row, ...]:
+    text = files("storyblender.agents.director.lexicon").joinpath("finer.tsv").read_text(encoding="utf-8")
+    rows = [line.split("\t") for line in text.splitlines() if line and not line.startswith("#")]
+    return tuple(
+        _Row(motion, _any_or(coarse), _any_or(verbs), None if words == "*" else re.compile(words))
+        for motion, coarse, verbs, words in rows
+        if motion in MOTIONS
+    )
+
+
+def _any_or(cell: str) -> frozenset[str]:
+    return frozenset() if cell == "*" else frozenset(cell.split(" "))
+
+
+def finer(motion: str, verb: str, words: str) -> str:
+    """Return the act that a deed is, as finely as the catalogue of motions has it.
+
+    Args:
+        motion: As the reader or a corrected reading has it.
+        verb: Its verb, as a lemma; may be empty.
+        words: What the script says of it.
+    """
+    said, lemma = words.lower(), verb.lower().split(" ")[0]
+    for row in _rows():
+        done = not row.verbs or lemma in row.verbs or (not lemma and any(_told(each, said) for each in row.verbs))
+        fits = done and (not row.coarse or motion in row.coarse) and (row.verbs or row.words is not None)
+        if fits and (row.words is None or row.words.search(said)):
+            return row.motion
+    return motion
+
+
+def _told(verb: str, words: str) -> bool:
+    """Tell whether a verb stands in words, in one of its regular forms."""
+    return re.search(rf"\b{verb.removesuffix('e')}(e|es|s|ed|ing|{verb[-1]}ed|{verb[-1]}ing)?\b", words) is not None

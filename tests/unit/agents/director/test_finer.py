@@ -1,0 +1,24 @@
+"""A coarse motion becomes the act that its verb and its words mean."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.agents.director.finer import finer
+
+
+@pytest.mark.parametrize(
+    ("motion", "verb", "words", "act"),
+    [
+        ("look", "look", "looks over his shoulder", "look_back"),
+        ("look", "look", "looks up at the ceiling", "look_up"),
+        ("look", "look", "looks up from the map", "look"),
+        ("work", "dig", "digs beside the wall", "dig"),
+        ("work", "", "is sewing a sail", "sew"),
+        ("hold", "clutch", "clutches his chest", "clutch_chest"),
+        ("play_music", "play", "plays the violin", "violin"),
+        ("open", "open", "opens the gate", "open"),
+    ],
+)
+def test_words_make_a_motion_finer(motion: str, verb: str, words: str, act: str) -> None:
+    assert finer(motion, verb, words) == act

@@ -1,0 +1,39 @@
+"""Acts are rows that can be played: known faces, a telling moment inside the act, keys that repeat."""
+
+from __future__ import annotations
+
+import pytest
+
+from storyblender.catalog.acts import ACTS, Act
+from storyblender.catalog.expressions import EXPRESSIONS, FACE_UNITS, expression_of
+from storyblender.catalog.motions import MOTIONS, clip_of
+
+
+@pytest.mark.parametrize("act", ACTS.values(), ids=list(ACTS))
+def test_an_act_can_be_played(act: Act) -> None:
+    assert 0.15 < act.telling < 0.98
+    assert all(key.face in (None, *EXPRESSIONS) for key in (*act.keys, *act.partner))
+    assert act.again is None or (act.stretches and act.again < len(act.keys))
+    assert act.told is None or act.told < len(act.keys)
+    assert MOTIONS[act.key] == act.motion
+
+
+def test_an_expression_uses_units_of_the_face_within_their_range() -> None:
+    for face in EXPRESSIONS.values():
+        assert {*face} <= {*FACE_UNITS}
+        assert all(0 <= value <= 1 for value in face.values())
+
+
+@pytest.mark.parametrize(
+    ("words", "face"),
+    [("bursts into tears", "cry"), ("worried", "afraid"), ("rage", "rage"), ("grins", "smile"), ("purple", None)],
+)
+def test_words_mean_an_expression(words: str, face: str | None) -> None:
+    assert expression_of(words) == face
+
+
+@pytest.mark.parametrize(
+    ("words", "key"), [("digging", "dig"), ("whistles", "whistle"), ("leaning over", "lean_over"), ("levitate", "idle")]
+)
+def test_a_motion_is_found_by_what_it_is_called(words: str, key: str) -> None:
+    assert clip_of(words).key == key
