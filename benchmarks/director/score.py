@@ -224,10 +224,12 @@ class Scorer:
             on = {self.name(person) for unit in units for person in unit.on_stage}
             self.counts["on-stage"].add(segment.items("on", ","), on, where)
         gold = {action for item in segment.items("act") if (action := self._action(item))}
+        stand_ins = {flag.start for flag in self.reading.flags if flag.topic == "act"}
         found = [
             (self.name(deed.actor), deed.motion, self.name(deed.target), self.name(deed.prop))
             for unit in units
             for deed in unit.deeds
+            if deed.at not in stand_ins  # an act without a motion of its own, shown by the nearest and flagged
         ]
         self.counts["action"].add({g[:2] for g in gold}, {f[:2] for f in found}, where)
         self._targets({g for g in gold if g[2]}, found, where)

@@ -58,6 +58,8 @@ _wordnet = {kind: frozenset(words) for kind, words in _read("wordnet.tsv").items
 MOTION_OF_VERB: dict[str, str] = _inverse(_motions)
 """Verb, or verb and particle, to motion: ``get up`` -> ``stand_up``."""
 MOTIONS: tuple[str, ...] = tuple(_motions)
+NEAR_MOTIONS: dict[str, str] = _inverse(_read("near.tsv"))
+"""Verb, or verb and particle, without a motion of its own -> the motion that looks most like it."""
 SILENT_VERBS = frozenset(_verbs["silent"])
 """Verbs of state and of the face: no motion of the body."""
 SPEECH_VERBS = frozenset(_verbs["speech"])

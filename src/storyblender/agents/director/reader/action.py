@@ -6,6 +6,8 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import noticing
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
+from storyblender.agents.director.reader.deeds.needs import suited
+from storyblender.agents.director.reader.deeds.unread import flag_unread, nearest, note_unread
 from storyblender.agents.director.reader.depicted import without_depicted
 from storyblender.agents.director.reader.language.bare_places import say_bare_places
 from storyblender.agents.director.reader.language.body_parts import motion_of_part
@@ -75,7 +77,9 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)
     changes.note_sounds(stage, clauses)
+    flag_unread(stage)
     weigh(stage, dict.fromkeys(thing for _, thing in stage.sentence.things), SEEN)
+    stage.discourse.moving = stage.sentence.first_thing
     if subjects:
         stage.discourse.subjects = subjects
 
@@ -120,6 +124,8 @@ def _name_thing(stage: Stage, phrases: list[Phrase]) -> None:
 def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bool) -> None:
     stage.sentence.verb = clause.verb
     roles = resolve_subject(stage, clause, previous)
+    if first:
+        stage.sentence.first_thing = roles.subject_things[0] if roles.subject_things and not roles.subjects else None
     if len(roles.subjects) > 1:
         discourse = stage.discourse
         discourse.groups.append((discourse.sentence, list(roles.subjects), discourse.clock + len(roles.subjects)))
@@ -159,6 +165,9 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     entrances.objects_enter(stage, clause, roles, motion)
     changes.note_faces(stage, clause, roles.subjects)
     motion = motion or _pose(stage, clause, roles)
+    if not motion:
+        motion = nearest(clause, roles)
+        note_unread(stage, clause, roles, motion)
     if roles.subjects and motion and not clause.earlier:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
         exits.leave(stage, clause, roles, motion)
@@ -204,6 +213,7 @@ def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         head = "it"
     posture = stage.scene.posture.get(roles.subjects[0].id, ("stand", None))[0]
     motion = motion_of(clause, head, posture)
+    motion = suited(stage, clause, roles, motion) if motion else None
     voiced = motion in ("shout", "talk", "whisper") and all(p.kind == "animal" for p in roles.subjects)
     return None if voiced else motion
 

@@ -1,4 +1,4 @@
-"""What somebody does while speaking, told in brackets: ``(picking up the rose)``, ``(laughing)``."""
+"""What somebody does while speaking, told in brackets: ``(picking up the rose)``, ``(folds the letter)``."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ def act_beside(stage: Stage, sentence: Sentence, speech: Speech) -> None:
         return
     discourse, spoken = stage.discourse, len(stage.unit.deeds)
     present, subjects = discourse.salience.get(speaker.id, 0.0), discourse.subjects
-    for part in re.split(r"[,;]\s*", speech.parenthetical.strip("() ")):
+    for part in re.split(r"[,;]\s*|\s+and\s+(?=[a-z]+(?:s|ing)\b)", speech.parenthetical.strip("()[] ")):
         words = mark_mentions(tokenize(part, sentence.start), stage.roster)
         first = next((word for word in words if not is_adverb(word)), None)
         form = FORMS.get(first.low) if first else None
-        if form and form.kind == "ing" and lexicon.MOTION_OF_VERB.get(form.lemma, "talk") not in _VOICE:
+        if form and form.kind in ("ing", "3sg") and lexicon.MOTION_OF_VERB.get(form.lemma, "talk") not in _VOICE:
             mention = Mention("name", [speaker], speaker.name.lower(), start=sentence.start)
             name = Word(speaker.name, sentence.start, sentence.start, mention)
             read_action(stage, replace(sentence, words=[name, *words], speech=None))

@@ -40,6 +40,8 @@ class Discourse:
     """People who did something together: sentence, who, clock."""
     subjects: list[Person] = field(default_factory=list)
     """Subject of the last sentence."""
+    moving: str | None = None
+    """The thing that the last sentence is about, where it moves: ``The coin drops. Rolls away``."""
     things: dict[str, float] = field(default_factory=dict)
     """Thing -> how present it is in the reader's mind, for ``it``."""
     recent_things: list[str] = field(default_factory=list)
@@ -114,11 +116,25 @@ class SentenceState:
     """Those of the things that are several."""
     plural_thing: str | None = None
     subject_thing: str | None = None
+    first_thing: str | None = None
+    """The subject of its first clause, where that is a thing."""
     object_thing: str | None = None
     """The last thing in object position."""
     pictured: bool = False
     goal: tuple[list[str], str] | None = None
     """Who has walked to what in the clause before."""
+
+
+@dataclass(frozen=True)
+class UnreadAct:
+    """An act without a motion of its own."""
+
+    person: str
+    shown: str
+    """The motion that stands for it, or an empty string."""
+    reason: str
+    start: int
+    end: int
 
 
 @dataclass
@@ -131,6 +147,8 @@ class Stage:
     discourse: Discourse = field(default_factory=Discourse)
     scene: SceneState = field(default_factory=SceneState)
     sentence: SentenceState = field(default_factory=SentenceState)
+    unread: list[UnreadAct] = field(default_factory=list)
+    """Acts of the running sentence that have no motion of their own."""
 
     @property
     def place(self) -> SceneReading:

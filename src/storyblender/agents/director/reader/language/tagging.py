@@ -52,6 +52,43 @@ _SPORTS = frozenset({"hike", "walk", "run", "ride", "climb", "swim", "dance", "w
 """``hiking boots``, ``driving gloves``: what they are for."""
 _RESTING = lexicon.words("stative")
 _CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
+_SELDOM_VERBS = frozenset(
+    {
+        "finger",
+        "knee",
+        "eye",
+        "hand",
+        "thumb",
+        "elbow",
+        "boot",
+        "arm",
+        "leg",
+        "toe",
+        "heel",
+        "foot",
+        "ear",
+        "lip",
+        "tooth",
+    }
+    | {
+        "hoof",
+        "knuckle",
+        "shoe",
+        "glove",
+        "sock",
+        "hair",
+        "paw",
+        "tail",
+        "wing",
+        "fist",
+        "palm",
+        "mouth",
+        "chin",
+        "cheek",
+    }
+)
+"""Parts of bodies and garments that are verbs only with an object: ``hands her the key``."""
+_GRAMMAR = lexicon.PREPOSITIONS | lexicon.PARTICLES | lexicon.CONJUNCTIONS | OBJECTS
 _BARE_PLACES = frozenset({"inside", "underneath", "beneath", "below", "above", "outside", "opposite", "behind"})
 """``Inside lie two letters``: a place without a noun."""
 _POSED = frozenset({"lie", "stand", "sit", "hang"})
@@ -206,9 +243,22 @@ def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
     posed = FORMS.get(right)
     if posed and posed.kind == "base" and posed.lemma in _POSED and singular(word.low) in _NOUNS:
         return False  # Chisels hang from a board
+    if form.kind == "3sg" and _is_rather_a_noun(word, right):
+        return False  # Fingers through the wire. Locks jump out.
     if form.kind != "3sg" or (right == "." and form.lemma not in lexicon.MOTION_OF_VERB) or right == "of":
         return False
     return word.low not in _FRAGMENT_NOUNS or not (right in ("up", "raised", "drawn", ".", ",") or right in FORMS)
+
+
+def _is_rather_a_noun(word: Word, right: str) -> bool:
+    """A plural of a body part, a garment or a thing without an object, or with a verb of its own right after it."""
+    noun = singular(word.low)
+    if noun in _SELDOM_VERBS:
+        return right not in OBJECTS
+    own_verb = FORMS.get(right)
+    return (
+        noun in _THINGS and own_verb is not None and own_verb.kind in ("base", "past", "ing") and right not in _GRAMMAR
+    )
 
 
 def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | None, row: Row) -> bool:
@@ -356,8 +406,8 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
     if form.kind == "3sg" and form.lemma in _POSED and (form_kind(right) in ("past", "pp") or right in _HOW):
         return True
     if form.kind == "3sg":
-        if singular(word.low) in lexicon.WORN and right in (",", "."):
-            return False  # in rubber boots, she cuts
+        if singular(word.low) in lexicon.WORN and (right in (",", ".") or "-" in left.low):
+            return False  # in rubber boots, she cuts; steel-capped boots arrive
         going = form.lemma in ("go", "come") and form_kind(right) == "ing"
         return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly") or going)
     plural = singular(left.low) != left.low or left.low.endswith("s")

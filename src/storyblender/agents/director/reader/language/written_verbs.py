@@ -16,6 +16,11 @@ from storyblender.agents.director.reader.language.words import Word
 _RISING = frozenset({"as", "and", "from", "to", "when", "with", ".", ",", "up"})
 _ATTIRING = frozenset({"dress", "wrap", "swathe", "veil", "bundle", "cloak", "robe", "shroud"})
 """``a lady dressed in black``: she does nothing."""
+_SHAPING = frozenset({"build", "shape", "make", "dress", "cut", "carve", "draw", "paint"})
+"""``built like a barn``: she builds nothing."""
+_NOUNS_OF = frozenset(
+    {"bit", "cut", "set", "shot", "hit", "left", "felt", "found", "ground", "spoke", "rose", "lead", "bound"}
+)
 _RANKING = frozenset(
     {"first", "second", "third", "fourth", "fifth", "last", "next", "upper", "lower", "narrow", "small"}
 )
@@ -43,6 +48,10 @@ def written_verb(words: list[Word], at: int) -> VerbForm | None:
         or (form.kind == "base" and before not in _BEFORE_INFINITIVE)
     ):
         return None
+    if word.low in _NOUNS_OF and after_word == "of" and before not in SINGULAR_PRONOUNS | PLURAL_PRONOUNS:
+        return None  # a fair bit of language
+    if form.kind == "past" and after_word == "like" and form.lemma in _SHAPING:
+        return VerbForm(form.lemma, "pp")
     if word.low == "left" and before in ("from", "to", "on", "at"):
         return None
     if form.kind == "ing" and at > 1 and before in _RANKING and words[at - 2].low in OPENERS:

@@ -31,6 +31,8 @@ _SHUTTING = frozenset({"close", "shut", "lock", "slam", "bolt", "bar", "pull", "
 """``locks the door behind her``: behind herself."""
 _HAVING = frozenset({"have", "keep", "trail", "drag", "tow"})
 """``has a plate in front of him``: before himself."""
+_ROLLING = lexicon.words("coming_to_rest") | lexicon.words("moving") | frozenset({"stop", "ring", "rattle", "hang"})
+"""What a thing goes on doing: ``The coin drops. Rolls away.``"""
 _SIDES = frozenset({"left", "right", "side"})
 
 
@@ -90,6 +92,8 @@ def resolve_subject(stage: Stage, clause: Clause, previous: Sequence[Person]) ->
         roles.subjects += [person for person in found.people if person not in roles.subjects]
         roles.subject_things += [found.thing] if found.thing else []
     stage.sentence.subject_thing = next(iter(roles.subject_things), None)
+    if follows and clause.elided and stage.discourse.moving and clause.verb in _ROLLING and not clause.object:
+        roles.subject_things = [stage.discourse.moving]
     if follows and clause.elided and not roles.subject_things and not clause.passive:
         roles.subjects = roles.subjects or list(previous)
     return roles

@@ -1,0 +1,102 @@
+"""What a motion needs to be the one a verb means: ``take`` a thing, ``eat`` food, ``push`` something solid."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.language.phrases import NounPhrase
+from storyblender.agents.director.reader.people.roles import Roles
+from storyblender.agents.director.reader.stage import Stage
+
+_TO_SOMETHING = frozenset(
+    {
+        "take", "pick_up", "put_down", "give", "throw", "catch", "open",
+        "wear", "take_off", "hit", "touch", "kiss", "hug", "fold",
+    }
+)  # fmt: skip
+"""Motions that are done to something or somebody."""
+_SOLID = frozenset(
+    {
+        "take", "pick_up", "put_down", "give", "throw", "catch", "carry", "push", "pull", "open", "cut",
+        "wear", "take_off", "drop", "pour", "light", "kick",
+    }
+)  # fmt: skip
+"""What they are done to can be touched: nobody takes a question or drops a hint."""
+_TOGETHER = frozenset({"kiss", "hug", "hit"})
+_AGAINST = frozenset(
+    {"at", "against", "on", "onto", "into", "with", "from", "to", "for", "of", "through", "over", "out", "up", "down"}
+    | {"off", "away", "in", "by", "around", "back", "on to", "out of", "hold of"}
+)
+"""``pulls at the rope``, ``pushes against the door``."""
+_BITING = frozenset({"bite", "taste", "lick", "swallow", "suck"})
+_BACKING = frozenset({"reverse", "back_up", "brake", "accelerate", "park", "steer", "pilot", "cruise", "coast"})
+_SHIFTING = frozenset({"shift", "roll", "bump", "edge", "force"})
+_OBJECTS = frozenset({"prop", "worn", "set_piece", "unknown", "body", "scenery"})
+_MATTER = lexicon.words("food") | lexicon.LIQUIDS | lexicon.SHAPELESS | lexicon.words("deed_objects")
+"""No things of a kind, but to be taken in the hand."""
+
+
+def suited(stage: Stage, clause: Clause, roles: Roles, motion: str) -> str | None:
+    """The motion a verb means with the words it has, or None where it cannot mean one of the body.
+
+    Args:
+        stage: The state before the clause.
+        clause: An active clause.
+        roles: Its people and things.
+        motion: What the verb usually means.
+    """
+    bare = not (clause.object or clause.recipient)
+    if clause.verb in _BITING and motion in ("eat", "drink") and bare and not clause.places:
+        return None
+    if motion == "drive" and clause.verb in _BACKING and not _drives(stage, roles):
+        return "walk"
+    if motion in ("push", "pull") and clause.verb in _SHIFTING and bare:
+        return "walk" if _prepositions(clause) & {"to", "over", "toward", "towards", "into"} else None
+    if motion in _TO_SOMETHING and not _has_something(stage, clause, roles, motion):
+        return None
+    if motion in _SOLID and clause.object and not _is_solid(stage, clause, roles):
+        return None
+    return motion
+
+
+def _has_something(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
+    if clause.object or clause.recipient or (motion in _TOGETHER and len(roles.subjects) > 1):
+        return True
+    if any(word.low == "one" for word in stage.sentence.words[clause.index : clause.index + 2]):
+        return True  # picks one up
+    if any(preposition in _AGAINST and nouns for preposition, nouns in clause.places):
+        return True
+    return bool(clause.particle) and motion in ("hold", "press", "push", "pull", "put_down")
+
+
+def _is_solid(stage: Stage, clause: Clause, roles: Roles) -> bool:
+    """Whether what something is done to can be touched, or is somebody."""
+    if roles.people or roles.recipients:
+        return True
+    return any(_can_be_touched(stage, noun, roles.things) for noun in clause.object)
+
+
+def _can_be_touched(stage: Stage, noun: NounPhrase, things: Collection[str]) -> bool:
+    if noun.kind != "thing" or noun.head in _MATTER | {"it", "one", "other", "everything", "this", "that"}:
+        return True
+    if noun.head in lexicon.ABSTRACT:
+        return any(
+            stage.inventory.head(thing) == noun.head and stage.inventory.class_of(thing) in _OBJECTS for thing in things
+        )
+    return lexicon.noun_class(noun.key) in _OBJECTS
+
+
+def _drives(stage: Stage, roles: Roles) -> bool:
+    """Whether somebody who reverses or parks has something to drive."""
+    if any(stage.inventory.head(thing) in lexicon.VEHICLES for thing in roles.things):
+        return True
+    supports = (stage.scene.posture.get(person.id, ("stand", None))[1] for person in roles.subjects)
+    inside = any(stage.inventory.head(support) in lexicon.VEHICLES for support in supports)
+    words = {*stage.place.place.lower().split(), *stage.place.heading.lower().split()}
+    return inside or bool(words & lexicon.VEHICLES) or bool({*stage.inventory.ids()} & lexicon.VEHICLES)
+
+
+def _prepositions(clause: Clause) -> set[str]:
+    return {preposition for preposition, _ in clause.places} | {clause.particle}

@@ -1,0 +1,93 @@
+"""Acts that the motion vocabulary lacks: their words are kept and flagged, and the nearest motion stands for them."""
+
+from __future__ import annotations
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.people.roles import Roles
+from storyblender.agents.director.reader.stage import Stage, UnreadAct
+from storyblender.agents.director.reading import Person
+
+_INWARD = (
+    lexicon.SILENT_VERBS
+    | lexicon.FACE_VERBS
+    | lexicon.words("copulas")
+    | frozenset(
+        {"be", "have", "do", "can", "own", "cost", "contain", "deserve", "suit", "fit", "matter", "happen", "seem"}
+    )
+    | frozenset(
+        {"find", "feel", "guess", "hope", "expect", "realise", "recall", "miss", "prefer", "trust", "fail", "manage"}
+    )
+    | frozenset(
+        {
+            "live",
+            "wear",
+            "exist",
+            "resemble",
+            "represent",
+            "signify",
+            "dread",
+            "fear",
+            "envy",
+            "owe",
+            "wonder",
+            "intend",
+        }
+    )
+)
+"""What nobody sees."""
+_WORDS = 9
+"""Words of an act that a flag repeats."""
+
+
+def nearest(clause: Clause, roles: Roles) -> str | None:
+    """The motion that looks most like a verb without one, or None where no motion is near.
+
+    Args:
+        clause: A clause that tells of somebody.
+        roles: Its people and things.
+    """
+    if not roles.subjects or clause.verb in _INWARD or clause.passive or clause.infinitive:
+        return None
+    if clause.verb in lexicon.MOTION_OF_VERB:
+        return None  # it has a motion, which does not fit here: lowers his voice
+    pair = lexicon.NEAR_MOTIONS.get(f"{clause.verb} {clause.particle}") if clause.particle else None
+    return pair or lexicon.NEAR_MOTIONS.get(clause.verb)
+
+
+def note_unread(stage: Stage, clause: Clause, roles: Roles, shown: str | None) -> None:
+    """Flag an act that has no motion of its own, unless it cannot be seen.
+
+    Args:
+        stage: Its unit takes the flag.
+        clause: Neither negated nor unreal, with somebody as subject.
+        roles: Its people and things.
+        shown: The motion that stands for it, if one is near.
+    """
+    unseen = clause.verb in _INWARD or clause.passive or clause.earlier
+    if not roles.subjects or unseen or stage.sentence.pictured:
+        return
+    end = min(clause.index + _WORDS, len(stage.sentence.words))
+    following = stage.sentence.words[clause.index : end]
+    stop_at = next((at for at, word in enumerate(following) if at and word.text in ",;:"), len(following))
+    written = [word for word in following[:stop_at] if not word.inserted]
+    if not written:
+        return
+    start, stop = written[0].start, max(word.end for word in written)
+    words = " ".join(stage.reading.screenplay.text[start:stop].split()).rstrip(" .,;")
+    who = _names(roles.subjects)
+    reason = f"there is no motion for what {who} does: “{words}”"
+    reason += f"; shown as “{shown.replace('_', ' ')}”" if shown else "; nobody moves for it"
+    stage.unread.append(UnreadAct(roles.subjects[0].id, shown or "", reason, start, stop))
+
+
+def flag_unread(stage: Stage) -> None:
+    """Write the flags of the sentence that was just read: of a person who does nothing else in it, or is shown so."""
+    for act in stage.unread:
+        if act.shown or not any(deed.actor == act.person for deed in stage.unit.deeds):
+            stage.flag("act", act.shown or "none", act.reason, act.start, act.end)
+    stage.unread.clear()
+
+
+def _names(people: list[Person]) -> str:
+    return " and ".join(person.name for person in people[:2])
