@@ -57,7 +57,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="alley",
     name="Alley",
-    tags=("alley", "alleyway", "back alley", "backstreet", "back street", "lane", "loading bay", "back door", "ghetto"),
+    tags=("alley", "alleyway", "back alley", "backstreet", "back street", "loading bay", "back door", "ghetto"),
     indoor=False,
     draw=draw,
     width=Span(4.4, 4.8, 7.0),

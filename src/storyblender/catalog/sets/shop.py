@@ -48,7 +48,7 @@ KIT = SetKit(
     key="shop",
     name="Shop",
     tags=("shop", "store", "grocery", "bakery", "pharmacy", "drugstore", "general store", "pawn shop",
-          "barber shop", "gas station", "post office", "butcher", "tailor", "showroom"),
+          "barber shop", "post office", "butcher", "tailor", "showroom"),
     indoor=True,
     draw=draw,
     width=Span(7.0, 7.6, 11.0),
