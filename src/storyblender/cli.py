@@ -217,6 +217,19 @@ def check(context: typer.Context, folder: Folder, json_lines: Json = False) -> N
     raise typer.Exit(0 if report.clean else 1)
 
 
+@app.command(epilog=_examples("evaluate my_film.storyboard", "evaluate *.storyboard --json"))
+def evaluate(
+    folders: Annotated[
+        list[Path], typer.Argument(metavar="FOLDER...", help="Project folders, NAME.storyboard.", show_default=False)
+    ],
+    json_lines: Json = False,
+) -> None:
+    """Say of every frame how well it tells its lines, 1 to 10, and what is wrong with it."""
+    with shown(quiet=False, json_lines=json_lines) as terminal:
+        for folder in folders:
+            terminal.reviews(folder, _studio(terminal, project=folder).evaluate(folder))
+
+
 @app.command(epilog=_examples("export my_film.storyboard --to glb", "export my_film.storyboard --to edl --to fcpxml"))
 def export(
     context: typer.Context,

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
-from storyblender.agents.layout_artist.camera_brief import pose_at
-from storyblender.agents.layout_artist.camera_scene import story_moment
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
 from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line, walked_around
-from storyblender.geometry.framing import Figure, Film
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef
-from storyblender.memory.measure import CameraView, Collision, ViewRequest
-from storyblender.memory.shot_context import CameraPose, Flaw, ShotContext
+from storyblender.memory.measure import Collision
+from storyblender.memory.shot_context import CameraPose, Flaw
+from storyblender.pipeline.reviewing import FrameReview
+from storyblender.pipeline.sighting import ShotSight, Sighting
 
 HIDDEN = 0.30
 SEEN = 0.0004
@@ -69,17 +68,11 @@ class Inspection(Frozen):
         return all(row.ok for row in self.rows)
 
 
-class ShotSight(Frozen):
-    """What a shot's camera sees at its story moment, and where the people are."""
-
-    view: CameraView
-    figures: tuple[Figure, ...]
-
-
 def inspect(
     graph: ContinuityMemoryGraph,
     engine: BlenderEngine,
     packs: Sequence[PackRef],
+    reviews: Mapping[str, FrameReview],
     progress: Callable[[int, int, str], None] = lambda step, total, scene: None,
 ) -> Inspection:
     """Check a project.
@@ -88,10 +81,11 @@ def inspect(
         graph: The story.
         engine: Looks and measures.
         packs: The scenes as built.
+        reviews: The Frame Critic's, by shot name.
         progress: Hears how many scenes are checked, of how many, and which one is next.
     """
     waiting = [
-        (_Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
+        (Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
     ]
     sights: dict[str, ShotSight] = {}
     collisions: list[Collision] = []
@@ -115,41 +109,10 @@ def inspect(
         _collision_row(collisions, findings),
         _reach_row(packs, findings),
         _staging_row(packs, findings),
+        _review_row(reviews, findings),
     ]
     names = names_of(graph)
     return Inspection(rows=tuple(rows), findings=tuple(plain(finding, names) for finding in findings))
-
-
-class _Sighting:
-    """What every camera of a scene sees at its story moment, asked for and not yet answered."""
-
-    def __init__(self, graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef) -> None:
-        shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
-        film = Film(graph.format.sensor_width, graph.format.aspect)
-        requests = [_request(shot, film) for shot in shots]
-        frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
-        self._names = [shot_name(shot.scene_id, shot.shot_id) for shot in shots]
-        self._views = engine.look(pack, requests, graph.format.aspect)
-        self._figures = engine.read_figures(pack, frames)
-
-    def seen(self) -> dict[str, ShotSight]:
-        """Return the sight of every shot by name."""
-        answers = zip(self._names, self._views.result(), self._figures.result(), strict=True)
-        return {name: ShotSight(view=view, figures=tuple(faces)) for name, view, faces in answers}
-
-
-def _request(shot: ShotContext, film: Film) -> ViewRequest:
-    assert shot.camera is not None, "only shots with a camera are looked at"
-    frame = story_moment(shot)
-    return ViewRequest(
-        scene_id=shot.scene_id,
-        shot_id=shot.shot_id,
-        frame=frame,
-        pose=pose_at(shot.camera, frame, film),
-        sensor_width=shot.camera.sensor_width,
-        hidden_node_ids=shot.camera.hidden_node_ids,
-        focus_ids=shot.camera_instruction.focus_on_ids,
-    )
 
 
 def _layout_row(graph: ContinuityMemoryGraph, findings: list[str]) -> CheckRow:
@@ -287,6 +250,16 @@ def _staging_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
     problems = [problem for pack in packs for problem in pack.problems if not _misses(problem)]
     findings += [f"{problem.shot}: {problem.message}" for problem in problems]
     return CheckRow(name="staging problems", value=str(len(problems)), ok=True)
+
+
+def _review_row(reviews: Mapping[str, FrameReview], findings: list[str]) -> CheckRow:
+    """Frames that do not tell their lines."""
+    poor = [review for review in reviews.values() if review.verdict != "pass"]
+    for review in poor:
+        told = "; ".join(fault.message for fault in review.faults)
+        findings.append(f"{review.shot}: scores {review.score:.1f} of 10: {told}")
+    value = f"{len(reviews) - len(poor)} of {len(reviews)}"
+    return CheckRow(name="frames that tell their lines", value=value, ok=not poor)
 
 
 def _orbit(pose: CameraPose) -> Orbit:

@@ -41,8 +41,9 @@ from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import STORY, Compilation, file_of, story_files
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.packing import pack_scenes
+from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run
-from storyblender.pipeline.shooting import damaged_frames, prune, shoot_frames, shoot_motion
+from storyblender.pipeline.shooting import damaged_frames, drawn_shots, prune, shoot_frames, shoot_motion
 from storyblender.project import Project, read_project_graph
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener, silent
@@ -191,8 +192,24 @@ class Studio:
                 raise InputError("has shots without a camera yet", mend=mend, path=run.project.folder)
             _restore_assets(run)
             pack_scenes(run)
-            report = inspect(run.graph, run.engine, list(run.packs.values()), partial(run.progress, "check"))
+            reviews = review_frames(run, drawn_shots(run))
+            report = inspect(run.graph, run.engine, list(run.packs.values()), reviews, partial(run.progress, "check"))
             return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
+
+    def evaluate(self, folder: Path) -> list[FrameReview]:
+        """Return what the Frame Critic finds in every frame of a finished project.
+
+        Raises:
+            InputError: No such project, or one that is only planned or not finished.
+        """
+        read_project_graph(folder)
+        with self._open_made(folder) as run:
+            _refuse_unmade(run)
+            _restore_assets(run)
+            pack_scenes(run)
+            film(run)
+            shoot_frames(run, run.graph.shots)
+            return list(review_frames(run, run.graph.shots).values())
 
     def export(self, folder: Path, kinds: Sequence[str]) -> Delivery:
         """Write scenes as glTF or USD, the timeline as EDL or FCPXML.
@@ -308,6 +325,7 @@ class Studio:
         asked = {(shot.scene_id, shot.shot_id) for shot in shots}
         others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
         shoot_frames(run, [*shots, *damaged_frames(run, others)])
+        review_frames(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
         story = Compilation(run)
         from storyblender.pipeline.delivery import deliver
 

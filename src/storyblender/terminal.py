@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from storyblender.inspection import Inspection
     from storyblender.memory.graph import ContinuityMemoryGraph
     from storyblender.memory.history import Commit
+    from storyblender.pipeline.reviewing import FrameReview
     from storyblender.trace import Event
 
 _CONTROLS = {code: "\N{REPLACEMENT CHARACTER}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\t\n"}
@@ -163,6 +164,21 @@ class Terminal:
         self._results.print(table)
         for finding in report.findings:
             self._results.print(f"  [yellow]{_plain(finding)}[/]", soft_wrap=True)
+
+    def reviews(self, folder: Path, reviews: Sequence[FrameReview]) -> None:
+        """Print what the Frame Critic found in the frames of a project."""
+        self._progress.stop()
+        if self._json:
+            self._write({"folder": str(folder), "frames": [review.model_dump(mode="json") for review in reviews]})
+        colors = {"pass": "green", "fix": "yellow", "reject": "red"}
+        table = Table("frame", "score", "", "what is wrong", box=None, title=_plain(str(folder)), title_justify="left")
+        for review in reviews:
+            told = "; ".join(fault.message for fault in review.faults)
+            verdict = f"[{colors[review.verdict]}]{review.verdict}[/]"
+            table.add_row(review.shot, f"{review.score:.1f}", verdict, _plain(told))
+        self._results.print(table)
+        passed = sum(review.verdict == "pass" for review in reviews)
+        self._results.print(f"{passed} of {len(reviews)} frames pass")
 
     def findings(self, findings: Sequence[Finding]) -> None:
         """Print what the doctor found."""

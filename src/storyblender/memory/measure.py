@@ -76,6 +76,8 @@ class ViewRequest(Frozen):
     hidden_node_ids: tuple[Identifier, ...] = ()
     focus_ids: tuple[str, ...] = ()
     """node_ids the shot is about."""
+    other_ids: tuple[str, ...] = ()
+    """node_ids that are measured too, and are not what the shot is about."""
 
 
 class Collision(Frozen):

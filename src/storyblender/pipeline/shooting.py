@@ -73,6 +73,11 @@ def _commit_lights(run: Run, shots: Sequence[ShotContext]) -> None:
         run.commit("lighting_arranger", f"face lights of {scene_name(shots[0].scene_id)}", *shots)
 
 
+def drawn_shots(run: Run) -> list[ShotContext]:
+    """Return the shots whose picture is drawn as they are now."""
+    return [shot for shot in run.graph.shots if run.outputs.whole(frame_picture(run, shot))]
+
+
 def damaged_frames(run: Run, shots: Collection[ShotContext]) -> list[ShotContext]:
     """Return the shots whose frame was there once and is gone, or cannot be read."""
     names = [f"frames/{shot_name(shot.scene_id, shot.shot_id)}.png" for shot in shots]
@@ -122,10 +127,15 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
     for shot in shots:
         job = _frame_job(run, shot, run.settings.look)
         name = shot_name(shot.scene_id, shot.shot_id)
-        kept |= {job.out, f"{job.out}.json", _motion_folder(run, shot)}
+        kept |= {job.out, f"{job.out}.json", f"{job.out}.review.json", _motion_folder(run, shot)}
         kept |= {f"frames/{name}.png", f"frames/slate_{name}.png"}
     for folder in ("build/frames/", "build/motion/", "build/scenes/", "build/figures/", "frames/"):
         run.outputs.keep_only(folder, kept)
+
+
+def frame_picture(run: Run, shot: ShotContext) -> str:
+    """Return the name of the picture of a shot as it is now, drawn or not."""
+    return _frame_job(run, shot, run.settings.look).out
 
 
 def _frame_job(run: Run, shot: ShotContext, look: Look) -> FrameJob:

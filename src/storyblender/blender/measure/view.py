@@ -53,6 +53,7 @@ class Sighting:
         sensor_width: mm.
         focus_ids: node_ids the shot is about.
         hidden: node_ids left out of the picture.
+        other_ids: node_ids that are measured and are not what the shot is about.
     """
 
     pose: CameraPose
@@ -60,6 +61,7 @@ class Sighting:
     sensor_width: float = 36.0
     focus_ids: tuple[str, ...] = ()
     hidden: tuple[str, ...] = ()
+    other_ids: tuple[str, ...] = ()
 
 
 def view(
@@ -176,7 +178,7 @@ class _Stage:
         red, green, blue = (np.rint(channels[f"Combined.{name}"] * 255).astype(np.int32) for name in "RGB")
         ids, depth = red + 256 * green, channels["Depth.Z"]
         sky = self._sky(ids, blue, orbit)
-        wanted = dict.fromkeys((*self.faces, *sighting.focus_ids))
+        wanted = dict.fromkeys((*self.faces, *sighting.focus_ids, *sighting.other_ids))
         shown = [node for node in wanted if node in self.numbers and node not in sighting.hidden]
         subjects = tuple(self._subject(node, orbit, ids) for node in shown)
         return CameraView(

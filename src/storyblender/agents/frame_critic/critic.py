@@ -1,0 +1,177 @@
+"""Judges a finished frame as a director would: is what the lines are about in it, large enough, and not hidden?
+
+The camera's critic asks whether a view is well framed; this one asks whether the frame tells its lines.
+Severities are points of ten; a frame passes from eight on, and is to be made again below five.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
+from storyblender.memory.measure import SubjectView
+from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
+from storyblender.reflection import Critique, Fault
+
+Verdict = Literal["pass", "fix", "reject"]
+PASS, REJECT = 8.0, 5.0
+"""Least score of a frame that passes, and below which it is to be made again."""
+
+_LEAST_PERSON: dict[ShotSize, float] = {
+    "EWS": 0.0004, "WS": 0.002, "FS": 0.008, "MWS": 0.02, "MS": 0.03, "MCU": 0.04, "CU": 0.05, "ECU": 0.05,
+}  # fmt: skip
+"""Least share of the frame for whom a shot of a size is about."""
+_LEAST_THING = 0.0003
+_LEAST_INSERT = 0.012
+_FACES_FROM: ShotSize = "FS"
+"""The widest size in which a face is read."""
+_PROFILE = 100.0
+"""Degrees from the camera up to which a face is still read."""
+_STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.8, "crossing": 1.5, "late": 0.8}
+"""Points for what could not be staged."""
+_TOUCHES, _INSIDE = 0.03, 0.10
+"""Metres one body may be in another, and from which it is plainly seen."""
+_MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
+_DARK = 0.05
+
+
+class FrameCritic:
+    """R of a finished frame."""
+
+    def judge(self, draft: FrameView) -> Critique:
+        """Score one frame; every fault says what is missing and of whom."""
+        faults = (
+            *_people(draft),
+            *_faces(draft),
+            *_things(draft),
+            *_staging(draft),
+            *_picture(draft),
+        )
+        return Critique.of(faults)
+
+
+def verdict_of(score: float) -> Verdict:
+    """Return what a score means for the board."""
+    return "pass" if score >= PASS else "fix" if score >= REJECT else "reject"
+
+
+def _fault(kind: str, subject: str, severity: float, message: str) -> Fault:
+    return Fault(kind=kind, subject=subject, severity=round(severity, 2), message=message)
+
+
+def _people(view: FrameView) -> list[Fault]:
+    """Those whom the lines are about are in the picture, large enough and not hidden; the others are seen."""
+    shot, instruction = view.shot, view.shot.camera_instruction
+    if instruction.kind == "insert":
+        return []
+    meant = [each for each in instruction.focus_on_ids if each in shot.on_stage]
+    acting = [action.asset_id for action in actions_to_see(shot)]
+    main = [each for each in dict.fromkeys([*meant, *acting, *speakers(shot)]) if each != instruction.pov_id]
+    tight = SHOT_SIZES.index(instruction.size) >= SHOT_SIZES.index("MCU")
+    found: list[Fault] = []
+    for asset_id in main:
+        central = asset_id in meant[:2] or asset_id in acting[:1]
+        if tight and not central:
+            continue
+        subject = view.subject(asset_id)
+        least = _LEAST_PERSON[instruction.size] * (1.0 if central else 0.25)
+        if subject is None or subject.pixels < _LEAST_PERSON["EWS"]:
+            found.append(_fault("person_missing", asset_id, 4.0 if central else 2.0, f"{asset_id} is not seen"))
+        elif subject.pixels < least:
+            found.append(_fault("person_small", asset_id, 1.5, f"{asset_id} is too small to be read"))
+        elif central and _hidden(subject) > 0.6 and subject.face_visible < 0.5:
+            found.append(_fault("person_hidden", asset_id, 2.0, f"{asset_id} is {_hidden(subject):.0%} hidden"))
+    others = [each for each in shot.shown if each not in main and each != instruction.pov_id]
+    unseen = [each for each in others if (seen := view.subject(each)) is None or seen.pixels < _LEAST_PERSON["EWS"]]
+    if not tight and unseen:
+        told = ", ".join(unseen[:3])
+        found.append(_fault("people_missing", unseen[0], min(0.8 * len(unseen), 2.5), f"{told} not in the picture"))
+    return found
+
+
+def _hidden(subject: SubjectView) -> float:
+    return 1 - subject.visible_fraction / max(subject.in_frame_fraction, 1e-6)
+
+
+def _faces(view: FrameView) -> list[Fault]:
+    """Of those who speak or react the face is read, unless the camera looks over their shoulder or from far away."""
+    shot, instruction = view.shot, view.shot.camera_instruction
+    far = SHOT_SIZES.index(instruction.size) < SHOT_SIZES.index(_FACES_FROM)
+    if far or instruction.kind in ("insert", "establishing", "pov"):
+        return []
+    reacting = [state.asset_id for state in shot.states if state.expression != "neutral"]
+    wanted = [each for each in dict.fromkeys([*speakers(shot), *reacting]) if each in instruction.focus_on_ids]
+    found: list[Fault] = []
+    for asset_id in wanted:
+        subject = view.subject(asset_id)
+        if subject is None or subject.node_id not in view.people or subject.face is None:
+            continue
+        x, y = subject.face
+        if not (0 < x < 1 and 0 < y < 1):
+            found.append(_fault("face_out", asset_id, 3.0, f"the face of {asset_id} is outside the picture"))
+        elif subject.face_angle > _PROFILE:
+            found.append(_fault("face_away", asset_id, 2.0, f"the face of {asset_id} is turned away"))
+        elif subject.face_visible < 0.4:
+            found.append(_fault("face_hidden", asset_id, 2.0, f"the face of {asset_id} is hidden"))
+    return found
+
+
+def _things(view: FrameView) -> list[Fault]:
+    """What is used is in the picture; what the picture is about is large in it, and is no stand-in."""
+    shot, instruction = view.shot, view.shot.camera_instruction
+    tight = SHOT_SIZES.index(instruction.size) >= SHOT_SIZES.index("MCU")
+    found: list[Fault] = []
+    for asset_id in things_to_see(shot):
+        asset = view.assets.get(asset_id)
+        if asset is None or asset.part_of or asset_id in shot.absent:
+            continue
+        focus = asset_id in instruction.focus_on_ids
+        subject = view.subject(asset_id)
+        pixels = subject.pixels if subject is not None else 0.0
+        if focus and instruction.kind == "insert" and pixels < _LEAST_INSERT:
+            found.append(_fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
+        elif pixels < _LEAST_THING and (focus or not tight):
+            found.append(_fault("thing_missing", asset_id, 2.0 if focus else 1.5, f"{asset_id} is not seen"))
+        elif asset.canonical is not None and asset.canonical.source == "stand_in":
+            found.append(_fault("stand_in", asset_id, 2.5 if focus else 1.5, f"{asset_id} is a plain stand-in"))
+    return found
+
+
+def _staging(view: FrameView) -> list[Fault]:
+    """What the script says and the staging could not do, and bodies inside each other."""
+    found = [
+        _fault(f"not_staged_{flag.topic}", flag.choice, 2.5, flag.reason)
+        for flag in view.shot.flags
+        if flag.topic in ("action", "deed", "motion")
+    ]
+    for flaw in view.staged:
+        if flaw.kind in _STAGING:
+            found.append(_fault(flaw.kind, flaw.subject, _STAGING[flaw.kind], flaw.message))
+    for hit in view.collisions:
+        if hit.depth > _TOUCHES:
+            severity = 2.0 if hit.depth > _INSIDE else 0.8
+            text = f"{hit.asset_id} is {100 * hit.depth:.0f} cm inside {hit.node_id}"
+            found.append(_fault("collision", hit.asset_id, severity, text))
+    return found
+
+
+def _picture(view: FrameView) -> list[Fault]:
+    """No void, no picture of one wall, nothing large before the subject, no darkness."""
+    seen, picture, kind = view.seen, view.picture, view.shot.camera_instruction.kind
+    found: list[Fault] = []
+    if seen.void > _MOST_VOID:
+        found.append(_fault("void", "", 1 + 10 * (seen.void - _MOST_VOID), f"{seen.void:.0%} of the picture is empty"))
+    if picture.flat > _MOST_FLAT and seen.sky < 0.3:
+        severity = 1 + 6 * (picture.flat - _MOST_FLAT)
+        found.append(_fault("flat", "", severity, f"{picture.flat:.0%} of the picture is one plain surface"))
+    if seen.foreground > _MOST_FOREGROUND and kind not in ("pov", "establishing", "ots"):
+        found.append(_fault("foreground", "", 2.0, f"{seen.foreground:.0%} of the picture is blocked in front"))
+    if picture.brightness < _DARK:
+        found.append(_fault("dark", "", 2.0, "the picture is too dark to be read"))
+    if seen.inside or seen.below_floor:
+        found.append(_fault("inside", "", 4.0, f"the camera is inside {', '.join(seen.inside) or 'the floor'}"))
+    if view.shot.on_stage and kind not in ("insert", "establishing", "pov"):
+        largest = max((subject.pixels for subject in seen.subjects), default=0.0)
+        if largest < _LEAST_PERSON["EWS"]:
+            found.append(_fault("nothing", "", 5.0, "nothing that the lines are about is in the picture"))
+    return found

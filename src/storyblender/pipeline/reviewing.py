@@ -1,0 +1,119 @@
+"""The Frame Critic at work: every drawn frame is judged against its lines, and the judgement is kept beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+import numpy as np
+from PIL import Image
+
+from storyblender.agents.frame_critic.critic import FrameCritic, Verdict, verdict_of
+from storyblender.agents.frame_critic.frame_view import FrameView
+from storyblender.look.picture_measure import PictureMeasure, measure_picture
+from storyblender.memory.base import Digest, Frozen, content_hash, shot_name
+from storyblender.memory.measure import Collision
+from storyblender.memory.shot_context import ShotContext
+from storyblender.pipeline.run import Run
+from storyblender.pipeline.shooting import frame_picture
+from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
+from storyblender.reflection import Critique, Fault
+
+CRITIC_VERSION = 1
+"""Raised when the critic judges otherwise: kept reviews are then made anew."""
+
+
+class FrameReview(Frozen):
+    """The Frame Critic's judgement of one frame."""
+
+    shot: str
+    judged: Digest
+    """Hash of what was judged."""
+    score: float
+    """1 to 10."""
+    faults: tuple[Fault, ...] = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """``pass``, ``fix`` or ``reject``."""
+        return verdict_of(self.score)
+
+
+def review_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
+    """Judge the frames of some shots; what was judged as it is now is not judged again.
+
+    Args:
+        run: With packs and frames.
+        shots: With a camera, drawn.
+
+    Returns:
+        Shot name to review, in the order of the shots.
+    """
+    found: dict[str, FrameReview] = {}
+    waiting: dict[int, list[ShotContext]] = {}
+    for shot in shots:
+        known = run.outputs.read(_record(run, shot), FrameReview.model_validate_json)
+        if known is not None and known.judged == _judged(run, shot):
+            found[known.shot] = known
+        else:
+            waiting.setdefault(shot.scene_id, []).append(shot)
+    asked = {
+        scene_id: Sighting(run.graph, run.engine, run.packs[scene_id], {shot.shot_id for shot in scene_shots})
+        for scene_id, scene_shots in waiting.items()
+    }
+    for scene_id, scene_shots in waiting.items():
+        sights = asked[scene_id].seen()
+        for shot in scene_shots:
+            name = shot_name(shot.scene_id, shot.shot_id)
+            critique = judge_frame(run, shot, sights[name], ())
+            review = FrameReview(
+                shot=name, judged=_judged(run, shot), score=round(critique.score, 2), faults=critique.faults
+            )
+            run.outputs.write(_record(run, shot), review.model_dump_json())
+            found[name] = review
+    names = (shot_name(shot.scene_id, shot.shot_id) for shot in shots)
+    return {name: found[name] for name in names}
+
+
+def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Sequence[Collision]) -> Critique:
+    """Judge one drawn frame.
+
+    Args:
+        run: With the story and its pictures.
+        shot: The shot.
+        sight: What its camera sees.
+        collisions: People inside things in this shot.
+    """
+    name = shot_name(shot.scene_id, shot.shot_id)
+    assets = {asset.asset_id: asset for asset in run.graph.assets}
+    return FrameCritic().judge(
+        FrameView(
+            shot=shot,
+            seen=sight.view,
+            people=frozenset(figure.node_id for figure in sight.figures),
+            picture=_measured(run, shot),
+            assets=assets,
+            nodes=nodes_of(run.graph, shot.scene_id),
+            staged=tuple(flaw for flaw in run.packs[shot.scene_id].problems if flaw.shot == name),
+            collisions=tuple(collisions),
+        )
+    )
+
+
+def kept_reviews(run: Run, shots: Collection[ShotContext]) -> Mapping[str, FrameReview]:
+    """Return the reviews there are of the frames as they are now, by shot name."""
+    known = (run.outputs.read(_record(run, shot), FrameReview.model_validate_json) for shot in shots)
+    return {review.shot: review for review in known if review is not None}
+
+
+def _measured(run: Run, shot: ShotContext) -> PictureMeasure:
+    with Image.open(run.project.path(frame_picture(run, shot))) as picture:
+        return measure_picture(np.asarray(picture.convert("RGB")))
+
+
+def _record(run: Run, shot: ShotContext) -> str:
+    return f"{frame_picture(run, shot)}.review.json"
+
+
+def _judged(run: Run, shot: ShotContext) -> str:
+    told = shot.model_dump(mode="json", exclude={"lights", "blocking", "cues", "camera"})
+    return content_hash(CRITIC_VERSION, told, frame_picture(run, shot))

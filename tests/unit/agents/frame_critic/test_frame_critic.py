@@ -1,0 +1,112 @@
+"""The Frame Critic rejects a frame that does not show what its lines are about, and passes one that does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from storyblender.agents.frame_critic.critic import FrameCritic, verdict_of
+from storyblender.agents.frame_critic.frame_view import FrameView
+from storyblender.look.picture_measure import PictureMeasure, measure_picture
+from storyblender.memory.asset_sheet import Asset, CanonicalAsset
+from storyblender.memory.measure import CameraView, Collision, SubjectView
+from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, Flag, Flaw, ShotContext
+
+_CUP = Asset(
+    asset_id="cup",
+    asset_type="object",
+    description="a cup",
+    canonical=CanonicalAsset(source="catalog", key="cup", dimensions=(0.1, 0.1, 0.1), digest="c0"),
+)
+
+
+def _seen(node: str, pixels: float, **fields: object) -> SubjectView:
+    usual = {"visible_fraction": 0.9, "in_frame_fraction": 0.95, "face": (0.5, 0.4), "face_visible": 0.9}
+    return SubjectView.model_validate({"node_id": node, "pixels": pixels, **usual, **fields})
+
+
+def _shot(**fields: object) -> ShotContext:
+    usual: dict[str, object] = {
+        "scene_id": 1,
+        "shot_id": 1,
+        "on_stage": ("mara",),
+        "in_frame": ("mara",),
+        "states": (BodyState(asset_id="mara"),),
+        "character_actions": (
+            CharacterAction(asset_id="mara", action_description="takes a cup", motion="take", prop_id="cup"),
+        ),
+        "camera_instruction": CameraInstruction(focus_on_ids=("mara",), size="MS"),
+    }
+    return ShotContext.model_validate({**usual, **fields})
+
+
+def _view(*subjects: SubjectView, shot: ShotContext | None = None, **fields: object) -> FrameView:
+    usual: dict[str, object] = {
+        "shot": shot or _shot(),
+        "seen": CameraView(subjects=subjects, void=0.0),
+        "people": frozenset({"mara"}),
+        "picture": PictureMeasure(flat=0.2, brightness=0.3),
+        "assets": {"cup": _CUP},
+        "nodes": {},
+    }
+    return FrameView(**{**usual, **fields})  # pyright: ignore[reportArgumentType]
+
+
+_GOOD = (_seen("mara", 0.2), _seen("cup", 0.002, face=None))
+
+
+def _faults(view: FrameView) -> set[str]:
+    return {fault.kind for fault in FrameCritic().judge(view).faults}
+
+
+def test_a_frame_that_shows_its_lines_passes() -> None:
+    critique = FrameCritic().judge(_view(*_GOOD))
+    assert critique.faults == () and verdict_of(critique.score) == "pass"
+
+
+@pytest.mark.parametrize(
+    ("view", "fault"),
+    [
+        (_view(_GOOD[1]), "person_missing"),
+        (_view(_seen("mara", 0.01), _GOOD[1]), "person_small"),
+        (_view(_GOOD[0]), "thing_missing"),
+        (_view(*_GOOD, seen=CameraView(subjects=_GOOD, void=0.3)), "void"),
+        (_view(*_GOOD, seen=CameraView(subjects=_GOOD, void=0.0, foreground=0.5)), "foreground"),
+        (_view(*_GOOD, picture=PictureMeasure(flat=0.8, brightness=0.3)), "flat"),
+        (_view(*_GOOD, picture=PictureMeasure(flat=0.2, brightness=0.01)), "dark"),
+        (_view(*_GOOD, staged=(Flaw(kind="no_path", subject="mara", message="no way"),)), "no_path"),
+        (
+            _view(*_GOOD, collisions=(Collision(shot="s", frame=1, asset_id="mara", node_id="cup", depth=0.2),)),
+            "collision",
+        ),
+        (
+            _view(*_GOOD, shot=_shot(flags=(Flag(topic="action", choice="juggles", reason="not staged"),))),
+            "not_staged_action",
+        ),
+    ],
+)
+def test_what_is_wrong_with_a_frame_is_named_and_costs(view: FrameView, fault: str) -> None:
+    critique = FrameCritic().judge(view)
+    assert fault in {each.kind for each in critique.faults}
+    assert critique.score < FrameCritic().judge(_view(*_GOOD)).score
+
+
+def test_the_face_of_a_speaker_is_asked_for_and_of_others_not() -> None:
+    away = (_seen("mara", 0.2, face_angle=170.0), _GOOD[1])
+    assert "face_away" not in _faults(_view(*away))
+    speaks = CharacterAction(asset_id="mara", action_description="speaks", motion="talk")
+    assert "face_away" in _faults(_view(*away, shot=_shot(character_actions=(speaks,))))
+
+
+def test_a_part_that_is_absent_is_not_asked_for() -> None:
+    assert "thing_missing" not in _faults(_view(_GOOD[0], shot=_shot(absent=("cup",))))
+
+
+def test_flat_is_the_largest_plain_surface() -> None:
+    picture = np.zeros((180, 320, 3), np.uint8)
+    picture[:, :80] = 200
+    noise = np.random.default_rng(1).integers(0, 255, (180, 160, 3))
+    picture[:, 160:] = noise
+    measure = measure_picture(picture)
+    assert measure.flat == pytest.approx(0.25, abs=0.03)
+    assert measure_picture(np.full((90, 160, 3), 90, np.uint8)).flat == 1.0
