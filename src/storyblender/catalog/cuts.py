@@ -224,21 +224,76 @@ class Bib(Piece):
     hem: Level = ("knee", 0.05)
 
 
+HatShape = Literal[
+    "fedora", "peaked", "flat", "straw", "beanie", "baseball", "top", "bowler", "cowboy", "hard", "helmet", "toque",
+        "witch",
+    "turban", "beret", "skullcap", "party", "sombrero", "crown", "sailor", "mitre", "globe",
+]  # fmt: skip
+
+
 @dataclass(frozen=True, kw_only=True)
 class Hat(Piece):
     """Headwear.
 
     Attributes:
-        shape: fedora, peaked cap, flat cap, straw hat or knitted cap.
+        shape: What it is turned to; ``globe`` is the helmet of a space or diving suit, open in front of the face.
         band: Tint of its band.
         visor: Tint of its visor.
     """
 
-    shape: Literal["fedora", "peaked", "flat", "straw", "beanie"]
+    shape: HatShape
     band: str = "dark"
     visor: str = "#0c0b0b"
 
 
+@dataclass(frozen=True, kw_only=True)
+class HeadCloth(Piece):
+    """Cloth that lies on the head itself.
+
+    Attributes:
+        region: ``hood`` covers all but the face, ``scarf`` the hair, ``mask`` nose and mouth,
+            ``balaclava`` all but the
+            eyes, ``band`` the forehead, ``blindfold`` the eyes.
+        ease: How far it stands off.
+    """
+
+    region: Literal["hood", "scarf", "mask", "balaclava", "band", "blindfold"]
+    ease: float = 0.012
+
+
+@dataclass(frozen=True, kw_only=True)
+class Gear(Piece):
+    """A solid thing that is worn."""
+
+    shape: Literal["backpack", "tank", "necklace", "stethoscope", "wings", "cape", "satchel", "braces", "headphones",
+                   "sunglasses", "eyepatch"]  # fmt: skip
+
+
+HIDES_HAIR: frozenset[str] = frozenset({"hood", "scarf", "balaclava", "globe"})
+"""Regions and shapes under which no hair is seen."""
+
 AnyPiece = (
-    Top | Lapel | Legs | Skirt | Footwear | Band | Collar | Buttons | Patches | Necktie | BowTie | Scarf | Bib | Hat
+    Top
+    | Lapel
+    | Legs
+    | Skirt
+    | Footwear
+    | Band
+    | Collar
+    | Buttons
+    | Patches
+    | Necktie
+    | BowTie
+    | Scarf
+    | Bib
+    | Hat
+    | HeadCloth
+    | Gear
 )
+
+
+def hides_hair(piece: AnyPiece) -> bool:
+    """Return whether no hair is seen under a piece."""
+    return (isinstance(piece, HeadCloth) and piece.region in HIDES_HAIR) or (
+        isinstance(piece, Hat) and piece.shape in HIDES_HAIR
+    )

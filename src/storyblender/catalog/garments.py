@@ -1,17 +1,14 @@
 """The wardrobe: every garment as data, and what people wear where the script does not say.
 
-To add a garment, add one entry to ``GARMENTS`` (docs/add-a-garment.md).
+Everyday clothes are here, costumes in ``garments_of_trades``, hats and what is worn on the body in ``worn``. To add a
+garment, add one entry (docs/add-a-garment.md).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
-
 import numpy as np
 
 from storyblender.catalog.cuts import (
-    AnyPiece,
     Band,
     Bib,
     BowTie,
@@ -28,32 +25,11 @@ from storyblender.catalog.cuts import (
     Skirt,
     Top,
 )  # fmt: skip
+from storyblender.catalog.garment_entry import GarmentSpec, garment
+from storyblender.catalog.garments_of_trades import TRADE_GARMENTS
 from storyblender.catalog.registry import Catalog
+from storyblender.catalog.worn import WORN
 from storyblender.memory.asset_sheet import CharacterLook, Garment
-
-
-@dataclass(frozen=True)
-class GarmentSpec:
-    """A garment.
-
-    Attributes:
-        key: Key in the catalog.
-        name: For people.
-        tags: Other words for it.
-        layer: Garments are put on in this order, so a jacket goes over a shirt in whatever order they were named.
-        covers: What it dresses; a person without upper or lower gets the default there.
-        colors: Typical colours (hex); the seed picks one where none is given.
-        pieces: What it is sewn from.
-    """
-
-    key: str
-    name: str
-    tags: tuple[str, ...]
-    layer: int
-    covers: tuple[Literal["upper", "lower", "feet", "head"], ...]
-    colors: tuple[str, ...]
-    pieces: tuple[AnyPiece, ...]
-
 
 _JACKET_V = Opening(("waist", 0.05), 0.085)
 _DINNER_V = Opening(("waist", 0.03), 0.095)
@@ -63,93 +39,81 @@ _VEST_V = Opening(("ribs", 0.02), 0.085)
 _COAT_V = Opening(("ribs", 0.04), 0.085)
 
 
-def _spec(key: str, words: str, layer: int, covers: str, colors: str, *pieces: AnyPiece, name: str = "") -> GarmentSpec:
-    return GarmentSpec(
-        key=key,
-        name=name or key.replace("_", " "),
-        tags=tuple(words.split(", ")),
-        layer=layer,
-        covers=tuple(covers.split()),  # type: ignore[arg-type]
-        colors=tuple(colors.split()),
-        pieces=pieces,
-    )
-
-
 GARMENTS: Catalog[GarmentSpec] = Catalog("garment", (
-    _spec("socks", "stockings, hose, knee socks", 0, "", "#c9c5bd #3a3c44 #6f6a60",
+    garment("socks", "stockings, hose, knee socks", 0, "", "#c9c5bd #3a3c44 #6f6a60",
           Footwear(top=("ankle", 0.07), ease=0.003, sole="", fabric="knit")),
-    _spec("shoes", "oxfords, loafers, sneakers, pumps", 10, "feet", "#1d1410 #0d0c0c #4a2a18",
+    garment("shoes", "oxfords, loafers, sneakers, pumps", 10, "feet", "#1d1410 #0d0c0c #4a2a18",
           Footwear()),
-    _spec("heels", "high heels, court shoes, pumps, slippers", 10, "feet", "#5d0c18 #1d1410 #0d0c0c",
+    garment("heels", "high heels, court shoes, pumps, slippers", 10, "feet", "#5d0c18 #1d1410 #0d0c0c",
           Footwear(ease=0.005, throat=True)),
-    _spec("shirt", "dress shirt, button-down, collared shirt", 20, "upper", "#e9e6de #c9d6e4 #d9cfc0 #8fa6bd",
+    garment("shirt", "dress shirt, button-down, collared shirt", 20, "upper", "#e9e6de #c9d6e4 #d9cfc0 #8fa6bd",
           Top(sleeve=1.96, neck=0.046, elbow=0.045, cuff=0.035),
           Collar(), Buttons(top=("neck", -0.06), bottom=("waist", 0.02), count=6, radius=0.005)),
-    _spec("blouse", "ladies' shirt", 20, "upper", "#ece6da #d8b7b4 #b9c9c2",
+    garment("blouse", "ladies' shirt", 20, "upper", "#ece6da #d8b7b4 #b9c9c2",
           Top(sleeve=1.9, neck=0.014, ease=0.008, drape=8, elbow=0.046, cuff=0.034),
           Collar(low=-0.014, high=0.026, gap=0.03, point=0.02)),
-    _spec("tie", "necktie, cravat", 25, "", "#2a3f66 #5d1620 #2f2f33 #3d5240",
+    garment("tie", "necktie, cravat", 25, "", "#2a3f66 #5d1620 #2f2f33 #3d5240",
           Necktie()),
-    _spec("bow_tie", "bow, black tie", 25, "", "#0a0a0c #5d1620",
+    garment("bow_tie", "bow, black tie", 25, "", "#0a0a0c #5d1620",
           BowTie()),
-    _spec("trousers", "pants, slacks, jeans", 30, "lower", "#2c2d33 #3d3a36 #4a4038 #39424f #6b6250",
+    garment("trousers", "pants, slacks, jeans", 30, "lower", "#2c2d33 #3d3a36 #4a4038 #39424f #6b6250",
           Legs(), Band(ease=0.010, tint="dark", fabric="cloth", low=("belt", -0.03), high=("belt", 0.004))),
-    _spec("shorts", "short trousers", 30, "lower", "#2b4a7a #6b5f46 #43503b",
+    garment("shorts", "short trousers", 30, "lower", "#2b4a7a #6b5f46 #43503b",
           Legs(hem=("knee", 0.05), thigh=0.09, knee=0.088, cuff=0.088, drop=0.0)),
-    _spec("breeches", "riding breeches, uniform trousers", 30, "lower", "#4e5136 #6b6250 #2c2d33",
+    garment("breeches", "riding breeches, uniform trousers", 30, "lower", "#4e5136 #6b6250 #2c2d33",
           Legs(hem=("ankle", 0.21), thigh=0.092, knee=0.072, cuff=0.055, drop=0.0)),
-    _spec("skirt", "knee-length skirt, pencil skirt", 30, "lower", "#574a52 #2f3a4c #5b4632 #3d4a3c",
+    garment("skirt", "knee-length skirt, pencil skirt", 30, "lower", "#574a52 #2f3a4c #5b4632 #3d4a3c",
           Skirt(hem=("knee", -0.10), flare=0.16)),
-    _spec("long_skirt", "maxi skirt, ankle-length skirt", 30, "lower", "#574a52 #2f3a4c #3b2e2a",
+    garment("long_skirt", "maxi skirt, ankle-length skirt", 30, "lower", "#574a52 #2f3a4c #3b2e2a",
           Skirt(hem=("ankle", 0.16), flare=0.16, folds=13)),
-    _spec("dress", "frock, summer dress", 30, "upper lower", "#a3142a #27506b #3f5d46 #6a4a73 #c08a3e",
+    garment("dress", "frock, summer dress", 30, "upper lower", "#a3142a #27506b #3f5d46 #6a4a73 #c08a3e",
           Top(sleeve=0.34, neck=-0.012, ease=0.006, drape=4, hem=("belt", -0.03), opening=_DRESS_V),
           Skirt(hem=("knee", -0.03), flare=0.33, ease=0.010),
           Band(low=("belt", -0.02), high=("belt", 0.02), ease=0.014, tint="dark")),
-    _spec("gown", "evening gown, long dress, ball gown, wedding dress, robe", 30, "upper lower",
+    garment("gown", "evening gown, long dress, ball gown, wedding dress, robe", 30, "upper lower",
           "#2b2140 #7a1f33 #1f3d3a #d9d2c4",
           Top(sleeve=0.12, neck=-0.02, ease=0.005, drape=3, hem=("belt", -0.03), opening=_DRESS_V, fabric="satin"),
           Skirt(hem=("ankle", 0.03), flare=0.5, ease=0.008, folds=13, depth=0.05, fabric="satin"),
           Band(low=("belt", -0.02), high=("belt", 0.02), ease=0.012, tint="dark", fabric="satin")),
-    _spec("belt", "leather belt, sash", 35, "", "#3a2312 #15110e",
+    garment("belt", "leather belt, sash", 35, "", "#3a2312 #15110e",
           Band(), Patches(top=("belt", 0.006), offset=0.0, width=0.035, height=0.024, pair=False, tint="#b59a4a",
                           fabric="metal")),
-    _spec("tee", "t-shirt, jersey, undershirt, polo", 40, "upper", "#d9a520 #b8433a #3f6b8a #d8d4cc #4d6b4a",
+    garment("tee", "t-shirt, jersey, undershirt, polo", 40, "upper", "#d9a520 #b8433a #3f6b8a #d8d4cc #4d6b4a",
           Top(sleeve=0.72, neck=0.006, ease=0.010, drape=10, hem=("hip", -0.04))),
-    _spec("sweater", "pullover, jumper, turtleneck", 42, "upper", "#7a3b2e #3d5240 #6d6a63 #2f3a55",
+    garment("sweater", "pullover, jumper, turtleneck", 42, "upper", "#7a3b2e #3d5240 #6d6a63 #2f3a55",
           Top(sleeve=1.9, neck=0.03, ease=0.013, drape=12, hem=("hip", -0.05), elbow=0.054, cuff=0.038, fabric="knit")),
-    _spec("vest", "waistcoat, sleeveless jacket", 45, "upper", "#3b3d45 #4d4136 #22252b",
+    garment("vest", "waistcoat, sleeveless jacket", 45, "upper", "#3b3d45 #4d4136 #22252b",
           Top(sleeve=-0.12, neck=0.004, ease=0.010, drape=8, hem=("hip", 0.01), opening=_VEST_V),
           Buttons(top=("ribs", 0.0), bottom=("hip", 0.07), count=4, radius=0.006, tint="#15110e")),
-    _spec("cardigan", "knitted jacket", 55, "upper", "#6d7fa6 #8a6d4f #5c6b54 #7a4a52",
+    garment("cardigan", "knitted jacket", 55, "upper", "#6d7fa6 #8a6d4f #5c6b54 #7a4a52",
           Top(sleeve=1.85, neck=0.0, ease=0.013, drape=12, hem=("crotch", 0.04), opening=_KNIT_V, elbow=0.05,
               cuff=0.041, fabric="knit"),
           Buttons(top=("ribs", -0.03), bottom=("hip", 0.0), count=4, radius=0.007, offset=0.0)),
-    _spec("jacket", "suit jacket, blazer, sports coat", 60, "upper", "#2f3239 #4b4136 #3b4654 #5c5349",
+    garment("jacket", "suit jacket, blazer, sports coat", 60, "upper", "#2f3239 #4b4136 #3b4654 #5c5349",
           Top(sleeve=1.9, neck=0.026, ease=0.012, drape=10, hem=("crotch", 0.0), opening=_JACKET_V, elbow=0.054,
               cuff=0.045),
           Lapel(opening=_JACKET_V, tint="dark"),
           Patches(top=("hip", 0.03), offset=0.115, width=0.12, height=0.03),
           Buttons(top=("waist", 0.03), bottom=("waist", -0.05), count=2, tint="#1a1614")),
-    _spec("dinner_jacket", "tuxedo, smoking jacket, white tie", 60, "upper", "#ebe6da #121216",
+    garment("dinner_jacket", "tuxedo, smoking jacket, white tie", 60, "upper", "#ebe6da #121216",
           Top(sleeve=1.88, neck=0.026, ease=0.012, drape=10, hem=("crotch", 0.0), opening=_DINNER_V, elbow=0.054,
               cuff=0.045),
           Lapel(opening=_DINNER_V, width=0.042, tint="light", fabric="satin"),
           Buttons(top=("waist", 0.01), bottom=("waist", 0.01), count=1, tint="#0c0c0d")),
-    _spec("tunic", "military tunic, battledress, service coat", 60, "upper", "#5a5d3c #5c5340 #3d4654",
+    garment("tunic", "military tunic, battledress, service coat", 60, "upper", "#5a5d3c #5c5340 #3d4654",
           Top(sleeve=1.95, neck=0.034, ease=0.012, drape=10, hem=("crotch", 0.0), elbow=0.056, cuff=0.044),
           Collar(low=0.0, high=0.042, flare=0.010, gap=0.02, point=0.012),
           Buttons(top=("neck", -0.07), bottom=("waist", 0.03), count=5, tint="#c9a344", fabric="metal"),
           Patches(top=("chest", 0.0), offset=0.095),
           Band(low=("waist", -0.03), high=("waist", 0.018), tint="#3a2312")),
-    _spec("uniform", "police uniform, officer, guard, porter, chauffeur", 60, "upper", "#23293a #2b2f36 #4a1f24",
+    garment("uniform", "police uniform, officer, guard, porter, chauffeur", 60, "upper", "#23293a #2b2f36 #4a1f24",
           Top(sleeve=1.95, neck=0.030, ease=0.012, drape=10, hem=("crotch", 0.0), elbow=0.055, cuff=0.044),
           Collar(low=0.0, high=0.040, flare=0.008, gap=0.016, point=0.010),
           Buttons(top=("chest", 0.06), bottom=("hip", 0.05), count=4, offset=0.055, tint="#c9a344", fabric="metal"),
           Band(low=("waist", -0.03), high=("waist", 0.012), tint="#141210")),
-    _spec("apron", "pinafore, smock", 70, "", "#e4ded0 #7d8a93 #5b4632",
+    garment("apron", "pinafore, smock", 70, "", "#e4ded0 #7d8a93 #5b4632",
           Bib(), Band(low=("belt", -0.045), high=("belt", 0.012), ease=0.014, fabric="cloth")),
-    _spec("coat", "trench coat, overcoat, raincoat, trenchcoat", 80, "upper", "#8a7450 #2e2f36 #4d4238",
+    garment("coat", "trench coat, overcoat, raincoat, trenchcoat", 80, "upper", "#8a7450 #2e2f36 #4d4238",
           Top(sleeve=1.97, neck=0.02, ease=0.020, drape=14, hem=("belt", -0.06), opening=_COAT_V, elbow=0.062,
               cuff=0.054),
           Skirt(top=("belt", 0.03), hem=("knee", -0.06), flare=0.10, folds=7, depth=0.025, ease=0.026, opening=0.006),
@@ -157,20 +121,22 @@ GARMENTS: Catalog[GarmentSpec] = Catalog("garment", (
           Collar(low=-0.012, high=0.044, flare=0.026, gap=0.07, point=0.0),
           Buttons(top=("ribs", 0.0), bottom=("hip", -0.02), count=3, offset=0.055, radius=0.011, tint="#2a2018"),
           Band(low=("belt", -0.02), high=("belt", 0.025), ease=0.03, tint="dark", fabric="cloth")),
-    _spec("boots", "riding boots, army boots, wellingtons", 32, "feet", "#0e0b09 #3a2312",
+    garment("boots", "riding boots, army boots, wellingtons", 32, "feet", "#0e0b09 #3a2312",
           Footwear(top=("ankle", 0.24), ease=0.010, shaft=0.060)),
-    _spec("scarf", "shawl, muffler, neckerchief", 85, "", "#8a2f2f #3d5240 #c9b48a",
+    garment("scarf", "shawl, muffler, neckerchief", 85, "", "#8a2f2f #3d5240 #c9b48a",
           Scarf()),
-    _spec("hat", "fedora, trilby, homburg", 90, "head", "#3b342d #55504a #2b2420",
+    garment("hat", "fedora, trilby, homburg", 90, "head", "#3b342d #55504a #2b2420",
           Hat(shape="fedora", band="#15110e")),
-    _spec("straw_hat", "boater, sun hat, panama", 90, "head", "#d3bd86",
+    garment("straw_hat", "boater, sun hat, panama", 90, "head", "#d3bd86",
           Hat(shape="straw", band="#27304d")),
-    _spec("cap", "peaked cap, officer's cap, police cap", 90, "head", "#4e5136 #23293a",
+    garment("cap", "peaked cap, officer's cap, police cap", 90, "head", "#4e5136 #23293a",
           Hat(shape="peaked")),
-    _spec("flat_cap", "newsboy cap, cloth cap", 90, "head", "#5c5349 #3d4654",
+    garment("flat_cap", "newsboy cap, cloth cap", 90, "head", "#5c5349 #3d4654",
           Hat(shape="flat", visor="#3f3932")),
-    _spec("beanie", "knitted cap, watch cap, woolly hat", 90, "head", "#2f3a55 #7a3b2e",
+    garment("beanie", "knitted cap, watch cap, woolly hat", 90, "head", "#2f3a55 #7a3b2e",
           Hat(shape="beanie", fabric="knit")),
+    *TRADE_GARMENTS,
+    *WORN,
 ))  # fmt: skip
 """From the inside out, as they are put on."""
 
@@ -214,13 +180,13 @@ def dressed(look: CharacterLook, gender: str, seed: int) -> tuple[Garment, ...]:
     """
     chosen = [garment for garment in look.garments if garment.key in GARMENTS]
     specs = [GARMENTS[garment.key] for garment in chosen]
-    covered = {area for spec in specs for area in spec.covers}
+    covered = {area for spec in specs for area in (*spec.covers, *spec.bares)}
     if not covered & {"upper", "lower"} and not any(spec.layer == TIE_LAYER for spec in specs):
         for garment in default_outfit(gender, look.age, seed):
             if "feet" not in GARMENTS[garment.key].covers or "feet" not in covered:
                 chosen.append(garment)
     else:
-        inner = any("upper" in spec.covers and not worn_open(spec.key) for spec in specs)
+        inner = any("upper" in (*spec.covers, *spec.bares) and not worn_open(spec.key) for spec in specs)
         young = look.age < 13
         basics = {
             "upper": "" if inner else "blouse" if gender == "female" and not young else "shirt",

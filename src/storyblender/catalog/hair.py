@@ -92,6 +92,21 @@ HAIRSTYLES: Catalog[HairSpec] = Catalog("hairstyle", (
              top=0.032, side=0.026, comb="crown", locks=240, curls=True, width=0.031, mess=0.5),
     HairSpec(key="afro", name="Afro", tags=("natural", "round"),
              top=0.060, side=0.052, comb="crown", locks=250, curls=True, width=0.036, mess=0.25),
+    HairSpec(key="pixie", name="Pixie", tags=("gamine", "elfin", "boyish cut"),
+             top=0.018, side=0.008, locks=120, width=0.014, reach=0.95, mess=0.22, lift=0.003, sweep=-0.35,
+             parting=0.3),
+    HairSpec(key="bowl_cut", name="Bowl cut", tags=("pudding basin", "mop top", "fringe all round"),
+             top=0.024, side=0.018, comb="crown", locks=150, width=0.02, reach=1.25, mess=0.05, lift=0.002, tip=0.6),
+    HairSpec(key="undercut", name="Undercut", tags=("quiff", "pompadour", "flat top"),
+             top=0.034, side=0.003, comb="back", locks=80, reach=0.9, mess=0.1, lift=0.010, width=0.018, tip=0.3),
+    HairSpec(key="spiky", name="Spiky", tags=("spiked", "mohawk", "punk"),
+             top=0.010, side=0.0015, comb="back", locks=60, reach=0.35, mess=0.12, lift=0.05, width=0.02, tip=0.1),
+    HairSpec(key="dreadlocks", name="Dreadlocks", tags=("dreads", "locs"),
+             top=0.020, side=0.018, parting=0.1, sweep=0.3, locks=70, width=0.034, reach=1.6, hang=0.2, mess=0.3,
+             lift=0.006,
+             wave=0.03, tip=0.8),
+    HairSpec(key="cornrows", name="Cornrows", tags=("box braids", "canerows"),
+             top=0.007, side=0.005, comb="back", locks=120, reach=1.5, mess=0.0, lift=0.004, width=0.011, tip=0.7),
 ))  # fmt: skip
 
 

@@ -18,7 +18,7 @@ def _wear(*keys: str, **look: object) -> CharacterLook:
 
 
 def _covered(outfit: tuple[Garment, ...]) -> set[str]:
-    return {area for garment in outfit for area in GARMENTS[garment.key].covers}
+    return {area for garment in outfit for area in (*GARMENTS[garment.key].covers, *GARMENTS[garment.key].bares)}
 
 
 def test_the_promised_garments_exist() -> None:

@@ -9,7 +9,10 @@ from typing import Final, Literal, TypeVar
 from storyblender.agents.director.palette import cloth_color, hair_color
 from storyblender.agents.director.reading import Person
 from storyblender.catalog.costumes import Age, costume
+from storyblender.catalog.garments import GARMENTS
+from storyblender.catalog.garments_of_trades import TRADE_GARMENTS
 from storyblender.catalog.homelands import Homeland
+from storyblender.catalog.worn import WORN
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
 
@@ -23,62 +26,62 @@ _INTRODUCTION: Final = re.compile(
     r"(?:\s*\((?P<brackets>[^)]{3,200})\)|,\s+(?P<apposition>(?:an?|the|in|wearing)\s[^.;:!?]{3,120})"
     r"|\s+(?:dressed in|wearing|in)\s(?P<worn>[^.,;:!?]{3,60}))"
 )
-_GARMENTS: Final = {
+_EVERYDAY: Final = {
     "dinner_jacket trousers:black shirt:white bow_tie:black": "dinner jacket|tuxedo|white tie|black tie",
     "jacket trousers:same shirt": "suit|pinstripes|three-piece suit",
     "uniform trousers:same cap:same boots:black": "uniform",
-    "coat": "overcoat|trench ?coat|raincoat|greatcoat|lab coat|frock coat|oilskins?|parka|cloak|cape|robes?|poncho"
-    "|anorak|dressing gown|bathrobe|coat",
+    "coat": "overcoat|trench ?coat|greatcoat|duster|coat",
     "cardigan": "cardigan",
-    "scarf": "scarf|scarves|shawl|muffler|neckerchief|bandana",
-    "jacket": "blazer|windbreaker|bomber|tweeds|sports coat|jacket",
-    "sweater": "hoodie|sweatshirt|sweater|jumper|pullover|turtleneck|polo ?neck",
-    "tee": "t-shirts?|tee|tank top|tank|jersey|polo",
+    "scarf": "scarf|scarves|shawl|muffler|neckerchief",
+    "jacket": "blazer|tweeds|sports coat|jacket",
+    "sweater": "sweater|jumper|pullover|turtleneck|polo ?neck",
+    "tee": "t-shirts?|tee|jersey|polo",
     "blouse": "blouse",
     "shirt": "dress shirt|shirt sleeves|shirtsleeves|work shirt|shirt",
-    "shirt trousers:same": "pyjamas|pajamas|scrubs|overalls|coveralls|boiler suit|jumpsuit|dungarees|tracksuit",
-    "tunic": "tunic|kaftan|caftan|armou?r|chain ?mail|kurta|toga|habit|cassock|jerkin"
-    "|agbada|boubou|dashiki|thobe|djellaba",
-    "gown": "(?:evening|ball|wedding|long|floor-length) (?:gown|dress(?:es)?)|nightgown|gown|sari",
-    "gown socks": "kimono|yukata|hanbok|cheongsam",
+    "tunic": "tunic|kurta|jerkin",
+    "gown": "(?:evening|long|floor-length) (?:gown|dress(?:es)?)|gown|cheongsam",
     "tee shorts:same socks shoes": "(?:football |soccer |sports |rugby )?(?:kits?|strip)|football shirt",
-    "uniform:white trousers:same boots:white": "space ?suit|pressure suit|hazmat suit",
-    "dress": "nightdress(?:es)?|sundress(?:es)?|frock|dress(?:es)?",
+    "dress": "frock|dress(?:es)?",
     "long_skirt": "(?:long|maxi|ankle-length|floor-length) skirt",
-    "skirt": "skirt|kilt",
-    "trousers:denim": "jeans|denims",
+    "skirt": "skirt",
     "breeches": "(?:riding )?breeches|jodhpurs",
-    "trousers": "trousers|slacks|pants|leggings|corduroys|chinos",
-    "shorts": "shorts|swimming trunks",
+    "trousers": "trousers|slacks|pants|corduroys|chinos",
+    "shorts": "shorts",
     "tie": "necktie|tie",
     "bow_tie": "bow tie|bow-tie|bowtie",
     "belt": "belt|sash",
     "vest": "waistcoat|vest",
     "apron": "apron|pinafore",
     "straw_hat": "straw hat|sun hat|panama(?: hat)?|boater|bonnet",
-    "hat": "fedora|top hat|bowler|stetson|trilby|homburg|turban|crown|hat",
-    "flat_cap": "flat cap|newsboy cap|cloth cap|beret",
-    "beanie": "beanie|watch cap|(?:woolly|wool|knitted) (?:hat|cap)|headscarf|head ?wrap|head ?tie|gele|hijab",
-    "cap": "baseball cap|peaked cap|helmet|hood|kepi|headphones|cap",
-    "boots": "wellingtons|riding boots|boots",
+    "hat": "fedora|trilby|homburg|hat",
+    "flat_cap": "flat cap|newsboy cap|cloth cap",
+    "beanie": "beanie|watch cap|(?:woolly|wool|woollen|knitted) (?:hat|cap)",
+    "cap": "peaked cap|kepi|cap",
+    "boots": "wellingtons|wellies|riding boots|boots",
     "heels": "(?:high )?heels|stilettos|court shoes|pumps",
     "shoes": "sneakers|trainers|sandals|slippers|loafers|clogs|shoes",
     "socks": "stockings|tights|socks",
 }  # fmt: skip
 """Garments (``key:colour``, ``same`` for the colour named) and the words for them."""
-_LAYERS: Final = (
-    "socks", "tee", "shirt", "blouse", "sweater", "tunic", "gown", "dress", "long_skirt", "skirt", "shorts", "breeches",
-    "trousers", "belt", "tie", "bow_tie", "vest", "cardigan", "jacket", "dinner_jacket", "uniform", "coat", "apron",
-    "scarf", "heels", "shoes", "boots", "straw_hat", "hat", "flat_cap", "beanie", "cap",
-)  # fmt: skip
+_GARMENTS: Final = _EVERYDAY | {
+    spec.key: "|".join(re.escape(word).replace(r"\ ", "[ -]") for word in (spec.name, *spec.tags))
+    for spec in (*TRADE_GARMENTS, *WORN)
+}
+"""With the costumes by their own names."""
 _FEET: Final = {"heels", "shoes", "boots", "socks"}
 _HAIR: Final = {
     "shaved": "shaved head|shaven|hairless|clean-shaven head|completely bald",
     "receding": "receding|thinning|high forehead|balding",
     "bald": "bald",
     "crop": "crop|cropped|crew cut|crew-cut|buzz ?cut|close-cut|shorn",
-    "braid": "braids?|braided|plaits?|plaited",
-    "ponytail": "ponytail|pony-tail|pigtails?|dreadlocks",
+    "dreadlocks": "dreadlocks|dreads|locs",
+    "spiky": "spiky|spiked|mohawk|mohican|punk",
+    "cornrows": "cornrows|box braids",
+    "undercut": "undercut|quiff|pompadour|flat ?top",
+    "bowl_cut": "bowl cut|pudding basin|mop-top|moptop",
+    "braid": "pigtails?|bunches|braids?|braided|plaits?|plaited",
+    "ponytail": "ponytail|pony-tail",
+    "pixie": "pixie(?: cut)?|gamine|boyish cut|elfin",
     "bun": "bun|chignon|updo|pinned up|pinned-up|knot|tied back",
     "bob": "bob|bobbed|chin-length|flapper",
     "afro": "afro",
@@ -225,7 +228,7 @@ def garments(words: str) -> tuple[Garment, ...]:
         chosen[key] = Garment(key=key, color=color or cloth_color(own))
         for key, _, own in (other.partition(":") for other in others):
             implied[key] = Garment(key=key, color=color if own == "same" else cloth_color(own))
-    return tuple(sorted((implied | chosen).values(), key=lambda garment: _LAYERS.index(garment.key)))
+    return tuple(sorted((implied | chosen).values(), key=lambda garment: GARMENTS[garment.key].layer))
 
 
 def _shod(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, ...]:

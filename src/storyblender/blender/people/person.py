@@ -19,6 +19,7 @@ from storyblender.blender.people.sheet import hemmed, join
 from storyblender.blender.people.tailor import Worn
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.bodies import Complexion, complexion, mix, recipe, resolved_gender
+from storyblender.catalog.cuts import hides_hair
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.garments import dressed
 from storyblender.catalog.hair import hairstyle
@@ -158,6 +159,8 @@ def _build_hair(
     wardrobe: Sequence[Worn],
     seed: int,
 ) -> list[bpy.types.Object]:
+    if any(hides_hair(piece) for worn in wardrobe for piece in worn.spec.pieces):
+        return []
     clothes = [bolt.sheet for worn in wardrobe for bolt in worn.bolts]
     hatted = any("head" in worn.spec.covers for worn in wardrobe)
     grown = hair.build_hair(

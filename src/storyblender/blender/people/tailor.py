@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.blender.people import cloth, headwear, trimmings
+from storyblender.blender.people import cloth, gear, headwear, trimmings
 from storyblender.blender.people.cloth import Bolt, Builder, Cover
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.sheet import Sheet
@@ -40,6 +40,8 @@ BUILDERS: dict[type, Builder] = {
     cuts.Scarf: trimmings.build_scarf,
     cuts.Bib: trimmings.build_bib,
     cuts.Hat: headwear.build_hat,
+    cuts.HeadCloth: gear.build_head_cloth,
+    cuts.Gear: gear.build_gear,
 }
 """Who sews which kind of piece."""
 

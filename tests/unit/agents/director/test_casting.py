@@ -30,23 +30,25 @@ def test_an_age_that_is_not_said_is_an_adults_and_always_the_same() -> None:
         ("grey suit and a red tie", "shirt trousers tie jacket"),
         ("navy uniform", "trousers uniform boots cap"),
         ("trench coat over a black dress", "dress coat"),
-        ("red hoodie", "sweater"),
+        ("red hoodie", "hoodie"),
         ("two men in grey uniforms", "trousers uniform boots cap"),
         ("a white evening gown", "gown"),
         ("a green dress and high heels", "dress heels"),
         ("a blouse, a long skirt and a straw hat", "blouse long_skirt straw_hat"),
         ("a flat cap and a scarf over a jumper", "sweater scarf flat_cap"),
-        ("jeans, white t-shirt, sneakers", "tee trousers shoes"),
-        ("yellow oilskins and boots", "coat boots"),
+        ("jeans, white t-shirt, sneakers", "tee jeans shoes"),
+        ("yellow oilskins and boots", "raincoat boots"),
         ("waistcoat", "vest"),
-        ("a grey kimono", "socks gown"),
+        ("a grey kimono", "kimono"),
         ("muddy red kits", "socks tee shorts shoes"),
-        ("a white spacesuit", "trousers uniform boots"),
+        ("a white spacesuit", "space_suit"),
+        ("striped pyjamas and a dressing gown", "pyjamas robe"),
+        ("a black top hat and a cloak", "cloak top_hat"),
         ("nothing at all", ""),
     ],
 )
 def test_garments(words: str, keys: str) -> None:
-    assert " ".join(garment.key for garment in garments(words)) == keys
+    assert {garment.key for garment in garments(words)} == {*keys.split()}
 
 
 def test_colours_belong_to_their_garment() -> None:
@@ -127,7 +129,7 @@ def test_a_description_is_one_sentence() -> None:
 
 def test_who_is_not_dressed_by_the_script_is_dressed_by_trade_and_age() -> None:
     sheriff = Person(id="cole", name="Cole", role="sheriff", gender="male")
-    assert "hat" in {garment.key for garment in cast(sheriff, era="west").garments}
+    assert "cowboy_hat" in {garment.key for garment in cast(sheriff, era="west").garments}
     in_red = Person(id="cole", name="Cole", role="sheriff", gender="male", outfit=("red sweater",))
     assert {garment.key for garment in cast(in_red, era="west").garments} == {"sweater"}
 

@@ -1,0 +1,49 @@
+"""Solid parts that are worn or that make the head of an animal: balls, bars and skins over rings, as sheets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from storyblender.blender.people.sheet import Sheet, rigid
+from storyblender.geometry import solids
+
+Floats = NDArray[np.float64]
+
+
+def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -> Sheet:
+    """Return a sheet over cross-sections with the same number of points.
+
+    Args:
+        rings: k arrays of (n, 3) points, metres.
+        weights: Of one bone (35,), or of each point.
+        caps: Close both ends.
+    """
+    stack = np.asarray([np.asarray(ring, float) for ring in rings])
+    count, around = stack.shape[:2]
+    faces: list[tuple[int, ...]] = list(solids.skin_faces(count, around, True))
+    if caps:
+        faces += [tuple(range(around))[::-1], tuple(range((count - 1) * around, count * around))]
+    points = stack.reshape(-1, 3)
+    if solids.signed_volume(points, faces) < 0:
+        faces = [face[::-1] for face in faces]
+    return rigid(points, faces, weights)
+
+
+def ball(
+    center: ArrayLike, half: ArrayLike, weights: Floats, *, softness: float = 1.0, rotation: ArrayLike = (0, 0, 0)
+) -> Sheet:
+    """Return a superellipsoid with semi-axes ``half``: 1 is an ellipsoid, 0.3 a cushion; turned by degrees."""
+    matrix = solids.transform(center, rotation, 1.0)
+    rings = solids.superellipsoid_rings(np.asarray(half, float), softness, 18, 10)
+    return skinned([ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings], weights)
+
+
+def bar(points: ArrayLike, radius: float | Sequence[float], weights: Floats, *, closed: bool = False) -> Sheet:
+    """Return a round bar along a path; ``radius`` may be one for each point."""
+    rings = solids.tube_rings(np.asarray(points, float), radius, 8, closed)
+    if not closed:
+        return skinned(rings, weights)
+    return skinned([*rings, rings[0]], weights, caps=False)
