@@ -140,7 +140,7 @@ class _Head:
             arc = np.linspace(0.85, math.pi, 12)
             rings.append([middle + radius * (across * math.sin(t) + np.array((0, -math.cos(t), 0))) for t in arc])
             rim.append(rings[-1][0])
-        shell = skinned(np.swapaxes(np.array(rings), 0, 1), bone_weights("head"), caps=False)
+        shell = skinned([*np.swapaxes(np.array(rings), 0, 1)], bone_weights("head"), caps=False)
         return [
             Bolt(shell, cut.tint, cut.fabric),
             Bolt(bar(rim, 0.012 * self.scale, bone_weights("head"), closed=True), cut.band, cut.fabric),
