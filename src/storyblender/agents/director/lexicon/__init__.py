@@ -11,7 +11,7 @@ from importlib.resources import files
 from typing import Literal, NamedTuple, cast
 
 from storyblender.agents.director.naming import unaccented
-from storyblender.memory.vocabulary import Gender, Mood, RelationKind, TimeOfDay, Weather
+from storyblender.memory.vocabulary import Expression, Gender, Mood, RelationKind, TimeOfDay, Weather
 
 NounClass = Literal["abstract", "body", "set_piece", "prop", "worn", "scenery", "unknown"]
 
@@ -212,6 +212,8 @@ FOREIGN_TIMES = cast(dict[str, TimeOfDay], _pairs(_time["foreign"]))
 """Times of day in other languages, for headings."""
 WEATHER_WORDS = cast(dict[str, Weather], _pairs(_time["weather"]))
 
+EXPRESSION_OF_WORD = cast(dict[str, Expression], _inverse(_read("expressions.tsv")))
+"""Word said of somebody, in any form -> what their face does."""
 MOOD_OF_WORD = _inverse(_read("moods.tsv"))
 
 # -- function words ----------------------------------------------------------------------------------------------
@@ -269,6 +271,18 @@ def gender_of_word(word: str) -> Gender:
         return "female"
     male = word in MALE_NOUNS or word in MALE_NAMES or (word.endswith("man") and len(word) > 5)
     return "male" if male and word != "human" else "unknown"
+
+
+def _patterns() -> dict[str, re.Pattern[str]]:
+    rows = [line.split("\t") for line in _lines("bearing.tsv")]
+    whose = r"(?:his|her|their|its|the|an|one|each|either|both|my)"
+    side = r"(?:free |other |good |bare |gloved )?"
+    told = [(key, text.replace("WHOSE", whose).replace("SIDE", side)) for key, text in rows]
+    return {key: re.compile("|".join(text for other, text in told if other == key)) for key, _ in told}
+
+
+BEARING: dict[str, re.Pattern[str]] = _patterns()
+"""What is told of how people bear themselves -> the words for it, as ``bearing.tsv`` has them."""
 
 
 def relation_of(preposition: str) -> RelationKind | None:

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import noticing
+from storyblender.agents.director.reader.bearing.eyes import note_gaze
+from storyblender.agents.director.reader.bearing.faces import note_faces_told
+from storyblender.agents.director.reader.bearing.grips import note_grips, note_had
+from storyblender.agents.director.reader.bearing.lasting import note_lasting
+from storyblender.agents.director.reader.bearing.tethers import note_tethers
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
 from storyblender.agents.director.reader.deeds.needs import suited
@@ -77,11 +82,24 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)
     changes.note_sounds(stage, clauses)
+    _note_bearing(stage, clauses, subjects or previous)
     flag_unread(stage)
     weigh(stage, dict.fromkeys(thing for _, thing in stage.sentence.things), SEEN)
     stage.discourse.moving = stage.sentence.first_thing
     if subjects:
         stage.discourse.subjects = subjects
+
+
+def _note_bearing(stage: Stage, clauses: list[Clause], people: list[Person]) -> None:
+    """Note what is so meanwhile: faces, eyes, what goes on, how things are carried, who is led."""
+    here = [person for person in people if person.id in stage.scene.on]
+    if stage.sentence.pictured:
+        return
+    note_faces_told(stage, stage.sentence.words, here)
+    note_gaze(stage, here)
+    note_lasting(stage, clauses, here)
+    note_grips(stage, stage.sentence.words, here)
+    note_tethers(stage, stage.sentence.words, here)
 
 
 def _tells_of_elsewhere(text: str, lately: list[str]) -> bool:
@@ -160,6 +178,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     motion = part or _motion(stage, clause, roles)
     relations.relate_clause(stage, clause, roles, motion, first)
     noticing.notice_things(stage, clause, roles, motion)
+    note_had(stage, clause, roles)
     if stage.sentence.plural_thing:
         stage.discourse.last_plural = (stage.sentence.plural_thing, stage.discourse.sentence)
     entrances.objects_enter(stage, clause, roles, motion)

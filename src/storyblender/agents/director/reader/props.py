@@ -151,9 +151,9 @@ class Inventory:
             item.determined |= determined and how == "held"
 
     def forget(self, id: str) -> None:
-        """A thing that was seen is no thing: it is drawn on a wall."""
-        if id in self._by_id:
-            self._by_id[id].notices["seen"] -= 1
+        """A thing that was seen or looked at is no thing: it is drawn on a wall, or films the scene."""
+        for how in ("seen", "met") if id in self._by_id else ():
+            self._by_id[id].notices[how] = max(0, self._by_id[id].notices[how] - 1)
 
     def ids(self) -> list[str]:
         """The ids of all nouns so far."""

@@ -21,6 +21,8 @@ _FADING = 0.45
 """What salience keeps from one sentence to the next."""
 _SCENE_FADING = 0.3
 _FORGOTTEN = 0.001
+_CALLING = frozenset({"phone", "telephone", "radio", "cell", "mobile", "cellphone", "call", "intercom", "headset"})
+"""Who is on it stands beside it at most."""
 _FLOORING = lexicon.words("flooring")
 """What is on it is on the floor."""
 
@@ -97,6 +99,10 @@ class SceneState:
     posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
     held: dict[str, list[str]] = field(default_factory=dict)
     relations: list[tuple[int, Relation]] = field(default_factory=list)
+    activities: dict[str, str] = field(default_factory=dict)
+    """Person -> motion that goes on."""
+    gaze: set[str] = field(default_factory=set)
+    """Whose eyes are closed, or go to where nothing is."""
 
 
 @dataclass
@@ -209,7 +215,8 @@ class Stage:
         """State a spatial relation, once a scene."""
         if kind == "on" and self.inventory.head(anchor) in _FLOORING:
             anchor = self.inventory.id_of("floor", self.unit.start)
-        if subject == anchor or (kind == "in" and self.person(anchor)):
+        called = kind == "on" and self.person(subject) and self.inventory.head(anchor) in _CALLING
+        if subject == anchor or called or (kind == "in" and self.person(anchor)):
             return
         stated = (
             self.unit.scene,

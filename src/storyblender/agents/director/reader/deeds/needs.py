@@ -56,9 +56,16 @@ def suited(stage: Stage, clause: Clause, roles: Roles, motion: str) -> str | Non
         return "walk" if _prepositions(clause) & {"to", "over", "toward", "towards", "into"} else None
     if motion in _TO_SOMETHING and not _has_something(stage, clause, roles, motion):
         return None
+    if motion == "hold" and _is_own_body(clause) and not roles.people:
+        return None
     if motion in _SOLID and clause.object and not _is_solid(stage, clause, roles):
         return None
     return motion
+
+
+def _is_own_body(clause: Clause) -> bool:
+    """``holding hands``, ``holds his head high``: nothing is in the hand."""
+    return bool(clause.object) and all(n.head in lexicon.BODY and n.owner is None for n in clause.object)
 
 
 def _has_something(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:

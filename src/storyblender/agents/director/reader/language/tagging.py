@@ -6,34 +6,29 @@ where a verb fits; the words to its left are already tagged.
 
 from __future__ import annotations
 
-import re
-
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import (
     FORMS,
     RARE_FORMS,
     VerbForm,
     form_kind,
-    guess_lemma,
     singular,
+)
+from storyblender.agents.director.reader.language.rare_verbs import (
+    AFTER_VERB,
+    BEFORE_NOUN,
+    DIRECTIONS,
+    OBJECTS,
+    OPENERS,
+    goes_on,
+    rare_verb,
 )
 from storyblender.agents.director.reader.language.row import Row, is_adverb
 from storyblender.agents.director.reader.language.words import Word
 
-OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
-OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
-"""Words that start the object of a verb, and hardly ever follow a plural noun."""
-_DIRECTIONS = frozenset(
-    {
-        "up", "to", "twice", "once", "again", "at", "back", "away", "forward", "aside", "into", "toward", "towards",
-        "out", "through", "past", "from", "onto", "across", "off", "around", "along",
-    }
-)  # fmt: skip
-_BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
 _LINKS = lexicon.CONJUNCTIONS | {",", ";", "-", "--", "—", "–"}
 _CLAUSE_LINKS = frozenset({"and", "but", "as", "while", "when", "then", ";", ":", "—", "–", "--"})
 _SUBORDINATORS = frozenset({"when", "as", "while", "after", "before", "once", "until", "if", "since", "because"})
-_AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", ";", ":", "open", "shut", "and", "slowly", "away", "back"}
 SINGULAR_PRONOUNS = frozenset({"he", "she", "it", "who", "which", "that"})
 PLURAL_PRONOUNS = frozenset({"they", "we", "you", "i", "who", "both", "each", "all"})
 _ENTERING = frozenset({"last", "next", "first", "here", "in", "out", "up", "down", "there", "along", "off", "then"})
@@ -44,7 +39,6 @@ _STAGE_ORDERS = frozenset({"enter", "exit", "re-enter"})
 _HANDING = frozenset({"over", "out", "back", "round"})
 _THINGS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY
 _NOUNS = _THINGS | lexicon.WORN
-_ANY_NOUNS = _NOUNS | lexicon.ABSTRACT | lexicon.SCENERY
 PERCEIVING = lexicon.words("perceiving")
 """``sees Tom go``, ``lets her in``: what follows the object is what that does."""
 _COMPOUNDS = lexicon.words("gerund_compounds")
@@ -102,7 +96,7 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     """Decide whether the word at ``at`` is a verb of this sentence; tag it, put in its subject."""
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
-    form = FORMS.get(word.low) or _rare_verb(word, following, row)
+    form = FORMS.get(word.low) or rare_verb(word, following, row)
     if form is None or names_a_kind(word, following) or _ends_a_kind(word, row):
         return
     left = row.neighbour()
@@ -175,51 +169,14 @@ def may_be_verb(word: Word, following: Word | None) -> bool:
     if form_kind(word.low) in ("3sg", "past", "aux"):
         return True
     right = following.low if following else "."
-    return word.low in RARE_FORMS and RARE_FORMS[word.low].kind in ("3sg", "past") and right in _AFTER_VERB
-
-
-def _rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
-    """A verb of the large list, or an unknown word in -s or -ed right after a person: ``the train barrels``."""
-    left = row.neighbour()
-    right = following.low if following else "."
-    form = RARE_FORMS.get(word.low)
-    if left is None or not word.text.islower() or len(word.low) < 4:
-        return form if left is None and form and form.kind == "3sg" and right in OBJECTS else None
-    if form and form.kind == "3sg" and right in OBJECTS:
-        return form if left.low not in _BEFORE_NOUN else None
-    after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
-    listed = left.low in ("and", ",", "then", "but") and row.verb_seen
-    after_noun = form is not None and not row.verb_seen and left.solid and left.low not in _BEFORE_NOUN
-    if form and form.kind == "3sg" and left.mention and left.named and form_kind(right) not in ("past", "aux"):
-        return form
-    past = form is not None and form.kind == "past"
-    if not (after_person or listed or after_noun) or not (_goes_on(right) or (past and listed)):
-        return None
-    if form is None:
-        form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
-    told = listed and word.low not in lexicon.ADJECTIVES and not row.last_kind
-    if form is None or (form.kind == "past" and (listed or after_noun) and right not in OBJECTS and not told):
-        return None
-    known_noun = form.kind == "3sg" and singular(word.low) in _ANY_NOUNS
-    return None if known_noun and not after_person else form
-
-
-def _guessed(word: Word) -> VerbForm | None:
-    if re.search(r"[^s]s$", word.low):
-        known_noun = singular(word.low) in _ANY_NOUNS
-        return None if known_noun else VerbForm(guess_lemma(word.low), "3sg")
-    return VerbForm(word.low[:-2], "past") if word.low.endswith("ed") else None
-
-
-def _goes_on(right: str) -> bool:
-    return right in _AFTER_VERB or right in OBJECTS | _DIRECTIONS | {"not", "to"} or right.endswith("ly")
+    return word.low in RARE_FORMS and RARE_FORMS[word.low].kind in ("3sg", "past") and right in AFTER_VERB
 
 
 def _is_bare_infinitive(word: Word, following: Word | None, row: Row) -> bool:
     """``watches her go to the window, part the blinds``: a base form after a perceived object, or one more of them."""
     right = following.low if following else "."
     left = row.neighbour()
-    if left is None or not _goes_on(right) or (singular(word.low) in _NOUNS and right not in OBJECTS | _DIRECTIONS):
+    if left is None or not goes_on(right) or (singular(word.low) in _NOUNS and right not in OBJECTS | DIRECTIONS):
         return False
     if row.last_kind == "inf" and left.low in ("and", ","):
         return True
@@ -272,14 +229,14 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if third and (_is_relative(left, right, row) or (brings and _is_behind_her(form, left, row))):
         return True
     inverted, bare = _is_inverted(form, following, row), left.low in _BARE_PLACES and len(row.words) == 1
-    if left.mention is None and not (bare and inverted) and (left.low in _BEFORE_NOUN or left.text[0].isdigit()):
+    if left.mention is None and not (bare and inverted) and (left.low in BEFORE_NOUN or left.text[0].isdigit()):
         return False
     if inverted:
         return True
     if left.mention and left.low not in PLURAL_PRONOUNS:
         return (form_kind(right) != "past" or form.lemma in _INVERTING) if third else _is_plural(left, row)
     if left.low in ("who", "which", "that") and not third:
-        return _goes_on(right) and left.low != "that"
+        return goes_on(right) and left.low != "that"
     if left.low in SINGULAR_PRONOUNS or (left.low == "other" and third):
         return third
     if left.low in PLURAL_PRONOUNS:
@@ -303,9 +260,9 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
 def _is_relative(left: Word, right: str, row: Row) -> bool:
     """``the letter that lies on the mat``, but not ``sees that hats``."""
     before = row.words[-2] if len(row.words) > 1 else None
-    if left.low != "that" or before is None or not _goes_on(right):
+    if left.low != "that" or before is None or not goes_on(right):
         return False
-    small = before.low in _BEFORE_NOUN | _LINKS or is_adverb(before)
+    small = before.low in BEFORE_NOUN | _LINKS or is_adverb(before)
     return before.solid and before.verb is None and not small
 
 
@@ -357,7 +314,7 @@ def _reads_as_noun(word: Word, right: str, row: Row) -> bool:
     """Whether a word in a list is rather a noun: ``boots on, drills, hands`` but ``drills a hole``, ``slips in``."""
     if not {word.low, singular(word.low)} & _NOUNS or (word.low == "steps" and right != "."):
         return False
-    if right in OBJECTS | _DIRECTIONS or right.endswith("ly"):
+    if right in OBJECTS | DIRECTIONS or right.endswith("ly"):
         return False
     if (word.low in _LIMBS and right in lexicon.PREPOSITIONS) or form_kind(right) in ("past", "pp"):
         return True
@@ -409,9 +366,9 @@ def _after_noun(word: Word, form: VerbForm, left: Word, right: str) -> bool:
         if singular(word.low) in lexicon.WORN and (right in (",", ".") or "-" in left.low):
             return False  # in rubber boots, she cuts; steel-capped boots arrive
         going = form.lemma in ("go", "come") and form_kind(right) == "ing"
-        return form_kind(left.low) not in ("past", "aux") and (right in _AFTER_VERB or right.endswith("ly") or going)
+        return form_kind(left.low) not in ("past", "aux") and (right in AFTER_VERB or right.endswith("ly") or going)
     plural = singular(left.low) != left.low or left.low.endswith("s")
-    return plural and right in _AFTER_VERB - {",", "slowly"}
+    return plural and right in AFTER_VERB - {",", "slowly"}
 
 
 def _tag_participle(words: list[Word], at: int, row: Row) -> None:

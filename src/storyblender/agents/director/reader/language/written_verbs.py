@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS, RARE_FORMS, VerbForm, singular
+from storyblender.agents.director.reader.language.rare_verbs import OBJECTS, OPENERS
 from storyblender.agents.director.reader.language.tagging import (
-    OBJECTS,
-    OPENERS,
     PLURAL_PRONOUNS,
     SINGULAR_PRONOUNS,
     names_a_kind,

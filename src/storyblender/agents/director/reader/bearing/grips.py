@@ -1,0 +1,101 @@
+"""How things are carried: under an arm, in both hands, on a lap, over a shoulder, between teeth."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.people.roles import Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Grip
+
+_GRIPS: tuple[tuple[Grip, re.Pattern[str]], ...] = (
+    ("under_arm", lexicon.BEARING["grip_under_arm"]),
+    ("both", lexicon.BEARING["grip_both"]),
+    ("left", lexicon.BEARING["grip_left"]),
+    ("right", lexicon.BEARING["grip_right"]),
+    ("lap", lexicon.BEARING["grip_lap"]),
+    ("shoulder", lexicon.BEARING["grip_shoulder"]),
+    ("mouth", lexicon.BEARING["grip_mouth"]),
+    ("right", lexicon.BEARING["grip_hand"]),
+)
+_INNER = tuple(
+    (grip, re.compile(rf"(?:^|\s){pattern.pattern.removeprefix('^')}(?: [a-z]+)* (?:an?|the|his|her) (?:[a-z-]+ )?$"))
+    for grip, pattern in _GRIPS
+)
+"""The same before the thing."""
+_NOT_IN_HAND = lexicon.words("food") | lexicon.PARTS | lexicon.VEHICLES | lexicon.LIQUIDS
+_REACH = 7
+"""Words after a thing in which its place on the body stands."""
+_HAVING = frozenset(
+    {"have", "has", "had", "carry", "carries", "carrying", "hold", "holds", "holding", "clutching", "with", "wears"}
+)
+
+
+def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
+    """Note how the things of a sentence are carried, and that they are in hand.
+
+    Args:
+        stage: Its unit takes the grips.
+        words: The sentence.
+        people: Whom it is about.
+    """
+    if not people or stage.sentence.pictured:
+        return
+    for index, thing in stage.sentence.things:
+        if stage.inventory.class_of(thing) not in ("prop", "unknown", "worn") or index >= len(words):
+            continue
+        told = " ".join(word.low for word in words[index + 1 : index + 1 + _REACH] if not word.inserted)
+        grip = next((grip for grip, pattern in _GRIPS if pattern.match(told)), None) or _before(words, index)
+        if grip is None or stage.inventory.class_of(thing) == "worn":
+            continue
+        bearer = _bearer(stage, words, index, people)
+        stage.inventory.seen(thing, "handled", determined=True)
+        hold(stage, bearer.id, thing)
+        if grip != "right" or "right" in told:
+            stage.unit.grips.setdefault(bearer.id, {})[thing] = grip
+
+
+def note_had(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """``Rose has the drill``, ``The kid has a pistol``: a prop that somebody has is in their hand.
+
+    Args:
+        stage: The state before.
+        clause: Neither negated nor unreal.
+        roles: Its people and things.
+    """
+    if clause.verb != "have" or len(roles.subjects) != 1 or clause.earlier:
+        return
+    apart = any(place.preposition not in ("in", "with") or place.things for place in roles.places)
+    if apart or stage.sentence.pictured or roles.subjects[0].kind == "animal":
+        return
+    for thing in roles.things:
+        if stage.inventory.class_of(thing) == "prop" and stage.inventory.head(thing) not in _NOT_IN_HAND:
+            stage.inventory.seen(thing, "handled", determined=True)
+            hold(stage, roles.subjects[0].id, thing)
+
+
+def _before(words: Sequence[Word], index: int) -> Grip | None:
+    """``holds in his lap a birdcage``, ``in each hand a bucket``: the place stands first."""
+    told = " ".join(word.low for word in words[max(0, index - _REACH) : index] if not word.inserted)
+    for grip, pattern in _GRIPS:
+        place = re.search(
+            pattern.pattern.replace("^", r"(?:^|\s)", 1) + r"(?: [a-z]+)* (?:an?|the|his|her) (?:[a-z-]+ )?$", told
+        )
+        if place and ("in " in place.group() or "under" in place.group() or "on " in place.group()):
+            return grip if any(word.low in _HAVING for word in words[:index]) else None
+    return None
+
+
+def _bearer(stage: Stage, words: Sequence[Word], index: int, people: Sequence[Person]) -> Person:
+    """The last of the people named before the thing, else whom the sentence is about."""
+    for word in reversed(words[:index]):
+        named = [person for person in (word.mention.people if word.mention else []) if person.id in stage.scene.on]
+        if named:
+            return named[0]
+    return people[0]

@@ -1,0 +1,58 @@
+"""What people do for a while: on the phone, painting, driving, playing; until they do something else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.language.words import joined
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+
+_LASTING = frozenset(
+    {"phone", "write", "drive", "ride", "play_music", "cook", "clean", "work", "read", "type", "dance", "smoke", "eat"}
+    | {"sing", "search", "cut", "stir", "swim", "pray", "drink", "aim"}
+)
+"""Motions that may go on through the lines that follow."""
+_BESIDE_IT = frozenset(
+    {"talk", "whisper", "shout", "look", "look_around", "nod", "shake_head", "shrug", "laugh", "listen", "peek", "cry"}
+    | {"stand", "sit", "think"}
+)
+"""Deeds during which it goes on."""
+_ON_THE_PHONE, _OVER = lexicon.BEARING["on_the_phone"], lexicon.BEARING["over"]
+
+
+def note_lasting(stage: Stage, clauses: Sequence[Clause], people: Sequence[Person]) -> None:
+    """Begin and end what goes on.
+
+    Args:
+        stage: Its unit has the deeds of the sentence; the scene keeps what goes on.
+        clauses: Of the sentence.
+        people: Whom it is about.
+    """
+    text = joined(stage.sentence.words)
+    going_on = stage.scene.activities
+    progressive = {clause.at for clause in clauses if clause.participle and not clause.negated and not clause.unreal}
+    over = _OVER.search(text) is not None
+    for deed in stage.unit.deeds:
+        if deed.actor in going_on and (over or deed.motion not in _BESIDE_IT | {going_on[deed.actor]}):
+            _end(stage, deed.actor)
+        if deed.motion in _LASTING and deed.at in progressive and not over:
+            _begin(stage, deed.actor, deed.motion)
+    for person in people:
+        if over and person.id in going_on:
+            _end(stage, person.id)
+        elif _ON_THE_PHONE.search(text) and not over and person.kind == "human" and not stage.sentence.pictured:
+            _begin(stage, person.id, "phone")
+
+
+def _begin(stage: Stage, person: str, motion: str) -> None:
+    if stage.scene.activities.get(person) != motion:
+        stage.scene.activities[person] = motion
+        stage.unit.activities[person] = motion
+
+
+def _end(stage: Stage, person: str) -> None:
+    del stage.scene.activities[person]
+    stage.unit.activities[person] = ""

@@ -1,0 +1,67 @@
+"""Verbs of the large list, which are nouns more often, and unknown words that stand where a verb does."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.morphology import (
+    RARE_FORMS,
+    VerbForm,
+    form_kind,
+    guess_lemma,
+    singular,
+)
+from storyblender.agents.director.reader.language.row import Row
+from storyblender.agents.director.reader.language.words import Word
+
+OPENERS = lexicon.DETERMINERS | lexicon.POSSESSIVES
+OBJECTS = OPENERS | {"him", "her", "it", "them", "himself", "herself", "itself", "themselves", "each"}
+"""Words that start the object of a verb, and hardly ever follow a plural noun."""
+DIRECTIONS = frozenset(
+    {
+        "up", "to", "twice", "once", "again", "at", "back", "away", "forward", "aside", "into", "toward", "towards",
+        "out", "through", "past", "from", "onto", "across", "off", "around", "along",
+    }
+)  # fmt: skip
+BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
+AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", ";", ":", "open", "shut", "and", "slowly", "away", "back"}
+_ANY_NOUNS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY | lexicon.WORN | lexicon.ABSTRACT | lexicon.SCENERY
+
+
+def rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
+    """A verb of the large list, or an unknown word in -s or -ed right after a person: ``the train barrels``."""
+    left = row.neighbour()
+    right = following.low if following else "."
+    form = RARE_FORMS.get(word.low)
+    if left is None or not word.text.islower() or len(word.low) < 4:
+        return form if left is None and form and form.kind == "3sg" and right in OBJECTS else None
+    if form and form.kind == "3sg" and right in OBJECTS:
+        return form if left.low not in BEFORE_NOUN else None
+    after_person = (left.mention is not None and left.mention.kind != "group") or left.low in ("he", "she", "it")
+    listed = left.low in ("and", ",", "then", "but") and row.verb_seen
+    after_noun = form is not None and not row.verb_seen and left.solid and left.low not in BEFORE_NOUN
+    if form and form.kind == "3sg" and left.mention and left.named and form_kind(right) not in ("past", "aux"):
+        return form
+    past = form is not None and form.kind == "past"
+    if not (after_person or listed or after_noun) or not (goes_on(right) or (past and listed)):
+        return None
+    if form is None:
+        form = _guessed(word) if after_person or (listed and any(w.mention for w in row.words)) else None
+    told = listed and word.low not in lexicon.ADJECTIVES and not row.last_kind
+    if form is None or (form.kind == "past" and (listed or after_noun) and right not in OBJECTS and not told):
+        return None
+    known_noun = form.kind == "3sg" and singular(word.low) in _ANY_NOUNS
+    return None if known_noun and not after_person else form
+
+
+def _guessed(word: Word) -> VerbForm | None:
+    if re.search(r"[^s]s$", word.low):
+        known_noun = singular(word.low) in _ANY_NOUNS
+        return None if known_noun else VerbForm(guess_lemma(word.low), "3sg")
+    return VerbForm(word.low[:-2], "past") if word.low.endswith("ed") else None
+
+
+def goes_on(right: str) -> bool:
+    """Whether a word may follow a verb: what opens its object, a direction, an adverb."""
+    return right in AFTER_VERB or right in OBJECTS | DIRECTIONS | {"not", "to"} or right.endswith("ly")
