@@ -24,7 +24,7 @@ _GRIPS: tuple[tuple[Grip, re.Pattern[str]], ...] = (
     ("mouth", lexicon.BEARING["grip_mouth"]),
     ("right", lexicon.BEARING["grip_hand"]),
 )
-_INNER = tuple(
+_INNER: tuple[tuple[Grip, re.Pattern[str]], ...] = tuple(
     (grip, re.compile(rf"(?:^|\s){pattern.pattern.removeprefix('^')}(?: [a-z]+)* (?:an?|the|his|her) (?:[a-z-]+ )?$"))
     for grip, pattern in _GRIPS
 )
@@ -51,7 +51,8 @@ def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) ->
         if stage.inventory.class_of(thing) not in ("prop", "unknown", "worn") or index >= len(words):
             continue
         told = " ".join(word.low for word in words[index + 1 : index + 1 + _REACH] if not word.inserted)
-        grip = next((grip for grip, pattern in _GRIPS if pattern.match(told)), None) or _before(words, index)
+        after: Grip | None = next((grip for grip, pattern in _GRIPS if pattern.match(told)), None)
+        grip: Grip | None = after or _before(words, index)
         if grip is None or stage.inventory.class_of(thing) == "worn":
             continue
         bearer = _bearer(stage, words, index, people)
