@@ -56,7 +56,8 @@ def _decided(shot: ShotContext, decision: CameraDecision) -> ShotContext:
     return shot.model_copy(
         update={
             "camera_instruction": decision.applied(shot.camera_instruction),
-            "camera_decision": (shot.camera_decision or CameraDecision()).then(decision),
+            "camera_decision": (shot.camera_decision or shot.camera_retake or CameraDecision()).then(decision),
+            "camera_retake": None,
             "camera": None,
             "lights": (),
         }

@@ -41,6 +41,7 @@ from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import STORY, Compilation, file_of, story_files
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.packing import pack_scenes
+from storyblender.pipeline.retaking import retake_poor_frames
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import damaged_frames, drawn_shots, prune, shoot_frames, shoot_motion
@@ -325,7 +326,7 @@ class Studio:
         asked = {(shot.scene_id, shot.shot_id) for shot in shots}
         others = [shot for shot in run.graph.shots if (shot.scene_id, shot.shot_id) not in asked]
         shoot_frames(run, [*shots, *damaged_frames(run, others)])
-        review_frames(run, [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots])
+        retake_poor_frames(run, shots)
         story = Compilation(run)
         from storyblender.pipeline.delivery import deliver
 

@@ -54,6 +54,14 @@ READING: dict[str, str] = {
 """What the Director was unsure of, and the sentence."""
 
 
+UNTOLD: dict[str, str] = {
+    "person_missing": "wider", "people_missing": "wider", "face_out": "wider", "thing_missing": "wider",
+    "nothing": "wider", "person_small": "tighter", "flat": "tighter", "void": "tighter", "dark": "tighter",
+    "person_hidden": "above", "face_hidden": "above", "face_away": "above", "foreground": "above",
+}  # fmt: skip
+"""The Frame Critic's word, and what may mend it."""
+
+
 @dataclass(frozen=True)
 class Check:
     """One thing to look at.
@@ -69,23 +77,28 @@ class Check:
     mend: str
 
 
-def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], folder: str) -> list[Check]:
+def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterable[Flaw], folder: str) -> list[Check]:
     """Return what to look at, shot by shot in story order, nothing twice.
 
     Args:
         graph: The story; its cameras hold their own flaws.
         staged: What could not be staged, of all packs.
+        poor: What the Frame Critic minds in frames that do not tell their lines.
         folder: The project folder as a command names it.
     """
     names = names_of(graph)
     flaws: dict[str, list[Flaw]] = {}
     for flaw in staged:
         flaws.setdefault(flaw.shot, []).append(flaw)
+    untold: dict[str, list[Flaw]] = {}
+    for flaw in poor:
+        untold.setdefault(flaw.shot, []).append(flaw)
     found: list[Check] = []
     for panel in panels(graph):
         found += _unsure(panel, graph.script_name, names)
         found += _staged(panel, flaws.get(panel.name, []), graph.script_name, names)
         found += _pictured(panel, folder, names)
+        found += _untold(panel, untold.get(panel.name, []), folder, names)
     return list(dict.fromkeys(found))
 
 
@@ -151,6 +164,16 @@ def _pictured(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[C
         _, says, way = CAMERA[flaw.kind]
         command = f"storyblender render {shlex.quote(folder)} --shot {panel.name}"
         yield Check(panel.name, _told(says, flaw, names), f"{command} {_reframed(way, panel)}")
+
+
+def _untold(panel: Panel, flaws: Iterable[Flaw], folder: str, names: Mapping[str, str]) -> Iterator[Check]:
+    """What a frame does not show of its lines; staging and readings have lines of their own."""
+    told = {flaw.subject for flaw in picture_flaws(panel.shot)}
+    for flaw in flaws:
+        if flaw.kind in UNTOLD and (flaw.subject not in told or not flaw.subject):
+            way = _reframed(UNTOLD[flaw.kind], panel)
+            command = f"storyblender render {shlex.quote(folder)} --shot {panel.name} {way}"
+            yield Check(panel.name, _told("{message}", flaw, names), command)
 
 
 def _reframed(way: str, panel: Panel) -> str:

@@ -296,7 +296,9 @@ class ShotContext(Frozen):
     new_lighting_description: str | None = None
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
-    """As the Director planned it, with ``camera_decision`` on top."""
+    """As the Director planned it, with ``camera_retake`` and ``camera_decision`` on top."""
+    camera_retake: CameraDecision | None = None
+    """What the Frame Critic had changed, because the first take did not tell the lines."""
     camera_decision: CameraDecision | None = None
     """What a person decided; it stays with the words of the shot when the script changes."""
     duration: int = Field(default=48, ge=1, le=432_000)

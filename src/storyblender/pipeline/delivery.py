@@ -17,8 +17,10 @@ from storyblender.deliver.shot_list import write_shot_list
 from storyblender.deliver.timeline import write_timeline
 from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.memory.base import content_hash
+from storyblender.memory.shot_context import Flaw
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.prints import make_prints
+from storyblender.pipeline.reviewing import kept_reviews
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import shots_not_in_film
 from storyblender.trace import Event
@@ -113,7 +115,13 @@ def _place_clips(run: Run, clips: Mapping[str, Path]) -> None:
 def checks_of(run: Run) -> list[Check]:
     """Return what a person should check: unsure readings, staging problems, pictures with flaws."""
     staged = [flaw for _, pack in sorted(run.packs.items()) for flaw in pack.problems]
-    return checklist(run.graph, staged, run.project.folder.name)
+    poor = [review for review in kept_reviews(run, run.graph.shots).values() if review.verdict != "pass"]
+    faults = [
+        Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message, shot=review.shot)
+        for review in poor
+        for fault in review.faults
+    ]
+    return checklist(run.graph, staged, faults, run.project.folder.name)
 
 
 def _with_slates(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:

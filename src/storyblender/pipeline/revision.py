@@ -177,7 +177,7 @@ def _with_decision(shot: ShotContext, decision: CameraDecision | None) -> ShotCo
 
 def _planned(shot: ShotContext) -> dict[str, object]:
     """Return what the Director planned for a shot, without where it stands in the story and in the script."""
-    return shot.model_dump(mode="json", exclude={"scene_id", "shot_id", "flags", "camera_decision"})
+    return shot.model_dump(mode="json", exclude={"scene_id", "shot_id", "flags", "camera_decision", "camera_retake"})
 
 
 def _with_assets(old: ContinuityMemoryGraph, plan: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
@@ -226,7 +226,11 @@ def _staged(
 
 def _kept_shot(past: ShotContext, plan: ShotContext) -> ShotContext:
     update = {name: getattr(past, name) for name in _STAGED}
-    if past.camera_instruction != plan.camera_instruction:
+    instruction = plan.camera_instruction
+    if past.camera_retake is not None and plan.camera_decision is None:
+        instruction = past.camera_retake.applied(instruction)
+        update |= {"camera_instruction": instruction, "camera_retake": past.camera_retake}
+    if past.camera_instruction != instruction:
         update |= {"camera": None, "lights": ()}
     elif past.camera is not None and past.scene_id != plan.scene_id:
         update["camera"] = _renamed(past.camera, scene_name(past.scene_id), scene_name(plan.scene_id))

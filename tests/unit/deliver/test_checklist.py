@@ -54,20 +54,24 @@ def flaw(kind: str, weight: float, subject: str = "agnes") -> Flaw:
 
 def test_what_only_a_critic_minds_is_not_told() -> None:
     small = (flaw("headroom", 2), flaw("placement", 2), flaw("cleared", 1), flaw("face_away", 1.2), flaw("void", 1.6))
-    assert checklist(story(shot(1, *small)), [Flaw(kind="unreachable", weight=0.06, message="", shot="x")], "f") == []
+    assert (
+        checklist(story(shot(1, *small)), [Flaw(kind="unreachable", weight=0.06, message="", shot="x")], [], "f") == []
+    )
 
 
 def test_a_picture_flaw_has_a_name_and_a_command_that_reframes() -> None:
     hidden, away = flaw("hidden", 2.1), flaw("face_away", 2.5)
-    told = checklist(story(shot(1, flaw("out_of_frame", 5.0)), shot(2, hidden, size="EWS")), [], "my film.storyboard")
+    told = checklist(
+        story(shot(1, flaw("out_of_frame", 5.0)), shot(2, hidden, size="EWS")), [], [], "my film.storyboard"
+    )
     command = "storyblender render 'my film.storyboard' --shot SC010_SH0"
     assert told == [
         Check("SC010_SH010", "Agnes is not in the picture", f"{command}10 --size MWS"),
         Check("SC010_SH020", "Agnes is mostly hidden", f'{command}20 --angle "high angle"'),
     ]
-    both = checklist(story(shot(1, hidden, away)), [], "f")
+    both = checklist(story(shot(1, hidden, away)), [], [], "f")
     assert [check.says for check in both] == ["Agnes is seen from behind"], "of one person only the worst"
-    assert not checklist(story(shot(1, away, size="WS")), [], "f"), "in a wide picture a back is no fault"
+    assert not checklist(story(shot(1, away, size="WS")), [], [], "f"), "in a wide picture a back is no fault"
 
 
 def test_staging_and_readings_are_told_shot_by_shot_in_order() -> None:
@@ -76,7 +80,7 @@ def test_staging_and_readings_are_told_shot_by_shot_in_order() -> None:
     lost = Flaw(
         kind="missing", subject="agnes", message="agnes cannot open: set_chair_2 is not on stage", shot=late.shot
     )
-    told = checklist(story(shot(1, flaw("inside", 5, "set_chair_2")), shot(2, flags=(flag,))), [lost, late], "f")
+    told = checklist(story(shot(1, flaw("inside", 5, "set_chair_2")), shot(2, flags=(flag,))), [lost, late], [], "f")
     assert [(check.shot, check.says) for check in told] == [
         ("SC010_SH010", "Agnes cannot open: the chair is not on stage"),
         ("SC010_SH010", "Agnes does not get there before the cut"),
@@ -91,3 +95,9 @@ def test_the_flaws_of_older_projects_are_sentences_and_still_open() -> None:
     state = CameraState.model_validate({"poses": [POSE.model_dump()], "residual": ["agnes is cut off"]})
     assert state.residual == (Flaw(message="agnes is cut off"),)
     assert plain("agnes stands in set_chair_2, aged 4", names_of(story())) == "Agnes stands in the chair, aged 4"
+
+
+def test_what_a_frame_does_not_show_of_its_lines_is_told_once() -> None:
+    unseen = Flaw(kind="thing_missing", subject="cup", weight=2.0, message="cup is not seen", shot="SC010_SH010")
+    [check] = checklist(story(shot(1)), [], [unseen], "f")
+    assert check.shot == "SC010_SH010" and "is not seen" in check.says and "--size" in check.mend
