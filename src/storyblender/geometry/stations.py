@@ -33,7 +33,7 @@ _DOOR_STEP = 0.1
 _AWAY_FROM_SIDE = 1.2
 """Dislike, in metres, of the sides of a thing at which one is not expected."""
 
-_TURNS = {
+TURNS = {
     "front": 0.0, "left": math.pi / 2, "right": -math.pi / 2, "back": math.pi,
     "driver": math.pi / 2, "passenger": -math.pi / 2, "rear": math.pi,
 }  # fmt: skip
@@ -92,7 +92,7 @@ def stations(
     if sort == "person":
         return list(_by_person(anchor, relation, side, distance))
     if sort in ("door", "window"):
-        return list(_by_opening(anchor, sort, relation, distance))
+        return list(_by_opening(anchor, sort, relation, side, distance))
     if relation in ("left_of", "right_of"):
         angle = math.pi if relation == "left_of" else 0.0
         return list(_along(anchor, relation, angle, distance, k, 0.0))
@@ -100,14 +100,14 @@ def stations(
     found: list[Station] = []
     names = _SIDES_OF_RELATION.get(relation, _SIDES_OF_RELATION["at"])
     lengthwise = relation in ("behind", "in_front_of") and side not in (None, "front", "back", "rear")
-    names = (side,) if side in _TURNS and not lengthwise else names
-    aside = math.copysign(1.0, _TURNS[side]) if lengthwise and side in _TURNS else 0.0
+    names = (side,) if side in TURNS and not lengthwise else names
+    aside = math.copysign(1.0, TURNS[side]) if lengthwise and side in TURNS else 0.0
     for order, name in enumerate(names):
         if sort == "wall" and name != "front":
             continue
         equal = relation == "next_to" and name in ("left", "right")
         dislike = 0.0 if order == 0 or equal else _AWAY_FROM_SIDE * (1.0 if name != "back" else 1.6)
-        places = list(_along(anchor, relation, front + _TURNS[name], distance, k, dislike, bool(aside)))
+        places = list(_along(anchor, relation, front + TURNS[name], distance, k, dislike, bool(aside)))
         found += [_on_half(anchor, place, aside) for place in places] if aside else places
     return found
 
@@ -160,7 +160,7 @@ def _along(
 
 def _by_person(other: Box, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
     """Places by somebody: before them to talk, at their shoulder, behind their back."""
-    turn = _TURNS.get(side or "")
+    turn = TURNS.get(side or "")
     ahead = math.atan2(other.forward[1], other.forward[0])
     if relation in ("left_of", "right_of"):
         reach = distance or SHOULDER
@@ -187,15 +187,17 @@ def _by_person(other: Box, relation: str, side: str | None, distance: float | No
             yield Station(x, y, yaw, abs(degrees) / 120 + in_line + _BACK_TO_US * away_from_audience(yaw))
 
 
-def _by_opening(opening: Box, sort: Sort, relation: str, distance: float | None) -> Iterator[Station]:
+def _by_opening(opening: Box, sort: Sort, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
     """Places at a door or a window: beside it, so that what it shows is seen; before it where that is said."""
     off = distance if distance is not None else 0.45
-    inside = {"in_front_of": (0.0, max(off, 0.7)), "behind": (0.0, -0.7)}.get(relation)
-    if inside is not None:
-        x, y = opening.to_world(inside[0], -inside[1])
-        yield Station(x, y, opening.yaw if sort == "door" else cheated(opening.yaw + math.pi))
-        return
     half = opening.width / 2
+    if relation in ("in_front_of", "facing", "behind"):
+        out = -max(off, 0.4) if relation == "behind" else max(off, 0.55)
+        for aside in {"left": (0.6, 0.9), "right": (-0.6, -0.9)}.get(side or "", (0.0, 0.35, -0.35, 0.7, -0.7)):
+            x, y = opening.to_world(aside, -out)
+            look = opening.to_world(aside * 0.3, 0.0)
+            yield Station(x, y, cheated(facing(look[0] - x, look[1] - y)), 0.4 * abs(aside) * (side is None))
+        return
     for aside in (0.55 * half, -0.55 * half, half + 0.2, -half - 0.2, 0.0):
         x, y = opening.to_world(aside, -off - (0.15 if sort == "door" else 0.0))
         look = opening.to_world(-aside * 0.5, 0.4)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.agents.layout_artist.layout_brief import layout_brief
 from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
+from storyblender.agents.layout_artist.told_places import told_relations
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.environment_designer import (
@@ -46,10 +47,12 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     plan = plan_of(environment)
     scene = run.graph.scene(scene_id).model_copy(update={"environment": environment})
     own = tuple(asset for asset in scene_assets(run.graph, scene_id) if asset.asset_type == "object")
+    told = told_relations(scene.setup, run.graph.shots_of(scene_id))
+    setup = scene.setup.model_copy(update={"relations": told})
     dressing = run.reflect(
         "set_dresser",
         name,
-        DressingView(scene.setup, plan, own, _crowd(run.graph, scene_id)),
+        DressingView(setup, plan, own, _crowd(run.graph, scene_id)),
         RulesSetDresser(),
         DressingCritic(),
     ).draft

@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from storyblender.agents.layout_artist.told_places import told_places
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure
-from storyblender.memory.scene_context import Layout, LayoutObject, SceneSetup
+from storyblender.memory.scene_context import Layout, LayoutObject, SceneSetup, Spot
 from storyblender.memory.shot_context import BodyState, ShotContext
 
 _RESTING = ("idle", "stand", "wait", "sit", "lean")
@@ -40,6 +41,7 @@ class LayoutBrief:
         found: Postures of whom a later shot finds in their place without their having come: jurors, guests, guards.
         stations: What somebody is found at who does nothing there: the dock, the door.
         props: Keys of the catalog by asset id: what things are.
+        told: Where the script says that things are, by asset id.
         deeds: What everybody does on the spot in the first shot they are in: motions, and the prop of each.
     """
 
@@ -60,6 +62,7 @@ class LayoutBrief:
     company: Mapping[str, str] = field(default_factory=dict)
     stations: Mapping[str, str] = field(default_factory=dict)
     props: Mapping[str, str] = field(default_factory=dict)
+    told: Mapping[str, Spot] = field(default_factory=dict)
     deeds: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
 
 
@@ -142,6 +145,7 @@ def layout_brief(
         found=_found(shots),
         stations=_stations(shots),
         props=props_of(graph.assets),
+        told=told_places(scene.setup, shots),
         deeds=_deeds(shots, props_of(graph.assets)),
     )
 

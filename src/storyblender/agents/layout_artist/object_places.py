@@ -11,8 +11,10 @@ from storyblender.agents.layout_artist.layout_things import anchors_of, size_of,
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing, slid
+from storyblender.geometry.stations import TURNS
 from storyblender.geometry.support import Perch, Taken, perch
-from storyblender.memory.scene_context import Relation
+from storyblender.memory.base import Vec2
+from storyblender.memory.scene_context import Spot
 
 _SMALL = 0.6
 """Metres: what is smaller in all directions stands on furniture rather than on the floor."""
@@ -24,12 +26,15 @@ _ACTING = 1.6
 """Metres around the middle of the playing area that are left to people."""
 _BESIDE = 0.12
 """Metres between things that are next to each other."""
+_CAR, _PARKED = 1.1, 1.4
+"""Metres: what is wider than this both ways stands so far from its like, as cars do, so that one can get out."""
 _LUGGAGE = 0.42
 """Metres: what people carry and is higher than this stands on the floor, not on a table."""
 _LONG_SEAT = 1.0
 """Metres: a wider seat has room for people and things."""
 _SLEEPER = 0.66
 """Metres across that somebody who lies takes of a bed."""
+_HOT, _COOKED_IN = frozenset({"stove", "wood_stove", "fireplace"}), frozenset({"pot", "pan", "frying_pan", "kettle"})
 _AT_HAND = 0.6
 """Metres from somebody to what stands on the floor beside them."""
 
@@ -41,21 +46,36 @@ def place_objects(stage: Stage, beside_people: bool = False) -> None:
         stage: Changed.
         beside_people: Place what relates to people or is handled by them, who stand already; else all the rest.
     """
-    relations = {relation.asset_id: relation for relation in reversed(stage.brief.setup.relations)}
-    people = {state.asset_id for state in stage.brief.states}
+    told = _told(stage)
     waiting = [asset_id for asset_id in stage.brief.pending if stage.find(asset_id) is None]
     if not beside_people:
-        waiting = [
-            each
-            for each in waiting
-            if (relations[each].anchor_asset_id not in people if each in relations else not _handled(stage, each))
-        ]
-    waiting.sort(key=lambda asset_id: (_depth(asset_id, relations), -_bulk(stage, asset_id)))
+        waiting = [each for each in waiting if not _by_people(stage, each, told)]
+    waiting.sort(key=lambda asset_id: (_depth(asset_id, told), -_bulk(stage, asset_id)))
     for asset_id in waiting:
-        relation = relations.get(asset_id)
-        anchor = stage.find(relation.anchor_asset_id) if relation is not None else None
-        if relation is None or anchor is None or not _relate(stage, asset_id, relation, anchor):
+        spot = told.get(asset_id)
+        anchor = stage.anchor(spot.anchor_id) if spot is not None else None
+        if spot is None or anchor is None:
             _stand_alone(stage, asset_id)
+        elif not _relate(stage, asset_id, spot, anchor):
+            _stand_alone(stage, asset_id, (anchor.box.x, anchor.box.y))
+
+
+def _by_people(stage: Stage, asset_id: str, told: dict[str, Spot], depth: int = 0) -> bool:
+    """Return whether a thing is where somebody is, or by another that is: people have their places before it."""
+    spot = told.get(asset_id)
+    if spot is None or depth > len(told):
+        return _handled(stage, asset_id)
+    people = {state.asset_id for state in stage.brief.states}
+    pending = spot.anchor_id in stage.brief.pending
+    return spot.anchor_id in people or (pending and _by_people(stage, spot.anchor_id or "", told, depth + 1))
+
+
+def _told(stage: Stage) -> dict[str, Spot]:
+    """Return where things are told to be; what stands by somebody who comes later is where they will be."""
+    stated = reversed(stage.brief.setup.relations)
+    told = {each.asset_id: Spot(relation=each.kind, anchor_id=each.anchor_asset_id) for each in stated}
+    told.update(stage.brief.told)
+    return {each: spot for each, spot in told.items() if spot.anchor_id is not None}
 
 
 def _handled(stage: Stage, asset_id: str) -> bool:
@@ -63,10 +83,10 @@ def _handled(stage: Stage, asset_id: str) -> bool:
     return bool(stage.brief.handlers.get(asset_id)) and stage.brief.placements.get(asset_id) == "surface"
 
 
-def _depth(asset_id: str, relations: dict[str, Relation]) -> int:
+def _depth(asset_id: str, told: dict[str, Spot]) -> int:
     seen = [asset_id]
-    while (relation := relations.get(seen[-1])) is not None and relation.anchor_asset_id not in seen:
-        seen.append(relation.anchor_asset_id)
+    while (spot := told.get(seen[-1])) is not None and spot.anchor_id is not None and spot.anchor_id not in seen:
+        seen.append(spot.anchor_id)
     return len(seen)
 
 
@@ -75,26 +95,41 @@ def _bulk(stage: Stage, asset_id: str) -> float:
     return width * depth * height
 
 
-def _relate(stage: Stage, asset_id: str, relation: Relation, anchor: Thing) -> bool:
-    """Place a thing by its relation; False where the anchor has no room for it."""
-    kind = relation.kind
-    base = anchor.box
-    if anchor.walks:
-        kind = "next_to" if kind in ("on", "in", "inside", "under", "over") else kind
-    if kind in ("on", "in", "inside"):
+def _relate(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
+    """Place a thing where it is told; False where the anchor has no room for it."""
+    kind = "in" if spot.relation == "inside" else "over" if spot.relation == "above" else spot.relation
+    base, part = anchor.box, anchor.name not in stage.things
+    if anchor.walks or part:
+        kind = "next_to" if kind in ("on", "in", "under", "over", "around") else kind
+    if kind in ("on", "in"):
         return _stand_on(stage, asset_id, anchor)
-    if kind == "under":
+    if kind in ("under", "around"):
         stage.stand(asset_id, stage.box(asset_id, base.x, base.y, 0.0, base.yaw), anchor=anchor.name)
     elif kind == "over":
         box = stage.box(asset_id, base.x, base.y, 0.0, base.yaw)
         if not hang(stage, asset_id, near=(base.x, base.y), lowest=base.top + 0.1):
             box.z = base.top + 0.3
             stage.stand(asset_id, box, floats=True, fixed=True)
-    elif kind == "between" and (other := stage.find(relation.second_anchor_asset_id)) is not None:
+    elif part and _at_wall(stage, asset_id, spot, (base.x, base.y)):
+        return True
+    elif kind == "between" and (other := _second(stage, asset_id)) is not None:
         stage.stand(asset_id, stage.box(asset_id, (base.x + other.box.x) / 2, (base.y + other.box.y) / 2))
     else:
-        _stand_beside(stage, asset_id, kind, anchor)
+        _stand_beside(stage, asset_id, spot.model_copy(update={"relation": kind}), anchor)
     return True
+
+
+def _at_wall(stage: Stage, asset_id: str, spot: Spot, near: Vec2) -> bool:
+    """Hang a thing that is told to be up on a wall, or stand it with its back to one; tell whether it could."""
+    if spot.height is not None:
+        return hang(stage, asset_id, near=near)
+    return spot.relation in ("against", "at") and stand_against(stage, asset_id, near=near)
+
+
+def _second(stage: Stage, asset_id: str) -> Thing | None:
+    """Return the other of the two things that something is between."""
+    stated = (each for each in stage.brief.setup.relations if each.asset_id == asset_id)
+    return stage.find(next((each.second_anchor_asset_id for each in stated), None))
 
 
 def _stand_on(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, float] | None = None) -> bool:
@@ -150,12 +185,15 @@ def _lain_on(stage: Stage, anchor: Thing) -> list[Taken]:
     return [Taken(*bed.location, _SLEEPER, bed.size[1]) for bed in beds]
 
 
-def angles_of(kind: str, anchor: Box) -> list[float]:
+def angles_of(kind: str, anchor: Box, told: str | None = None) -> list[float]:
     """Return the bearings in radians at which a relation lets something stand, the likeliest first.
 
     ``behind`` and ``in_front_of`` mean the anchor's own back and front (behind the bar), left and right the picture's.
+    A side that is told is the anchor's own.
     """
     front = math.atan2(anchor.forward[1], anchor.forward[0])
+    if told in TURNS and kind not in ("left_of", "right_of"):
+        return [front + TURNS[told]]
     if kind in ("in_front_of", "facing"):
         return [front]
     if kind == "behind":
@@ -169,20 +207,38 @@ def angles_of(kind: str, anchor: Box) -> list[float]:
     return [*sides, front, front + math.pi]
 
 
-def _stand_beside(stage: Stage, asset_id: str, kind: str, anchor: Thing) -> None:
-    """Stand on the side with most room of those that the relation allows; touching for ``against``."""
-    gap = {"against": 0.01, "facing": 0.9}.get(kind, _BESIDE)
-    places = [_beside(stage, asset_id, anchor, angle, gap) for angle in angles_of(kind, anchor.box)]
+def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> None:
+    """Stand on the side with most room of those that are told; touching for ``against``, a seat facing its table."""
+    kind = spot.relation
+    width, depth, _ = size_of(stage.measure(asset_id))
+    usual = _PARKED if min(width, depth) > _CAR and min(anchor.box.width, anchor.box.depth) > _CAR else _BESIDE
+    usual = {"against": 0.01, "facing": 0.9}.get(kind, usual)
+    gap = usual if spot.distance is None else max(spot.distance, 0.01)
+    angles = angles_of(kind, anchor.box, spot.side)
+    places = [_beside(stage, asset_id, anchor, angle, gap) for angle in angles]
     room = stage.clearance(np.array([(box.x, box.y) for box in places])) - [box.radius for box in places]
+    x_min, x_max, y_min, y_max = stage.room
+    room = [
+        free if x_min < box.x < x_max and y_min < box.y < y_max else -box.radius
+        for free, box in zip(room, places, strict=True)
+    ]
     best = max(range(len(places)), key=lambda index: (round(float(min(room[index], 0.3)), 3), -index))
     box = places[best]
+    seat = any(each.kind == "seat" for each in stage.measure(asset_id).anchors) and box.width < _LONG_SEAT
+    looked_at = kind == "facing" or (seat and kind in ("behind", "in_front_of", "at") and not anchor.walks)
+    if looked_at:
+        box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
+    if anchor.name not in stage.things:
+        stage.stand(asset_id, box)
+        return
     bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
     side = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
-    direction = "facing" if kind == "facing" else None
-    if direction is not None:
-        box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
     contact = True if kind == "against" else None
-    stage.stand(asset_id, box, anchor=anchor.name, relationship=side, contact=contact, direction=direction)
+    direction = "facing" if looked_at else None
+    off_stage = not (x_min < anchor.box.x < x_max and y_min < anchor.box.y < y_max)
+    stage.stand(
+        asset_id, box, anchor=anchor.name, relationship=side, contact=contact, direction=direction, fixed=off_stage
+    )  # fmt: skip
 
 
 def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float) -> Box:
@@ -191,8 +247,14 @@ def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float
     return box
 
 
-def _stand_alone(stage: Stage, asset_id: str) -> None:
-    """Place a thing that nothing is said about: on the wall, at hand, on a table, along the walls, or in free floor."""
+def _stand_alone(stage: Stage, asset_id: str, near: Vec2 | None = None) -> None:
+    """Place a thing that nothing is said about: on the wall, at hand, on a table, along the walls, or in free floor.
+
+    Args:
+        stage: Changed.
+        asset_id: The thing.
+        near: Where it was told to be, and found no room.
+    """
     width, depth, height = size_of(stage.measure(asset_id))
     placement = stage.brief.placements.get(asset_id)
     if placement == "wall" and hang(stage, asset_id):
@@ -208,20 +270,28 @@ def _stand_alone(stage: Stage, asset_id: str) -> None:
         _stand_at_hand(stage, asset_id, user)
         return
     small = placement == "surface" or (placement is None and max(width, depth, height) < _SMALL)
-    if small and not luggage and _on_nearest_table(stage, asset_id, user):
+    if small and not luggage and _on_nearest_table(stage, asset_id, user, near):
         return
-    if stage.brief.plan.indoor and (luggage or max(width, height) > 0.9) and stand_against(stage, asset_id):
+    used_from_behind = any(s.relation == "behind" and s.anchor_id == asset_id for s in _spots(stage))
+    walled = stage.brief.plan.indoor and (luggage or max(width, height) > 0.9) and not used_from_behind
+    if walled and stand_against(stage, asset_id, near=near):
         return
     if user is not None:
         _stand_at_hand(stage, asset_id, user)
         return
     middle = stage.middle
-    wish = (middle[0] + 0.9, middle[1] + 1.5)
+    wish = near or (middle[0] + 0.9, middle[1] + 1.5)
     x, y = stage.free_spot(
         wish, min(width, depth) / 2 + 0.35, lambda x, y: max(_ACTING - math.dist((x, y), middle), 0.0)
     )
     along = math.pi / 2 if depth > max(1.5 * width, 1.8) else 0.0
     stage.stand(asset_id, stage.box(asset_id, x, y, 0.0, along))
+
+
+def _spots(stage: Stage) -> list[Spot]:
+    """Return everything that the script says of where people and things are."""
+    states = (*stage.brief.states, *stage.brief.found)
+    return [*_told(stage).values(), *(state.spot for state in states if state.spot is not None)]
 
 
 def _stand_at_hand(stage: Stage, asset_id: str, user: Thing) -> None:
@@ -240,9 +310,13 @@ def _ceiling(stage: Stage) -> float | None:
     return next((slab.z for slab in stage.brief.plan.slabs if slab.role == "ceiling"), None)
 
 
-def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None) -> bool:
-    """Stand a small thing on the table nearest to who takes it, else to the middle; beside a sitter on a long seat."""
-    near = (user.box.x, user.box.y) if user is not None else stage.middle
+def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None, told: Vec2 | None) -> bool:
+    """Stand a small thing on the table nearest to who takes it, else to the middle; beside a sitter on a long seat.
+
+    Nothing but pots and pans is put on a stove.
+    """
+    near = told or ((user.box.x, user.box.y) if user is not None else stage.middle)
+    cooks = stage.brief.props.get(asset_id) in _COOKED_IN
     tables = []
     for name, thing in stage.things.items():
         measure = stage.measure(stage.assets[name])
@@ -250,6 +324,7 @@ def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None) -> bool:
         own = user is not None and user.anchor == name and thing.box.width > _LONG_SEAT
         roomy = [top for top in anchors_of(measure, "top") if own or min(top.size) > _ROOMY]
         table = any(_TABLE[0] <= top.location[2] <= _TABLE[1] for top in roomy)
-        if table and (own or not seat) and not thing.walks and thing.box.z < 0.1:
+        hot = stage.brief.props.get(stage.assets[name]) in _HOT and not cooks
+        if table and not hot and (own or not seat) and not thing.walks and thing.box.z < 0.1:
             tables.append((round(math.dist((thing.box.x, thing.box.y), near), 3), name))
     return any(_stand_on(stage, asset_id, stage.things[name], near) for _, name in sorted(tables))

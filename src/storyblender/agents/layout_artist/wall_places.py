@@ -45,16 +45,22 @@ def hang(stage: Stage, asset_id: str, near: tuple[float, float] | None = None, l
     return True
 
 
-def stand_against(stage: Stage, asset_id: str) -> bool:
-    """Stand a large thing with its back to a wall that has room for it; False where none has."""
+def stand_against(stage: Stage, asset_id: str, near: tuple[float, float] | None = None) -> bool:
+    """Stand a large thing with its back to a wall that has room for it; False where none has.
+
+    Args:
+        stage: Changed.
+        asset_id: The thing.
+        near: Floor point it is wanted at; the middle of the set if not given.
+    """
     width, depth, _ = size_of(stage.measure(asset_id))
     best: tuple[float, Box] | None = None
-    middle = stage.middle
+    middle, pull = (stage.middle, 0.15) if near is None else (near, 1.0)
     for _, x, y, yaw, dislike in _wall_places(stage, width, depth / 2 + 0.02):
         box = stage.box(asset_id, x, y, 0.0, yaw)
         if any(separation(box, thing.box)[0] < 0.03 and thing.box.top > 0.05 for thing in stage.things.values()):
             continue
-        cost = dislike + 0.15 * math.dist((x, y), middle)
+        cost = dislike + pull * math.dist((x, y), middle)
         if best is None or cost < best[0] - 1e-9:
             best = (cost, box)
     if best is None:

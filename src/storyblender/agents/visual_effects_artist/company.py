@@ -11,6 +11,7 @@ from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import Person, stature_of
 from storyblender.agents.visual_effects_artist.places import Places
 from storyblender.agents.visual_effects_artist.seats import Seats
+from storyblender.agents.visual_effects_artist.told_things import ToldThings, without_absent
 from storyblender.catalog.carrying import two_handed
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
@@ -42,6 +43,7 @@ class Company:
         people: By asset id.
         seats: Which seat somebody takes.
         places: Where the script's spots are.
+        told_things: Where the script tells things to be.
         lying: Where every prop lies that nobody holds.
         touched: Props that left their places, in order.
         jumps: Places people are cut to before the next shot, because nobody can walk there.
@@ -65,6 +67,8 @@ class Company:
         }
         self.seats = Seats(floor, self.people, objects, self._in_the_way_of_sitting)
         self.places = Places(floor, self.people, self.seats)
+        sizes = {t.asset_id: t.size[:2] for t in floor.things.values()}
+        self.told_things = ToldThings(self.places, self.lying, sizes)
         self.touched: dict[str, None] = {}
         self.jumps: dict[str, tuple[Vec2, float]] = {}
         self.aside: set[str] = set()
@@ -278,6 +282,8 @@ class Company:
 
         Instruments are in their players' hands.
         """
+        held = {prop for person in self.people.values() for prop in person.held.values()}
+        self.touched |= dict.fromkeys(self.told_things.settle(shot, held, self.touched))
         for name, prop in self.players.items():
             if self.people[name].present:
                 self.hand_over(self.people[name], prop)
@@ -389,4 +395,4 @@ class Company:
             else:
                 location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
                 states.append(PropState(asset_id=prop, visible=place is not None, location=location))
-        return tuple(states)
+        return without_absent(tuple(states), shot)

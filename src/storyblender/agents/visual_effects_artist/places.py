@@ -58,7 +58,7 @@ class Places:
             return True
         if state.posture in SEATED and person.support is not None:
             return False
-        there = self.station(person, spot)
+        there = self._before_seat(person, state) or self.station(person, spot)
         if there is None:
             return False
         person.place, person.yaw, person.z = (there.x, there.y), there.yaw, there.z
@@ -75,13 +75,24 @@ class Places:
         on_it = spot.relation == "on" and spot.anchor_id in (thing.node_id, thing.asset_id)
         return self.seats.choose(person, thing.node_id, side=spot.side, on_it=on_it)
 
+    def _before_seat(self, person: Person, state: BodyState) -> Station | None:
+        """Return where somebody stands who is on their feet and told to be on a seat or a bed: about to sit or lie."""
+        spot = state.spot
+        thing = self.floor.thing(spot.anchor_id) if spot is not None and spot.relation == "on" else None
+        if spot is None or thing is None or spot.height is not None or not thing.of_kind("seat", "bed"):
+            return None
+        seats = self.floor.seats(thing.node_id) or [edge for edge, _ in self.floor.beds(thing.node_id)]
+        seat = min(seats, key=lambda each: math.dist(each.edge, person.place))
+        x, y = self.floor.access(seat, person.k)
+        return Station(x, y, seat.yaw)
+
     def _is_boarded(self, spot: Spot) -> bool:
         thing = self.floor.thing(spot.anchor_id)
         return thing is not None and spot.relation in ("in", "inside") and bool(thing.of_kind("seat"))
 
     def station(self, person: Person, spot: Spot) -> Station | None:
         """Return the place on the floor that a spot means to somebody: of all it may be, the one with room."""
-        found = self._anchor(person, spot.anchor_id)
+        found = self.anchor(spot.anchor_id, person)
         if found is None:
             return self._turned(person, spot, Station(*person.place, person.yaw), None) if spot.facing else None
         box, sort, thing = found
@@ -92,8 +103,13 @@ class Places:
             best = Station(best.x, best.y, best.yaw, z=top[2] if top else best.z)
         return self._turned(person, spot, best, box)
 
-    def _anchor(self, person: Person, name: str | None) -> tuple[Box, Sort, Thing | None] | None:
-        """Return what a spot is told by: its extent, what it is, and the thing if it is one."""
+    def anchor(self, name: str | None, person: Person | None = None) -> tuple[Box, Sort, Thing | None] | None:
+        """Return what a spot is told by: its extent, what it is, and the thing if it is one.
+
+        Args:
+            name: Of the anchor.
+            person: Who is told to be there; nobody is at themselves.
+        """
         other = self.people.get(name or "")
         if other is not None and other is not person:
             return (
@@ -142,7 +158,7 @@ class Places:
             yaw = 0.0
         elif spot.facing == "away" and anchor is not None:
             yaw = facing(here[0] - anchor.x, here[1] - anchor.y)
-        elif spot.facing is not None and (found := self._anchor(person, spot.facing)) is not None:
+        elif spot.facing is not None and (found := self.anchor(spot.facing, person)) is not None:
             yaw = cheated(facing(found[0].x - here[0], found[0].y - here[1]))
         height = spot.height if spot.height is not None else station.z
         return Station(station.x, station.y, yaw, station.dislike, height)

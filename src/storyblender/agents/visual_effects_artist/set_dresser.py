@@ -34,6 +34,10 @@ from storyblender.reflection import Critique, Fault
 _STAGE: Vec2 = (0.0, 0.8)
 """Where the script's things want to be: the middle, a little away from the audience."""
 
+_TOGETHER = 1.8
+"""Metres from a thing of the script to a furnishing whose place another one takes that is told to be by it."""
+_VEHICLES = kin_of("car")
+"""The script's own vehicles replace all of the kit's."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
 """Of these a place has one, whatever the script calls it: she walks to the bar and puts her glass on the counter."""
 
@@ -74,7 +78,10 @@ class RulesSetDresser:
     def propose(self, view: DressingView) -> Dressing:
         """Return the dressed set."""
         taken = _take_over(view)
-        standing = [Standing.of(item, taken.get(item.node_id)) for item in view.plan.furnishings]
+        drives = any(prop_of(asset) in _VEHICLES for asset in view.objects)
+        parked = {item.node_id for item in view.plan.furnishings if drives and item.prop in _VEHICLES} - taken.keys()
+        kept_items = [item for item in view.plan.furnishings if item.node_id not in parked]
+        standing = [Standing.of(item, taken.get(item.node_id)) for item in kept_items]
         settle_on_new_tops(standing)
         draw_up_seats(standing)
         kept, dropped = without_clutter(standing, view.people)
@@ -91,7 +98,7 @@ class RulesSetDresser:
                 and not _is_the_place(asset, view)
                 and not (served and prop_of(asset) in _COUNTERS)
             ),
-            dropped=tuple(dropped),
+            dropped=(*dropped, *sorted(parked)),
         )
 
     def refine(self, draft: Dressing, critique: Critique, view: DressingView) -> Dressing:
@@ -152,7 +159,7 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
             continue
         near = where.get(anchor, _STAGE) if anchor else _STAGE
         found = _best_place(view.plan, prop_of(asset), near, taken)
-        if found is not None:
+        if found is not None and (anchor not in where or math.dist(found.location[:2], near) < _TOGETHER):
             taken[found.node_id] = asset
             where[asset.asset_id] = found.location[:2]
     return taken

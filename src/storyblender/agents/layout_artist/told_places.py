@@ -1,0 +1,42 @@
+"""What the script tells of where things are before anybody moves them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.memory.scene_context import Relation, SceneSetup, Spot
+from storyblender.memory.shot_context import ShotContext
+
+
+def told_places(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Spot]:
+    """Return where things are told to be when they are first seen, by asset id.
+
+    What somebody has in hand, handles or brings before is where they leave it, and not told here.
+
+    Args:
+        setup: With the relations as the scene opens.
+        shots: Of the scene, in order.
+    """
+    told = {
+        each.asset_id: Spot(relation=each.kind, anchor_id=each.anchor_asset_id) for each in reversed(setup.relations)
+    }
+    moved: set[str] = set()
+    seen: set[str] = set()
+    for shot in shots:
+        moved |= {prop for state in shot.states for prop in state.held}
+        moved |= {action.prop_id for action in shot.character_actions if action.prop_id is not None}
+        for thing, spot in shot.thing_spots.items():
+            if spot.anchor_id is not None and thing not in seen and thing not in moved:
+                told[thing] = spot
+            seen.add(thing)
+    return told
+
+
+def told_relations(setup: SceneSetup, shots: Sequence[ShotContext]) -> tuple[Relation, ...]:
+    """Return the same as relations, people's included: what the Set Dresser needs to know of them."""
+    own = {asset_id: relation for relation in reversed(setup.relations) for asset_id in (relation.asset_id,)}
+    people = {state.asset_id: state.spot for shot in reversed(shots) for state in shot.states if state.spot is not None}
+    for asset_id, spot in {**people, **told_places(setup, shots)}.items():
+        if spot.anchor_id is not None and spot.anchor_id != asset_id:
+            own[asset_id] = Relation(asset_id=asset_id, kind=spot.relation, anchor_asset_id=spot.anchor_id)
+    return tuple(own.values())

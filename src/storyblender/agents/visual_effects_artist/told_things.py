@@ -1,0 +1,86 @@
+"""Things that the script tells to be elsewhere now, or not there at all: the tray is by the door, the car has gone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from storyblender.agents.visual_effects_artist.places import Places
+from storyblender.geometry.stations import stations
+from storyblender.memory.base import Vec3
+from storyblender.memory.scene_context import Spot
+from storyblender.memory.shot_context import PropState, ShotContext
+
+_ON = ("on", "in", "inside")
+_UNDER = ("under", "around")
+_GAP = 0.12
+"""Metres from a thing to what it is told to be beside, where no distance is told."""
+
+
+class ToldThings:
+    """Where the script tells things to be, from shot to shot.
+
+    Args:
+        places: Finds what the spots mean.
+        lying: Where every prop lies that nobody holds; changed.
+        sizes: Width and depth of things in metres, by asset id.
+    """
+
+    def __init__(self, places: Places, lying: dict[str, Vec3], sizes: Mapping[str, tuple[float, float]]) -> None:
+        self.places, self.lying, self.sizes = places, lying, sizes
+        self._told: dict[str, Spot] = {}
+
+    def settle(self, shot: ShotContext, held: set[str], touched: Mapping[str, None]) -> list[str]:
+        """Lay things where a shot tells them to be without a deed that brings them there; return which.
+
+        Args:
+            shot: With its ``thing_spots``.
+            held: What is in hands.
+            touched: What has left its place in the layout before.
+        """
+        handled = {name for action in shot.character_actions for name in (action.prop_id, action.target_id)}
+        moved: list[str] = []
+        for thing, spot in shot.thing_spots.items():
+            before = self._told.get(thing)
+            self._told[thing] = spot
+            as_laid_out = before is None and thing not in touched and thing in self.lying
+            if before == spot or as_laid_out or thing in handled or thing in held or thing not in self.sizes:
+                continue
+            location = self._location(thing, spot)
+            if location is not None:
+                self.lying[thing] = location
+                moved.append(thing)
+        return moved
+
+    def _location(self, thing: str, spot: Spot) -> Vec3 | None:
+        found = self.places.anchor(spot.anchor_id)
+        if found is None:
+            return None
+        box, sort, base = found
+        if base is not None and spot.relation in _ON:
+            return self.places.floor.on_top(base, base.location[:2]) or self.places.floor.top_of(
+                base, base.location[:2]
+            )
+        if spot.relation in _UNDER:
+            return box.x, box.y, spot.height or 0.0
+        reach = max(self.sizes[thing]) / 2
+        gap = reach + (_GAP if spot.distance is None else spot.distance)
+        if sort == "person":
+            gap = max(gap, reach + 0.3)
+        options = stations(box, sort, spot.relation, spot.side, gap)
+        best = min(options, key=lambda each: round(each.dislike - 2 * min(self._room((each.x, each.y)), reach), 4))
+        return best.x, best.y, spot.height or 0.0
+
+    def _room(self, point: tuple[float, float]) -> float:
+        others = [p.place for p in self.places.people.values() if p.present]
+        free = self.places.floor.room_at(point)
+        return min([free, *(math.dist(point, other) - 0.25 for other in others)])
+
+
+def without_absent(states: tuple[PropState, ...], shot: ShotContext) -> tuple[PropState, ...]:
+    """Return where things are in a shot, with those hidden that are not in the set, unless somebody holds them."""
+    by_thing = {state.asset_id: state for state in states}
+    for thing in shot.absent:
+        if thing not in by_thing or by_thing[thing].held_by is None:
+            by_thing[thing] = PropState(asset_id=thing, visible=False)
+    return tuple(by_thing.values())
