@@ -138,6 +138,8 @@ class ShotDetails:
             shown += on_stage
         if draft.size not in _TIGHT:
             shown += _walking_along(draft)
+        if draft.size not in (*_TIGHT, "MS") and draft.kind not in ("insert", "pov", "ots", "single"):
+            shown += [deed.actor for beat in draft.beats for deed in beat.unit.deeds]
         return [person for person in unique(shown) if person in on_stage and person != draft.pov]
 
     def _thing_spots(self, units: Sequence[Unit]) -> dict[str, Spot]:

@@ -12,7 +12,7 @@ from storyblender.agents.layout_artist.camera_group import group_azimuth, groupe
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
-from storyblender.geometry.boxes import corners
+from storyblender.geometry.boxes import corners, distance_to_point
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import eased, followed, moved
@@ -28,6 +28,11 @@ _SHORTEST = {"EWS": 0.22}
 _SHORT, _TALL = 0.26, 0.4
 _HELD = 0.8
 """Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
+_FILL_LARGE = {"MWS": 0.8, "FS": 0.7, "WS": 0.5, "EWS": 0.25}
+"""How much of the picture a thing of ``_LARGE`` metres fills in wide sizes: a wide shot of a truck is of the truck."""
+_LARGE = 1.2
+_COMPANY = 6.0
+"""Metres from a large thing within which people belong into a wide picture of it."""
 _EYES = 50.0
 """mm: eyes see no narrower than this, unless a longer lens is asked for."""
 _SQUATS = 0.6
@@ -149,6 +154,10 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         camera = framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
         return _near_enough(brief, camera)
     lead = people[0] if people else None
+    if lead is None and instruction.size in framing.WHOLE and instruction.kind != "insert" and _by_things(brief):
+        azimuth = towards_audience(math.degrees(brief.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
+        camera = framing.master(film, brief.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
+        return _near_enough(brief, camera)
     if lead is None or (brief.things and instruction.kind == "insert"):
         return _of_things(brief, lens, turn, rise)
     if (over := brief.over) is not None:
@@ -211,6 +220,13 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
     return framing.placed(near, middle, 0.5, 0.6)
 
 
+def _by_things(brief: CameraBrief) -> bool:
+    """Return whether people of the picture are near the things that it is about, so that one view holds them all."""
+    people = [figure for figure in brief.drawn.figures if figure.node_id in brief.in_frame]
+    near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in brief.things)
+    return bool(people) and any(near)
+
+
 def _tight(brief: CameraBrief) -> bool:
     return brief.instruction.size in TIGHT
 
@@ -237,7 +253,9 @@ def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orb
     angle = framing.ELEVATION[brief.instruction.angle]
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
     azimuth = towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
-    fill = framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
+    extent = float(np.ptp(points, axis=0).max())
+    wide = _FILL_LARGE.get(brief.instruction.size) if extent >= _LARGE else None
+    fill = wide or framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
     return framing.insert(brief.film, points, azimuth, elevation, lens, fill)
 
 
