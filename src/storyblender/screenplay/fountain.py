@@ -10,16 +10,9 @@ import re
 from typing import NamedTuple
 
 from storyblender.screenplay.comments import blank, find_comments
+from storyblender.screenplay.headings import is_heading, split_number
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
-_HEADING = re.compile(r"(?:INT|EXT|EST|INT\.?/EXT|EXT\.?/INT|I/E|E/I)(\.?)(?=[\s.]|$)", re.IGNORECASE)
-_LEADING_NUMBER = re.compile(r"\(?([A-Z]{0,2}\d{1,4}[A-Z]{0,2})[.):]?\s+(?=(?:INT|EXT|EST|I/E|E/I)\b)", re.IGNORECASE)
-"""A shooting script numbers its scenes before the heading, and mostly once more behind it."""
-LEADING_WORDS = re.compile(
-    r"(?:BEGIN |START )?(?:FLASH[ -]?(?:BACK|FORWARD)|DREAM|FANTASY|MEMORY|MONTAGE|INTERCUT)(?: SEQUENCE)?"
-    r"(?: TO)?\s*[-–—:.]+\s*(?=(?:INT|EXT|EST|I/E|E/I)\b)"
-)
-"""What may stand before ``INT.`` in a heading: it belongs to the heading."""
 _SECTION = re.compile(
     r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"
     r"|(?:BEGIN |START |END (?:OF )?)?(?:[A-Z' -]*\bMONTAGE\b|SERIES OF SHOTS\b)(?:[ :.–—-][^a-z]*)?"
@@ -98,13 +91,6 @@ def split_cue(cue: str) -> tuple[str, str, bool]:
         extensions.insert(0, _CONTINUED.sub("", name[opening + 1 : -1]).strip())
         name = name[:opening].rstrip()
     return name, ", ".join(part.upper() for part in extensions if part), dual
-
-
-def is_heading(line: str) -> bool:
-    """Return whether a line reads as a scene heading; without the dot it must be in capitals, a number may lead it."""
-    line = LEADING_WORDS.sub("", _LEADING_NUMBER.sub("", line, count=1))
-    match = _HEADING.match(line)
-    return bool(match) and len(line) > match.end() and (bool(match[1]) or line == line.upper())
 
 
 def kind_of_words(words: str) -> ElementKind | None:
@@ -199,7 +185,7 @@ class _Reader:
             return "heading"
         if told not in (None, "heading") and before and (after or _LISTS_SHOTS.search(words)):
             return told
-        return "cue" if before and not after and _looks_like_cue(words) else "action"
+        return "cue" if before and not after and looks_like_cue(words) else "action"
 
     @staticmethod
     def _forced(words: str) -> ElementKind | None:
@@ -228,11 +214,11 @@ class _Reader:
         match = _SCENE_NUMBER.search(self.shown[start:end])
         if match:
             return match[1], start, start + match.start()
-        match = _LEADING_NUMBER.match(self.shown, start, end)
-        if not match:
+        number, after = split_number(self.shown[start:end])
+        if not number:
             return "", start, end
-        again = re.search(rf"\s{re.escape(match[1])}[.)]?$", self.shown[match.end() : end])
-        return match[1], match.end(), match.end() + again.start() if again else end
+        again = re.search(rf"\s{re.escape(number)}[.)]?$", self.shown[start + after : end])
+        return number, start + after, start + after + again.start() if again else end
 
     def _action(self) -> None:
         first = self.at
@@ -357,7 +343,8 @@ class _Reader:
             )
 
 
-def _looks_like_cue(words: str) -> bool:
+def looks_like_cue(words: str) -> bool:
+    """Return whether a line is a name in capitals, with or without brackets behind it."""
     name = split_cue(words[:120])[0]
     letters = [letter for letter in name if letter.isalpha()]
     if not letters or name != name.upper() or len(name) > 60 or _CAMERA_LEAD.match(name):

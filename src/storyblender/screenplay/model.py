@@ -6,10 +6,14 @@ from typing import Literal
 
 from storyblender.memory.base import Frozen
 
-ScriptFormat = Literal["fountain", "fdx", "prose"]
+ScriptFormat = Literal["fountain", "fdx", "prose", "script"]
+"""``script``: a play, a comic or a commercial, or a screenplay in its writer's own layout."""
+PageKind = Literal["screenplay", "play", "comic", "columns", "picture_book", "outline", "chat", "prose"]
+"""How a page tells its story: cues and headings, panels, picture and sound side by side, one picture a page, numbered
+cards, messages with their senders, or paragraphs."""
 ElementKind = Literal[
     "heading", "action", "cue", "parenthetical", "dialogue", "lyric", "transition", "shot", "centered",
-    "section", "synopsis", "note", "boneyard", "page_break",
+    "section", "synopsis", "note", "boneyard", "page_break", "title", "sound", "cast",
 ]  # fmt: skip
 
 
@@ -17,7 +21,8 @@ class Element(Frozen):
     """One element of a screenplay.
 
     ``text`` is what the element says without markup; ``start``/``end`` point into ``Screenplay.text``
-    so that ``Screenplay.text[start:end]`` is exactly what the user wrote for it.
+    so that ``Screenplay.text[start:end]`` is exactly what the user wrote for it. ``title`` is what can be read on a
+    screen or a card, ``sound`` a noise or music that is written with a label, ``cast`` an entry of the list of people.
     """
 
     kind: ElementKind
@@ -33,6 +38,8 @@ class Element(Frozen):
     scene_number: str = ""
     dual: bool = False
     """cue and its speech: second column of dual dialogue."""
+    picture: int | None = None
+    """Panel, item of a series of shots, row of two columns, page of a picture book: one number is one shot."""
 
 
 class Screenplay(Frozen):
@@ -44,6 +51,7 @@ class Screenplay(Frozen):
     """Decoded, newlines as \\n. For FDX the plain text that the elements were laid into."""
     title_page: tuple[tuple[str, str], ...] = ()
     elements: tuple[Element, ...] = ()
+    page: PageKind = "screenplay"
 
     @property
     def title(self) -> str:

@@ -1,9 +1,14 @@
-"""Prose: paragraphs as action, chapter and section breaks as sections. Quoted speech is left to the Director."""
+"""Prose: paragraphs as action, chapters, titles and remarks before the story as sections, numbered scenes as headings.
+
+Quoted speech is left to the Director.
+"""
 
 from __future__ import annotations
 
 import re
 
+from storyblender.screenplay.headings import heading_words, is_heading, scene_label
+from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _BREAK = re.compile(r"(?:[*•~#]\s*){1,7}|[-–—_]{3,}|={3,}")
@@ -12,6 +17,18 @@ _CHAPTER = re.compile(r"(?:chapter|part|scene|act|prologue|epilogue)\b[^.!?]{0,6
 _BYLINE = re.compile(
     r"(?P<credit>(?:(?:a )?(?:short )?story |written )?by)\s+(?P<author>(?:\b[A-Z]\.|[^.!?]){2,60})", re.IGNORECASE
 )
+_REMARK = re.compile(
+    r"[(\[].*[)\]]|(?:title|author|by|word count|genre|log ?line|treatment|outline|draft"
+    r"|synopsis)\b[^.!?]{0,80}[:.]?.{0,80}"
+    r"|(?:in which|wherein|of how|containing)\b.{0,240}|(?:for|to) [A-Z][^.!?]{0,40}[.,]?|the end\.?|fin\.?|finis\.?"
+    r"|ende\.?|\*+",
+    re.IGNORECASE | re.DOTALL,
+)
+"""What is said of the story and not told in it."""
+_FRONT = 8
+"""Paragraphs among which a title, a byline and remarks may stand."""
+_HEADED = 100
+"""Characters of a line that is a heading whole; of a longer one the first sentence is."""
 _LONG_LINE = 100
 """A line this long (characters) is a whole paragraph: the file does not wrap by hand."""
 
@@ -26,29 +43,103 @@ def parse(text: str, path: str = "") -> Screenplay:
     elements: list[Element] = []
     title_page: list[tuple[str, str]] = []
     paragraphs = _paragraphs(text)
-    for start, end, line in paragraphs:
+    begins = _begins(text, paragraphs)
+    for at, (start, end, line) in enumerate(paragraphs):
         words = text[start:end]
-        if not elements and (byline := _BYLINE.fullmatch(words)):
-            title_page += [("Credit", byline["credit"]), ("Author", byline["author"].strip())]
+        if at < begins:
+            named = _titled(words, title_page)
+            title_page += named
+            if not named:
+                elements.append(Element(kind="section", text=words, start=start, end=end, line=line))
             continue
-        first = line == paragraphs[0][2] and len(paragraphs) > 1
-        kind, shown = _classify(words, first=first)
-        if first and kind == "section" and not _CHAPTER.fullmatch(shown) and not _BREAK.fullmatch(words):
-            title_page.append(("Title", shown))
-            continue
-        elements.append(Element(kind=kind, text=shown, start=start, end=end, line=line))
-    return Screenplay(path=path, format="prose", text=text, title_page=tuple(title_page), elements=tuple(elements))
+        kind, shown, after = _classify(words)
+        number = heading_words(shown).number if kind == "heading" else ""
+        start += words.index(shown) if kind == "title" else 0
+        elements.append(Element(kind=kind, text=shown, start=start, end=end - after, line=line, scene_number=number))
+        if after:
+            rest = text[end - after : end]
+            first = end - after + len(rest) - len(rest.lstrip())
+            elements.append(Element(kind="action", text=rest.strip(), start=first, end=end, line=line))
+    headed = sum(element.kind == "heading" for element in elements) > 1
+    return Screenplay(
+        path=path,
+        format="prose",
+        text=text,
+        title_page=tuple(title_page),
+        elements=tuple(elements),
+        page="outline" if headed else "prose",
+    )
 
 
-def _classify(words: str, *, first: bool) -> tuple[ElementKind, str]:
+def _begins(text: str, paragraphs: list[tuple[int, int, int]]) -> int:
+    """Index of the paragraph with which the story begins: behind the title, the byline and remarks about it.
+
+    Where scenes are numbered or headed, everything before the first is no story.
+    """
+    first = next((i for i, (start, end, _) in enumerate(paragraphs) if _is_scene(text[start:end])), None)
+    numbered = sum(scene_label(text[start:end]) is not None for start, end, _ in paragraphs) > 1
+    if first is not None and first < _FRONT and numbered:
+        return first
+    begins = 0
+    for index, (start, end, _) in enumerate(paragraphs[: min(_FRONT, len(paragraphs) - 1)]):
+        words = text[start:end]
+        if _is_scene(words):
+            break
+        if _BYLINE.fullmatch(words) or _REMARK.fullmatch(words) or (_is_title(words) and index <= begins + 1):
+            begins = index + 1
+        elif not _CHAPTER.fullmatch(words) and not _BREAK.fullmatch(words):
+            break
+    return begins
+
+
+def _is_title(words: str) -> bool:
+    """Whether a paragraph is a title, with or without lines below it that close with no full stop."""
+    lines = [line.strip() for line in words.split("\n")]
+    closed = re.search(r"[.!?,;\"”'’…]$", lines[-1]) and not re.fullmatch(r"[\"“'‘][^\"”]*[\"”'’]", lines[-1])
+    told = closed or lines[0].endswith((",", ".", ";")) or len(lines) > 4 or words[0] in "—-"
+    return not told and len(lines[0].split()) <= 12 and all(len(line) <= _HEADED for line in lines)
+
+
+def _titled(words: str, known: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """What a paragraph before the story gives to the title page."""
+    keys = {key for key, _ in known}
+    if byline := _BYLINE.fullmatch(words):
+        return [("Credit", byline["credit"]), ("Author", byline["author"].strip())]
+    shown = _MARKDOWN_TITLE.fullmatch(words)
+    title = shown["title"] if shown else words.partition("\n")[0].strip('"“”*_ ')
+    chapter = _CHAPTER.fullmatch(words) is not None and shown is None
+    fits = "Title" not in keys and not chapter and len(title.split()) <= 12 and not title.endswith((".", ","))
+    return [("Title", title)] if fits else []
+
+
+def _is_scene(words: str) -> bool:
+    """Whether a paragraph begins with a heading: ``INT. MILL``, ``Scene 2``."""
+    return is_heading(words) or scene_label(words) is not None
+
+
+def _classify(words: str) -> tuple[ElementKind, str, int]:
+    """Return what a paragraph is, what it says, and how many characters at its end are told under it as action."""
     if _BREAK.fullmatch(words):
-        return "section", words
+        return "section", words, 0
     if title := _MARKDOWN_TITLE.fullmatch(words):
-        return "section", title["title"]
-    if _CHAPTER.fullmatch(words):
-        return "section", words
-    untitled = "\n" in words or len(words.split()) > 10 or re.search(r"[.!?,;:\"”'’]$", words)
-    return ("action", words) if untitled or not first else ("section", words)
+        return "section", title["title"], 0
+    if _is_scene(words):
+        head = words if len(words) <= _HEADED and "\n" not in words else _first_sentence(words)
+        return "heading", head, len(words) - len(head)
+    if _CHAPTER.fullmatch(words) or re.fullmatch(r"(?:the end|fin|finis|ende|fine)\W*", words, re.IGNORECASE):
+        return "section", words, 0
+    told = element_of_label(words)
+    if told:
+        return told[0], words[told[1] :], 0
+    return "action", words, 0
+
+
+def _first_sentence(words: str) -> str:
+    line = words.partition("\n")[0]
+    if len(line) <= _HEADED:
+        return line
+    stop = re.search(r"(?<=[a-z]{2}[.!?])\s", line)
+    return line[: stop.start()] if stop else line[:_HEADED]
 
 
 def _paragraphs(text: str) -> list[tuple[int, int, int]]:
@@ -66,7 +157,12 @@ def _paragraphs(text: str) -> list[tuple[int, int, int]]:
         if not words:
             open_block = False
             continue
-        alone = bool(_BREAK.fullmatch(words) or _MARKDOWN_TITLE.fullmatch(words) or _CHAPTER.fullmatch(words))
+        alone = bool(
+            _BREAK.fullmatch(words)
+            or _MARKDOWN_TITLE.fullmatch(words)
+            or _CHAPTER.fullmatch(words)
+            or (_is_scene(words) and len(words) <= _HEADED)
+        )
         indented = raw.startswith(("\t", "  ", "\u3000"))
         fresh = not open_block or alone or indented or unwrapped or len(words) > _LONG_LINE or words[0] in '"“«„‘'
         if fresh:

@@ -10,11 +10,15 @@ from typing import Final
 
 from storyblender.errors import InputError
 from storyblender.screenplay import fdx, fountain, prose
+from storyblender.screenplay.headings import is_heading
+from storyblender.screenplay.layout import chat, columns, comic, picture_book, play
 from storyblender.screenplay.model import Screenplay, ScriptFormat
 
 MAX_BYTES: Final = 20_000_000
 """A feature script is about 0.3 MB; anything beyond this is not a script."""
 
+_ENOUGH_CUES: Final = 3
+"""Names on lines of their own: with so many, a name before a colon is no cue."""
 _EXPORT: Final = "export the script as Fountain (.fountain) or Final Draft (.fdx)"
 _MAGIC: Final[tuple[tuple[bytes, str], ...]] = (
     (b"%PDF", "this is a PDF, which keeps pages but loses the script's structure"),
@@ -79,9 +83,25 @@ def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Scree
     text = _CONTROLS.sub(" ", text)
     if format is None or _is_xml(text):
         format = _sniff(text, path)
-    screenplay = {"fountain": fountain.parse, "fdx": fdx.parse, "prose": prose.parse}[format](text, path)
+    screenplay = fdx.parse(text, path) if format == "fdx" else _parse(text, format, path)
     _refuse_empty(screenplay)
     return screenplay
+
+
+def _parse(text: str, format: ScriptFormat, path: str) -> Screenplay:
+    """Read a page in the layout that it has; a file called Fountain is Fountain unless it plainly has another."""
+    for recognised, parse in (
+        (columns.is_columns, columns.parse),
+        (comic.is_comic, comic.parse),
+        (chat.is_chat, chat.parse),
+        (picture_book.is_picture_book, picture_book.parse),
+    ):
+        if recognised(text):
+            return parse(text, path)
+    lines = [line.strip() for line in text.split("\n")]
+    if play.names_speakers(text) and _cues(lines) < _ENOUGH_CUES:
+        return play.parse(text, path)
+    return fountain.parse(text, path) if format == "fountain" else prose.parse(text, path)
 
 
 def decode(data: bytes, path: Path | str = "") -> str:
@@ -183,7 +203,7 @@ def _sniff(text: str, path: str) -> ScriptFormat:
 
 def _is_fountain(text: str) -> bool:
     lines = [line.strip() for line in text.split("\n")]
-    if any(fountain.is_heading(line) and line == line.upper() for line in lines):
+    if any(is_heading(line) and line == line.upper() for line in lines):
         return True
     forced = sum(bool(re.match(r"\.[A-Z]|@\w|>.*TO:$", line)) for line in lines)
     title = bool(re.match(r"(?:title|credit|authors?):", lines[0], re.IGNORECASE))

@@ -119,7 +119,7 @@ class Assembly:
     def _line(self, beat: Beat) -> ScriptLine:
         unit = beat.unit
         return ScriptLine(
-            kind=unit.kind,
+            kind="dialogue" if unit.kind == "dialogue" else "action",
             text=self.text[beat.start : beat.end],
             span=SourceSpan(start=beat.start, end=beat.end),
             speaker=unit.speaker if unit.speaker in self.company.assets else None,

@@ -1,7 +1,7 @@
 """Camera directions written in a script: ``CLOSE ON NORA``, ``we push in``, ``[[SHOT: low angle]]`` (notes, section 3).
 
-Only words in capitals, or a move after "we" or "the camera", count: people also pull back. Inside a ``SHOT`` note any
-spelling counts, since the writer speaks to the camera there.
+A word alone counts in capitals, or as a move after "we" or "the camera": people also pull back. What only a camera is
+told (``Wide shot of``, ``Nahaufnahme``) counts in any spelling, and so does everything in a ``SHOT`` note.
 """
 
 from __future__ import annotations
@@ -17,18 +17,35 @@ from storyblender.agents.director.reading import CameraNote
 Span = tuple[int, int]
 
 _MEANINGS: Final[tuple[tuple[str, dict[str, str | float]], ...]] = (
-    (r"EXTREME(?:LY)? (?:CLOSE|CU)|ECU|XCU|BCU", {"size": "ECU"}),
+    (
+        r"EXTREME(?:LY)? (?:CLOSE|CU)|ECU|XCU|BCU|PRIMER[IÍ]SIMO|TR[ÈE]S GROS PLAN|DETAILAUFNAHME|PRIMISSIMO"
+        r"|PLANO DETALLE|DETTAGLIO",
+        {"size": "ECU"},
+    ),
+    (
+        r"PLANO GENERAL|GRAN PLANO|PLAN (?:LARGE|D['’]ENSEMBLE|G[ÉE]N[ÉE]RAL)|WEITE|TOTALE|CAMPO LUNGO|CAMPO TOTALE"
+        r"|GENERAL PLAN",
+        {"size": "WS"},
+    ),
+    (r"PLANO ENTERO|PLAN (?:MOYEN|PIED)|HALBTOTALE|FIGURA INTERA", {"size": "FS"}),
+    (r"PLANO AMERICANO|PLAN AM[ÉE]RICAIN|AMERIKANISCH|PIANO AMERICANO", {"size": "MWS"}),
+    (r"PLANO MEDIO|PLAN (?:TAILLE|RAPPROCH[ÉE])|HALBNAHE?|MEZZO BUSTO", {"size": "MS"}),
+    (r"PRIMER PLANO|GROS PLAN|NAHAUFNAHME|GRO(?:SS|ß)AUFNAHME|PRIMO PIANO|CLOSE PLAN", {"size": "CU"}),
     (r"MED(?:IUM)?\.? CLOSE|MCU", {"size": "MCU"}),
     (r"(?:EXTREME(?:LY)?|VERY) (?:WIDE|LONG)|EWS|ELS|AERIAL", {"size": "EWS"}),
     (r"MED(?:IUM)?\.? (?:WIDE|LONG|FULL)|MWS|MLS|COWBOY|AMERICAN SHOT", {"size": "MWS"}),
     (r"ESTABLISHING", {"size": "EWS", "kind": "establishing"}),
     (r"CLOSE(?:R|[- ]?UPS?)?|CU|TIGHT(?:ER)?", {"size": "CU"}),
+    (r"FULL[- ](?:WIDTH|BLEED|PAGE)|SPLASH", {"size": "WS"}),
     (r"FULL(?:[- ]LENGTH)?|FS", {"size": "FS"}),
     (r"WIDE(?:R)?|LONG|WS|LS|MASTER", {"size": "WS"}),
     (r"MEDIUM|MED\.?|MS", {"size": "MS"}),
     (r"(?:TWO|2)[- ]?SHOT", {"kind": "two_shot"}),
     (r"GROUP|THREE[- ]SHOT", {"kind": "group"}),
-    (r"INSERT", {"kind": "insert"}),
+    (r"INSERT|INSET", {"kind": "insert"}),
+    (r"C[ÁA]MARA SUBJETIVA|PUNTO DE VISTA|CAM[ÉE]RA SUBJECTIVE|SUBJEKTIVE", {"kind": "pov"}),
+    (r"CONTRAPICADO|CONTRE[- ]PLONG[ÉE]E|UNTERSICHT", {"angle": "low angle"}),
+    (r"PICADO|PLONG[ÉE]E|AUFSICHT", {"angle": "high angle"}),
     (r"POV|POINT OF VIEW", {"kind": "pov"}),
     (r"OTS|OVER", {"kind": "ots"}),
     (r"REVERSE", {"kind": "reverse"}),
@@ -103,6 +120,42 @@ _SHOULDER = re.compile(
     rf"(?:\s*(?:OF|[-–—:])?\s*(?P<after>(?!(?:ON|OF|THE)\b){_NAME})(?= ON\b| TO\b|\s*[-–—:.,]|\s*$))?)"
 )
 _LEAD = re.compile(rf"\s*(?:{_RUN}|ON(?= [{UPPER}]{{2}}))(?![A-Za-z])")
+_SHOT_WORD = r"(?:SHOT|VIEW|ANGLE|FRAME|PANEL|PICTURE)"
+_ALWAYS = (
+    rf"(?:(?:A|AN|THE|THEN|NOW|BACK TO|CUT TO|OPEN ON|WE (?:OPEN|START|BEGIN) (?:ON|WITH)|SAME SHOT BUT"
+    rf"|BIGGEST PANEL)[,:]? )*"
+    rf"(?:(?:(?:EXTREME(?:LY)? |VERY )?(?:WIDE|LONG|FULL|MEDIUM|MID|TRACKING|PANNING|AERIAL|OVERHEAD|ESTABLISHING"
+    rf"|HANDHELD|CRANE|DRONE|DOLLY"
+    rf"|LOW[- ]ANGLE|HIGH[- ]ANGLE|BIRD['’]?S[- ]EYE|WORM['’]?S[- ]EYE|REVERSE|MASTER|TWO|GROUP|POV"
+    rf"|POINT[- ]OF[- ]VIEW|CLOSE(?:[- ]?UP)?|TIGHT|BIG(?:GEST)?|LARGE|SMALL|TALL|NARROW|SAME)[- ]"
+    rf"{_SHOT_WORD})(?! (?:GLASS|HOLE|GUN))|(?:EXTREME(?:LY)? |VERY )?CLOSE[- ]?UPS?(?= (?:ON|OF|SHOT)|{_ALONE})"
+    rf"|(?:CLOSE|TIGHT) (?:IN )?ON\b"
+    rf"|(?:EXTREME(?:LY)? )?(?:CLOSE|TIGHT|WIDE|CLOSER|WIDER|TIGHTER)(?=\s*[.:](?:\s|$)|$)|(?:LOW|HIGH) ANGLE\b"
+    rf"|FULL[- ](?:WIDTH|BLEED)|SPLASH PAGE|SPLASH(?=[.:])"
+    rf"|INSET(?=\s*[.:])|OPEN(?:S|ING)? ON(?=\s*:)|PAN(?:S|NING)? (?:TO|ACROSS|OVER)(?= (?:THE|A|AN)\b)"
+    rf"|BIRD['’]?S[- ]EYE VIEW"
+    r"|(?:PRIMER[IÍ]SIMO )?PRIMER[IÍ]?(?:SIMO)? PLANO|PLANO (?:GENERAL|MEDIO|DETALLE|ENTERO|AMERICANO)"
+    r"|GRAN PLANO GENERAL|C[ÁA]MARA SUBJETIVA|(?:CONTRA)?PICADO"
+    r"|(?:TR[ÈE]S )?GROS PLAN|PLAN (?:LARGE|D['’]ENSEMBLE|MOYEN|AM[ÉE]RICAIN|RAPPROCH[ÉE])|(?:CONTRE-)?PLONG[ÉE]E"
+    r"|NAHAUFNAHME|GRO(?:SS|ß)AUFNAHME|DETAILAUFNAHME|HALBTOTALE|HALBNAHE?|TOTALE(?=\s*[-–—:.,]| VON| DE)|(?:CLOSE"
+    r"|GENERAL) PLAN(?=\s*[:,.])"
+    r"|PRIMO PIANO|CAMPO LUNGO|DETTAGLIO(?= D|\s*[:.]))"
+)
+_LOOSE = re.compile(rf"\s*{_ALWAYS}(?![\w])", re.IGNORECASE)
+"""What nobody but a camera is told, in any spelling."""
+_TOLD_CAMERA = re.compile(
+    r"(?<![Aa] )(?<!\w)(?:the )?camera\s+(?:(?:slowly|quickly|gently|then|also|now)\s+)*(?:moves?|cuts?|goes|turns?"
+    r"|faces?|frames?|shows?|reveals?|finds?|drops?"
+    r"|lowers?|closes?|focus(?:es)?|settles?|stops?|sweeps?|glides?|travels?|pulls?|pushes|comes?|rises?|flies|looks?|shoots?|captures?|switches"
+    r"|zooms?)\b(?:\s+(?:in|out|up|down|back|away|over|around|past|left|right|close))*",
+    re.IGNORECASE,
+)
+_WE_SEE = re.compile(
+    r"(?:(?:now|here|then|and|first|all|only|at first|once again)[, ]+)?we (?:now |then |only |also |can |just "
+    r"|finally |still )*(?:see|hear|find|meet|notice)\b(?: that\b)?(?: only\b)?",
+    re.IGNORECASE,
+)
+"""What is seen and heard is told to the camera, and done by nobody."""
 _INSIDE = re.compile(rf"(?<![\w'’]){_HOW}(?:{_MOVE})(?![A-Za-z]){_WAY}")
 _SPOKEN = re.compile(
     rf"\b(?:WE|(?:THE )?CAMERA)\s+(?:SLOWLY |QUICKLY |GENTLY |THEN |ALSO )*(?:{_SPOKEN_MOVE})(?![A-Za-z]){_WAY}",
@@ -133,12 +186,22 @@ def parse(sentence: str) -> tuple[CameraNote | None, Span]:
     for pattern in (_POINT_OF_VIEW, _SHOULDER, _LEAD):
         if (match := pattern.match(sentence)) and match[0].strip():
             return _directed(sentence, match, 0)
-    match = _SPOKEN.search(sentence) or _INSIDE.search(sentence)
+    if match := _LOOSE.match(sentence):
+        return _directed(sentence, match, 0)
+    match = _SPOKEN.search(sentence) or _TOLD_CAMERA.search(sentence) or _INSIDE.search(sentence)
     if match is None:
         return None, (0, len(sentence))
     before = _TRAILING_JOIN.sub("", sentence[: match.start()])
     note, after = _directed(sentence, match, match.start())
     return note, (0, len(before)) if len(before.split()) >= 2 else after
+
+
+def without_direction(sentence: str) -> str:
+    """Return what a sentence tells besides the camera: its action, else what the camera is pointed at."""
+    note, (start, end) = parse(sentence)
+    if note is None:
+        return sentence
+    return sentence[start:end].strip() or note.subject
 
 
 def parse_note(text: str) -> CameraNote | None:

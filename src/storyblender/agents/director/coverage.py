@@ -10,11 +10,12 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from storyblender.agents.director.company import FIXTURES, unique
-from storyblender.agents.director.cutting import middle_of_speech, step
+from storyblender.agents.director.cutting import acts_apart, middle_of_speech, size_of, step
 from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
+from storyblender.agents.director.pictures import BESIDE, add_to_picture
 from storyblender.agents.director.reading import CameraNote, Deed, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import ShotKind, ShotSize
 
@@ -81,11 +82,17 @@ class _SceneCoverage:
         self.present = -1
         self.talkers = {each for unit in units if unit.kind == "dialogue" for each in (unit.speaker, unit.to)}
         self.axes: dict[frozenset[str], tuple[str, str]] = {}
+        self.waiting: list[Unit] = []
+        """Words on the screen and remarks before the first shot."""
 
     def shots(self) -> list[ShotDraft]:
         for index, unit in enumerate(self.units):
             note = self.notes.get(index)
-            if note:
+            if unit.picture is not None:
+                self._in_picture(index, unit, note)
+            elif unit.kind in BESIDE:
+                self._beside(unit)
+            elif note:
                 self._directed(index, unit, note)
             elif self._plays_under_direction(unit):
                 self._play_under_direction(unit)
@@ -94,6 +101,7 @@ class _SceneCoverage:
                 self._covered(index, unit)
         if not self.drafts:
             self._add("establishing", self._widest, [])
+        self.drafts[0].beats[:0] = [Beat.whole(unit) for unit in self.waiting]
         for draft in self.drafts:
             if draft.kind == "action" and not draft.focus:
                 draft.look_at(*draft.on_stage[:2])
@@ -104,6 +112,33 @@ class _SceneCoverage:
             self._action(index, unit)
         else:
             self._speech(index, unit)
+
+    def _beside(self, unit: Unit) -> None:
+        """Words on the screen, a noise, a remark to the reader: they go with the shot before, else with the first."""
+        if self._last and self._last.beats:
+            self._last.beats.append(Beat.whole(unit))
+        else:
+            self.waiting.append(unit)
+
+    def _in_picture(self, index: int, unit: Unit, note: CameraNote | None) -> None:
+        """A panel, an item of a series or a row is one shot with everything in it."""
+        last = self._last
+        if last is not None and last.picture == unit.picture:
+            add_to_picture(last, unit, self.names.people)
+            return
+        self.establish, self.awaiting = False, None
+        if note:
+            draft = directed_shot(unit, note, self.names, size_of({deed.motion for deed in unit.deeds}), last)
+        elif unit.kind == "action":
+            draft = self._action_shots(index, unit, {deed.motion for deed in unit.deeds})[0]
+        else:
+            speaker = unit.speaker if unit.speaker in unit.on_stage and not unit.off_screen else None
+            draft = ShotDraft(
+                "single" if speaker else "action", "MS" if speaker else self._widest, [speaker] if speaker else []
+            )
+        draft.picture = unit.picture
+        draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
+        self.drafts.append(draft)
 
     @property
     def _widest(self) -> ShotSize:
@@ -127,12 +162,12 @@ class _SceneCoverage:
         return self.axes.setdefault(frozenset((one, other)), (one, other))
 
     def _directed(self, index: int, unit: Unit, note: CameraNote) -> None:
-        default = self._size_of({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
+        default = size_of({deed.motion for deed in unit.deeds}) if unit.deeds else "MS"
         draft = directed_shot(unit, note, self.names, default, self._last)
         if draft.kind in ("ots", "two_shot"):
             pair = [draft.over, *draft.focus] if draft.over else draft.focus
             draft.axis = self._axis(*pair[:2]) if len(pair) > 1 else None
-        alone = draft.kind == "insert" and not draft.detail and _acts_apart(unit, draft.focus)
+        alone = draft.kind == "insert" and not draft.detail and acts_apart(unit, draft.focus)
         if alone:
             draft.before = unit
             draft.beats, draft.on_stage = [], [person for person in unit.on_stage if person not in unit.entering]
@@ -164,7 +199,7 @@ class _SceneCoverage:
         """Whether a shot that was ordered can show what people do in a unit."""
         actors = {deed.actor for deed in unit.deeds}
         if shot.kind == "insert" and any(thing in self.things for thing in shot.focus):
-            return not _acts_apart(unit, shot.focus)
+            return not acts_apart(unit, shot.focus)
         if shot.pov in actors:
             return False
         return actors <= {*shot.focus} or step(shot.size, "MS") <= 0
@@ -208,7 +243,7 @@ class _SceneCoverage:
         partners = [deed.target for deed in unit.deeds if deed.target in unit.on_stage and deed.target not in actors]
         hands = bool(motions & HANDS) and not motions & (TRAVEL | WHOLE_BODY)
         props = unique(deed.prop for deed in unit.deeds if deed.prop in self.props)
-        size = self._size_of(motions)
+        size = size_of(motions)
         kind: ShotKind = "action" if motions & (TRAVEL | WHOLE_BODY | HANDS) or len(actors) > 1 else "reaction"
         if len(actors) > 2:
             kind, size = "group", "FS" if motions & TRAVEL else "MWS"
@@ -250,14 +285,6 @@ class _SceneCoverage:
             if deed.motion in ("look", "read"):
                 return next((each for each in (deed.prop, deed.target) if each in self.props), None)
         return None
-
-    @staticmethod
-    def _size_of(motions: set[str]) -> ShotSize:
-        if motions & TRAVEL:
-            return "FS"
-        if motions & WHOLE_BODY:
-            return "MWS"
-        return "MS" if motions & HANDS else "MCU"
 
     def _joins(self, new: ShotDraft) -> bool:
         """Sentences of one paragraph about the same people, in sizes that are close, share a shot."""
@@ -391,8 +418,3 @@ class _SceneCoverage:
         draft.beats = [Beat(unit, unit.start, cut[0])]
         reaction = self._add("reaction", "MCU", [listener])
         reaction.beats, reaction.axis = [Beat(unit, cut[1], unit.end)], draft.axis
-
-
-def _acts_apart(unit: Unit, things: Sequence[str]) -> bool:
-    """Whether people do more in a unit than to handle the things of an insert."""
-    return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)

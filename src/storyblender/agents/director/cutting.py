@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Collection, Sequence
 from typing import Final
 
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.durations import shot_seconds, word_count
-from storyblender.agents.director.motion_families import TRAVEL, WHOLE_BODY
+from storyblender.agents.director.motion_families import HANDS, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.reading import Unit
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 
@@ -141,3 +142,17 @@ def middle_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
             end, start = min(gaps, key=lambda gap: abs(gap[0] - len(words) / 2))
             return unit.start + end, unit.start + start
     return None
+
+
+def size_of(motions: Collection[str]) -> ShotSize:
+    """Return the size in which motions are seen: the whole body while it travels, both hands while they work."""
+    if TRAVEL & set(motions):
+        return "FS"
+    if WHOLE_BODY & set(motions):
+        return "MWS"
+    return "MS" if HANDS & set(motions) else "MCU"
+
+
+def acts_apart(unit: Unit, things: Sequence[str]) -> bool:
+    """Return whether people do more in a unit than to handle the things of an insert."""
+    return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)

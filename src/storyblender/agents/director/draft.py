@@ -49,10 +49,13 @@ class ShotDraft:
     before: Unit | None = None
     """The unit that begins when it ends, where it has no line of its own: a thing it shows is in that hand already."""
 
+    picture: int | None = None
+    """The panel, item of a series or row that it is."""
+
     @property
     def explicit(self) -> bool:
         """Whether the script ordered it."""
-        return self.note is not None
+        return self.note is not None or self.picture is not None
 
     @property
     def panel(self) -> int | None:
@@ -62,7 +65,8 @@ class ShotDraft:
     @property
     def speech(self) -> bool:
         """Whether it covers speech and nothing else."""
-        return bool(self.beats) and all(beat.unit.kind == "dialogue" for beat in self.beats)
+        told = [beat.unit.kind for beat in self.beats if beat.unit.kind in ("action", "dialogue")]
+        return bool(told) and all(kind == "dialogue" for kind in told)
 
     @property
     def motions(self) -> set[str]:

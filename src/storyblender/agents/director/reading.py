@@ -116,9 +116,13 @@ class StateChange(Facts):
 
 @dataclass
 class Unit(Facts):
-    """A sentence of action or one speech: the smallest thing a shot can cover."""
+    """A sentence of action or one speech: the smallest thing a shot can cover.
 
-    kind: Literal["action", "dialogue"]
+    Words on the screen (``title``), a labelled noise or music (``sound``) and what the writer says to the reader
+    (``aside``) get no shot of their own: they go with the shot before or after them.
+    """
+
+    kind: Literal["action", "dialogue", "title", "sound", "aside"]
     scene: int
     """Index into ``Reading.scenes``."""
     element: int
@@ -168,6 +172,8 @@ class Unit(Facts):
     off_screen: bool = False
     """V.O., O.S., O.C. or not on stage."""
     dual: bool = False
+    picture: int | None = None
+    """Panel, item of a series of shots, row of two columns: units with one number share one shot, and no other."""
 
 
 @dataclass

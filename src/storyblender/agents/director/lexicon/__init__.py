@@ -207,10 +207,14 @@ PLACE_KINDS: dict[str, str] = {
 }
 """Words of a heading -> place kind, e.g. ``tavern`` -> ``bar``."""
 RELATION_OF_PREPOSITION: dict[str, str] = _inverse(_read("relations.tsv"))
-TIME_WORDS = cast(dict[str, TimeOfDay], _pairs(_time["time"]))
-FOREIGN_TIMES = cast(dict[str, TimeOfDay], _pairs(_time["foreign"]))
+TIME_WORDS: dict[str, TimeOfDay] = cast(dict[str, TimeOfDay], _pairs(_time["time"]))
+FOREIGN_TIMES: dict[str, TimeOfDay] = cast(dict[str, TimeOfDay], _pairs(_time["foreign"]))
 """Times of day in other languages, for headings."""
-WEATHER_WORDS = cast(dict[str, Weather], _pairs(_time["weather"]))
+TIME_PHRASES: dict[str, TimeOfDay] = {
+    phrase.replace("_", " "): time for phrase, time in cast(dict[str, TimeOfDay], _pairs(_time["phrase"])).items()
+}
+"""Times of day in several words: ``first light``."""
+WEATHER_WORDS: dict[str, Weather] = cast(dict[str, Weather], _pairs(_time["weather"]))
 
 EXPRESSION_OF_WORD = cast(dict[str, Expression], _inverse(_read("expressions.tsv")))
 """Word said of somebody, in any form -> what their face does."""

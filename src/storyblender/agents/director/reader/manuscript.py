@@ -17,11 +17,11 @@ from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
 
-ParagraphKind = Literal["heading", "action", "cue", "parenthetical", "dialogue"]
+ParagraphKind = Literal["heading", "action", "cue", "parenthetical", "dialogue", "title", "sound", "cast"]
 
 _KINDS: dict[str, ParagraphKind] = {
     "heading": "heading", "action": "action", "shot": "action", "cue": "cue", "parenthetical": "parenthetical",
-    "dialogue": "dialogue", "lyric": "dialogue",
+    "dialogue": "dialogue", "lyric": "dialogue", "title": "title", "sound": "sound", "cast": "cast",
 }  # fmt: skip
 _MARKUP = re.compile(r"[*\\]|(?<!\w)_(?=\S)|(?<=\S)_(?!\w)|\[\[.*?\]\]|/\*.*?\*/", re.DOTALL)
 _BRACKETS = re.compile(r"\([^)]*\)")
@@ -59,6 +59,8 @@ class Paragraph:
     extension: str = ""
     dual: bool = False
     scene_number: str = ""
+    picture: int | None = None
+    """Panel, item or row that it belongs to."""
     cameras: list[tuple[int, CameraNote]] = field(default_factory=list)
     """Camera directions with the offset they hold from."""
     body: str = ""
@@ -175,7 +177,7 @@ def _paragraph(
     raw = recase(raw) if recase and kind == "action" else raw
     paragraph = Paragraph(
         kind, index, element.start, element.end, element.text, raw, element.name, element.extension, element.dual,
-        element.scene_number, body=raw,
+        element.scene_number, element.picture, body=raw,
     )  # fmt: skip
     if kind == "action" and screenplay.format != "prose":
         _take_out_cameras(paragraph)

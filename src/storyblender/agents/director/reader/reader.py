@@ -14,17 +14,15 @@ from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
 from storyblender.agents.director.reader.deeds.carried import bring_along
 from storyblender.agents.director.reader.deeds.exits import clear_exits
 from storyblender.agents.director.reader.language.words import Word
-from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, open_manuscript
-from storyblender.agents.director.reader.page.prose_scenes import read_scene_change
-from storyblender.agents.director.reader.page.prose_sentences import prose_sentences
-from storyblender.agents.director.reader.page.scenes import first_scene, read_heading
-from storyblender.agents.director.reader.page.sentences import Sentence, action_sentences, speech_sentences
+from storyblender.agents.director.reader.manuscript import open_manuscript
+from storyblender.agents.director.reader.page.cutting import cut_page
+from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
-from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Unit
+from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -49,39 +47,13 @@ def read_script(screenplay: Screenplay) -> Reading:
     roster = find_prose_cast(script) if script.prose else find_cast(script)
     roster.index()
     reading = Reading(screenplay, people=roster.people)
-    sentences = _sentences(script, roster, reading.scenes)
+    sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
     stage = Stage(roster, Inventory(roster.ids), reading)
     for sentence in sentences:
         _read(stage, sentence)
     _close(stage)
     return reading
-
-
-def _sentences(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> list[Sentence]:
-    """All sentences and speeches; fills ``scenes`` on the way."""
-    sentences: list[Sentence] = []
-    cue: Paragraph | None = None
-    for index, paragraph in enumerate(script.paragraphs):
-        if paragraph.kind == "heading":
-            scenes.append(read_heading(paragraph, scenes))
-            continue
-        if paragraph.kind == "cue":
-            cue = paragraph
-        elif script.prose:
-            change = read_scene_change(paragraph, scenes, script.screenplay.title)
-            scenes += [change] if change else []
-        if not scenes:
-            scenes.append(first_scene(paragraph))
-        scenes[-1].end = max(scenes[-1].end, paragraph.end)
-        scene = len(scenes) - 1
-        if paragraph.kind == "action" and script.prose:
-            sentences += prose_sentences(paragraph, scene, roster)
-        elif paragraph.kind == "action":
-            sentences += action_sentences(paragraph, scene, roster)
-        elif paragraph.kind == "dialogue":
-            sentences += speech_sentences(script, index, scene, cue)
-    return sentences
 
 
 def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:
@@ -153,9 +125,19 @@ def _read(stage: Stage, sentence: Sentence) -> None:
         _open_scene(stage, sentence)
     elif units:
         clear_exits(stage)
-    unit = Unit("action", sentence.scene, sentence.paragraph.element, sentence.start, sentence.end,
-                stage.reading.screenplay.text[sentence.start : sentence.end])  # fmt: skip
+    unit = Unit(
+        sentence.beside or "action",
+        sentence.scene,
+        sentence.paragraph.element,
+        sentence.start,
+        sentence.end,
+        stage.reading.screenplay.text[sentence.start : sentence.end],
+        picture=sentence.paragraph.picture,
+    )
     units.append(unit)
+    if sentence.beside:
+        _stay(stage, sentence)
+        return
     shown = _look_at(stage, sentence.camera) if sentence.camera else None
     if sentence.words and stage.reading.screenplay.format != "prose":
         bring_along(stage, sentence)
@@ -173,6 +155,20 @@ def _read(stage: Stage, sentence: Sentence) -> None:
     ):
         stage.scene.leaving += [person for person in unit.entering if person not in stage.scene.leaving]
     unit.leaving = list(stage.scene.leaving)
+    _note_the_stage(stage)
+
+
+def _stay(stage: Stage, sentence: Sentence) -> None:
+    """Words that are read, heard or said to the reader: everybody is where they were."""
+    unit = stage.unit
+    if sentence.beside == "sound":
+        unit.sounds = [" ".join(unit.text.split())]
+    _note_the_stage(stage)
+
+
+def _note_the_stage(stage: Stage) -> None:
+    """Write into the unit who is there now, how, and with what in hand."""
+    unit = stage.unit
     unit.on_stage = list(stage.scene.on)
     unit.posture = dict(stage.scene.posture)
     unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}

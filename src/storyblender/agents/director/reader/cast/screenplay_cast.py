@@ -91,7 +91,7 @@ def find_cast(script: Manuscript) -> Roster:
     for paragraph in script.paragraphs:
         if paragraph.kind == "cue" and paragraph.name.lower() not in _CHORUS:
             sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
-        elif paragraph.kind == "action":
+        elif paragraph.kind in ("action", "cast"):
             sightings += _in_action(written, paragraph.body, paragraph.start, cues)
             sightings += _in_camera_notes(paragraph, cues)
     singles = [

@@ -6,7 +6,8 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
-from storyblender.agents.director.reader.page.scenes import same_place, time_of, weather_of
+from storyblender.agents.director.reader.page.hours import time_of, weather_of
+from storyblender.agents.director.reader.page.scenes import same_place
 from storyblender.agents.director.reader.page.story_places import (
     WHOLE,
     any_place,

@@ -102,7 +102,8 @@ def _split(words: list[Word]) -> list[list[Word]]:
             word.closes and _starts_anew(following)
         ):
             sentences.append([])
-    return [part for sentence in sentences for part in of_readable_length(sentence)]
+    told = [part for sentence in sentences for part in of_readable_length(sentence)]
+    return [part for part in told if any(word.quotation or word.text[0].isalnum() for word in part)] or told
 
 
 def _starts_anew(following: list[Word]) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import FORMS
@@ -57,6 +58,8 @@ class Sentence:
     words: list[Word] = field(default_factory=list)
     speech: Speech | None = None
     camera: CameraNote | None = None
+    beside: Literal["title", "sound", "aside"] | None = None
+    """It is read, heard or said to the reader, and moves nobody."""
     pictured: bool = False
     """What it tells is on a screen, in a photograph or a dream: nobody in it comes on stage."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from storyblender.agents.director.reader.page.scenes import time_of
+from storyblender.agents.director.reader.page.hours import time_of
 from storyblender.memory.vocabulary import TimeOfDay
 
 _DARK = re.compile(

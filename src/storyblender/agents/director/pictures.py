@@ -1,0 +1,45 @@
+"""Panels, items of a series and rows of two columns: everything that is told of one is one shot."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Final
+
+from storyblender.agents.director.company import unique
+from storyblender.agents.director.draft import Beat, ShotDraft
+from storyblender.agents.director.reading import Unit
+from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
+
+BESIDE: Final = frozenset({"title", "sound", "aside"})
+"""Kinds of units that get no shot of their own."""
+_FACES: Final = 5
+"""No more faces than this in one picture's focus."""
+
+
+def add_to_picture(draft: ShotDraft, unit: Unit, people: Collection[str]) -> None:
+    """Let the shot of a picture tell one more of its units, wide enough for everybody who acts in it.
+
+    Args:
+        draft: The shot.
+        unit: A unit with the shot's picture number.
+        people: Ids of people, to tell faces from things in a focus.
+    """
+    draft.beats.append(Beat.whole(unit))
+    draft.on_stage = unique([*draft.on_stage, *unit.on_stage])
+    if unit.kind in BESIDE or draft.note:
+        return
+    speaker = unit.speaker if not unit.off_screen else None
+    acting = unique([*(deed.actor for deed in unit.deeds), speaker])
+    draft.look_at(*[person for person in acting if person in unit.on_stage][:_FACES])
+    draft.focus.sort(key=lambda each: each not in people)
+    faces = [each for each in draft.focus if each in people]
+    if faces and draft.kind == "insert":
+        draft.kind, draft.size = "action", "MS"
+    if len(faces) > 2:
+        draft.kind, draft.size = "group", _at_least(draft.size, "MWS")
+    elif len(faces) == 2:
+        draft.kind, draft.size = "action", _at_least(draft.size, "MS")
+
+
+def _at_least(size: ShotSize, wide: ShotSize) -> ShotSize:
+    return wide if SHOT_SIZES.index(size) > SHOT_SIZES.index(wide) else size

@@ -1,0 +1,84 @@
+"""The hour, the weather and the passing of time in words of a heading, in five languages."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.memory.vocabulary import TimeOfDay, Weather
+
+_CLOCK = re.compile(r"\b(\d{1,2})(?:[:.h]\d\d)?\s*([AP])\.?M\b\.?", re.IGNORECASE)
+_CLOCK_24 = re.compile(r"\b(\d{1,2})(?::|h)(\d\d)\b(?:\s*(?:UHR|H|HOURS))?|\b(\d{1,2})\s*UHR\b", re.IGNORECASE)
+_HOURS: tuple[tuple[int, TimeOfDay], ...] = (
+    (5, "night"), (7, "dawn"), (12, "morning"), (13, "noon"), (17, "afternoon"), (20, "evening"), (24, "night"),
+)  # fmt: skip
+"""Until which hour it is what time of the day."""
+_GOES_ON = re.compile(
+    r"\(?(?:CONTINUOUS(?: ACTION)?|CONT(?:INUED|INUING|['’]?D|\.)|SAME(?: TIME| DAY| MOMENT)?|MEANWHILE"
+    r"|SIMULTANEOUS(?:LY)?|INTERCUT"
+    r"|(?:(?:A|AN|ONE|TWO|THREE|FEW|SOME|SEVERAL|MUCH|A FEW|JUST|SOON) )?"
+    r"(?:(?:BIT|LITTLE(?: WHILE)?|WHILE|MOMENTS?|MINUTES?|SECONDS?|HOURS?|DAYS?|WEEKS?|MONTHS?|YEARS?"
+    r"|TIME) )?(?:LATER|EARLIER|AFTER)"
+    r"|(?:THE )?(?:NEXT|FOLLOWING|PREVIOUS|ANOTHER) (?:DAY|WEEK|MONTH|YEAR)|FLASH ?BACK|PRESENT(?: DAY)?|ESTABLISHING"
+    r"|RESUM(?:E|ING)"
+    r"|MOVING|TRAVELL?ING|STATIONARY|PARKED|DREAM|FANTASY|MEMORY|MONTAGE|REAL TIME|DAY \d+|DAY [A-Z]"
+    r"|(?:EARLY|LATE)?\s*(?:SPRING|SUMMER|AUTUMN|FALL|WINTER)|(?:MON|TUES|WEDNES|THURS|FRI|SATUR|SUN)DAY"
+    r"|CONTIN[UÚ][OA]S?|CONTINUACI[ÓO]N|MISMO (?:TIEMPO|D[ÍI]A|MOMENTO)|(?:UN POCO )?M[ÁA]S TARDE|(?:MOMENTOS "
+    r"|INSTANTES )?DESPU[ÉE]S|LUEGO"
+    r"|AL D[ÍI]A SIGUIENTE|PLUS TARD|(?:UN PEU|QUELQUES INSTANTS|PEU) (?:PLUS TARD|APR[ÈE]S)|M[ÊE]ME (?:MOMENT|TEMPS)"
+    r"|SUITE|CONTINU"
+    r"|(?:(?:ETWAS|WENIG|KURZ|EINIGE ZEIT) )?SP[ÄA]TER|(?:KURZ |UNMITTELBAR |GLEICH )?(?:DANACH|DARAUF)|GLEICHZEITIG"
+    r"|WEITER|FORTSETZUNG|DURCHGEHEND"
+    r"|POCO DOPO|DOPO|PI[ÙU] TARDI|STESSO (?:MOMENTO|TEMPO)|VERANO|INVIERNO|OTO[ÑN]O|PRIMAVERA|HIVER|[ÉE]T[ÉE]"
+    r"|AUTOMNE|PRINTEMPS"
+    r"|(?:CIRCA )?[12]\d{3}(?:['’]?S)?)\)?\.?",
+    re.IGNORECASE,
+)
+"""Words in a time's place that tell no hour: time goes on, a season, a year."""
+_BRACKET = re.compile(r"\s*\([^)]*\)\s*$")
+
+
+def passes_time(text: str) -> bool:
+    """Return whether a part of a heading tells of time without an hour: ``CONTINUOUS``, ``WINTER``, ``1811``."""
+    bare = _BRACKET.sub("", text).strip(" .,")
+    return bool(bare) and _GOES_ON.fullmatch(bare) is not None
+
+
+def heading_time(text: str) -> TimeOfDay | None:
+    """Return the hour that a part of a heading names, in English or another language; None where it names none."""
+    if clock := _CLOCK.search(text):
+        return _at(int(clock[1]) % 12 + 12 * (clock[2].upper() == "P"))
+    if (clock := _CLOCK_24.search(text)) and (hour := int(clock[1] or clock[3])) < 24:
+        return _at(hour)
+    words = re.findall(r"[^\W\d_]+", text.lower())
+    foreign: list[TimeOfDay] = [lexicon.FOREIGN_TIMES[word] for word in words if word in lexicon.FOREIGN_TIMES]
+    return time_of(text) or (foreign[0] if foreign else None)
+
+
+def is_time(text: str) -> bool:
+    """Return whether a part of a heading is an hour and names no place: ``EARLY MORNING``, not ``NIGHT CLUB``."""
+    if heading_time(text) is None:
+        return False
+    words = re.findall(r"[^\W\d_]+", text.lower())
+    return not any(word in lexicon.PLACES for word in words) and len(words) <= 6
+
+
+def time_of(text: str) -> TimeOfDay | None:
+    """Return the first time of day a text names in English."""
+    low = " ".join(re.findall(r"[a-z]+", text.lower()))
+    for phrase, time in lexicon.TIME_PHRASES.items():
+        if re.search(rf"\b{phrase}\b", low):
+            return time
+    named: list[TimeOfDay] = [lexicon.TIME_WORDS[word] for word in low.split() if word in lexicon.TIME_WORDS]
+    return named[0] if named else None
+
+
+def weather_of(text: str) -> Weather:
+    """Return the weather a text names; clear where it names none."""
+    words = re.findall(r"[^\W\d_]+", text.lower())
+    named: list[Weather] = [lexicon.WEATHER_WORDS[word] for word in words if word in lexicon.WEATHER_WORDS]
+    return named[0] if named else "clear"
+
+
+def _at(hour: int) -> TimeOfDay:
+    return next(time for until, time in _HOURS if hour < until)

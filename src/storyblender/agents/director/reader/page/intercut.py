@@ -1,0 +1,163 @@
+"""Two places cut together: ``INTERCUT - OFFICE / STABLE``; each line is then told in the place of who does it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.manuscript import Paragraph
+from storyblender.agents.director.reader.page.sentences import Sentence
+from storyblender.agents.director.reader.page.slugs import place_before
+from storyblender.agents.director.reader.page.told_places import place_set_down, type_of_place
+from storyblender.agents.director.reading import SceneReading
+
+_INTERCUT = re.compile(
+    r"(?:BEGIN |START )?INTERCUT(?:TING)?(?: BETWEEN| WITH)?\b\s*[-–—:.]*\s*(?P<places>[^\n.]*)\.?\s*$", re.IGNORECASE
+)
+_BETWEEN = re.compile(r"\s*(?:/|&|,|\bAND\b|\bWITH\b|\bBETWEEN\b|\s[-–—]+\s)\s*", re.IGNORECASE)
+_SIDE = re.compile(r"(?:INT|EXT)\.?\s+", re.IGNORECASE)
+_OFF = re.compile(r"O\.?S|V\.?O|SCREEN|PHONE|FILTER|RADIO|OFF", re.IGNORECASE)
+
+
+def intercut_places(text: str, scenes: Sequence[SceneReading]) -> list[SceneReading]:
+    """Return the places that a line orders to be cut together, as scenes to copy; empty where it orders nothing.
+
+    Args:
+        text: The paragraph.
+        scenes: Those before.
+    """
+    match = _INTERCUT.match(text.strip())
+    if match is None or not scenes:
+        return []
+    named = [_SIDE.sub("", part).strip(" .\"'") for part in _BETWEEN.split(match["places"]) if part.strip(" .-")]
+    found = [_place(name, scenes) for name in named]
+    places = [scene for scene in found if scene is not None]
+    if len(places) < 2 and len(scenes) > 1:  # ``INTERCUT:`` after two scenes: these two
+        places = [scenes[-2], scenes[-1]]
+    return places if len(places) > 1 else []
+
+
+def _place(name: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
+    been = place_before(name, scenes)
+    if been:
+        return replace(been, place=been.place)
+    told = place_set_down(name.lower())
+    place = told.place if told and told.place else name.lower()
+    if not place or (told is None and len(name.split()) > 3):
+        return None
+    last = scenes[-1]
+    known = bool(told and told.place)
+    return replace(
+        last,
+        heading="",
+        place=place,
+        place_kind=lexicon.place_kind(place),
+        scene_type=type_of_place(place) if known else last.scene_type,
+        reference=None,
+        furniture=[],
+    )
+
+
+class Intercut:
+    """Tells the sentences of an intercut apart by place.
+
+    Args:
+        places: Two or more.
+        before: The sentences so far; who acts in the running scene is at home in its place.
+        scenes: All scenes so far.
+    """
+
+    def __init__(self, places: list[SceneReading], before: Sequence[Sentence], scenes: Sequence[SceneReading]) -> None:
+        self.places = places
+        self.homes: dict[str, int] = {}
+        self.at = next((i for i, place in enumerate(places) if place.place == scenes[-1].place), 0)
+        here = {scene.place: index for index, scene in enumerate(places)}
+        for sentence in before[-200:]:
+            home = here.get(scenes[sentence.scene].place)
+            if home is not None:
+                self._settle(sentence, home)
+
+    def place(self, told: list[Sentence], scenes: list[SceneReading], cue: Paragraph | None) -> None:
+        """Give each sentence the scene of its place; a change of place opens a scene.
+
+        Args:
+            told: Sentences of one paragraph.
+            scenes: Takes the new scenes.
+            cue: Who speaks.
+        """
+        for sentence in told:
+            named = self._named(sentence)
+            home = named if named is not None else self._home(sentence, cue)
+            if named is not None:
+                self._settle(sentence, named)
+            if home is not None:
+                self.at = home
+            wanted = self.places[self.at]
+            if scenes[-1].place != wanted.place:
+                first = next((scene for scene in scenes if scene.place == wanted.place), None)
+                scenes.append(
+                    replace(
+                        wanted,
+                        id=len(scenes) + 1,
+                        heading="",
+                        number=scenes[-1].number,
+                        reference=(first.reference or first.id) if first else None,
+                        start=sentence.start,
+                        end=sentence.end,
+                        furniture=[],
+                    )
+                )
+            sentence.scene = len(scenes) - 1
+            scenes[-1].end = max(scenes[-1].end, sentence.end)
+
+    def _named(self, sentence: Sentence) -> int | None:
+        """The place that a sentence begins with: ``In the stable, a tail``, ``STABLE: ..``."""
+        opening = sentence.paragraph.raw[sentence.start - sentence.paragraph.start :][:60].lower()
+        match = re.match(
+            r"\W*(?:back |then,? |meanwhile,? )*(?:in|at|on|inside|outside|from)?\s*(?:the |his "
+            r"|her )?([a-z' ]{2,30})[:,]",
+            opening,
+        )
+        if match is None:
+            return None
+        words = frozenset(match[1].split())
+        return next(
+            (
+                i
+                for i, scene in enumerate(self.places)
+                if words and words <= frozenset(re.findall(r"[a-z']+", scene.place))
+            ),
+            None,
+        )
+
+    def _home(self, sentence: Sentence, cue: Paragraph | None) -> int | None:
+        if sentence.speech:
+            return self.homes.get(cue.name.lower()) if cue and not _OFF.search(cue.extension) else None
+        people = [word.mention for word in sentence.words if word.mention and len(word.mention.candidates) == 1]
+        return next(
+            (
+                self.homes[name]
+                for mention in people
+                for name in _names(mention.candidates[0].aliases)
+                if name in self.homes
+            ),
+            None,
+        )
+
+    def _settle(self, sentence: Sentence, home: int) -> None:
+        if sentence.speech:
+            if sentence.speech.name and not _OFF.search(sentence.speech.extension):
+                self.homes.setdefault(sentence.speech.name.lower(), home)
+            return
+        first = next(
+            (word.mention for word in sentence.words if word.mention and len(word.mention.candidates) == 1), None
+        )
+        if first is not None:
+            for name in _names(first.candidates[0].aliases):
+                self.homes[name] = home
+
+
+def _names(aliases: Sequence[str]) -> list[str]:
+    return [alias.lower() for alias in aliases]

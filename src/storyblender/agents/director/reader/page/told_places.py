@@ -1,0 +1,195 @@
+"""Places that a text tells by setting them down: ``Inside, the lamp room.``, ``A beach, low tide.``"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import NamedTuple
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.camera_phrases import without_direction
+from storyblender.agents.director.reader.language.morphology import FORMS
+from storyblender.agents.director.reader.page.hours import heading_time, is_time
+from storyblender.agents.director.reader.page.story_places import leading_place, scene_type_of
+from storyblender.catalog.sets import SETS
+from storyblender.memory.vocabulary import SceneType, TimeOfDay
+from storyblender.screenplay.headings import heading_words, is_heading
+
+_SENTENCE = re.compile(r"(?<=[.!?:])(?<!Mr\.)(?<!Dr\.)(?<!Mrs\.)(?<!St\.)\s+|\n")
+_LEAD = re.compile(
+    r"(?:(?:back|out|up|down|over|meanwhile|later|now|and|then|far|deep|high|way|elsewhere|still|again|we(?:'re| are)"
+    r"|cut to|moments later"
+    r"|minutes later|hours later)[,:]?\s+)*(?:(?:inside|outside|in|at|on|among|along|under|aboard|above|below|near"
+    r"|behind|by|across|through"
+    r"|beside|beneath|to|into|onto|within|from)\s+)*(?:(?:the|a|an|his|her|their|our|my|its|this|that|another|same|some)\s+)*"
+)
+_OWNER = re.compile(r"^[\w-]+(?:\s[\w-]+)?['’]s?\s+")
+_SIDE = re.compile(r"(?:back |now |meanwhile,? )*(inside|outside|indoors|outdoors)\b(?=[.,:;]|$)")
+_SOMEWHERE = re.compile(
+    r"\b(?:in|on|at|inside|outside|aboard|along|beside|by|under|through)\s+(?:the|a|an|his|her|their|its|our)\s+((?:[a-z'-]+\s+){0,2}?[a-z'-]+)(?=[,.;:]|$|\s(?:with"
+    r"|and|at|in|on|of|as|while|is|are|\w+ing|\w+s)\b)"
+)
+_FURTHEST = 3
+"""Sentences at the start of a paragraph that may set down its place."""
+_MOST_WORDS = 7
+"""Words of a phrase that sets down a place."""
+_NO_PLACES = lexicon.words("seldom_place")
+"""Place words that are as often something else: alone, without a determiner or preposition, they set down nothing."""
+
+
+class ToldPlace(NamedTuple):
+    """Where a text goes."""
+
+    place: str
+    """Empty where only the side or the hour is told."""
+    scene_type: SceneType | None
+    time: TimeOfDay | None
+
+
+def place_set_down(text: str, *, pictured: bool = False) -> ToldPlace | None:
+    """Return the place that the first sentences of a paragraph set down without a verb, or None.
+
+    Args:
+        text: As written; a camera direction before the place is passed over.
+        pictured: It describes one picture: ``Otto on the pier`` sets down the pier as well.
+    """
+    time: TimeOfDay | None = None
+    found: ToldPlace | None = None
+    for number, sentence in enumerate(_SENTENCE.split(text.strip())[:_FURTHEST]):
+        directed = without_direction(sentence)
+        words = directed.strip(" .:!?—–-…\"'()[]")
+        first = re.split(r"[,;]", words)[0].strip()
+        if is_time(first) and len(first.split()) <= 4:
+            time = time or heading_time(first)
+            continue
+        if not words or found:
+            continue
+        found = _in_fragment(words)
+        if found is None and pictured and number == 0:
+            found = _in_picture(words, directed=directed != sentence)
+        if found is None and (number or _has_verb(words.lower())):
+            break
+    if found:
+        return found._replace(time=found.time or time)
+    return ToldPlace("", None, time) if time else None
+
+
+def _in_picture(words: str, *, directed: bool) -> ToldPlace | None:
+    """``Otto on the pier``, ``Wide. The whole street dark but for one house``: where a described picture is."""
+    low = words.lower().replace("’", "'")
+    places = [_kind_at_end(match[1].split()) for match in _SOMEWHERE.finditer(low)]
+    place = next((place for place in places if place and place not in _NO_PLACES), "")
+    if not place and directed and not _has_verb(low):
+        lead = _LEAD.match(low)
+        place = leading_place((low[lead.end() :] if lead else low).split()[:4])
+    return ToldPlace(place, type_of_place(place), None) if place else None
+
+
+def _in_fragment(words: str) -> ToldPlace | None:
+    if is_heading(words):
+        return _headed(words)
+    low = words.lower().replace("’", "'")
+    side = _SIDE.match(low)
+    kind: SceneType | None = None
+    if side:
+        kind = "indoor" if side[1].startswith("in") else "outdoor"
+        low = low[side.end() :].strip(" ,.:;")
+    segments = [segment.strip() for segment in re.split(r"[,;]|\s[-–—]+\s|\.\s", low) if segment.strip()]
+    hours = [heading_time(segment) for segment in segments if is_time(segment)]
+    hour = hours[0] if hours else None
+    verbless = not _has_verb(low)
+    for index, segment in enumerate(segments):
+        if index and not verbless:
+            break
+        place = _named(segment, alone=index == 0)
+        if place:
+            return ToldPlace(place, kind or type_of_place(place), hour)
+    return ToldPlace("", kind, hour) if side else None
+
+
+def _headed(words: str) -> ToldPlace:
+    parts = heading_words(words)
+    time = heading_time(words)
+    place = re.split(r"\s+[-–—]+\s+|,\s*", parts.place.lower())[0].strip(" .")
+    return ToldPlace(place, "outdoor" if parts.side == "outside" else "indoor", time)
+
+
+def _named(segment: str, *, alone: bool) -> str:
+    """The place that a phrase is: ``inside the old lamp room`` -> lamp room; empty where it is something else."""
+    lead = _LEAD.match(segment)
+    rest = segment[lead.end() :] if lead else segment
+    led = bool(lead and lead[0].strip())
+    owner = _OWNER.match(rest)
+    owned = owner[0] if owner else ""
+    rest = rest[len(owned) :]
+    words = rest.split()
+    if not words or len(words) > _MOST_WORDS or _has_verb(" ".join(words[:-1])):
+        return ""
+    for stop, word in enumerate(words):
+        if word in ("of", "at", "in", "with", "on", "near", "under", "behind", "by", "as", "outside", "inside", "and"):
+            before, after = words[:stop], words[stop + 1 :]
+            place = _kind_at_end(before)
+            if word == "of" and not place:
+                return _named(" ".join(after), alone=False)
+            return owned + place if place else ""
+    place = _kind_at_end(words)
+    if not place or (place in _NO_PLACES and not (led or owned) and len(words) == 1):
+        return ""
+    return f"{owned}{place}" if alone or led or owned or len(words) <= 4 else ""
+
+
+def _kind_at_end(words: list[str]) -> str:
+    """The place that ends a row of words: two words where they are a kind of place."""
+    if not words:
+        return ""
+    pair = " ".join(words[-2:])
+    if len(words) > 1 and (pair in place_words() or pair in lexicon.PLACE_KINDS):
+        return pair
+    last = words[-1]
+    single = last[:-1] if last.endswith("s") and last not in lexicon.PLACES else last
+    if last in lexicon.PLACES or single in lexicon.PLACES or last in place_words() or single in place_words():
+        return leading_place(words) or last
+    return ""
+
+
+def type_of_place(place: str) -> SceneType:
+    """Whether a place is indoors: by the lists of places, else by the kit that has it among its words."""
+    head = place.rpartition(" ")[2]
+    if head in lexicon.PLACES:
+        return scene_type_of(place)
+    return "indoor" if place_words().get(place, place_words().get(head, False)) else "outdoor"
+
+
+@cache
+def place_words() -> dict[str, bool]:
+    """Every word or phrase that means a set kit -> whether that is indoors."""
+    found: dict[str, bool] = {}
+    for kit in SETS.values():
+        for tag in (kit.key.replace("_", " "), *kit.tags):
+            if noun_may_be_place(tag):
+                found.setdefault(tag, kit.indoor)
+    return found
+
+
+def noun_may_be_place(tag: str) -> bool:
+    """Whether a word of a kit names a place and no furniture, trade or quality."""
+    others = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.ADJECTIVES | lexicon.ABSTRACT
+    return " " in tag or tag not in others
+
+
+def _has_verb(low: str) -> bool:
+    """Whether a phrase in small letters says that somebody does something or something is."""
+    words = re.findall(r"[a-z']+", low)
+    for before, word in zip(["", *words], words, strict=False):
+        form = FORMS.get(word)
+        if word in ("is", "are", "was", "were", "has", "have", "had", "isn't", "it's", "he's", "she's", "there's"):
+            return True
+        if form is None or form.kind not in ("3sg", "past", "aux") or before in lexicon.DETERMINERS:
+            continue
+        if (
+            word not in place_words()
+            and word.rstrip("s") not in lexicon.PLACES
+            and lexicon.noun_class(word.rstrip("s")) == "unknown"
+        ):
+            return True
+    return False

@@ -1,0 +1,83 @@
+"""What stands before the story: title, byline, list of people, remarks to the crew."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.screenplay.layout.lines import Line, Page, plain
+
+_CAST = re.compile(
+    r"(?:(?:THE )?(?:CAST|CHARACTERS?|PERSONS?|PEOPLE|PLAYERS|DRAMATIS PERSON(?:AE|Æ|S)|PERSONNAGES|PERSONAJES"
+    r"|PERSONEN|ROLLEN|REPARTO"
+    r"|PERSONAGGI)(?: (?:OF|IN|LIST|DES|DE|DER|DELLA)[\w' ]*)?(?: (?:IN|OF) [\w' ]+)?)\s*[:.]?(?:[-–—]+)?",
+    re.IGNORECASE,
+)
+_STARTS = re.compile(
+    r"(?:SETTING|SET|SCENE|SC\.|TIME|PLACE|ACT|PROLOGUE|AT RISE|THE SETTING|AT (?:THE )?(?:CURTAIN|RISE)|LIGHTS"
+    r"|CURTAIN|SYNOPSIS"
+    r"|INT|EXT|INNEN|AUSSEN|FADE IN|PAGE|PANEL|ESCENA|SZENE|SC[ÈE]NE)\b",
+    re.IGNORECASE,
+)
+_BY = re.compile(
+    r"(?:(?:a )?(?:[\w-]+ ){0,3}?(?:written |story |script |screenplay |play )?by)\s+(?P<author>.{2,80})", re.IGNORECASE
+)
+_LONG = 100
+"""Characters: a line of this length is no entry of a list."""
+
+
+def read_front(page: Page, lines: Sequence[Line]) -> frozenset[str]:
+    """Read the lines before the story into the page: a title and an author, entries of the cast, the rest as sections.
+
+    Args:
+        page: Takes the elements.
+        lines: Those before the story begins.
+
+    Returns:
+        The names of the list of people, in capitals.
+    """
+    names: set[str] = set()
+    listing = False
+    for line in lines:
+        if not line.words:
+            continue
+        if _CAST.fullmatch(line.words):
+            listing = True
+            page.add("section", line.start, line.end)
+        elif listing and _STARTS.match(line.words) is None and len(line.words) <= _LONG:
+            names.add(_entry(line.words))
+            page.add("cast", line.start, line.end)
+        else:
+            listing = False
+            _titled(page, line)
+    return frozenset(names - {""})
+
+
+def cast_list(lines: Sequence[Line]) -> int | None:
+    """Return the index of the line that heads a list of people, within the first lines of a page."""
+    return next((i for i, line in enumerate(lines[:60]) if line.words and _CAST.fullmatch(line.words)), None)
+
+
+def ends_cast(line: Line) -> bool:
+    """Return whether a line cannot belong to a list of people: the play begins."""
+    return _STARTS.match(line.words) is not None or len(line.words) > _LONG
+
+
+def _titled(page: Page, line: Line) -> None:
+    words = plain(line.words).strip("\"“”'’* ")
+    keys = {key for key, _ in page.title_page}
+    by = _BY.fullmatch(words)
+    keyed = re.fullmatch(r"(title|author|credit|date|draft date|draft|version)\s*:\s*(.+)", words, re.IGNORECASE)
+    if keyed:
+        page.title_page.append((keyed[1].capitalize(), keyed[2].strip('"“” ')))
+    elif by and "Author" not in keys:
+        page.title_page.append(("Author", by["author"].strip(" .")))
+    elif "Title" not in keys and len(words.split()) <= 12 and not words.endswith((".", ":", ",")):
+        page.title_page.append(("Title", words))
+    page.add("section", line.start, line.end)
+
+
+def _entry(words: str) -> str:
+    """The name of an entry: what stands before a comma, a dash, dots or a bracket."""
+    name = re.split(r",|\s[-–—]+\s|\.{2,}|\(|:|\s{3,}|[-–—]{2}", plain(words), maxsplit=1)[0]
+    return re.sub(r"^(?:A|AN|THE)\s+", "", name.strip(" .*_-").upper())

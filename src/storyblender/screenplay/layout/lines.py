@@ -1,0 +1,110 @@
+"""The lines of a page, and the elements that are laid over them with their characters."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from typing import NamedTuple
+
+from storyblender.screenplay.model import Element, ElementKind
+
+_EMPHASIS = re.compile(r"(?<![\w*])([*_]{1,3})(?=\S)([^*_\n]{1,300}?)(?<=\S)\1(?![\w*])")
+
+
+class Line(NamedTuple):
+    """A line of the file."""
+
+    number: int
+    start: int
+    """Offset of its first character that is no space."""
+    words: str
+    indent: int
+    """Spaces before it; a tab counts four."""
+
+    @property
+    def end(self) -> int:
+        """Offset after its last character that is no space."""
+        return self.start + len(self.words)
+
+
+def lines_of(text: str) -> list[Line]:
+    """Return the lines of a text in order; a blank line has no words."""
+    found: list[Line] = []
+    position = 0
+    for number, raw in enumerate(text.split("\n"), 1):
+        words = raw.strip()
+        lead = raw[: len(raw) - len(raw.lstrip())] if words else ""
+        found.append(Line(number, position + len(lead), words, len(lead.expandtabs(4))))
+        position += len(raw) + 1
+    return found
+
+
+def blocks_of(lines: list[Line]) -> list[list[Line]]:
+    """Return the runs of lines between blank lines."""
+    blocks: list[list[Line]] = [[]]
+    for line in lines:
+        if line.words:
+            blocks[-1].append(line)
+        elif blocks[-1]:
+            blocks.append([])
+    return [block for block in blocks if block]
+
+
+def plain(words: str) -> str:
+    """Return words without the marks of emphasis and on one line."""
+    return " ".join(_EMPHASIS.sub(r"\2", words).split())
+
+
+class Page:
+    """Collects the elements of a page.
+
+    Args:
+        text: The page.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.elements: list[Element] = []
+        self.title_page: list[tuple[str, str]] = []
+        self.picture: int | None = None
+        """The panel, row or card that is being read."""
+        self.pictures = 0
+        self._starts = [line.start for line in lines_of(text)]
+
+    def open_picture(self) -> None:
+        """Begin the next panel, row or card."""
+        self.pictures += 1
+        self.picture = self.pictures
+
+    def add(
+        self, kind: ElementKind, start: int, end: int, *, name: str = "", extension: str = "", number: str = ""
+    ) -> None:
+        """Add what stands between two offsets; nothing where there are no words.
+
+        Args:
+            kind: Of the element.
+            start: First character; space there is passed over.
+            end: After the last character.
+            name: Of a cue.
+            extension: Of a cue: what stood in brackets.
+            number: Of a scene.
+        """
+        words = self.text[start:end]
+        start, end = start + len(words) - len(words.lstrip()), start + len(words.rstrip())
+        if start >= end:
+            return
+        words = self.text[start:end]
+        shown = words.strip("()[]").strip() if kind == "parenthetical" else words
+        self.elements.append(
+            Element(
+                kind=kind,
+                text=plain(shown) if kind in ("heading", "cue", "parenthetical", "section", "title") else shown,
+                start=start,
+                end=end,
+                line=bisect_right(self._starts, start),
+                name=name,
+                extension=extension,
+                scene_number=number,
+                picture=self.picture,
+            )
+        )

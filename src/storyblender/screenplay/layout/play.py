@@ -1,0 +1,292 @@
+"""Plays, sitcoms and short films whose speeches stand behind a name: ``BAKER. Not today.``, ``Baker: ..``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.screenplay.fountain import kind_of_words, looks_like_cue, split_cue
+from storyblender.screenplay.headings import (
+    heading_words,
+    is_heading,
+    is_side_alone,
+    place_label,
+    scene_label,
+    split_number,
+)
+from storyblender.screenplay.layout.front import cast_list, ends_cast, read_front
+from storyblender.screenplay.layout.labels import Label, element_of_label, find_convention, spoken_line
+from storyblender.screenplay.layout.lines import Line, Page, lines_of, plain
+from storyblender.screenplay.layout.speech import add_cue, add_speech
+from storyblender.screenplay.model import ElementKind, Screenplay
+
+_ACT = re.compile(
+    r"[*_]*(?:(?:THE )?(?:ACT|AKT|ACTO|ACTE|ATTO|PART|CHAPTER|EPISODE|SEGMENT|TEASER|PROLOGUE|EPILOGUE|TAG|COLD OPEN"
+    r"|INTERMISSION)"
+    r"\b[\s.:-]*(?:[IVX]+|\d+|ONE|TWO|THREE|FOUR|FIVE|FIRST|SECOND|THIRD)?|(?:FIRST|SECOND|THIRD"
+    r"|FOURTH) ACT)[.:]?[*_]*",
+    re.IGNORECASE,
+)
+_CLOSE = re.compile(
+    r"(?:THE )?(?:END(?: OF (?:THE )?(?:PLAY|SCENE|ACT|SCRIPT)[\w ]*)?|CURTAIN|BLACK ?OUT|FIN|FINIS|ENDE|FINE|TELON"
+    r"|RIDEAU|VORHANG)[.!]?",
+    re.IGNORECASE,
+)
+_TRANSITION = re.compile(
+    r"(?:(?:SMASH |MATCH |JUMP |HARD |QUICK )?CUT(?:S)? (?:TO|BACK TO)|FADE (?:IN|OUT|TO BLACK|UP)|DISSOLVE(?:S)? TO"
+    r"|WIPE TO)"
+    r"(?: BLACK)?\s*[:.]*",
+    re.IGNORECASE,
+)
+_RISE = re.compile(
+    r"(?:AT (?:THE )?(?:RISE|CURTAIN)(?: OF (?:THE )?CURTAIN)?|(?:AS )?(?:THE )?(?:LIGHTS?|CURTAIN)(?: COMES?)?(?: UP"
+    r"| RISES?)\b|ENTER\b|EXIT\b|EXEUNT\b)",
+    re.IGNORECASE,
+)
+_SENTENCE = re.compile(r"(?<=[.!?])(?<!\b[A-Z]\.)(?<!St\.)(?<!Mr\.)(?<!Dr\.)(?<!Mrs\.)[_*)\]]*\s+")
+_REST = re.compile(r"(?:a )?(?:long |short |slight )?(?:pause|beat|silence|no dialogue|silent)\.?", re.IGNORECASE)
+_DEEP = 40
+"""Lines that a bracket may go over."""
+
+
+def parse(text: str, path: str = "") -> Screenplay:
+    """Read a script whose speeches are marked by names, in whatever way this page marks them.
+
+    Args:
+        text: The script, newlines as ``\\n``.
+        path: Kept for display.
+    """
+    return _Reader(text).read(path)
+
+
+def names_speakers(text: str) -> bool:
+    """Return whether the speeches of a page stand behind names."""
+    lines = lines_of(text)
+    return find_convention(lines, _listed(lines)) is not None
+
+
+def _listed(lines: Sequence[Line]) -> frozenset[str]:
+    """The names of the list of people, in capitals."""
+    head = cast_list(lines)
+    if head is None:
+        return frozenset()
+    end = next((i for i in range(head + 1, len(lines)) if lines[i].words and ends_cast(lines[i])), head + 1)
+    return read_front(Page(""), lines[head:end])
+
+
+class _Reader:
+    def __init__(self, text: str) -> None:
+        self.page = Page(text)
+        self.lines = lines_of(text)
+        self.convention = find_convention(self.lines, _listed(self.lines))
+        self.at = 0
+        self.speaking = False
+        self.bracketed = sum(line.words[:1] in ("(", "[") for line in self.lines) >= 3
+        """Whether this page puts what is done in brackets, so that a plain paragraph is a speech that goes on."""
+        self.headed = False
+
+    def read(self, path: str) -> Screenplay:
+        start = self._body()
+        read_front(self.page, self.lines[:start])
+        self.at = start
+        while self.at < len(self.lines):
+            self._line()
+        return Screenplay(
+            path=path,
+            format="script",
+            text=self.page.text,
+            title_page=tuple(self.page.title_page),
+            elements=tuple(self.page.elements),
+            page="screenplay" if self.headed else "play",
+        )
+
+    def _body(self) -> int:
+        """The line at which the story begins."""
+        head = cast_list(self.lines)
+        start = 0
+        if head is not None:
+            rest = range(head + 1, len(self.lines))
+            start = next((i for i in rest if self.lines[i].words and self._begins(i, listing=True)), head + 1)
+        return next((i for i in range(start, len(self.lines)) if self.lines[i].words and self._begins(i)), start)
+
+    def _begins(self, index: int, *, listing: bool = False) -> bool:
+        line = self.lines[index]
+        if listing and not ends_cast(line):
+            label = self._label(line)
+            return label is not None and label.speech < line.end
+        marked = is_heading(line.words) or place_label(line.words) or scene_label(line.words) or _RISE.match(line.words)
+        if marked or _ACT.fullmatch(line.words) or _TRANSITION.fullmatch(line.words) or self._label(line):
+            return True
+        if line.words[0] in "([":
+            return index > 3
+        told = " ".join(each.words for each in self._block(index))
+        return len(told) > 60 and told.rstrip("_*)").endswith((".", "!", "?")) and not element_of_label(line.words)
+
+    def _label(self, line: Line) -> Label | None:
+        return spoken_line(line, self.convention) if self.convention else None
+
+    def _block(self, index: int) -> list[Line]:
+        end = next((i for i in range(index, len(self.lines)) if not self.lines[i].words), len(self.lines))
+        return self.lines[index:end]
+
+    def _line(self) -> None:
+        line = self.lines[self.at]
+        if not line.words:
+            self.at += 1
+            return
+        spoken = self._label(line)
+        if spoken is None and self._structure(line):
+            self.speaking = False
+        elif spoken:
+            self.at += 1
+            add_cue(self.page, spoken.start, spoken.end, spoken.name, spoken.bracket)
+            self._speech(spoken.speech, spoken.speech < line.end)
+        elif line.words[0] in "([" or line.words[:2] in ("_(", "_["):
+            self._bracket(line)
+        elif self._is_cue(self.at):
+            self.at += 1
+            name, extension, _ = split_cue(line.words)
+            self.page.add("cue", line.start, line.end, name=plain(name), extension=extension)
+            self._speech(line.end, begun=False)
+        elif self.speaking and self.bracketed and not self.headed:
+            self._speech(line.start, begun=True)
+        else:
+            self.speaking = False
+            self.page.add("action", line.start, self._run(self.at))
+
+    def _structure(self, line: Line) -> bool:
+        """Read a line that divides the script, is read or heard; False where it tells or speaks."""
+        words = line.words
+        if is_heading(words) or is_side_alone(words):
+            self._heading(line)
+        elif _ACT.fullmatch(words) or _CLOSE.fullmatch(words):
+            self._single("section", line)
+        elif _TRANSITION.fullmatch(words):
+            self._single("transition", line)
+        elif (act := _ACT.match(words)) and (
+            scene_label(rest := words[act.end() :].lstrip(" .,:-–—_*")) or place_label(rest)
+        ):
+            self._place(line.start + words.index(rest, act.end()))
+        elif scene_label(words) or place_label(words):
+            self._place(line.start)
+        elif (known := kind_of_words(words)) in ("transition", "section", "page_break"):
+            self._single(known, line)
+        elif told := element_of_label(words):
+            self.page.add(told[0], line.start + told[1], self._run(self.at))
+        else:
+            return False
+        return True
+
+    def _single(self, kind: ElementKind, line: Line) -> None:
+        self.page.add(kind, line.start, line.end)
+        self.at += 1
+
+    def _heading(self, line: Line) -> None:
+        """A heading on one line, or ``INT.`` on one and the place on the next."""
+        self.at += 1
+        last = line
+        if is_side_alone(line.words) and self.at < len(self.lines) and self.lines[self.at].words:
+            last = self.lines[self.at]
+            self.at += 1
+        self.headed = True
+        words = self.page.text[line.start : last.end]
+        number, start = split_number(words)
+        self.page.add("heading", line.start + start, last.end, number=number)
+
+    def _place(self, start: int) -> None:
+        """``SETTING: A mill at night. A wheel turns.``: the first sentence is the heading, the rest is told."""
+        end = self._run(self.at)
+        words = self.page.text[start:end]
+        labels = [match for match in (scene_label(words), place_label(words)) if match]
+        begun = max((match.end() for match in labels), default=0)
+        again = place_label(words[begun:])
+        begun += again.end() if again else 0
+        if not words[begun:].strip() and place_label(words):
+            while self.at < len(self.lines) and not self.lines[self.at].words:
+                self.at += 1
+            end = self._run(self.at) if self.at < len(self.lines) else end
+            words = self.page.text[start:end]
+        stop = _SENTENCE.search(words, begun)
+        line_end = words.find("\n", begun)
+        head = stop.start() if stop else len(words)
+        if 0 <= line_end < head and scene_label(words) and not words[begun:line_end].strip():
+            head = line_end
+        self.page.add("heading", start, start + head, number=heading_words(words[:head]).number)
+        self.page.add("action", start + head, end)
+
+    def _bracket(self, line: Line) -> None:
+        """A direction in brackets, over several lines or not; what follows it on its line goes on as before."""
+        text = self.page.text
+        last = min(self.at + _DEEP, len(self.lines) - 1)
+        opening = line.start + line.words.index("(" if "(" in line.words[:2] else "[")
+        close = _closing(text, opening, self.lines[last].end)
+        if close < 0:
+            self.page.add("action", line.start, self._run(self.at))
+            return
+        inner = text[opening + 1 : close]
+        self.page.add("section" if _REST.fullmatch(inner.strip("_* ")) else "action", opening + 1, close)
+        while self.at < len(self.lines) and self.lines[self.at].end <= close + 2:
+            self.at += 1
+        if self.at < len(self.lines) and self.lines[self.at].start <= close:
+            rest = self._run(self.at)
+            if re.search(r"\w", text[close + 1 : rest]):
+                self._told(close + 1, rest)
+
+    def _told(self, start: int, end: int) -> None:
+        if self.speaking:
+            add_speech(self.page, start, end)
+        else:
+            self.page.add("action", start, end)
+
+    def _is_cue(self, index: int) -> bool:
+        """A name in capitals over a line of other words."""
+        line = self.lines[index]
+        following = self.lines[index + 1].words if index + 1 < len(self.lines) else ""
+        return bool(following) and following != following.upper() and looks_like_cue(line.words)
+
+    def _speech(self, start: int, begun: bool) -> None:
+        """Read a speech that begins at an offset; not begun, its words are on the lines below."""
+        if not begun:
+            ahead = self.at
+            while ahead < len(self.lines) and not self.lines[ahead].words:
+                ahead += 1
+            if (
+                ahead < len(self.lines)
+                and not self._label(self.lines[ahead])
+                and not is_heading(self.lines[ahead].words)
+            ):
+                self.at, start = ahead, self.lines[ahead].start
+        end = max(start, self._run(self.at, inside=begun))
+        add_speech(self.page, start, end)
+        self.speaking = True
+
+    def _run(self, index: int, *, inside: bool = False) -> int:
+        """Return the offset at which the paragraph at a line ends, and go on behind it.
+
+        Args:
+            index: Of its first line.
+            inside: The line belongs to what was begun on the line before.
+        """
+        first = index
+        while index < len(self.lines) and self.lines[index].words:
+            line = self.lines[index]
+            if (index > first or inside) and self._divides(line):
+                break
+            index += 1
+        self.at = index
+        return self.lines[index - 1].end if index else 0
+
+    def _divides(self, line: Line) -> bool:
+        words = line.words
+        marked = is_heading(words) or scene_label(words) or place_label(words) or element_of_label(words)
+        return bool(marked or self._label(line) or _TRANSITION.fullmatch(words) or _ACT.fullmatch(words))
+
+
+def _closing(text: str, opening: int, end: int) -> int:
+    """Return the offset of the bracket that closes the one at an offset, or -1."""
+    depth = 0
+    for at in range(opening, end):
+        depth += (text[at] in "([") - (text[at] in ")]")
+        if depth == 0:
+            return at
+    return -1
