@@ -95,7 +95,7 @@ def _in_fragment(words: str) -> ToldPlace | None:
         kind = "indoor" if side[1].startswith("in") else "outdoor"
         low = low[side.end() :].strip(" ,.:;")
     segments = [segment.strip() for segment in re.split(r"[,;]|\s[-–—]+\s|\.\s", low) if segment.strip()]
-    hours = [heading_time(segment) for segment in segments if is_time(segment)]
+    hours: list[TimeOfDay | None] = [heading_time(segment) for segment in segments if is_time(segment)]
     hour = hours[0] if hours else None
     verbless = not _has_verb(low)
     for index, segment in enumerate(segments):
