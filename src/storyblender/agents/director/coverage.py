@@ -10,13 +10,13 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from storyblender.agents.director.company import FIXTURES, unique
-from storyblender.agents.director.cutting import acts_apart, middle_of_speech, size_of, step
+from storyblender.agents.director.cutting import acts_apart, listener_of, middle_of_speech, seen_thing, size_of, step
 from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
-from storyblender.agents.director.pictures import BESIDE, add_to_picture
-from storyblender.agents.director.reading import CameraNote, Deed, Reading, SceneReading, Unit
+from storyblender.agents.director.pictures import BESIDE, add_to_picture, begin_picture, spoken_picture
+from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import ShotKind, ShotSize
 
 _REPLY: Final = 3
@@ -132,13 +132,8 @@ class _SceneCoverage:
         elif unit.kind == "action":
             draft = self._action_shots(index, unit, {deed.motion for deed in unit.deeds})[0]
         else:
-            speaker = unit.speaker if unit.speaker in unit.on_stage and not unit.off_screen else None
-            draft = ShotDraft(
-                "single" if speaker else "action", "MS" if speaker else self._widest, [speaker] if speaker else []
-            )
-        draft.picture = unit.picture
-        draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
-        self.drafts.append(draft)
+            draft = spoken_picture(unit, self._widest)
+        self.drafts.append(begin_picture(draft, unit))
 
     @property
     def _widest(self) -> ShotSize:
@@ -236,7 +231,7 @@ class _SceneCoverage:
         actors = unique(deed.actor for deed in unit.deeds)
         if not unit.deeds:
             return [self._still(unit)]
-        seen = self._seen_thing(unit.deeds)
+        seen = seen_thing(unit.deeds, self.props)
         if seen and motions <= {"look", "read", "think", "idle"}:
             looker = ShotDraft("reaction", "MCU", actors[:2], [Beat.whole(unit)], on_stage=list(unit.on_stage))
             return [looker, ShotDraft("insert", "CU", [seen], on_stage=list(unit.on_stage))]
@@ -278,13 +273,6 @@ class _SceneCoverage:
             draft = ShotDraft("action", "MS" if self.drafts and unit.on_stage else "WS")
         draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
         return draft
-
-    def _seen_thing(self, deeds: Sequence[Deed]) -> str | None:
-        """The prop somebody looks at or reads: point, glance, thing."""
-        for deed in deeds:
-            if deed.motion in ("look", "read"):
-                return next((each for each in (deed.prop, deed.target) if each in self.props), None)
-        return None
 
     def _joins(self, new: ShotDraft) -> bool:
         """Sentences of one paragraph about the same people, in sizes that are close, share a shot."""
@@ -335,7 +323,7 @@ class _SceneCoverage:
         if speaker is None:
             self._heard(unit)
             return
-        listener = self._listener(unit, speaker)
+        listener = listener_of(unit, speaker)
         if self._stays(unit, speaker):
             self._stay(unit)
             return
@@ -345,13 +333,6 @@ class _SceneCoverage:
         if draft.kind == "single" and any(deed.motion == "shout" for deed in unit.deeds):
             draft.angle = "low angle"
         self._cut_to_listener(draft, unit, listener)
-
-    @staticmethod
-    def _listener(unit: Unit, speaker: str) -> str | None:
-        if unit.to in unit.on_stage and unit.to != speaker:
-            return unit.to
-        others = [person for person in unit.on_stage if person != speaker]
-        return others[0] if len(others) == 1 else None
 
     def _speaking(self, unit: Unit, speaker: str, listener: str | None, *, final: bool) -> ShotDraft:
         others = [p for p in unit.on_stage if p in self.talkers and p not in (speaker, listener)]

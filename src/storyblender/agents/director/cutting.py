@@ -10,7 +10,7 @@ from typing import Final
 from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.durations import shot_seconds, word_count
 from storyblender.agents.director.motion_families import HANDS, TRAVEL, WHOLE_BODY
-from storyblender.agents.director.reading import Unit
+from storyblender.agents.director.reading import Deed, Unit
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 
 _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
@@ -156,3 +156,19 @@ def size_of(motions: Collection[str]) -> ShotSize:
 def acts_apart(unit: Unit, things: Sequence[str]) -> bool:
     """Return whether people do more in a unit than to handle the things of an insert."""
     return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)
+
+
+def listener_of(unit: Unit, speaker: str) -> str | None:
+    """Return who hears a speech: whom it is for, else the only other person there."""
+    if unit.to in unit.on_stage and unit.to != speaker:
+        return unit.to
+    others = [person for person in unit.on_stage if person != speaker]
+    return others[0] if len(others) == 1 else None
+
+
+def seen_thing(deeds: Sequence[Deed], props: Collection[str]) -> str | None:
+    """Return the prop that somebody looks at or reads: point, glance, thing."""
+    for deed in deeds:
+        if deed.motion in ("look", "read"):
+            return next((each for each in (deed.prop, deed.target) if each in props), None)
+    return None

@@ -16,6 +16,25 @@ _FACES: Final = 5
 """No more faces than this in one picture's focus."""
 
 
+def spoken_picture(unit: Unit, widest: ShotSize) -> ShotDraft:
+    """Return the shot of a picture of which only a speech, a caption or a noise is told.
+
+    Args:
+        unit: The first unit of the picture.
+        widest: Size where nobody is seen to speak.
+    """
+    if unit.speaker in unit.on_stage and not unit.off_screen and unit.speaker:
+        return ShotDraft("single", "MS", [unit.speaker])
+    return ShotDraft("action", widest)
+
+
+def begin_picture(draft: ShotDraft, unit: Unit) -> ShotDraft:
+    """Make a shot the shot of a picture that begins with a unit, and return it."""
+    draft.picture = unit.picture
+    draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
+    return draft
+
+
 def add_to_picture(draft: ShotDraft, unit: Unit, people: Collection[str]) -> None:
     """Let the shot of a picture tell one more of its units, wide enough for everybody who acts in it.
 
