@@ -8,6 +8,7 @@ from storyblender.agents.director.reader.bearing.eyes import note_gaze
 from storyblender.agents.director.reader.bearing.faces import note_faces_told
 from storyblender.agents.director.reader.bearing.grips import note_grips, note_had
 from storyblender.agents.director.reader.bearing.lasting import note_lasting
+from storyblender.agents.director.reader.bearing.looks import note_fragment, note_looks
 from storyblender.agents.director.reader.bearing.tethers import note_tethers
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
@@ -67,6 +68,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     distances.settle_apart(stage, words)
     settle_things(stage, phrases)
     if not clauses:
+        note_fragment(stage, words, previous, sentence.paragraph.start)
         _name_people(stage)
         _name_thing(stage, phrases)
         noun_places.relate_listed(stage, phrases)
@@ -168,6 +170,7 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
     for noun in clause.asides:
         resolve_owner(stage, noun, "possessor", roles.subjects, previous)
         weigh(stage, [stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)], ASIDE)
+    note_looks(stage, clause, roles)
     _dress(stage, roles)
     exits.seen_off(stage, clause, roles)
     exits.taken_away(stage, clause, roles)

@@ -153,6 +153,8 @@ class Stage:
     discourse: Discourse = field(default_factory=Discourse)
     scene: SceneState = field(default_factory=SceneState)
     sentence: SentenceState = field(default_factory=SentenceState)
+    scene_dressed: dict[str, int] = field(default_factory=dict)
+    """Person -> the scene in which their clothes were told first."""
     unread: list[UnreadAct] = field(default_factory=list)
     """Acts of the running sentence that have no motion of their own."""
 

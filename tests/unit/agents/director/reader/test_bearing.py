@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
+from storyblender.agents.director.reader.people.ages import age_of
 from storyblender.agents.director.reading import Reading, Unit
 
 Read = Callable[[str], Reading]
@@ -76,3 +77,30 @@ def test_who_leads_whom(read_scene: Read) -> None:
     reading = read_scene(_CAST + "A dog trots in. Otto leads the dog on a leash. Otto and Nora hold hands.")
     told = [(tether.holder, tether.held, tether.kind) for unit in reading.units for tether in unit.tethers]
     assert told == [("otto", "dog", "leash"), ("otto", "nora", "hand")]
+
+
+def test_looks_are_told_anywhere(read_scene: Read) -> None:
+    reading = read_scene(
+        "OTTO. Sixty-six. Bald.\n\nNORA waits. She is twenty. Her hair is wet, her coat is torn. "
+        "Otto is a tall man with a grey beard. Nora wears a red dress. Otto is not fat."
+    )
+    otto, nora = reading.people
+    assert (otto.age, otto.hair, otto.build) == ("66", ("bald", "grey beard"), ("tall man",))
+    assert (nora.age, nora.hair, nora.outfit) == ("20", ("wet hair",), ("torn coat", "red dress"))
+
+
+@pytest.mark.parametrize(
+    ("written", "age"),
+    [
+        ("72 years", "72"),
+        ("late thirties", "late 30s"),
+        ("middle aged", "50s"),
+        ("about nine", "9"),
+        ("in her forties", "40s"),
+        ("15-year-old", "15"),
+        ("5 feet", ""),
+        ("1998", ""),
+    ],
+)
+def test_ages_in_all_forms(written: str, age: str) -> None:
+    assert age_of(written) == age

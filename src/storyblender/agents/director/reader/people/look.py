@@ -6,11 +6,11 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
+from storyblender.agents.director.reader.people.ages import age_of
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
 from storyblender.memory.vocabulary import Gender
 
-_AGE = re.compile(r"^(?:(?:early|mid|late|age|aged|about|around)[- ]+)?(\d{1,3})(?:['’]?s)?(?: years old)?$")
 _GENDER_WORDS: dict[str, Gender] = {
     "moustache": "male", "mustache": "male", "moustached": "male", "beard": "male", "bearded": "male", "goatee": "male",
     "woman": "female", "female": "female", "girl": "female", "lady": "female",
@@ -36,8 +36,8 @@ def describe(roster: Roster, person: Person, phrase: str) -> None:
         words = part.lower().split()
         if not words:
             continue
-        if _AGE.match(part.lower()):
-            person.age = part
+        if age := age_of(part):
+            person.age = age
             _has_a_surname(person)
             continue
         if words[-1] in lexicon.SPELLED_AGES and len(words) < 3:

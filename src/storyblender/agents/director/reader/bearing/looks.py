@@ -1,0 +1,149 @@
+"""What people look like, wherever the script says so: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.reader.language.morphology import singular
+from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.people.ages import age_of
+from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.roles import Roles
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Person
+
+_BEING = frozenset({"be", "look"})
+_WEARING = frozenset({"wear", "sport", "dress"})
+_HAVING = frozenset({"have"})
+_STOPS = frozenset({".", ";", ":", "!", "?", "(", ")", "--", "—", "–"})
+_HAIRY = frozenset(
+    {"hair", "beard", "moustache", "mustache", "curls", "curl", "braid", "ponytail", "fringe", "stubble", "bun"}
+)
+_FEATURES = frozenset(
+    {"eyes", "eye", "scar", "freckles", "freckle", "tattoo", "tattoos", "skin", "glasses", "spectacles"}
+)
+_LOOKS = lexicon.BUILD | lexicon.HAIR | (lexicon.FACE - {"eyes", "tired", "lined"}) | set(lexicon.AGE_WORDS)
+_UNSAID = lexicon.ANIMALS | {"like", "as", "if", "enough", "too"}
+_MOST = 4
+"""Descriptions of hair that are kept."""
+_FRAGMENT = 7
+"""Words of a sentence without a verb that tells a look: ``Sixty-six. Bald.``"""
+
+
+def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """Give what a clause says of somebody's looks to them.
+
+    Args:
+        stage: The state before the clause.
+        clause: Any clause that happens.
+        roles: Its people and things.
+    """
+    if clause.negated or clause.unreal or clause.earlier or stage.sentence.pictured:
+        return
+    words = _rest(stage.sentence.words, clause.index)
+    if len(roles.subjects) == 1:
+        person = roles.subjects[0]
+        worn = any(_is_worn(noun.head) for noun in clause.object)
+        if clause.verb in _WEARING and (worn or clause.places):
+            _dress(stage, person, words)
+        elif (clause.verb in _BEING and not clause.passive) or (
+            clause.verb in _HAVING and any(n.head in _HAIRY | _FEATURES for n in clause.object)
+        ):
+            _tell(stage, person, words)
+    elif not roles.subjects and clause.subject and clause.verb in _BEING:
+        _of_a_part(stage, clause, words)
+
+
+def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
+    """Read ``Sixty-six.``, ``Bald, in a torn coat.`` after somebody was introduced in the same paragraph.
+
+    Args:
+        stage: The state before.
+        words: A sentence without a clause.
+        people: Whom the sentence before is about.
+        start: Of the paragraph.
+    """
+    if len(people) != 1 or people[0].first < start or any(word.mention for word in words):
+        return
+    written = [word.text for word in words if not word.inserted and word.text not in _STOPS]
+    before = stage.reading.units[-2] if len(stage.reading.units) > 1 else None
+    if not 0 < len(written) <= _FRAGMENT or (before is not None and before.things):
+        return
+    _tell(stage, people[0], words)
+
+
+def _rest(words: Sequence[Word], index: int) -> list[Word]:
+    """The words after a verb, up to a stop or the next verb."""
+    rest: list[Word] = []
+    for word in words[index + 1 :]:
+        acts = word.verb is not None and word.verb.kind != "pp"
+        if word.text in _STOPS or acts or (word.mention is not None and word.mention.kind in ("name", "group")):
+            break
+        rest.append(word)
+    return rest
+
+
+def _parts(words: Sequence[Word]) -> list[str]:
+    text = " ".join(word.text for word in words if not word.inserted and word.text not in _STOPS)
+    return [part.strip() for part in re.split(r" , |,| and | with |^with ", text) if part.strip()]
+
+
+def _tell(stage: Stage, person: Person, words: Sequence[Word]) -> None:
+    """Take those parts of a description that tell a look."""
+    for part in _parts(words):
+        low = part.lower().split()
+        if _UNSAID & set(low):
+            continue
+        worn = any(_is_worn(word) for word in low)
+        plain = re.sub(r"^(?:an?|the|very|quite|rather|so|now|still|his|her) ", "", part.lower())
+        if worn and low[0] in ("in", "wearing"):
+            _add_outfit(stage, person, part)
+        elif age_of(plain) or (not worn and (_LOOKS | _HAIRY | _FEATURES) & set(low)):
+            _describe_once(stage, person, plain)
+
+
+def _describe_once(stage: Stage, person: Person, part: str) -> None:
+    """An age that is known already stays; hair is told in a few words."""
+    if (age_of(part) and person.age) or part in person.hair or len(person.hair) >= _MOST:
+        return
+    kind, role = person.kind, person.role
+    describe(stage.roster, person, part)
+    person.kind, person.role = kind, role
+
+
+def _of_a_part(stage: Stage, clause: Clause, words: Sequence[Word]) -> None:
+    """``His hair is grey``, ``Her coat is torn``: the looks of whose they are."""
+    noun = clause.subject[0]
+    owner = stage.person(noun.owner or "") if noun.kind == "thing" else None
+    said = [
+        word for part in _parts(words)[:1] for word in part.split() if word.lower() not in ("a", "the", "all", "so")
+    ]
+    if owner is None or not said or len(said) > 2:
+        return
+    phrase = f"{' '.join(said)} {noun.head}"
+    if noun.head in _HAIRY or noun.head in _FEATURES:
+        _describe_once(stage, owner, phrase)
+    elif _is_worn(noun.head):
+        _add_outfit(stage, owner, phrase)
+
+
+def _dress(stage: Stage, person: Person, words: Sequence[Word]) -> None:
+    """``wears a red dress and boots``, ``is dressed in black``."""
+    pieces = [part for part in _parts(words) if any(_is_worn(word) for word in part.lower().split())]
+    for piece in pieces:
+        _add_outfit(stage, person, piece)
+
+
+def _add_outfit(stage: Stage, person: Person, piece: str) -> None:
+    """Clothes told in the first scene in which any are told; what is put on later is a deed."""
+    scene = stage.scene_dressed.setdefault(person.id, stage.unit.scene)
+    plain = re.sub(r"^(?:in |wearing |an? |the |his |her |their )+", "", piece.strip(), flags=re.IGNORECASE)
+    if scene == stage.unit.scene and plain and plain not in person.outfit:
+        person.outfit = (*person.outfit, plain)
+
+
+def _is_worn(word: str) -> bool:
+    return word in lexicon.WORN or singular(word) in lexicon.WORN
