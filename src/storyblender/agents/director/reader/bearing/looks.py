@@ -70,7 +70,8 @@ def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person],
         return
     written = [word.text for word in words if not word.inserted and word.text not in _STOPS]
     before = stage.reading.units[-2] if len(stage.reading.units) > 1 else None
-    if not 0 < len(written) <= _FRAGMENT or (before is not None and before.things):
+    named = [thing for thing in before.things if stage.inventory.class_of(thing) != "unknown"] if before else []
+    if not 0 < len(written) <= _FRAGMENT or named:
         return
     _tell(stage, people[0], words)
 
@@ -95,7 +96,7 @@ def _tell(stage: Stage, person: Person, words: Sequence[Word]) -> None:
     """Take those parts of a description that tell a look."""
     for part in _parts(words):
         low = part.lower().split()
-        if _UNSAID & set(low):
+        if _UNSAID & set(low) or (low[0] in lexicon.PREPOSITIONS and low[0] not in ("in", "with")):
             continue
         worn = any(_is_worn(word) for word in low)
         plain = re.sub(r"^(?:an?|the|very|quite|rather|so|now|still|his|her) ", "", part.lower())

@@ -18,7 +18,7 @@ _AGE = re.compile(
     re.IGNORECASE,
 )
 _STAGES = {
-    "middle aged": "50s", "middle-aged": "50s", "midlife": "50s", "elderly": "70s", "ancient": "80s", "teenaged": "teen",
+    "middle aged": "50s", "middle-aged": "50s", "midlife": "50s", "elderly": "70s", "teenaged": "teen",
     "late teens": "18", "early teens": "13", "mid teens": "15", "preteen": "11", "pre-teen": "11", "toddler": "infant",
     "college age": "20s", "college-aged": "20s", "retirement age": "60s",
 }  # fmt: skip
