@@ -53,8 +53,8 @@ def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
             clause.verb in _HAVING and any(n.head in _HAIRY | _FEATURES for n in clause.object)
         ):
             _tell(stage, person, words)
-    elif not roles.subjects and clause.subject and clause.verb in _BEING:
-        _of_a_part(stage, clause, words)
+    elif not roles.subjects and clause.subject and (clause.verb in _BEING or clause.passive):
+        _of_a_part(stage, clause, [stage.sentence.words[clause.index]] if clause.passive else words)
 
 
 def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person], start: int) -> None:

@@ -1,4 +1,4 @@
-"""Ages as people write them: ``late 30s``, ``(72 years)``, ``about nine``, ``sixty if she's a day``, ``15-year-old``."""
+"""Ages as people write them: ``late 30s``, ``72 years``, ``about nine``, ``sixty if she's a day``, ``15-year-old``."""
 
 from __future__ import annotations
 
