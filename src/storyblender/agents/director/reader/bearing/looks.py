@@ -1,4 +1,4 @@
-"""What people look like, wherever the script says so: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
+"""What people look like, wherever it is told: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
 
 from __future__ import annotations
 
