@@ -90,7 +90,7 @@ class Backdrop(Frozen):
     """What is seen through windows and at the ends of the world, so that no frame shows a void."""
 
     node_id: Identifier
-    kind: Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "plain"]
+    kind: Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "deep", "plain"]
     corners: tuple[Vec3, Vec3, Vec3, Vec3]
     """Lower left, lower right, upper right, upper left as seen from the set."""
     emission: float = 0.5

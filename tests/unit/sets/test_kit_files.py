@@ -29,7 +29,7 @@ tags = ["boat house"]
 indoor = true
 width = [6, 7, 10]
 depth = [6, 7, 10]
-options = { wet = false }
+options = { wet = ["flood"] }
 """
 SHELL = '[shell]\nwall = "boards_grey"\nfloor = "planks_gray"\n[shell.modern]\nwall = "plaster_grey"\n'
 FILES = [kit.key for kit in kits_from_files()]

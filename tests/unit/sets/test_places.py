@@ -91,7 +91,7 @@ from storyblender.memory.scene_context import SceneSetup
         ("FREIGHTER MERIDIAN, BRIDGE", "indoor", "control_room"),
         ("FERRY LANDING", "outdoor", "dock"),
         ("JETTY BY THE LAKE", "outdoor", "dock"),
-        ("CABIN BY THE LAKE", "outdoor", "beach"),
+        ("CABIN BY THE LAKE", "outdoor", "lakeside"),
         ("DESERT ROAD", "outdoor", "desert"),
         ("COUNTRY ROAD", "outdoor", "country_road"),
         ("HYDROPONICS BAY", "indoor", "greenhouse"),

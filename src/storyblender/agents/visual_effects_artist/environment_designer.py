@@ -179,6 +179,7 @@ def _options(kit: SetKit, words: str, story: str, headings: str) -> dict[str, Pa
     aboard = re.search(_SHIP_IN_SPACE, headings) and not re.search(_ON_EARTH, words)
     options: dict[str, ParamValue] = {}
     for name in kit.options:
-        if re.search(_OPTION_WORDS[name], story if name == "frontier" else words) or (name == "space" and aboard):
+        listed = "|".join(rf"\b{re.escape(word)}" for word in kit.option_words.get(name, ())) or _OPTION_WORDS[name]
+        if re.search(listed, story if name == "frontier" else words) or (name == "space" and aboard):
             options[name] = True
     return options

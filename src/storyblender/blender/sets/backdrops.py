@@ -58,6 +58,8 @@ def backdrop_mesh(card: Backdrop, scene: bpy.types.Scene, *, indoor: bool) -> bp
         _land(builder, skin, left, right, (card.corners[3][2] - card.corners[0][2], height), card.kind == "treeline")
     elif card.kind == "sea":
         _sheet(builder, skin("clay", "#86a0ab"), np.stack([left, right]), np.full(2, height))
+    elif card.kind == "deep":
+        _sheet(builder, skin("clay", "#1c5468"), np.stack([left, right]), np.full(2, height))
     else:
         key = "card_stars" if card.kind == "stars" else "card_plain"
         builder.quad(key, *card.corners, uv=[(0, 0), (1, 0), (1, 1), (0, 1)])

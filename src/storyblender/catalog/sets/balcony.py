@@ -37,7 +37,10 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="balcony",
     name="Balcony",
-    tags=("balcony", "terrace", "hotel balcony", "roof terrace"),
+    tags=(
+        "balcony",
+        "hotel balcony",
+    ),
     indoor=False,
     draw=draw,
     width=Span(6.4, 6.8, 10.0),

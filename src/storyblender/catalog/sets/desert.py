@@ -30,7 +30,14 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="desert",
     name="Desert",
-    tags=("desert", "dunes", "wasteland", "canyon", "badlands", "oasis", "ruins", "moon", "mars", "planet", "quarry"),
+    tags=(
+        "desert",
+        "dunes",
+        "wasteland",
+        "canyon",
+        "badlands",
+        "oasis",
+    ),
     indoor=False,
     draw=draw,
     width=Span(9.0, 12.0, 24.0),

@@ -206,7 +206,7 @@ class Drawing:
 
     def card(
         self,
-        kind: Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "plain"],
+        kind: Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "deep", "plain"],
         left: Vec2,
         right: Vec2,
         bottom: float,
@@ -237,7 +237,7 @@ class Drawing:
 
     def ring(
         self,
-        kind: Literal["skyline", "treeline", "hills", "sea", "facades"],
+        kind: Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "deep"],
         radius: float,
         top: float,
         *,

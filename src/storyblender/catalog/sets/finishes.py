@@ -100,6 +100,11 @@ tatami             linen      #a89a62
 mat_border         fabric     #1f2a24
 hull_plate         concrete   #a3a6a8
 carpet_red         carpet     #6e2b2a
+ice                paint      #b4cbd6
+grain              linen      #c2a050
+moon_dust          sand       #8f8c88
+rust_dust          sand       #a8603a
+sea_floor          sand       #8fa08a
 void               plastic_black #05060a
 cell_blue          glass_dark #16305c
 sea_blue           lampshade  #2b5c94

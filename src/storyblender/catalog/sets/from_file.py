@@ -56,9 +56,16 @@ def read_kit(file: Traversable) -> SetKit:
         except ValueError as error:
             raise _unusable(file, str(error)) from error
 
-    plain = said.model_dump(exclude={"width", "depth", "height"})
+    plain = said.model_dump(exclude={"width", "depth", "height", "options"})
     return SetKit(
-        key=key, draw=draw, width=Span(*said.width), depth=Span(*said.depth), height=Span(*said.height), **plain
+        key=key,
+        draw=draw,
+        width=Span(*said.width),
+        depth=Span(*said.depth),
+        height=Span(*said.height),
+        options=dict.fromkeys(said.options, False),
+        option_words=said.options,
+        **plain,
     )
 
 

@@ -67,7 +67,7 @@ def _long_tables(room: Room) -> None:
 KIT = SetKit(
     key="great_hall",
     name="Great hall",
-    tags=("throne room", "great hall", "castle", "palace", "ballroom", "tower", "fortress", "temple", "royal court",
+    tags=("throne room", "great hall", "palace", "ballroom", "tower", "temple", "royal court",
           "council chamber", "state room", "banquet hall", "crypt",
           "castle hall", "palace hall", "hall of the castle", "knights' hall", "feast hall"),
     indoor=True,

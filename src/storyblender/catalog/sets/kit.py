@@ -47,6 +47,7 @@ class SetKit:
         description: What is to be seen there, in a sentence or two.
         counterpart: The kit for EXT. of this indoor place, or for INT. of this outdoor one; empty for the usual.
         told_by: Things and trades that tell this place where no word of the heading does, with their points.
+        option_words: Words of the place that turn an option on.
     """
 
     key: str
@@ -66,6 +67,7 @@ class SetKit:
     description: str = ""
     counterpart: str = ""
     told_by: Mapping[str, int] = field(default_factory=dict)
+    option_words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def meanings(self) -> Mapping[str, str]:

@@ -16,7 +16,7 @@ from storyblender.catalog.sets.room import Side, View
 from storyblender.catalog.sets.terms import Term
 from storyblender.memory.base import Frozen, Identifier
 
-Backdrop = Literal["skyline", "treeline", "hills", "sea", "facades"]
+Backdrop = Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "deep"]
 Limits = tuple[float, float, float]
 """Least, usual and most metres."""
 
@@ -54,7 +54,8 @@ class KitHead(Frozen):
     depth: Limits
     height: Limits = (2.4, 2.8, 4.0)
     period: Period = "classic"
-    options: dict[str, ParamValue] = {}
+    options: dict[Identifier, tuple[str, ...]] = {}
+    """Switches of the kit, each with the words of a heading or a description that turn it on."""
     means: dict[str, Prop] = {}
     has: tuple[str, ...] = ()
     seated: bool = False
@@ -86,6 +87,8 @@ class Conditional(Frozen):
 
     when: tuple[str, ...] = ()
     """Periods and options of which one must hold; none: always."""
+    unless: tuple[str, ...] = ()
+    """Periods and options of which none may hold."""
 
 
 class _Shell(Frozen):
@@ -119,6 +122,8 @@ class GroundTable(Frozen):
     relief: float = 0.0
     rise: float = 0.0
     flat: Term | None = None
+    extent: tuple[Term, Term, Term, Term] | None = None
+    """x and y of two corners where level ground ends: at a quay, at a cliff."""
     entrances: tuple[Literal["left", "right", "back"], ...] = ("left", "right", "back")
 
 

@@ -47,7 +47,6 @@ KIT = SetKit(
         "park",
         "garden",
         "orchard",
-        "courtyard",
         "estate",
     ),
     indoor=False,

@@ -43,7 +43,6 @@ KIT = SetKit(
     tags=(
         "rooftop",
         "roof",
-        "penthouse terrace",
         "battlements",
         "ramparts",
         "fire escape",

@@ -44,8 +44,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="square",
     name="Town square",
-    tags=("square", "market", "marketplace", "plaza", "piazza", "town square", "bazaar", "village square", "fountain",
-          "castle courtyard", "town gate", "souk", "fair", "gate"),
+    tags=("square", "plaza", "piazza", "town square", "fountain",
+          "gate"),
     indoor=False,
     draw=draw,
     width=Span(10.0, 13.0, 22.0),

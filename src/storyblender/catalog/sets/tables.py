@@ -67,6 +67,9 @@ def _ground(kit: str, table: GroundTable | None, params: SetParams, rng: np.rand
     if table.relief or table.rise:
         flat = None if table.flat is None else value_of(table.flat, names)
         ground.land(table.material, relief=table.relief, rise=table.rise, flat=flat)
+    elif table.extent:
+        x0, y0, x1, y1 = (value_of(term, names) for term in table.extent)
+        ground.slab("ground", rectangle(x0, y0, x1, y1), table.material, wet=table.wet)
     else:
         ground.level(table.material, wet=table.wet)
     return ground
@@ -110,7 +113,7 @@ class _Tables:
 
     def _holds(self, table: Conditional) -> bool:
         facts = {self.params.period, *(name for name, value in self.params.options.items() if value)}
-        return not table.when or bool(facts.intersection(table.when))
+        return (not table.when or bool(facts.intersection(table.when))) and facts.isdisjoint(table.unless)
 
     def _value(self, term: float | str, copy: int = 0) -> float:
         height = self.params.height if isinstance(self.drawing, Room) else 0.0
