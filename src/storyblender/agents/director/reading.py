@@ -87,7 +87,7 @@ class Deed(Facts):
 class CameraNote(Facts):
     """A camera direction written in the script."""
 
-    phrase: str
+    phrase: str = ""
     size: str = ""
     kind: str = ""
     angle: str = ""
@@ -183,10 +183,10 @@ class SceneReading(Facts):
     id: int
     heading: str
     place: str
-    place_kind: str
+    place_kind: str = ""
     """Key of the place lexicon, or empty."""
-    scene_type: SceneType
-    time: TimeOfDay
+    scene_type: SceneType = "indoor"
+    time: TimeOfDay = "day"
     time_written: str = ""
     weather: Weather = "clear"
     reference: int | None = None

@@ -17,17 +17,24 @@ from typing import Annotated, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError
 
-from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
-from storyblender.catalog.motions import CLIP_OF
+from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
+from storyblender.catalog.motions import CLIP_OF, MOTIONS
 from storyblender.catalog.sets import SETS
 from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, Identifier, content_hash
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag
-from storyblender.memory.vocabulary import GazeDirection
+from storyblender.memory.vocabulary import Angle, CameraDirection, GazeDirection, Movement, ShotSize
 from storyblender.screenplay.model import Screenplay
 
 READING_VERSION = 1
+_CAMERA_WORDS: dict[str, frozenset[str]] = {
+    "size": frozenset(get_args(ShotSize)),
+    "angle": frozenset(get_args(Angle)),
+    "movement": frozenset(get_args(Movement)),
+    "direction": frozenset(get_args(CameraDirection)),
+}
+"""Fields of a camera direction that take one of some words."""
 _WORD = re.compile(r"\w+")
 
 
@@ -207,7 +214,9 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
         _refuse_unknown(_people_of(unit), people, where, "person", path)
         _refuse_unknown(_things_of(unit), known, where, "thing", path)
         _refuse_unknown(unit.gaze.values(), {*known, *get_args(GazeDirection)}, where, "person or thing", path)
-        _refuse_unknown([key for key in unit.activities.values() if key], {*CLIP_OF}, where, "motion", path)
+        motions = [*unit.activities.values(), *(deed.motion for deed in unit.deeds)]
+        _refuse_unknown([key for key in motions if key], {*CLIP_OF, *MOTIONS}, where, "motion", path)
+        _refuse_camera_words(unit.camera, where, path)
 
 
 def _people_of(unit: Unit) -> list[str]:
@@ -226,6 +235,15 @@ def _things_of(unit: Unit) -> list[str]:
     gripped = (thing for grips in unit.grips.values() for thing in grips)
     tied = (each for tether in unit.tethers for each in (tether.holder, tether.held))
     return [*unit.things, *unit.absent, *unit.spots, *gripped, *tied]
+
+
+def _refuse_camera_words(camera: CameraNote | None, where: str, path: Path) -> None:
+    """Refuse a word of a camera direction that no camera knows."""
+    for field, words in _CAMERA_WORDS.items():
+        said = getattr(camera, field, "")
+        if said and said not in words:
+            mend = f"it is one of: {', '.join(sorted(words))}"
+            raise InputError(f"{where} has the camera {field} {said!r}, which does not exist", mend=mend, path=path)
 
 
 def _refuse_unknown(ids: Iterable[str], known: set[str], where: str, kind: str, path: Path) -> None:

@@ -181,15 +181,21 @@ class CameraBrief:
         there = (moment.figure(node) for node in dict.fromkeys((*self.focus, *over)))
         return tuple(figure for figure in there if figure is not None)
 
+    @cached_property
+    def walker(self) -> str:
+        """node_id of the first of the focus who is there from start to end; empty where the shot is about things."""
+        first, last = self.moments[0], self.moments[-1]
+        there = (node for node in self.focus if first.figure(node) is not None and last.figure(node) is not None)
+        return next(there, "")
+
     @property
     def travel(self) -> tuple[float, float, float]:
         """How far the first focus person goes from start to end, metres: on the floor they stand on, bent or not."""
-        for node in self.focus:
-            first, last = self.moments[0].figure(node), self.moments[-1].figure(node)
-            if first is not None and last is not None:
-                x, y, z = np.subtract(last.base, first.base)
-                return float(x), float(y), float(z)
-        return 0.0, 0.0, 0.0
+        first, last = self.moments[0].figure(self.walker), self.moments[-1].figure(self.walker)
+        if first is None or last is None:
+            return 0.0, 0.0, 0.0
+        x, y, z = np.subtract(last.base, first.base)
+        return float(x), float(y), float(z)
 
     @property
     def walks(self) -> bool:

@@ -121,7 +121,7 @@ def _follows(brief: CameraBrief, camera: Orbit) -> bool:
         return True
     if brief.instruction.movement != "static":
         return False
-    faces = [figure.face for moment in brief.moments if (figure := moment.figure(brief.focus[0])) is not None]
+    faces = [figure.face for moment in brief.moments if (figure := moment.figure(brief.walker)) is not None]
     screen, depth = framing.project(camera, faces)
     return bool(screen[:, 0].min() < 0.1 or screen[:, 0].max() > 0.9 or depth.min() < 0.5)
 
@@ -131,9 +131,7 @@ def _walk(brief: CameraBrief) -> tuple[tuple[float, float], float]:
 
     A walk that is over by then, or has not begun, is not followed any further than it goes.
     """
-    first, drawn, last = (
-        moment.figure(brief.focus[0]) for moment in (brief.moments[0], brief.drawn, brief.moments[-1])
-    )
+    first, drawn, last = (moment.figure(brief.walker) for moment in (brief.moments[0], brief.drawn, brief.moments[-1]))
     share = share_of(brief, brief.drawn.frame)
     if first is not None and drawn is not None and last is not None:
         if math.dist(drawn.base[:2], last.base[:2]) < TRAVEL / 2:
