@@ -22,14 +22,16 @@ from storyblender.memory.shot_context import CameraState, Cue, ShotContext
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
-_REST, _HEIGHT = 0.55, 0.5
-"""Share of a shot in which nothing happens, and of what happens, at which it is drawn."""
+_REST = 0.55
+"""Share of a shot in which nothing happens at which it is drawn."""
+_FPS = 24
+"""Frames a second that motions are reckoned with; other rates are near enough to it."""
+_OPENING = 2
+"""Frames after which a shot has begun."""
 _ARRIVAL = 0.95
-"""Share of a way to somebody, or of sitting down, at which it is drawn: where it leads, the face turned to them."""
-_UP_AGAIN = {"pick_up": 46, "put_down": 37}
-"""Frames, at 24 a second, after which who takes a thing from where it lies or lays it there shows a face again."""
-_SETTLED = ("sit", "lie")
-"""Postures in which who goes into them is drawn."""
+"""Share of a way to somebody at which it is drawn: where it leads, the face turned to them."""
+_BENT = ("pick_up", "put_down")
+"""Clips whose telling moment is when a face shows again; an insert of the hand at work is drawn before."""
 _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
 _AT_REST = ("idle", "look", "listen", "turn")
@@ -42,22 +44,34 @@ Moments = Callable[[ShotContext], Sequence[Moment]]
 
 
 def story_moment(shot: ShotContext) -> int:
-    """Return the frame that tells the shot: well into the last of the strongest things that its people do."""
+    """Return the frame that tells the shot: when the last of the strongest things that its people do has landed.
+
+    The script or a person may name the moment instead.
+    """
     focus = set(shot.camera_instruction.focus_on_ids)
     last = max(0, shot.duration - 1)
+    if shot.moment is not None:
+        return {"start": min(_OPENING, last), "middle": last // 2, "end": last}[shot.moment]
     cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.start < last and cue.clip not in _AT_REST]
     if not cues:
         return round(last * _REST)
     cue = max(cues, key=lambda item: (_strength(item, shot), item.start))
-    after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
-    length = cue.duration if cue.duration is not None else min([*after, shot.duration]) - cue.start
-    together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     motion = clip_of(cue.clip)
-    arrives = (together and motion.speed is not None) or (motion.reach == "thing" and motion.after in _SETTLED)
-    if cue.clip in _UP_AGAIN and shot.camera_instruction.kind != "insert":
-        # An insert is of the hand at work; any other picture is of who did it.
-        return min(last, cue.start + min(max(length - 1, 0), _UP_AGAIN[cue.clip]))
-    return min(last, cue.start + round(length * (_ARRIVAL if arrives else _HEIGHT)))
+    together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
+    arrives = together and motion.speed is not None
+    insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
+    share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
+    return min(last, cue.start + round(_length(cue, shot) * share))
+
+
+def _length(cue: Cue, shot: ShotContext) -> int:
+    """Return how many frames a cue takes: as it says, else until the same person does something else."""
+    if cue.duration is not None:
+        return cue.duration
+    after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
+    until, motion = min([*after, shot.duration]) - cue.start, clip_of(cue.clip)
+    stays = motion.speed is not None or motion.after not in (None, "stand")  # a way, or a posture that lasts
+    return until if stays else min(until, round(motion.seconds * _FPS))
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:

@@ -229,3 +229,19 @@ def test_who_takes_a_thing_from_the_floor_is_drawn_with_the_face_up_again_and_an
         shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=instruction, duration=72, cues=cues)
         drawn[kind] = story_moment(shot)
     assert drawn["insert"] < 50 and 60 < drawn["action"] < 71
+
+
+def test_a_blow_is_drawn_when_it_has_landed_however_long_the_shot_is() -> None:
+    instruction = CameraInstruction(focus_on_ids=AXIS, kind="action", size="MS")
+    act = Cue(asset_id="anna", clip="punch", start=24, target_id="tom")
+    shot = ShotContext(scene_id=1, shot_id=1, on_stage=AXIS, camera_instruction=instruction, duration=200, cues=(act,))
+    assert 24 + 12 < story_moment(shot) < 24 + 36
+
+
+@pytest.mark.parametrize(("moment", "low", "high"), [("start", 0, 5), ("end", 195, 199)])
+def test_the_script_may_name_the_moment(moment: str, low: int, high: int) -> None:
+    instruction = CameraInstruction(focus_on_ids=AXIS, kind="action", size="MS")
+    act = Cue(asset_id="anna", clip="punch", start=24, target_id="tom")
+    shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=instruction, duration=200, cues=(act,))
+    shot = ShotContext.model_validate({**shot.model_dump(), "moment": moment})
+    assert low <= story_moment(shot) <= high
