@@ -70,7 +70,7 @@ def _length(cue: Cue, shot: ShotContext) -> int:
         return cue.duration
     after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
     until, motion = min([*after, shot.duration]) - cue.start, clip_of(cue.clip)
-    stays = motion.speed is not None or motion.after not in (None, "stand")  # a way, or a posture that lasts
+    stays = motion.speed is not None or (motion.reach == "thing" and motion.after in ("sit", "lie"))
     return until if stays else min(until, round(motion.seconds * _FPS))
 
 
