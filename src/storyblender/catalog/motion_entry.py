@@ -30,6 +30,7 @@ class Motion:
         reach: What it needs to be near to.
         distance: Metres to keep from the other person for ``reach`` person; to stand from a thing.
         hands: Number of hands it needs.
+        lasts: Goes on while one talks and looks about, until the hands are needed for something else.
         telling: Share of its length at which a still picture of it is drawn: when it has landed, or at its extreme.
     """
 
@@ -45,4 +46,5 @@ class Motion:
     reach: Reach = "self"
     distance: float = 0.0
     hands: int = 0
+    lasts: bool = False
     telling: float = 0.5

@@ -24,7 +24,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("idle", "stand at ease", ("wait", "stay", "stand"), 1.0, ("idle", "stand"), stretches=True),
         # travel
         Motion(
-            "walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk", "swim"), 1.25, True, UPRIGHT, "stand",
+            "walk", "walk", ("go", "enter", "leave", "cross"), 0.9, ("walk",), 1.25, True, UPRIGHT, "stand",
             "place",
         ),
         Motion("run", "run", ("rush", "flee", "chase"), 0.6, ("run",), 3.1, True, UPRIGHT, "stand", "place"),
@@ -52,7 +52,29 @@ MOTIONS: Catalog[Motion] = Catalog(
             telling=0.95),
         Motion("lean", "lean", ("against a wall", "on the bar"), 1.2, ("lean",), None, False, UPRIGHT, "lean",
             "thing", telling=0.97),
+        # off the floor
+        Motion(
+            "hang", "hang", ("dangle", "cling", "hang from a rope"), 1.0, ("hang", "dangle"), before=UPRIGHT,
+            after="hang", telling=0.97,
+        ),
+        Motion(
+            "upside_down", "hang upside down", ("head down",), 1.0, ("upside_down",), before=UPRIGHT,
+            after="upside_down", telling=0.97,
+        ),
+        Motion(
+            "float", "float", ("drift", "hover", "levitate"), 1.0, ("float", "swim"), before=UPRIGHT,
+            after="float", telling=0.97,
+        ),
+        Motion(
+            "ride", "ride", ("on horseback", "on a bicycle", "mount"), 1.0, ("ride", "mount"), before=UPRIGHT,
+            after="ride", telling=0.97,
+        ),
+        Motion(
+            "on_all_fours", "on all fours", ("hands and knees",), 1.0, (), before=UPRIGHT, after="crawl",
+            telling=0.97,
+        ),
         # gaze and head
+        Motion("face", "put on a face", ("show a feeling",), 0.3),
         Motion("look", "look", ("watch", "stare", "glance"), 0.6, ("look",), stretches=True, telling=0.9),
         Motion("listen", "listen", ("hear", "attend"), 2.0, ("listen",), stretches=True),
         Motion("look_around", "look around", ("scan the room",), 2.5, ("look_around",)),
@@ -72,7 +94,7 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("shrug", "shrug", ("who knows",), 1.55, ("shrug",), hands=2, telling=0.5),
         Motion("salute", "salute", (), 1.9, ("salute",), stretches=True, before=AWAKE, hands=1),
         Motion("clap", "clap", ("applaud",), 2.5, ("clap",), stretches=True, before=AWAKE, hands=2),
-        Motion("pray", "pray", (), 3.0, ("pray",), stretches=True, hands=2),
+        Motion("pray", "pray", (), 3.0, ("pray",), stretches=True, hands=2, lasts=True),
         Motion("bow", "bow", ("curtsy",), 1.9, ("bow",), before=UPRIGHT, telling=0.48),
         Motion("dance", "dance", ("waltz",), 4.0, ("dance",), None, True, UPRIGHT, distance=0.5, hands=2),
         # props
@@ -87,10 +109,10 @@ MOTIONS: Catalog[Motion] = Catalog(
         Motion("eat", "eat", ("bite", "chew"), 2.2, ("eat",), hands=1, telling=0.42),
         Motion("smoke", "smoke", ("puff",), 2.6, ("smoke",), hands=1),
         Motion("pour", "pour", ("fill",), 2.8, ("pour",), hands=1, telling=0.6),
-        Motion("phone", "telephone", ("call",), 2.5, ("phone",), stretches=True, hands=1),
-        Motion("read", "read", ("leaf",), 3.0, ("read",), stretches=True, hands=2),
-        Motion("write", "write", ("sign", "draw"), 3.0, ("write",), stretches=True, hands=2),
-        Motion("aim", "aim a gun", ("point a gun",), 1.2, ("aim",), before=AWAKE, hands=2, telling=0.8),
+        Motion("phone", "telephone", ("call",), 2.5, ("phone",), stretches=True, hands=1, lasts=True),
+        Motion("read", "read", ("leaf",), 3.0, ("read",), stretches=True, hands=2, lasts=True),
+        Motion("write", "write", ("sign", "draw"), 3.0, ("write",), stretches=True, hands=2, lasts=True),
+        Motion("aim", "aim a gun", ("point a gun",), 1.2, ("aim",), before=AWAKE, hands=2, telling=0.8, lasts=True),
         Motion("shoot", "shoot", ("fire",), 1.7, ("shoot",), before=AWAKE, hands=2, telling=0.55),
         # two people
         Motion("give", "hand over", ("pass", "offer"), 2.3, ("give",), reach="person", distance=0.78, hands=1),
@@ -115,16 +137,14 @@ MOTIONS: Catalog[Motion] = Catalog(
             telling=0.45),
         Motion("push", "push", ("shove",), 2.9, ("push",), None, True, UPRIGHT, None, "thing", 0.5, 2, telling=0.6),
         Motion("pull", "pull", ("drag",), 2.9, ("pull",), None, True, UPRIGHT, None, "thing", 0.5, 2, telling=0.6),
-        Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2),
-        Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2),
+        Motion("type", "type", ("keyboard",), 3.0, ("type",), stretches=True, hands=2, lasts=True),
+        Motion("play_piano", "play", ("piano", "music"), 4.0, ("play_music",), stretches=True, hands=2, lasts=True),
         Motion(
             "wipe", "wipe", ("clean", "stir", "cook"), 3.0, ("clean",), stretches=True, reach="thing",
-            distance=0.5, hands=1,
-        ),
+            distance=0.5, hands=1, lasts=True),
         Motion(
             "work", "work", ("hammer", "dig", "cut"), 3.2, ("work",), stretches=True, reach="thing", distance=0.5,
-            hands=2,
-        ),
+            hands=2, lasts=True),
         Motion(
             "search",
             "search",

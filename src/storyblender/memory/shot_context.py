@@ -196,6 +196,10 @@ class Cue(Frozen):
     mark: Mark | None = None
     """Where the clip ends, for travel and posture changes."""
     mood: Mood = "neutral"
+    expression: Expression | None = None
+    """Of clip ``face``: what the face shows from now on."""
+    lasting: bool = False
+    """Goes on under whatever else is done, until the shot ends."""
 
 
 class PropState(Frozen):

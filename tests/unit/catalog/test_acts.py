@@ -33,7 +33,8 @@ def test_words_mean_an_expression(words: str, face: str | None) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "key"), [("digging", "dig"), ("whistles", "whistle"), ("leaning over", "lean_over"), ("levitate", "idle")]
+    ("words", "key"),
+    [("digging", "dig"), ("whistles", "whistle"), ("leaning over", "lean_over"), ("photosynthesise", "idle")],
 )
 def test_a_motion_is_found_by_what_it_is_called(words: str, key: str) -> None:
     assert clip_of(words).key == key

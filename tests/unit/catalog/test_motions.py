@@ -13,7 +13,7 @@ def test_every_motion_of_the_director_has_a_clip() -> None:
 
 
 def test_an_unknown_motion_stands_idle() -> None:
-    assert clip_of("levitate").key == "idle"
+    assert clip_of("photosynthesise").key == "idle"
     assert clip_of("stand_up").key == "rise"
     assert clip_of("play_music").key == "play_piano"
 

@@ -18,6 +18,8 @@ INSIDE = 0.6
 TOGETHER = 0.30
 """Metres: two standing people nearer than this overlap, unless they embrace."""
 EMBRACES = frozenset({"hug", "kiss"})
+NO_WAY = ("put_down", "look")
+"""Clips whose mark is nothing that anybody goes to."""
 LEAPS = frozenset({"jump", "climb"})
 SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
 
@@ -101,7 +103,7 @@ def _ways(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -
     faults = []
     for cue in shot.cues:
         here = place.get(cue.asset_id)
-        if cue.mark is None or here is None or cue.clip == "put_down":
+        if cue.mark is None or here is None or cue.clip in NO_WAY:
             continue
         start, goal = here.location[:2], cue.mark.location[:2]
         walks = cue.clip not in LEAPS and cue.mark.posture == "stand" and here.posture == "stand"

@@ -40,6 +40,10 @@ class Person:
     """Height of the feet above the floor, metres."""
     spot: Spot | None = None
     """The place of the script that they were last brought to."""
+    activity: str = ""
+    """Motion that goes on, from shot to shot, until it is changed."""
+    told: str = ""
+    """The activity that the script told last."""
     opened: str = ""
     """What they have opened in this shot without taking it in hand."""
 

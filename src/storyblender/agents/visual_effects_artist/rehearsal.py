@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.visual_effects_artist.actions import Actions
+from storyblender.agents.visual_effects_artist.bearing import Bearing, lasting
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import Floor
@@ -80,13 +81,15 @@ class Rehearsal:
             else:
                 actions.act(action, person, shot.character_actions[number + 1 :])
         speeches.idle_looks(shot, cast)
+        Bearing(company, sheet).bear(shot)
         duration = shot.duration
         if "duration" not in shot.locked:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.latest * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         company.leave(stay)
-        cues = tuple(sorted((_within(cue, duration) for cue in sheet.cues), key=lambda cue: cue.start))
+        going_on = lasting(sheet.cues, duration)
+        cues = tuple(sorted((_within(cue, duration) for cue in going_on), key=lambda cue: cue.start))
         return ShotPlan(shot.shot_id, blocking, cues, sheet.start_props, duration, tuple(sheet.cheats))
 
 

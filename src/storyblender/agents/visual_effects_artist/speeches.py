@@ -85,10 +85,13 @@ class Speeches:
     def idle_looks(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Who has nothing to do at first looks where the script says, or at whoever acts."""
         looks: Mapping[str, str | None] = {state.asset_id: state.looking_at for state in shot.states}
+        elsewhere = {state.asset_id for state in shot.states if state.gaze is not None}
         first = min(self.sheet.cues, key=lambda cue: cue.start, default=None)
         for person in cast:
-            if person.posture == "asleep" or any(
-                c.asset_id == person.asset_id and c.start < 12 for c in self.sheet.cues
+            if (
+                person.posture == "asleep"
+                or person.asset_id in elsewhere
+                or any(c.asset_id == person.asset_id and c.start < 12 for c in self.sheet.cues)
             ):
                 continue
             wanted = looks.get(person.asset_id)

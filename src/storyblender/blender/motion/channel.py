@@ -90,6 +90,12 @@ class Channel:
         """Forget what was planned from ``start`` on: something else takes over."""
         self.keys = [key for key in self.keys if key.start < start - 1e-6] or self.keys[:1]
 
+    def as_planned(self) -> Channel:
+        """Return a copy of what is planned so far; keys that are set later do not change it."""
+        copy = Channel(0.0, self.mix)
+        copy.keys = list(self.keys)
+        return copy
+
     def __call__(self, t: float) -> Floats:
         """Return the values at ``t``: the newest finished key with every started key blended over it."""
         keys = self.keys

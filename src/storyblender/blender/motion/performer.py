@@ -12,18 +12,16 @@ from bisect import bisect_right
 
 import numpy as np
 from mathutils import Matrix, Vector
-from numpy.typing import NDArray
 
 from storyblender.blender.motion.channel import Channel, Floats, TargetOf, clamp, smooth
 from storyblender.blender.motion.gait import Gait
+from storyblender.blender.motion.liveliness import angles_of, moments_of
 from storyblender.blender.motion.measures import measure
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton, about, frame, sign
 from storyblender.blender.people.body import Body
 from storyblender.catalog.expressions import FACE, values_of
 
 MOUTH, BLINK = FACE.index("mouth_open"), FACE.index("blink")
-HORIZON = 180.0
-"""Seconds of blinks and glances made up in advance; no shot is longer."""
 NEAREST = 0.42
 """Arm lengths between shoulder and wrist below which a hand goes around the shoulder."""
 SHIFTING = 1.1
@@ -52,6 +50,12 @@ class Performer:
         self.rng = np.random.default_rng(seed)
         self.breathing = self.rng.uniform(0, 2 * math.pi)
         self.root = Channel((0, 0, 0))
+        self.level = Channel(0.0)
+        """Height of what they stand on; feet are measured from it."""
+        self.ground = 0.0
+        """The same, at the end of everything planned so far."""
+        self.engaged: set[str] = set()
+        """Hands that something lasting keeps busy."""
         self.hips = Channel((0, 0, self.standing_height, 0, 0, 0))
         """dx, dy and height of the mid hip joint in the root's frame; rotation x, y, z."""
         self.pinned = Channel(0.0)
@@ -79,11 +83,11 @@ class Performer:
         self.gaits: list[Gait] = []
         self.speeches: list[tuple[float, float, float, float]] = []
         """Start, end, opening of the mouth, syllables per second."""
-        self.blinks = _moments(self.rng, 0.8, 2.0, 5.5)
-        glances = _moments(self.rng, 0.0, 0.5, 2.4)
+        self.blinks = moments_of(self.rng, 0.8, 2.0, 5.5)
+        glances = moments_of(self.rng, 0.0, 0.5, 2.4)
         self.glances = [(t, self.rng.normal(0, 2.2), self.rng.normal(0, 1.2)) for t in glances]
         way = self.rng.choice((-1.0, 1.0))
-        starts = _moments(self.rng, -self.rng.uniform(2, 6), 4.0, 9.0)
+        starts = moments_of(self.rng, -self.rng.uniform(2, 6), 4.0, 9.0)
         self.shifts = [(t, way * (-1) ** n * self.rng.uniform(0.5, 1.3)) for n, t in enumerate(starts)]
         """When the weight goes over to the other leg, and how far."""
         self.position, self.yaw = Vector((0, 0)), 0.0
@@ -106,8 +110,9 @@ class Performer:
         """Height of the hip joints while standing at ease."""
         return self.m.hip_height - 0.006 * self.m.k
 
-    def put(self, x: float, y: float, yaw: float) -> None:
-        """Stand at a place from the beginning of time."""
+    def put(self, x: float, y: float, yaw: float, level: float = 0.0) -> None:
+        """Stand at a place, at a height, from the beginning of time."""
+        self.level, self.ground = Channel(level), level
         self.position, self.yaw = Vector((x, y)), yaw
         self.root = Channel((x, y, yaw))
         self.feet = {side: Channel(self.plant(side, x, y, yaw)) for side in SIDES}
@@ -123,12 +128,13 @@ class Performer:
 
     def to_ground(self, height: float) -> Vector:
         """Return the point above the planned place at a share of the shoulders' height."""
-        return Vector((*self.position, height * self.m.shoulder_height))
+        return Vector((*self.position, self.ground + height * self.m.shoulder_height))
 
     def ahead(self, t: float) -> tuple[float, float, float]:
         """A far point straight ahead, a little below the eyes."""
         x, y, yaw = self.root(t)
-        return x + 8 * math.sin(yaw), y - 8 * math.cos(yaw), self.m.eye_height * 0.93
+        level = float(self.level(t))
+        return x + 8 * math.sin(yaw), y - 8 * math.cos(yaw), level + self.m.eye_height * 0.93
 
     def plant(
         self, side: str, x: float, y: float, yaw: float, *, width: float = 1.0, splay: float = 7.0, back: float = 0.0
@@ -167,6 +173,10 @@ class Performer:
             back = Vector((along.x, along.y, 0)).normalized() * (-0.052 * self.m.k)
             pivot = back + Vector((0, 0, -self.m.ankle))
         return Vector(ankle[:3]) + flat @ pivot - tilted @ pivot
+
+    def is_free(self, side: str) -> bool:
+        """Tell whether a hand holds nothing and nothing lasting keeps it busy."""
+        return side not in self.held and side not in self.engaged
 
     def look_freely(self, t: float) -> None:
         """Look straight ahead from ``t`` on, head level."""
@@ -214,7 +224,7 @@ class Performer:
     def _pose_pelvis(self, t: float, drop: float = 0.0) -> tuple[float, float, Gait | None, float]:
         """Place root and pelvis, everything else at rest; return strength, phase and gait of the walk, and the sway."""
         x, y, yaw = (float(value) for value in self.root(t))
-        self.place, self.heading = Vector((x, y, 0)), yaw
+        self.place, self.heading = Vector((x, y, float(self.level(t)))), yaw
         self.facing = Matrix.Rotation(yaw, 3, "Z")
         self.facing_back = self.facing.transposed()
         bones, k = self.bones, self.m.k
@@ -271,10 +281,14 @@ class Performer:
         self.bones.update("hips", "thigh.L", "thigh.R")
         need = 0.0
         for side in SIDES:
-            ankle, hip = self.to_body(Vector(self.feet[side](t)[:3])), self.bones.joint[f"thigh.{side}"]
+            ankle, hip = self._on_level(self.feet[side](t)), self.bones.joint[f"thigh.{side}"]
             across = (hip.x - ankle.x) ** 2 + (hip.y - ankle.y) ** 2
             need = max(need, hip.z - ankle.z - math.sqrt(max(1e-6, (0.994 * self.m.leg) ** 2 - across)))
         return need * (1 - float(self.pinned(t)))
+
+    def _on_level(self, foot: Floats) -> Vector:
+        """Return the ankle of a foot target in armature space, at the moment being posed."""
+        return self.to_body(Vector((foot[0], foot[1], foot[2] + self.place.z)))
 
     def pose_legs(self, t: float) -> None:
         """Solve both legs to their feet."""
@@ -282,7 +296,7 @@ class Performer:
         for side in SIDES:
             foot = self.feet[side](t)
             pole = self.facing_back @ Vector(foot[6:9])
-            ankle = self.to_body(Vector(foot[:3]))
+            ankle = self._on_level(foot)
             bones.reach(f"thigh.{side}", f"shin.{side}", f"foot.{side}", ankle, pole)
             flat = about("Z", math.degrees(foot[3] - self.heading - self.m.toe_out[side]))
             bones.set_orient(f"foot.{side}", flat @ bones.pitch(side, foot[4]))
@@ -343,7 +357,7 @@ class Performer:
         bones.update("neck", "head")
         chest_back = bones.orient["upper_chest"].transposed()
         between = (bones.head["eye.L"] - bones.head["head"]) * 0.5
-        yaw, pitch = _angles(chest_back @ (self.to_body(Vector(self.gaze(t))) - bones.point("head", between)))
+        yaw, pitch = angles_of(chest_back @ (self.to_body(Vector(self.gaze(t))) - bones.point("head", between)))
         yaw = clamp(0.82 * clamp(yaw, -88, 88), -75, 75)
         pitch = clamp(0.70 * clamp(pitch, -60, 55), -34, 30)
         nod, roll, shake = self.nod(t)
@@ -357,7 +371,7 @@ class Performer:
         for side in SIDES:
             eye = f"eye.{side}"
             bones.update(eye)
-            x, y = _angles(head_back @ (self.to_body(Vector(self.eyes(t))) - bones.joint[eye]))
+            x, y = angles_of(head_back @ (self.to_body(Vector(self.eyes(t))) - bones.joint[eye]))
             x, y = clamp(x + glance[0], -30, 30), clamp(y + glance[1], -22, 20)
             bones.turn[eye] = about("Z", x) @ about("X", -y)
         bones.update("jaw", "eye.L", "eye.R")
@@ -381,18 +395,3 @@ class Performer:
         axes = frame(fingers, self.direction(f"hand.{side}", rest_palm))
         palm = Vector(axes.col[1])
         return axes, self.point(f"hand.{side}") + self.palm_offset(Vector(axes.col[0]), palm)
-
-
-def _angles(vector: Vector) -> tuple[float, float]:
-    """Return yaw and pitch in degrees of a direction, seen by somebody who faces -Y.
-
-    The yaw fades out towards the zenith, where it would spin.
-    """
-    level = math.hypot(vector.x, vector.y)
-    steady = clamp(2.5 * level / max(1e-6, vector.length))
-    return steady * math.degrees(math.atan2(vector.x, -vector.y)), math.degrees(math.atan2(vector.z, level))
-
-
-def _moments(rng: np.random.Generator, first: float, shortest: float, longest: float) -> list[float]:
-    gaps: NDArray[np.float64] = rng.uniform(shortest, longest, int(HORIZON / shortest))
-    return [first, *(first + np.cumsum(gaps)).tolist()]

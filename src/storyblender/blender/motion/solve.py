@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from mathutils import Vector
@@ -10,11 +11,13 @@ from mathutils import Vector
 from storyblender.blender.motion.clips import CLIPS, play
 from storyblender.blender.motion.clips.floor import crouch, kneel, lie_down, sleep
 from storyblender.blender.motion.clips.handling import take_in_hand
+from storyblender.blender.motion.clips.postures import float_, hang, on_all_fours, ride, upside_down
+from storyblender.blender.motion.clips.registry import Play
 from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
-from storyblender.blender.motion.skeleton import IDENTITY, Skeleton
+from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.motions import MOTIONS
@@ -24,11 +27,20 @@ from storyblender.memory.vocabulary import Posture
 
 LONG_BEFORE = -30.0
 """Seconds: what is already so when the shot begins was done back then."""
+SETTLED = 2.0
+"""Seconds before the shot at which what is lasting was begun."""
+LEVEL = 0.02
+"""Metres of height that are not worth a move."""
 MISSED = 0.06
 """Metres a hand may miss what it reaches for before it is reported."""
 ASTRAY = 0.30
 """Metres the end of a performance may lie off its end mark."""
 POSTURES: dict[Posture, Posture] = {"asleep": "lie"}
+TAKEN: dict[Posture, Play] = {
+    "kneel": kneel, "crouch": crouch, "lean": lean, "hang": hang, "upside_down": upside_down, "float": float_,
+    "ride": ride, "crawl": on_all_fours,
+}  # fmt: skip
+"""Postures and the clips that lead to them."""
 
 
 def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
@@ -60,8 +72,8 @@ def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
 
 def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
     """Be where a mark says, as it says, from long before the shot."""
-    x, y, _ = mark.location
-    who.put(x, y, math.radians(mark.yaw))
+    x, y, z = mark.location
+    who.put(x, y, math.radians(mark.yaw), z)
     beat = Beat(LONG_BEFORE, mark=mark)
     held = {prop: side for side, prop in mark.held}
     for name, prop in stage.plan.props.items():
@@ -77,8 +89,8 @@ def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
         lie_down(stage, who, beat)
     elif posture == "asleep":
         _fall_asleep(stage, who, beat)
-    elif posture in ("kneel", "crouch", "lean"):
-        {"kneel": kneel, "crouch": crouch, "lean": lean}[posture](stage, who, beat)
+    elif posture in TAKEN:
+        TAKEN[posture](stage, who, beat)
     if posture == "stand" or who.posture == "stand":
         refill_hands(stage, who, LONG_BEFORE, 0.1)
     who.free = dict.fromkeys(who.free, 0.0)
@@ -113,14 +125,41 @@ def _perform(stage: Stage, cue: Cue, index: int) -> float | None:
         side=cue.hand or _hand_for(who, cue),
         mark=cue.mark,
         mood=cue.mood,
+        expression=cue.expression or "neutral",
         frame=cue.start,
         seed=int(content_hash(cue, stage.plan.seed, index), 16) % 2**32,
     )
+    if cue.lasting or (cue.clip == "face" and cue.start == 0):
+        return _go_on(stage, who, cue, beat)
     allowed = MOTIONS[cue.clip].before
     if allowed and who.posture not in allowed and "stand" in allowed:
         ready = stand_up(stage, who, max(start, who.free["body"]))
         who.free["body"] = max(who.free["body"], ready)
-    return play(stage, who, cue.clip, beat)
+    end = play(stage, who, cue.clip, beat)
+    if cue.mark is not None and cue.mark.asset_id == who.asset_id and cue.clip not in TAKEN:
+        _change_level(who, beat.start, end, cue.mark.location[2])
+    return end
+
+
+def _change_level(who: Performer, start: float, end: float, level: float) -> None:
+    """Bring somebody to the height of a mark on the way there."""
+    if abs(level - who.ground) > LEVEL:
+        who.level.set(start, max(0.3, end - start), level)
+        who.ground = level
+
+
+def _go_on(stage: Stage, who: Performer, cue: Cue, beat: Beat) -> float:
+    """Do something lasting: it has begun before the shot if it is done from its first frame on, and keeps no part
+    of the body from other cues; hands that another cue takes come back to it.
+    """
+    clip = CLIPS[cue.clip]
+    start = -SETTLED if cue.start == 0 else max([beat.start, *(who.free[part] for part in clip.parts(beat.side))])
+    clip.play(stage, who, replace(beat, start=start, duration=stage.plan.frames / stage.fps - start + 1.0))
+    for side in SIDES:
+        if side in clip.parts(beat.side):
+            who.home[side] = who.hands[side].as_planned()
+            who.engaged.add(side)
+    return beat.start
 
 
 def _hand_for(who: Performer, cue: Cue) -> str:

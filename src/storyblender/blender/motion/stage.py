@@ -73,6 +73,7 @@ class Beat:
         side: The hand, L or R.
         mark: Where it ends.
         mood: How.
+        expression: What the face shows from now on.
         frame: The cue's frame, for problems.
         seed: For gestures.
     """
@@ -84,6 +85,7 @@ class Beat:
     side: str = "R"
     mark: Mark | None = None
     mood: Mood = "neutral"
+    expression: str = "neutral"
     frame: int = 0
     seed: int = 0
 

@@ -15,7 +15,6 @@ _SHOULDER = HandPose(
 )
 _CHEST = HandPose((0.10, -0.02, -0.04), (-0.1, 0.4, 0.9), (-0.1, 1, 0), (0.8, 0, -0.5), at.FLAT, "their_chest")
 _HAND = HandPose((0.0, -0.03, 0.02), (-0.3, 0.8, -0.5), (-0.8, 0.2, 0), (0.5, 0, -0.9), at.GRIP, "their_hand")
-_HANG = HandPose((0.06, 0.12, 0.98), (0, 0.25, 1), (0, 1, 0), (0.6, 0.3, -0.4), at.GRIP, "upright")
 
 BODIES: tuple[Act, ...] = (
     Act("bend", "bend down", ("stoop", "bend forward", "double over"), (
@@ -54,11 +53,6 @@ BODIES: tuple[Act, ...] = (
             hips=(0, 0.22, -0.12, 24), face="surprised", lead_foot=FootPose(0, 0.42), far_foot=FootPose(0, -0.25,
             0.12, -40)),
     ), before=UPRIGHT),
-    Act("hang", "hang", ("dangle", "hang from a rope", "cling", "be hoisted"), (
-        Key(0.5, 1.6, lead=_HANG, far=_HANG, spine=(-4, 0, 0), hips=(0, 0, 0.30, 0), nod=(-10, 0, 0), face="pained",
-            lead_foot=FootPose(-0.02, 0.02, 0.34, -40), far_foot=FootPose(-0.03, -0.05, 0.28, -46)),
-        Key(0.8, 0.0, hips=(0.03, 0.02, 0.30, 4)), Key(0.8, 0.0, hips=(-0.03, -0.02, 0.30, -4)),
-    ), again=1, stretches=True, told=0, before=UPRIGHT, directs=("dangle",)),
     Act("march", "march on the spot", ("parade", "stamp"), (
         Key(0.35, 0.1, lead=HandPose((0.05, 0.5, -0.75), (0, 0.8, -0.5), (-1, 0, 0), curl=at.FIST),
             far=HandPose((0.05, -0.3, -0.9), (0, -0.3, -1), (-1, 0, 0), curl=at.FIST),

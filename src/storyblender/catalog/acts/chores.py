@@ -135,11 +135,6 @@ CHORES: tuple[Act, ...] = (
         Key(0.8, 0.6, lead=HandPose((-0.12, 0.78, -0.16), (-0.35, 0.7, 0.6), (-0.5, 0.6, -0.3), curl=at.GRIP),
             far=HandPose((-0.06, 0.78, -0.32), (-0.35, 0.7, 0.6), (-0.5, 0.6, -0.3), curl=at.GRIP)),
     ), again=0, stretches=True, told=0),
-    Act("ride", "ride", ("on a horse", "on a bicycle", "hold the reins"), (
-        Key(0.5, 0.4, lead=HandPose((-0.16, 0.66, -0.46), (-0.3, 0.9, 0.1), (-0.7, 0, -0.5), curl=at.FIST),
-            far=HandPose((-0.16, 0.66, -0.46), (-0.3, 0.9, 0.1), (-0.7, 0, -0.5), curl=at.FIST), spine=(8, 0, 0)),
-        Key(0.4, 0.1, spine=(12, 0, 0)), Key(0.4, 0.1, spine=(6, 0, 0)),
-    ), again=1, stretches=True, told=0),
     Act("knock_over", "knock over", ("tip over", "upset", "overturn", "sweep off"), (
         Key(0.4, 0.05, lead=HandPose((0.32, -0.06, 0.14), (-0.2, 0.8, 0.1), (-1, 0, 0), (0.9, -0.2, -0.4), at.FLAT,
             "work"),

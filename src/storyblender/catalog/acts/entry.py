@@ -167,5 +167,6 @@ class Act:
             reach=self.reach,
             distance=self.distance,
             hands=self.hands,
+            lasts=self.stretches or self.stays,
             telling=round(self.telling, 3),
         )

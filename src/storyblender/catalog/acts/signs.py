@@ -18,7 +18,7 @@ SIGNS: tuple[Act, ...] = (
     Act("look_away", "look away", ("avert the eyes", "avoid somebody's eyes"), (
         Key(0.5, 1.0, spine=(2, 0, 8), nod=(6, 0, 6), gaze="away"),
     )),
-    Act("close_eyes", "close the eyes", ("shut the eyes",), (Key(0.3, 1.2, nod=(3, 0, 0), face="asleep"),)),
+    Act("close_eyes", "close the eyes", ("shut the eyes",), (Key(0.3, 1.2, nod=(3, 0, 0), face="asleep"),), stays=True),
     Act("stare", "stare", ("gape", "freeze"), (Key(0.2, 1.4, spine=(-4, 0, 0), face="surprised", gaze="target"),)),
     Act("double_take", "double take", ("look twice",), (
         Key(0.35, 0.3, gaze="away"), Key(0.25, 0.7, spine=(8, 0, 0), face="surprised", gaze="target"),

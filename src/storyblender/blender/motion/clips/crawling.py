@@ -91,14 +91,14 @@ def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
     creep = Creep(way, base_yaw, t + DOWN, max(CYCLE, way.length / (SPEED * math.sqrt(who.m.k))))
     end = creep.start + creep.seconds
     who.root.set(t, 0.5 * DOWN, creep.root)
-    _get_down(who, creep, t)
+    get_down(who, creep, t)
     x, y, who.yaw = creep.at(way.length)
     who.position = Vector((x, y))
     end = _get_up(stage, who, end)
     return end if yaw is None else face(who, end, yaw)
 
 
-def _get_down(who: Performer, creep: Creep, t: float) -> None:
+def get_down(who: Performer, creep: Creep, t: float) -> None:
     """Knees, then hands to the floor; from then on they follow the way."""
     m, k = who.m, who.m.k
     on_knees = 0.075 * k + 0.97 * m.thigh

@@ -27,7 +27,7 @@ def to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
     x, y, _ = beat.mark.location
     yaw = math.radians(beat.mark.yaw)
     if beat.start < 0:
-        who.put(x, y, yaw)
+        who.put(x, y, yaw, beat.mark.location[2])
         return beat.start
     return travel(stage, who, beat, (x, y), yaw)
 

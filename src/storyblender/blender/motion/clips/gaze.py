@@ -49,10 +49,20 @@ def idle(stage: Stage, who: Performer, beat: Beat) -> float:
     return beat.start + (beat.duration or 1.0)
 
 
+@clip("face")
+def face(stage: Stage, who: Performer, beat: Beat) -> float:
+    """Put on a face for the rest of the shot: others come and go, this one comes back."""
+    who.expression = beat.expression
+    mood(who, beat.start, "neutral")
+    return beat.start + 0.3
+
+
 @clip("look")
 def look(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Look at the target; the trunk follows what is far aside."""
+    """Look at the target, or at the point of the mark; the trunk follows what is far aside."""
     mood(who, beat.start, beat.mood)
+    if beat.target is None and beat.mark is not None:
+        return look_at(who, beat.start, beat.mark.location)
     return look_at_subject(stage, who, beat.start, beat)
 
 
@@ -128,7 +138,7 @@ def think(stage: Stage, who: Performer, beat: Beat) -> float:
     t, end = beat.start, beat.start + (beat.duration or 2.4)
     look_at(who, t, aside(who, 25, 1.3))
     who.nod.set(t, 0.5, (3, 6, 0))
-    if beat.side not in who.held:
+    if who.is_free(beat.side):
         chin = by_head(
             who, beat.side, (-0.055, 0.085, -0.125), (-0.45, -0.35, 0.85), (0.1, -1, -0.1), pole=(0.35, 0.35, -1),
             curl=(35, 75, 0),
@@ -145,6 +155,7 @@ def aside(who: Performer, degrees: float, height: float = 0.95) -> PointOf:
     def point(t: float) -> Vector:
         x, y, yaw = who.root(t)
         turned = yaw + math.radians(degrees)
-        return Vector((x + 5 * math.sin(turned), y - 5 * math.cos(turned), who.m.eye_height * height))
+        level = float(who.level(t))
+        return Vector((x + 5 * math.sin(turned), y - 5 * math.cos(turned), level + who.m.eye_height * height))
 
     return point

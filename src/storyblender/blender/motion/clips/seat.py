@@ -21,6 +21,8 @@ from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import BEFORE_SEAT
 from storyblender.memory.shot_context import Mark
 
+OFF_THE_FLOOR = ("hang", "upside_down", "float", "ride", "crawl")
+"""Postures in which the feet do not carry the body."""
 ASIDE = 0.12
 """Metres; who stands farther from the spot before a seat comes to it, or leaves it, sideways."""
 FLOOR_SEAT = 0.30
@@ -188,10 +190,15 @@ def _leave_seat(stage: Stage, who: Performer, t: float, place: Vector) -> float:
 
 
 def _straighten(stage: Stage, who: Performer, t: float) -> float:
-    """From kneeling, crouching or leaning."""
+    """From kneeling, crouching, leaning, from all fours, or down from where one hung or rode."""
     k, x, y = who.m.k, *who.position
     whole = 0.9 * math.sqrt(k)
     low = who.hips(t)[2] < 0.75 * who.standing_height
+    if who.posture in OFF_THE_FLOOR:
+        who.level.set(t, 0.6 * whole, 0.0)
+        who.seated.set(t, 0.6 * whole, 0.0)
+        who.nod.set(t, whole, (0, 0, 0))
+        who.ground = 0.0
     if low:
         who.spine.set(t, 0.4 * whole, (18, 0, 0))
     for index, side in enumerate(SIDES):

@@ -91,7 +91,7 @@ def _speak(stage: Stage, who: Performer, beat: Beat, manner: Manner) -> float:
     who.accent.set(t, 0.4, (manner.lean, 0, 0))
     who.nod.set(t, 0.3, (-3, 0, 0))
     spoken = phrases(t + 0.15, end - 0.2, manner.shares, manner.pace, rng)
-    hands = [side for side in SIDES if side not in who.held and who.free[side] <= t + 0.2]
+    hands = [side for side in SIDES if who.is_free(side) and who.free[side] <= t + 0.2]
     if hands and manner.size > 0 and end - t > 1.2 and who.posture not in ("lie", "asleep"):
         who.lean_after.set(t, 0, 0.0)
         gesticulate(who, hands, beat.side, spoken, manner.size, _room(stage, who, beat), rng)
@@ -146,7 +146,7 @@ def laugh(stage: Stage, who: Performer, beat: Beat) -> float:
     t, end = beat.start, beat.start + (beat.duration or 2.0)
     if beat.target is not None:
         look_at_subject(stage, who, t, beat)
-    side = next((each for each in (beat.side, other(beat.side)) if each not in who.held and who.free[each] <= t), None)
+    side = next((each for each in (beat.side, other(beat.side)) if who.is_free(each) and who.free[each] <= t), None)
     doubled = t + max(0.7, 0.45 * (end - t))
     if side is not None and end - t > LONG_LAUGH and who.posture in ("stand", "sit"):
         belly = by_chest(

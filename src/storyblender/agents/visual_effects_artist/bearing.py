@@ -1,0 +1,119 @@
+"""How people bear themselves while they do what they do: their face, their eyes, and what they are busy with. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.agents.visual_effects_artist.company import Company
+from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.memory.shot_context import BodyState, Cue, Mark, ShotContext
+from storyblender.memory.vocabulary import GazeDirection, Hand
+
+QUIET = frozenset({"talk", "whisper", "shout", "listen", "look", "idle", "face", "nod", "shake_head", "laugh"})
+"""What leaves the hands where they are."""
+CARRIED_ON = frozenset({"phone", "drive", "row"})
+"""What nobody ends by saying something: it goes on in the next shot."""
+SIDES: tuple[Hand, ...] = ("R", "L")
+GLANCE = 12
+"""Frames of a look."""
+FAR, BEFORE = 6.0, 1.8
+"""Metres: how far aside something off screen is, and how much nearer to the audience."""
+EYES = {"up": 3.2, "down": 0.1}
+"""Metres above the floor of what is looked up and down to; others are at the height of the eyes."""
+EYE_LEVEL = 1.55
+
+
+class Bearing:
+    """Writes what the script tells of faces, eyes and lasting activities, beside the deeds of a shot.
+
+    Args:
+        company: People and props.
+        sheet: Where the cues go.
+    """
+
+    def __init__(self, company: Company, sheet: CueSheet) -> None:
+        self.company, self.sheet = company, sheet
+
+    def bear(self, shot: ShotContext) -> None:
+        """Put the bearing of everybody on stage before their deeds."""
+        cues: list[Cue] = []
+        for state in shot.states:
+            person = self.company.people.get(state.asset_id)
+            if person is not None and person.present:
+                cues += self._cues(person, state)
+        self.sheet.cues[:0] = cues
+
+    def _cues(self, person: Person, state: BodyState) -> list[Cue]:
+        found: list[Cue] = []
+        if state.expression != "neutral":
+            found.append(Cue(asset_id=person.asset_id, clip="face", start=0, expression=state.expression))
+        if state.gaze == "closed":
+            found.append(Cue(asset_id=person.asset_id, clip="close_eyes", start=0, lasting=True))
+        elif state.gaze is not None:
+            there = self._off_screen(person, state.gaze)
+            found.append(Cue(asset_id=person.asset_id, clip="look", start=0, duration=GLANCE, mark=there))
+        activity = self._activity(person, state)
+        if activity:
+            found.append(self._going_on(person, state, activity))
+        return found
+
+    def _off_screen(self, person: Person, gaze: GazeDirection) -> Mark:
+        """Return the point that somebody looks at, as the audience before the set sees it."""
+        x, y = person.place
+        aside = {"left": -FAR, "right": FAR}.get(gaze, 0.0)
+        height = EYES.get(gaze, EYE_LEVEL * person.k)
+        ahead = FAR if gaze == "camera" else BEFORE
+        return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
+
+    def _activity(self, person: Person, state: BodyState) -> str:
+        """Return the clip of what somebody is busy with; nothing where their own deeds are that, or end it."""
+        if state.activity or person.told:
+            person.activity = state.activity
+        person.told = state.activity
+        clip = clip_of(person.activity).key if person.activity else ""
+        own = [cue.clip for cue in self.sheet.cues if cue.asset_id == person.asset_id]
+        if not clip or clip in own or clip == "idle" or MOTIONS[clip].speed is not None:
+            return ""
+        return clip
+
+    def _going_on(self, person: Person, state: BodyState, clip: str) -> Cue:
+        """Return the cue of a lasting activity, with what is in hand for it and where it is done."""
+        motion = MOTIONS[clip]
+        hand: Hand | None = next((side for side in SIDES if side in person.held), None)
+        prop = person.held[hand] if hand is not None else None
+        place = state.spot.anchor_id if state.spot is not None else None
+        thing = self.company.floor.thing(place or state.support_id) if motion.reach == "thing" else None
+        return Cue(
+            asset_id=person.asset_id,
+            clip=clip,
+            start=0,
+            target_id=thing.node_id if thing is not None else None,
+            prop_id=prop if motion.hands else None,
+            hand=hand if motion.hands else None,
+            lasting=True,
+        )
+
+
+def lasting(cues: Sequence[Cue], frames: int) -> list[Cue]:
+    """Return the cues of a shot; what is kept up goes on until the same person's hands do something else.
+
+    Args:
+        cues: In the order they were written.
+        frames: Length of the shot.
+    """
+    return [_kept_up(cue, cues, frames) for cue in cues]
+
+
+def _kept_up(cue: Cue, cues: Sequence[Cue], frames: int) -> Cue:
+    if cue.lasting or not MOTIONS[cue.clip].lasts or cue.start >= frames:
+        return cue
+    later = [
+        other.start
+        for other in cues
+        if other.asset_id == cue.asset_id and other.start > cue.start and other.clip not in QUIET and not other.lasting
+    ]
+    if later:
+        return cue.model_copy(update={"duration": max(cue.duration or 1, min(later) - cue.start)})
+    return cue.model_copy(update={"duration": None, "lasting": True})
