@@ -9,8 +9,8 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Person, Reading, Unit
 from storyblender.memory.scene_context import Relation, Spot
 
-MOST = 4
-"""Bodies for one group; a crowd is suggested, not counted."""
+MOST = 40
+"""Bodies for one group."""
 
 _NUMBER = 60
 """Characters before a group in which its number stands."""

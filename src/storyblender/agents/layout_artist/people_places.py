@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from storyblender.agents.layout_artist.crowd_places import crowds_of, place_crowd
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import SEATED, sit
 from storyblender.agents.layout_artist.people_stations import Wanted, stand_at, wanted_by, work_place
@@ -36,10 +37,14 @@ def place_people(stage: Stage) -> None:
     company = stage.brief.company
     for member in sorted((each for each in states if each not in stage.things), key=lambda each: each not in wishes):
         _stand_with(stage, member, wishes.get(member), company.get(member, ""))
-    for members in _groups(stage, list(states)):
+    crowds = crowds_of([*states, *(state.asset_id for state in stage.brief.found)])
+    many = {member for members in crowds for member in members if not (member in wishes and wishes[member].sure)}
+    for members in _groups(stage, [each for each in states if each not in many]):
         _gather(stage, members)
-    for state in stage.brief.found:
+    for state in (each for each in stage.brief.found if each.asset_id not in many):
         _find(stage, state, wishes.get(state.asset_id))
+    for members in crowds:
+        place_crowd(stage, [member for member in members if member in many])
     _look_at_each_other(stage)
 
 

@@ -26,7 +26,7 @@ _DRAWN_UP = 0.75
 _TAKEN = 0.45
 """Metres from a seat's edge within which somebody takes it."""
 
-_Seat = tuple[str, Anchor]
+Seat = tuple[str, Anchor]
 """Name of the furniture, and the seat on it."""
 
 
@@ -51,7 +51,7 @@ def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None
         wish = other.box.to_world(0.0, -_ACROSS)
     elif other is not None and other.walks:
         wish = (other.box.x, other.box.y)
-    seats: list[_Seat] = []
+    seats: list[Seat] = []
     if support is not None and support.name in stage.things and support.box.z < _SEAT_FOOT:
         on_it = wanted is not None and wanted.relation == "on" and wanted.anchor == state.support_id
         seats = [] if on_it else _free(stage, _drawn_up(stage, support))
@@ -61,18 +61,28 @@ def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None
     seats = seats or _free(stage, _seats(stage, list(stage.things), kinds, asked=False))
     if not seats:
         return False
-    name, anchor = min(seats, key=lambda seat: (round(math.dist(_place(stage, seat), wish), 3), seat[0]))
+    take(stage, state.asset_id, min(seats, key=lambda seat: (round(math.dist(_place(stage, seat), wish), 3), seat[0])))
+    return True
+
+
+def free_seats(stage: Stage) -> list[Seat]:
+    """Return every seat of the set that nobody and nothing is on."""
+    return _free(stage, _seats(stage, list(stage.things), ("seat",), asked=False))
+
+
+def take(stage: Stage, person: str, seat: Seat) -> None:
+    """Seat somebody."""
+    name, anchor = seat
     base = stage.things[name].box
     x, y = base.to_world(*anchor.location[:2])
     dx, dy, _ = anchor.direction
     box = seat_box(x, y, base.z + anchor.location[2], base.yaw + facing(dx, dy))
-    stage.add(Thing(state.asset_id, box, anchor=name, walks=True), state.asset_id)
-    return True
+    stage.add(Thing(person, box, anchor=name, walks=True), person)
 
 
-def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[_Seat]:
+def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[Seat]:
     """Return the beds or seats of things, also the edge of what the script sits people on."""
-    found: list[_Seat] = []
+    found: list[Seat] = []
     for name in (name for name in names if not stage.things[name].walks):
         measure = stage.measure(stage.assets[name])
         for kind in kinds:
@@ -82,7 +92,7 @@ def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bo
     return found
 
 
-def _free(stage: Stage, seats: Iterable[_Seat]) -> list[_Seat]:
+def _free(stage: Stage, seats: Iterable[Seat]) -> list[Seat]:
     """Return the seats that nobody and nothing is on."""
     return [
         seat
@@ -95,16 +105,16 @@ def _free(stage: Stage, seats: Iterable[_Seat]) -> list[_Seat]:
     ]
 
 
-def _place(stage: Stage, seat: _Seat) -> Vec2:
+def _place(stage: Stage, seat: Seat) -> Vec2:
     return stage.things[seat[0]].box.to_world(*seat[1].location[:2])
 
 
-def _drawn_up(stage: Stage, table: Thing) -> list[_Seat]:
+def _drawn_up(stage: Stage, table: Thing) -> list[Seat]:
     """Return the seats that stand at a thing with a top and no seat of its own, and look at it."""
     own = stage.measure(stage.assets[table.name])
     if any(anchor.kind in ("seat", "bed") for anchor in own.anchors) or not anchors_of(own, "top"):
         return []
-    found: list[_Seat] = []
+    found: list[Seat] = []
     for seat in _seats(stage, [name for name in stage.things if name != table.name], ("seat",), asked=False):
         base = stage.things[seat[0]].box
         x, y = _place(stage, seat)

@@ -172,7 +172,7 @@ class Company:
             person = self.people.get(state.asset_id)
             if person is None or not person.present:
                 continue
-            self.apply_posture(person, state)
+            self.apply_posture(person, self.seats.as_laid_out(person, state))
             if self.places.settle(person, state):
                 self.jumps.pop(person.asset_id, None)
             in_hand = (*state.held, *self._stick_of(state))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,6 +24,8 @@ _TIGHT, _CROWDED, _FAR = 8.0, 5.0, 0.1
 """Dislike, in metres, of a metre less room than a body needs, of a metre nearer to others, of a metre to go."""
 _APART = 0.6
 """Metres between two people at one place."""
+_TOO_NEAR = 0.42
+"""Metres from somebody within which nobody else is told to be."""
 _DOOR_NEAR = 0.9
 """Metres to the side of a vehicle's middle from which a door counts as one of that side."""
 _LIE = ("lie", "asleep")
@@ -98,10 +101,21 @@ class Places:
         box, sort, thing = found
         options = self._at_door(thing, spot) or stations(box, sort, spot.relation, spot.side, spot.distance, person.k)
         best = min(options, key=lambda each: self._cost(person, each, spot.relation in WITHIN))
+        if spot.relation not in WITHIN:
+            best = self._clear(person, best)
         if thing is not None and spot.relation == "on":
             top = self.floor.on_top(thing, thing.location[:2])
             best = Station(best.x, best.y, best.yaw, z=top[2] if top else best.z)
         return self._turned(person, spot, best, box)
+
+    def _clear(self, person: Person, station: Station) -> Station:
+        """Return a station, or the free place nearest to it where somebody is there already."""
+        point = (station.x, station.y)
+        others = [each.place for each in self.people.values() if each.present and each is not person]
+        if all(math.dist(point, other) > _TOO_NEAR for other in others):
+            return station
+        x, y = self.floor.free_near(point, person.k, others, apart=_APART)
+        return replace(station, x=x, y=y)
 
     def anchor(self, name: str | None, person: Person | None = None) -> tuple[Box, Sort, Thing | None] | None:
         """Return what a spot is told by: its extent, what it is, and the thing if it is one.

@@ -16,7 +16,10 @@ from storyblender.catalog.motions import clip_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import Blocking, Cue, PropState, ShotContext
+from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, PropState, ShotContext
+
+AT_ONCE = 0.15
+"""Seconds after one member of a group begins that the next one does."""
 
 
 @dataclass(frozen=True)
@@ -72,10 +75,14 @@ class Rehearsal:
         ends = {state.asset_id: state for state in shot.end_states}
         actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet)
         seconds = speeches.seconds(shot, lines)
+        began = sheet.clock
         for number, action in enumerate(shot.character_actions):
             person = company.people.get(action.asset_id)
             if person is None or not person.present:
                 continue
+            if number and _same_deed(action, shot.character_actions[number - 1]):
+                sheet.clock = began + AT_ONCE
+            began = sheet.clock
             if clip_of(action.motion).key in SPOKEN:
                 speeches.speak(action, person, seconds.get(number, 2.0), lines, cast)
             else:
@@ -91,6 +98,13 @@ class Rehearsal:
         going_on = lasting(sheet.cues, duration)
         cues = tuple(sorted((_within(cue, duration) for cue in going_on), key=lambda cue: cue.start))
         return ShotPlan(shot.shot_id, blocking, cues, sheet.start_props, duration, tuple(sheet.cheats))
+
+
+def _same_deed(action: CharacterAction, before: CharacterAction) -> bool:
+    """Tell whether two members of a group do the same: they do it at once, not one after the other."""
+    stems = {each.asset_id.rpartition("_")[0] for each in (action, before)}
+    same = (action.motion, action.action_description) == (before.motion, before.action_description)
+    return same and action.asset_id != before.asset_id and len(stems) == 1 and stems != {""}
 
 
 def _within(cue: Cue, frames: int) -> Cue:

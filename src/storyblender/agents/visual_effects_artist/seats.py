@@ -55,6 +55,14 @@ class Seats:
         seats = self.floor.seats(node, asked=True)
         return min(seats, key=lambda seat: math.dist(seat.edge, home), default=None)
 
+    def as_laid_out(self, person: Person, state: BodyState) -> BodyState:
+        """Return the state of one of a crowd, of whom nothing is told, sitting where the layout has seated them."""
+        node = self.seated_on.get(person.asset_id)
+        told = state.posture != "stand" or state.spot is not None or person.posture != "stand"
+        if node is None or told or math.dist(self.home[person.asset_id], person.place) > NEAR_HOME:
+            return state
+        return state.model_copy(update={"posture": "sit", "support_id": node})
+
     def choose(
         self,
         person: Person,
