@@ -207,6 +207,8 @@ class Stage:
         """The person a name means here: on stage first, then the most present, then the first introduced."""
         people = self.roster.by_name.get(key_of(bare(name))) or self.roster.by_name.get(key_of(name))
         people = people or self.roster.find(name) or [p for p in self.roster.people if p.role == bare(name)]
+        if not people and bare(name) in lexicon.TITLES:
+            people = [p for p in self.roster.people if bare(p.name).startswith(f"{bare(name)} ")]  # CHIEF, of Chief Ba
         return max(people, key=self.presence) if people else None
 
     def presence(self, person: Person) -> tuple[bool, float]:

@@ -126,3 +126,18 @@ def test_a_writer_who_says_i_tells_no_story() -> None:
 )
 def test_walk_ons_who_do_something_are_cast(read_scene: Read, action: str, who: set[str]) -> None:
     assert {person.id for person in read_scene(action).people} == who
+
+
+def test_the_list_of_a_cast_tells_each_one_apart() -> None:
+    play = (
+        "THE HAT\n\nCHARACTERS\n\nMAMA OTTI, a tailor, fifty-eight\nLARK, her apprentice, seventeen\n"
+        "CHIEF BRONN, a baker, sixty\n\nSETTING: A shop.\n\nMAMA OTTI. Good day.\n\nLARK. Good day.\n\n"
+        "CHIEF. Is it finished?\n\nMAMA OTTI. No.\n\nLARK. Not yet.\n"
+    )
+    reading = read_script(read(play))
+    assert {p.id: (p.age, p.role) for p in reading.people if p.id != "mama_otti"} == {
+        "lark": ("17", "apprentice"),
+        "chief_bronn": ("60", "baker"),
+    }
+    assert reading.people[0].gender == "female"
+    assert [unit.speaker for unit in reading.units if unit.kind == "dialogue"][2] == "chief_bronn"

@@ -61,7 +61,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
         before = text[max(0, at - 30) : at].lower()
         if before.endswith(": ") and " " not in name and not any(find_person_nouns(text[max(0, at - 60) : at])):
             continue
-        if _is_a_place(name):
+        if _is_a_place(name) or re.search(r"\bmessrs\.?\s(?:[a-z]+ and )?$", before):
             continue
         known = first.strip(".") in _KNOWN
         if (

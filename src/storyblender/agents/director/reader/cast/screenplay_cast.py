@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
@@ -50,6 +50,8 @@ _LOOK = re.compile(
     rf"(?=,?\s+(?:is|was|(?!(?:{_WORN})\b)[a-z]+s)\b(?! of)|[.;])",
     re.DOTALL,
 )
+_NEXT_LINE = re.compile(rf"\n(?=\s*(?:A |AN |THE )?[{UPPER}]{{2}})")
+"""The line of somebody else."""
 _SOME, _MOST = 3, 6
 """Members of a group whose number is not told, and of one that is a crowd."""
 _NAMING = re.compile(
@@ -92,7 +94,8 @@ def find_cast(script: Manuscript) -> Roster:
         if paragraph.kind == "cue" and paragraph.name.lower() not in _CHORUS:
             sightings.append(_Sighting(paragraph.start, paragraph.name, ""))
         elif paragraph.kind in ("action", "cast"):
-            sightings += _in_action(written, paragraph.body, paragraph.start, cues)
+            named = _in_action(written, paragraph.body, paragraph.start, cues)
+            sightings += [replace(each, after="") for each in named[:1]] if paragraph.kind == "cast" else named
             sightings += _in_camera_notes(paragraph, cues)
     singles = [
         part for sighting in sightings for part in _split(sighting) if part.name in cues or "'S " not in part.name
@@ -102,6 +105,9 @@ def find_cast(script: Manuscript) -> Roster:
     for sighting in sorted(singles):
         _admit(roster, sighting, full_names, script.text)
     name_groups(roster, script.text)
+    for paragraph in script.paragraphs:
+        if paragraph.kind == "cast":
+            _describe_entry(roster, paragraph.text)
     speaking = {bare(cue) for cue in cues}
     for person in roster.people:
         person.speaks = any(alias in speaking for alias in person.aliases)
@@ -114,6 +120,14 @@ def find_cast(script: Manuscript) -> Roster:
         _add_unnamed(roster, script)
     roster.link_variants()
     return roster
+
+
+def _describe_entry(roster: Roster, line: str) -> None:
+    """``MAMA RISI, a tailor, fifty-eight``: a line of the list of the cast."""
+    entry = re.match(rf"(?:A |AN |THE )?([{UPPER}][{UPPER}.'’ -]+[{UPPER}])[\s,:.(–—-]+(.+)", line.strip())
+    people = roster.find(entry.group(1)) if entry else []
+    if entry and people:
+        describe(roster, people[0], entry.group(2).replace(")", "").strip(" ."))
 
 
 def _add_unnamed(roster: Roster, script: Manuscript) -> None:
@@ -251,7 +265,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: _FullNames, text: st
     if sighting.nickname:
         roster.call(person, bare(sighting.nickname))
     after = sighting.at + len(sighting.name)
-    looks = _looks(text[after : after + 160]) if sighting.after else []
+    looks = _looks(_NEXT_LINE.split(text[after : after + 160])[0]) if sighting.after else []
     if not known:
         _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, before)

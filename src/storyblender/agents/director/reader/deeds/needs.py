@@ -34,7 +34,7 @@ _BITING = frozenset({"bite", "taste", "lick", "swallow", "suck"})
 _BACKING = frozenset({"reverse", "back_up", "brake", "accelerate", "park", "steer", "pilot", "cruise", "coast"})
 _SHIFTING = frozenset({"shift", "roll", "bump", "edge", "force"})
 _OBJECTS = frozenset({"prop", "worn", "set_piece", "unknown", "body", "scenery"})
-_MATTER = lexicon.words("food") | lexicon.LIQUIDS | lexicon.SHAPELESS | lexicon.words("deed_objects")
+_MATTER = lexicon.PARTS | lexicon.words("food") | lexicon.LIQUIDS | lexicon.SHAPELESS | lexicon.words("deed_objects")
 """No things of a kind, but to be taken in the hand."""
 
 

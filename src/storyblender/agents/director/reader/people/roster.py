@@ -110,7 +110,8 @@ class Roster:
             person.age = person.age or lexicon.AGE_WORDS.get(word, "")
         person.age = person.age or lexicon.AGE_NOUNS.get(person.role, "")
         if any(word in lexicon.CROWDS for word in words):
-            person.kind, person.count = "group", max(person.count, 6)
+            pair = "couple" in words
+            person.kind, person.count = "group", max(person.count, 2 if pair else 6)
         return person
 
     def _same_title(self, name: str) -> Person | None:
