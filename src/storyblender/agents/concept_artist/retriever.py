@@ -40,6 +40,8 @@ _HEAPS: frozenset[str] = frozenset(
     ("pile", "heap", "stack", "bunch", "pair", "piece", "set", "row", "bundle", "handful", "wad", "sheaf")
 )
 """Words whose ``of`` names the thing: a pile of money, but a bottle of milk."""
+_SERVED = frozenset(("turkey", "chicken", "lobster", "crab", "prawn", "prawns", "lamb", "crayfish"))
+"""Animals that are a dish where the script has them among its things."""
 _MODIFIERS: frozenset[str] = PLAIN | COLORS.keys() | MATERIALS.keys()
 
 
@@ -81,12 +83,17 @@ class Retriever:
     def search(self, view: AssetRequest, count: int) -> tuple[Recipe, ...]:
         """Return the ``count`` best matches, best first."""
         phrase, theirs = view.phrase, _model_terms(view.models)
-        matches, models = _by_words(phrase, CATALOG_TERMS), _models_by_words(phrase, view.models, theirs)
+        matches, models = (
+            _by_words(phrase, _suitable_terms(view)) or _by_words(phrase, CATALOG_TERMS),
+            _models_by_words(phrase, view.models, theirs),
+        )
         if all(match.score < HEAD for match in matches + models):
             if near_kind(noun_words(phrase)) is None:
                 matches = self._with_likely(matches, view, _suitable_terms(view))
             models = self._with_likely(models, view, theirs)
         contents = {model.path: model.content for model in view.models}
+        if next(iter(view.asset.tags), "") == "prop" and noun_words(phrase)[-1:] and noun_words(phrase)[-1] in _SERVED:
+            matches = [_Match("plate", EXACT, "it is a thing, and no animal: it is served"), *matches]
         files = [
             Recipe(
                 source="file",

@@ -20,6 +20,7 @@ from storyblender.catalog.props.seats import SEATS
 from storyblender.catalog.props.street import STREET
 from storyblender.catalog.props.table_and_desk import TABLE_AND_DESK
 from storyblender.catalog.props.vehicles import VEHICLES
+from storyblender.catalog.props.wildlife import WILDLIFE
 from storyblender.catalog.props.yard import YARD
 from storyblender.catalog.registry import Catalog
 
@@ -39,6 +40,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + NATURE
     + ANIMALS
     + BEASTS
+    + WILDLIFE
     + PANTRY
     + HOUSEHOLD
     + LABORATORY

@@ -20,7 +20,7 @@ def _beast(
 
 BEASTS: tuple[PropEntry, ...] = (
     _beast("wolf", "werewolf, coyote, jackal, dingo, hyena", (0.3, 1.5, 0.95), {"coat": "fabric"}, "A standing wolf."),
-    _beast("fox", "vixen, red fox, weasel", (0.2, 1.1, 0.5), {"coat": "clay"}, "A red fox.", "#b0602c"),
+    _beast("fox", "vixen, red fox", (0.2, 1.1, 0.5), {"coat": "clay"}, "A red fox.", "#b0602c"),
     _beast("bear", "grizzly, brown bear, polar bear", (0.85, 2.3, 1.5), {"coat": "leather"}, "A bear on four feet."),
     _beast("lion", "lion king", (0.7, 2.4, 1.3), {"coat": "sand", "mane": "leather"}, "A lion with a mane."),
     _beast(
@@ -33,13 +33,11 @@ BEASTS: tuple[PropEntry, ...] = (
         stripes=True,
     ),
     _beast("pig", "hog, sow, boar, wild boar, piglet, swine", (0.5, 1.4, 0.75), {"coat": "clay"}, "A pig.", "#d39c88"),
-    _beast(
-        "goat", "billy goat, nanny goat, kid goat", (0.34, 1.1, 1.1), {"coat": "linen", "horn": "wood_gray"}, "A goat."
-    ),
-    _beast("sheep", "lamb, ram, ewe", (0.55, 1.3, 0.9), {"wool": "linen", "face": "leather_black"}, "A woolly sheep."),
+    _beast("goat", "billy goat, nanny goat", (0.34, 1.1, 1.1), {"coat": "linen", "horn": "wood_gray"}, "A goat."),
+    _beast("sheep", "ram, ewe", (0.55, 1.3, 0.9), {"wool": "linen", "face": "leather_black"}, "A woolly sheep."),
     _beast(
         "deer",
-        "stag, doe, fawn, elk, moose, reindeer, antelope, gazelle",
+        "stag, doe, fawn, reindeer, antelope, gazelle",
         (0.75, 1.55, 2.05),
         {"coat": "leather"},
         "A stag.",
@@ -47,7 +45,7 @@ BEASTS: tuple[PropEntry, ...] = (
         antlers=True,
     ),
     _beast("rabbit", "hare, bunny", (0.18, 0.4, 0.32), {"coat": "fabric"}, "A sitting rabbit."),
-    _beast("mouse", "rat, hamster, mice, guinea pig, vole", (0.05, 0.25, 0.06), {"coat": "fabric"}, "A mouse."),
+    _beast("mouse", "hamster, mice, guinea pig, gerbil", (0.05, 0.25, 0.06), {"coat": "fabric"}, "A mouse."),
     _beast("elephant", "mammoth", (1.9, 4.4, 2.7), {"skin": "rock", "tusk": "porcelain"}, "An elephant."),
     _beast(
         "snake",

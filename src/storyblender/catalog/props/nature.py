@@ -153,7 +153,7 @@ ANIMALS: tuple[PropEntry, ...] = (
     entry(
         "animal",
         "horse",
-        "pony, mare, stallion, mule, donkey",
+        "pony, mare, stallion, foal, colt, steed, unicorn, racehorse",
         (0.6, 2.3, 2.15),
         {"coat": "leather", "mane": "leather_black", "hoof": "iron"},
         "A standing horse.",
@@ -172,7 +172,7 @@ ANIMALS: tuple[PropEntry, ...] = (
     entry(
         "animal",
         "bird",
-        "pigeon, crow, raven, seagull, dove, parrot, chicken, owl, hen, rooster, duck, goose, eagle, hawk, canary",
+        "birdie, thrush, starling, woodpecker, kingfisher, cuckoo",
         (0.14, 0.34, 0.26),
         {"coat": "fabric", "beak": "brass"},
         "A standing bird.",
@@ -182,7 +182,7 @@ ANIMALS: tuple[PropEntry, ...] = (
     entry(
         "animal",
         "fish",
-        "trout, salmon, shark, whale",
+        "trout, salmon, goldfish, herring, cod, carp",
         (0.1, 0.5, 0.2),
         {"skin": "silver", "eye": "plastic_black"},
         "A fish.",

@@ -249,6 +249,7 @@ _PERIODS = {
 _YES: dict[str, tuple[str, ...]] = {
     "open": ("open", "opened"),
     "asleep": ("sleeping", "asleep", "dozing"),
+    "flying": ("flying", "soaring", "gliding", "hovering", "swooping", "fluttering"),
     "up": ("open", "opened", "unfurled", "rain", "storm", "snow"),
     "lit": ("lit", "burning", "blazing"),
     "on": ("flickering", "blaring"),

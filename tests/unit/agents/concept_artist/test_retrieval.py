@@ -26,9 +26,9 @@ KNOWN = {
     "drum": "drum", "paper lantern": "paper_lantern", "wheelbarrow": "wheelbarrow", "baseball bat": "bat",
     "tip jar": "jar", "candle": "candle", "handkerchief": "cloth", "winter coat": "folded_clothes", "gavel": "gavel",
     "leather boots": "boots", "quilt": "blanket", "pizza": "pizza_box", "rusty tin": "tin_can", "android": "robot",
-    "stuffed rabbit": "teddy_bear", "hen": "bird", "stag": "deer",
+    "stuffed rabbit": "teddy_bear", "hen": "hen", "raven": "crow", "stag": "deer",
 }  # fmt: skip
-UNKNOWN = ("dragon statue", "time machine", "robot dog", "unicorn", "stethoscope", "treaty",
+UNKNOWN = ("dragon statue", "time machine", "robot dog", "stethoscope", "treaty",
            "surfboard", "guillotine")  # fmt: skip
 
 
@@ -242,6 +242,20 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
     view = AssetRequest(asset=asset, means=dict(SETS[kit].meanings))
     assert Retriever(no_model).propose(view).key == key
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "key"),
+    [
+        ("animal", "bat", "bat_animal"),
+        ("prop", "bat", "bat"),
+        ("animal", "turkey", "turkey"),
+        ("prop", "turkey", "plate"),
+    ],
+)
+def test_a_word_with_two_meanings_means_what_its_kind_says(kind, name, key):
+    asset = Asset(asset_id="it", asset_type="object", description=name, name=name, tags=(kind,))
+    assert Retriever(no_model).propose(AssetRequest(asset=asset)).key == key
 
 
 def test_what_words_mean_in_a_place_is_in_the_catalog():
