@@ -38,6 +38,8 @@ class CharacterLook(Frozen):
     garments: tuple[Garment, ...] = ()
     """From the inside out; empty lets gender, age and period decide."""
     glasses: bool = False
+    species: str = ""
+    """A key of ``catalog.species`` for an animal that acts like a person: its head and its coat; empty for people."""
 
 
 class Anchor(Frozen):

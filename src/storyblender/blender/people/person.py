@@ -66,11 +66,22 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
         return _build_stand_in(asset_id, look, seed)
     look = look.model_copy(update={"gender": resolved_gender(look, seed)})
     colors = complexion(look, seed)
+    species = SPECIES.get(look.species)
+    if species is not None:
+        coat = look.hair_color or hex_color(species.coat)
+        colors = replace(colors, skin=coat, hair=coat)
     figure = Figure(pack, pack.shape(recipe(look, seed)))
     armature = rig.build_armature(asset_id, {n: figure.joint(n) for bone in SKELETON for n in (bone.head, bone.tail)})
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
     wardrobe = tailor.dress(figure, dressed(look, look.gender, seed), seed)
     every = skin.expressions(pack)
+    if species is not None:
+        meshes = [
+            _build_skin(figure, armature, look, colors, wardrobe, every, beast=True),
+            _build_animal_head(figure, armature, species, colors),
+            *(_build_garment(figure, armature, worn) for worn in wardrobe if "head" not in worn.spec.covers),
+        ]
+        return PersonBuild(armature, meshes, _measured(figure, armature, pack))
     meshes = [
         _build_skin(figure, armature, look, colors, wardrobe, every),
         _build_eyes(figure, armature, colors),
@@ -79,9 +90,24 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
         *_build_glasses(figure, armature, look),
         *(_build_garment(figure, armature, worn) for worn in wardrobe),
     ]
+    return PersonBuild(armature, meshes, _measured(figure, armature, pack))
+
+
+def _measured(figure: Figure, armature: bpy.types.Object, pack: BodyPack) -> Body:
     bare = PARTS["skin"]
-    body = rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, FACE)
-    return PersonBuild(armature, meshes, body)
+    return rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, FACE)
+
+
+def _build_animal_head(
+    figure: Figure, armature: bpy.types.Object, species: Species, colors: Complexion
+) -> bpy.types.Object:
+    bolts = build_animal_head(figure, species)
+    paints = [Paint(tailor.tinted(colors.skin, bolt.tint), "hair") for bolt in bolts]
+    for slot, bolt in enumerate(bolts):
+        bolt.sheet.slot[:] = slot
+    whole = join([bolt.sheet for bolt in bolts])
+    group = f"{armature.name}_skin"
+    return build_object(f"{armature.name}_head", whole, paints, armature, surface=Surface.SKIN, ink_group=group)
 
 
 def _build_stand_in(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
@@ -104,18 +130,26 @@ def _build_skin(
     colors: Complexion,
     wardrobe: Sequence[Worn],
     every: Expressions,
+    *,
+    beast: bool = False,
 ) -> bpy.types.Object:
-    """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys."""
+    """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys.
+
+    A ``beast`` has no face of a person: nothing above the neck is built.
+    """
     bare = figure.part("skin")
     hidden = tailor.covered_skin(figure, bare, wardrobe)
+    if beast:
+        hidden |= (bare.base[:, 1] > NECK_LINE)[bare.faces].any(1)
     hidden |= covered_scalp(figure, bare, hairstyle(look.hair), float(look.gender == "male"))
     bare = bare.keep_faces(~hidden)
     paint = skin.paint_skin(figure, bare, colors, look)
-    sheets = [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
+    sheets = [bare, *(figure.part(name) for name in () if beast else ("lashes", "teeth", "tongue"))]
     keys = [skin.keys_for(sheet, every) for sheet in sheets]
-    brows, brow_keys = face.brows(figure, 0.034, every)
-    sheets.append(brows)
-    keys.append(brow_keys)
+    if not beast:
+        brows, brow_keys = face.brows(figure, 0.034, every)
+        sheets.append(brows)
+        keys.append(brow_keys)
     for slot, sheet in enumerate(sheets):
         sheet.slot[:] = slot
     whole = join(sheets)

@@ -219,7 +219,7 @@ def _train(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
     for k in range(15):
         turn = np.radians(-78 + 156 * k / 14)
         tip = np.array((0.75 * np.sin(turn), 0.32, z + 0.75 * np.cos(turn)))
-        b.tube("leaves", [(0, 0.15, z), tip], (0.02, 0.035), segments=6)
+        b.tube("leaves", [np.array((0, 0.15, z)), tip], (0.02, 0.035), segments=6)
         b.sphere("fabric_blue", np.add(tip, (0, -0.03, 0)), 0.05, scale=(0.8, 0.3, 1), segments=10, rings=6)
 
 

@@ -240,7 +240,7 @@ def _horns(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
     (y, z), r, (long, _) = plan.skull, plan.head, plan.snout
     for back, size in ((0.0, 0.5), (0.26, 0.28)):
         foot = (0, y - r * 0.6 - long + 0.08 + back, z - r * 0.1 + 0.2 * back)
-        path = bent([foot, np.add(foot, (0, -0.08, size * 0.6)), np.add(foot, (0, -0.02, size))])
+        path = bent([np.array(foot), np.add(foot, (0, -0.08, size * 0.6)), np.add(foot, (0, -0.02, size))])
         b.tube("wax", path, tuple(np.linspace(0.1, 0.012, len(path))), segments=10)
 
 
