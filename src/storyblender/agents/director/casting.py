@@ -12,6 +12,7 @@ from storyblender.catalog.costumes import Age, costume
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.garments_of_trades import TRADE_GARMENTS
 from storyblender.catalog.homelands import Homeland
+from storyblender.catalog.species import Species, species_of
 from storyblender.catalog.worn import WORN
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
@@ -182,14 +183,18 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
     everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
     worn = garments(", ".join(person.outfit) or introduced)
     worn = worn or costume(person.role, person.name, era, person.gender, age, seed)
+    beast = species_of(person.role or person.name) if person.kind == "animal" else None
     return CharacterLook(
         gender=person.gender,
         age=age,
-        stature=_stature(person, age),
+        stature=_stature(person, age) if beast is None else _beast_stature(person, beast, age),
+        species=beast.words[0] if beast else "",
         build=_first(_BUILD, ", ".join(person.build) or introduced) or "average",
         skin=_first(_SKIN, everything) or (homeland.skin if homeland else "light"),
         hair=_hair(person, hair, age, seed, homeland),
-        hair_color=hair_color(_without_beard(hair)) or (hair_color("black") if homeland and age < _GREYING else None),
+        hair_color=cloth_color(" ".join(person.build))
+        if beast
+        else hair_color(_without_beard(hair)) or (hair_color("black") if homeland and age < _GREYING else None),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
         garments=_shod(worn, person.gender, age),
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
@@ -290,6 +295,11 @@ def _hair(person: Person, hair: str, age: float, seed: int, homeland: Homeland |
     return choices[seed % len(choices)]
 
 
+def _hair_color(hair: str, age: float, homeland: Homeland | None) -> Color | None:
+    usual = hair_color("black") if homeland and age < _GREYING else None
+    return hair_color(_without_beard(hair)) or usual
+
+
 def _hair_words(introduced: str) -> str:
     """The parts of an introduction that speak of hair."""
     parts = re.split(r",|;|\band\b|\bwith\b", introduced)
@@ -301,6 +311,14 @@ def _hair_words(introduced: str) -> str:
 def _without_beard(words: str) -> str:
     """Hair words only: the colour of a beard or a moustache is not the colour of the head."""
     return ", ".join(part for part in words.split(",") if not re.search(r"beard|moustache|mustache|stubble", part))
+
+
+def _beast_stature(person: Person, beast: Species, age: float) -> float:
+    """Return how tall an animal on two legs stands: by its kind, its age and the words of size."""
+    words = " ".join((*person.build, *person.face)).lower()
+    told = next((offset for word, offset in (_TALL | _SMALL).items() if re.search(rf"\b{word}\b", words)), 0.0)
+    grown = 0.62 if age < 10 else 0.8 if age < 15 else 1.0
+    return round(min(2.3, max(0.45, beast.height * grown * (1 + 1.4 * told))), 2)
 
 
 def _stature(person: Person, age: float) -> float | None:

@@ -1,4 +1,5 @@
-"""Who is no person: animals and robots stand on the set as the catalog's, in the size and colour the script gives."""
+"""Who is no person: animals that do not act like people, and robots, stand on the set as the
+catalog's, in the size and colour the script gives."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from storyblender.agents.director.motion_families import HANDS
 from storyblender.agents.director.reading import Person, Reading, Thing
 from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.species import species_of
 
 _LIKENED: Final = re.compile(
     r"\b(?:the size of|as (?:big|large|small|tall|high) as|no (?:bigger|larger|taller) than)"
@@ -25,6 +27,7 @@ _BY_MOUTH: Final = frozenset(
     {"take", "pick_up", "hold", "catch", "drop", "give", "put_down", "touch", "search", "open"}
 )
 """What of the work of hands a beak or a claw does."""
+_PARROTS: Final = frozenset({"parrot", "macaw", "cockatoo", "parakeet", "budgie", "budgerigar"})
 _BEFORE: Final = 30
 """Characters before a name in which its kind is told."""
 _REACH: Final = 70
@@ -32,9 +35,10 @@ _REACH: Final = 70
 
 
 def is_creature(person: Person, reading: Reading) -> bool:
-    """Whether somebody is an animal or a machine that looks like one: dressed ones are people in the story.
+    """Whether somebody is an animal on its own feet, or a machine that looks like one, and no character on two legs.
 
-    An animal that talks and uses its hands stands for a person too; one that only talks is a parrot.
+    An animal that is dressed, uses its hands or speaks acts like a person, and is cast as one with the head of its kind;
+    one whose kind nobody knows, too, if it does more than speak. Only a parrot speaks and stays what it is.
 
     Args:
         person: One of ``reading.people``.
@@ -44,8 +48,13 @@ def is_creature(person: Person, reading: Reading) -> bool:
         return False
     if person.kind != "animal":
         return person.role in MACHINES
+    known = species_of(person.role or person.name) is not None and not _PARROTS & {
+        *person.role.split(),
+        *person.name.split(),
+    }
     deeds = (deed for unit in reading.units for deed in unit.deeds if deed.actor == person.id)
-    return not (person.speaks and any(deed.prop and deed.motion in HANDS - _BY_MOUTH for deed in deeds))
+    handles = any(deed.prop and deed.motion in HANDS - _BY_MOUTH for deed in deeds)
+    return not (person.speaks and (known or handles))
 
 
 def describe_creature(person: Person, reading: Reading) -> str:

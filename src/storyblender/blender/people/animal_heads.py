@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,7 +56,7 @@ class Head:
         sheet = ball(self.place(at), np.array(half) * self.radius, self.weights, rotation=turn)
         self.parts.setdefault(tint, []).append(sheet)
 
-    def bar(self, tint: str, points: list[tuple[float, float, float]], radii: list[float]) -> None:
+    def bar(self, tint: str, points: Sequence[tuple[float, float, float]], radii: Sequence[float]) -> None:
         """Add a bar of changing thickness."""
         path = [self.place(point) for point in points]
         sheet = bar(path, [radius * self.radius for radius in radii], self.weights)
@@ -83,7 +83,7 @@ def build_animal_head(figure: Figure, species: Species) -> list[Bolt]:
 
 def _eyes(head: Head) -> None:
     up, out = (0.72, 0.5) if "goggles" in head.species.marks else (0.26, 0.4)
-    ahead = -0.62 if "goggles" in head.species.marks else -0.86
+    ahead = -0.62 if "goggles" in head.species.marks else -1.0 if "stripes" in head.species.marks else -0.86
     for x in (-1, 1):
         head.ball(WHITE, (x * out, ahead, up), (0.17, 0.1, 0.2))
         head.ball(DARK, (x * (out - 0.02), ahead - 0.08, up - 0.01), (0.09, 0.05, 0.12))
@@ -99,10 +99,16 @@ def _mouth(head: Head) -> None:
             points = [(0, -0.5, -0.2), (0, -0.72 - long * 0.35, -0.24), (0, tip + 0.1, -0.27), (0, tip, -0.27)]
             head.bar(pale, points, radii)
             head.ball(DARK, (0, tip - 0.02, -0.27 + thick * 0.42), (thick * 0.42, 0.12, thick * 0.3))
-            smile = [(-thick * 0.72, tip + 0.3, -0.42), (0, tip + 0.02, -0.27 - thick * 0.6), (thick * 0.72, tip + 0.3, -0.42)]
+            smile = [
+                (-thick * 0.72, tip + 0.3, -0.42),
+                (0, tip + 0.02, -0.27 - thick * 0.6),
+                (thick * 0.72, tip + 0.3, -0.42),
+            ]
             head.bar(DARK, smile, [0.02, 0.025, 0.02])
         case "cone":
-            head.bar(pale, [(0, -0.7, -0.05), (0, -0.95, -0.08), (0, tip - 0.25, -0.16)], [thick * 1.1, thick * 0.9, 0.02])
+            head.bar(
+                pale, [(0, -0.7, -0.05), (0, -0.95, -0.08), (0, tip - 0.25, -0.16)], [thick * 1.1, thick * 0.9, 0.02]
+            )
         case "hook":
             head.bar(pale, [(0, -0.8, 0.05), (0, -1.15, 0.0), (0, -1.18, -0.3)], [thick * 1.2, thick, 0.03])
         case "flat":
@@ -110,12 +116,20 @@ def _mouth(head: Head) -> None:
             head.ball(pale, (0, -0.7 - long * 0.42, -0.3), (thick * 0.95, long * 0.62, 0.08))
         case "wide":
             head.ball(pale, (0, -0.62, -0.3), (thick * 0.95, 0.55, 0.34))
-            head.bar(DARK, [(-thick * 0.85, -0.78, -0.2), (0, -1.16, -0.3), (thick * 0.85, -0.78, -0.2)], [0.022, 0.03, 0.022])
+            head.bar(
+                DARK,
+                [(-thick * 0.85, -0.78, -0.2), (0, -1.16, -0.3), (thick * 0.85, -0.78, -0.2)],
+                [0.022, 0.03, 0.022],
+            )
         case "trunk":
             points = [(0, -0.7, -0.1), (0, -1.3, -0.5), (0, -1.35, -1.2), (0, -1.45, -1.6), (0, -1.75, -1.7)]
             head.bar("main", points, [0.44, 0.34, 0.25, 0.2, 0.18])
             for x in (-1, 1):
-                head.bar(WHITE, [(x * 0.35, -0.75, -0.45), (x * 0.5, -1.1, -0.8), (x * 0.48, -1.45, -0.75)], [0.12, 0.1, 0.02])
+                head.bar(
+                    WHITE,
+                    [(x * 0.35, -0.75, -0.45), (x * 0.5, -1.1, -0.8), (x * 0.48, -1.45, -0.75)],
+                    [0.12, 0.1, 0.02],
+                )
 
 
 def _ears(head: Head) -> None:
@@ -142,7 +156,13 @@ def _ears(head: Head) -> None:
 
 def _stripes(head: Head) -> None:
     for x, tint, radius in ((0.0, WHITE, 0.24), (-0.42, DARK, 0.2), (0.42, DARK, 0.2)):
-        points = [(x, 0.6, 0.86), (x, -0.2, 1.0), (x * 1.02, -0.78, 0.62), (x * 0.86, -0.98, 0.16), (x * 0.4, -1.25, -0.05)]
+        points = [
+            (x, 0.6, 0.86),
+            (x, -0.2, 1.0),
+            (x * 1.02, -0.78, 0.62),
+            (x * 0.86, -0.98, 0.16),
+            (x * 0.4, -1.25, -0.05),
+        ]
         head.bar(tint, points, [radius * 0.8, radius, radius * 0.95, radius * 0.7, radius * 0.3])
 
 
@@ -151,7 +171,7 @@ def _spines(head: Head) -> None:
         up, turn = 1 - 1.5 * (step + 0.5) / 150, 2.39996 * step
         across = np.sqrt(max(0.0, 1 - up * up))
         x, y = across * np.cos(turn), across * np.sin(turn)
-        if y > -0.35 and up > -0.4 or up > 0.62:
+        if (y > -0.35 and up > -0.4) or up > 0.62:
             end = (x * 1.42, y * 1.42 + 0.12, up * 1.42)
             head.bar("dark", [(x * 0.95, y * 0.95, up * 0.95), end], [0.055, 0.008])
 
@@ -211,7 +231,11 @@ def _horns(head: Head) -> None:
 
 def _antlers(head: Head) -> None:
     for x in (-1, 1):
-        head.bar("#c9b48a", [(x * 0.35, 0.1, 0.9), (x * 0.7, 0.2, 1.5), (x * 1.3, 0.2, 1.9), (x * 1.3, 0.1, 2.5)], [0.1, 0.09, 0.07, 0.03])
+        head.bar(
+            "#c9b48a",
+            [(x * 0.35, 0.1, 0.9), (x * 0.7, 0.2, 1.5), (x * 1.3, 0.2, 1.9), (x * 1.3, 0.1, 2.5)],
+            [0.1, 0.09, 0.07, 0.03],
+        )
         head.bar("#c9b48a", [(x * 0.7, 0.2, 1.5), (x * 0.7, -0.2, 2.0)], [0.07, 0.02])
         head.bar("#c9b48a", [(x * 1.3, 0.2, 1.9), (x * 1.75, 0.1, 2.2)], [0.06, 0.02])
 
@@ -240,6 +264,7 @@ def _discs(head: Head) -> None:
     for x in (-1, 1):
         head.ball("#e4d8bc", (x * 0.4, -0.76, 0.26), (0.42, 0.16, 0.44))
         head.ball("#d8a520", (x * 0.4, -0.9, 0.26), (0.25, 0.09, 0.27))
+        head.ball(DARK, (x * 0.39, -0.97, 0.26), (0.12, 0.05, 0.15))
 
 
 def _comb(head: Head) -> None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people import eyewear, face, hair, mannequin, mouth, rig, skin, tailor, whiskers
+from storyblender.blender.people.animal_heads import NECK_LINE, build_animal_head
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.pack import PARTS, load_body_pack
+from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
 from storyblender.blender.people.parts import Paint, build_object
 from storyblender.blender.people.scalp import covered_scalp
 from storyblender.blender.people.sheet import hemmed, join
@@ -23,7 +24,9 @@ from storyblender.catalog.cuts import hides_hair
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.garments import dressed
 from storyblender.catalog.hair import hairstyle
+from storyblender.catalog.materials import hex_color
 from storyblender.catalog.skeleton import SKELETON
+from storyblender.catalog.species import SPECIES, Species
 from storyblender.memory.asset_sheet import CharacterLook
 
 HEM = 0.004
@@ -144,7 +147,7 @@ def _build_skin(
     hidden |= covered_scalp(figure, bare, hairstyle(look.hair), float(look.gender == "male"))
     bare = bare.keep_faces(~hidden)
     paint = skin.paint_skin(figure, bare, colors, look)
-    sheets = [bare, *(figure.part(name) for name in () if beast else ("lashes", "teeth", "tongue"))]
+    sheets = [bare] if beast else [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
     keys = [skin.keys_for(sheet, every) for sheet in sheets]
     if not beast:
         brows, brow_keys = face.brows(figure, 0.034, every)
@@ -153,7 +156,9 @@ def _build_skin(
     for slot, sheet in enumerate(sheets):
         sheet.slot[:] = slot
     whole = join(sheets)
-    painted = {0: paint, 2: mouth.paint_teeth(sheets[2].base)}  # by slot
+    painted = {0: paint}  # by slot
+    if not beast:
+        painted[2] = mouth.paint_teeth(sheets[2].base)
     return build_object(
         f"{armature.name}_skin",
         whole,
