@@ -37,8 +37,8 @@ _REACH: Final = 70
 def is_creature(person: Person, reading: Reading) -> bool:
     """Whether somebody is an animal on its own feet, or a machine that looks like one, and no character on two legs.
 
-    An animal that is dressed, uses its hands or speaks acts like a person, and is cast as one with the head of its kind;
-    one whose kind nobody knows, too, if it does more than speak. Only a parrot speaks and stays what it is.
+    An animal that is dressed, uses its hands or speaks acts like a person, and is cast as one with the head of its
+    kind; one whose kind nobody knows, too, if it does more than speak. Only a parrot speaks and stays what it is.
 
     Args:
         person: One of ``reading.people``.
