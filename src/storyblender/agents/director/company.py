@@ -32,6 +32,7 @@ class Company:
     Attributes:
         people: Those of ``reading.people`` who are ever on stage.
         actors: Ids of those of them who are cast.
+        creatures: Ids of those who are animals on their own feet or machines: things of the catalog that move.
         assets: All ids on the asset sheet.
         fixtures: Things that are a part of the set or of another thing: people go to them, nobody builds them.
         names: Id -> name for people to read, also of those who only speak from outside.
@@ -41,6 +42,7 @@ class Company:
         staged = {person for unit in reading.units for person in unit.on_stage}
         self.people = [person for person in reading.people if person.id in staged]
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
+        self.creatures = {person.id for person in self.people} - self.actors
         self.fixtures = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] in FIXTURES}
         things = {thing.id for thing in reading.things} - self.fixtures
         self.assets = {person.id for person in self.people} | things

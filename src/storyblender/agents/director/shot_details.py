@@ -229,7 +229,8 @@ class ShotDetails:
         unit = beat.unit
         found: list[CharacterAction] = []
         for deed in unit.deeds:
-            if deed.actor not in self.company.actors or (unit.kind == "dialogue" and deed.motion in SPOKEN):
+            acts = deed.actor in self.company.actors | self.company.creatures
+            if not acts or (unit.kind == "dialogue" and deed.motion in SPOKEN):
                 continue
             face = unit.expressions.get(deed.actor, "")
             words = deed_words(deed, unit, self.text)

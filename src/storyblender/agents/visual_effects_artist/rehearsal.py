@@ -11,6 +11,7 @@ from storyblender.agents.visual_effects_artist.bearing import Bearing, lasting
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import Floor
+from storyblender.agents.visual_effects_artist.menagerie import Menagerie
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.catalog.motions import clip_of
 from storyblender.memory.asset_sheet import Asset
@@ -46,6 +47,7 @@ class Rehearsal:
 
     def __init__(self, floor: Floor, assets: Sequence[Asset], objects: Sequence[LayoutObject], fps: int) -> None:
         self.company, self.fps = Company(floor, assets, objects), fps
+        self.animals = Menagerie(self.company, assets, objects)
 
     def keep(self, shot: ShotContext) -> None:
         """Take over the ends of a shot whose blocking the user has locked."""
@@ -96,8 +98,12 @@ class Rehearsal:
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         company.leave(stay)
         going_on = lasting(sheet.cues, duration)
+        beasts, places = self.animals.play(shot, self.fps, duration)
+        going_on = [*going_on, *beasts]
         cues = tuple(sorted((_within(cue, duration) for cue in going_on), key=lambda cue: cue.start))
-        return ShotPlan(shot.shot_id, blocking, cues, sheet.start_props, duration, tuple(sheet.cheats))
+        moved = {state.asset_id for state in places}
+        props = (*(state for state in sheet.start_props if state.asset_id not in moved), *places)
+        return ShotPlan(shot.shot_id, blocking, cues, props, duration, tuple(sheet.cheats))
 
 
 def _same_deed(action: CharacterAction, before: CharacterAction) -> bool:

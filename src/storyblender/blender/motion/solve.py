@@ -15,6 +15,7 @@ from storyblender.blender.motion.clips.postures import float_, hang, on_all_four
 from storyblender.blender.motion.clips.registry import Play
 from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
+from storyblender.blender.motion.going import send
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton
@@ -109,6 +110,9 @@ def _fall_asleep(stage: Stage, who: Performer, beat: Beat) -> None:
 
 def _perform(stage: Stage, cue: Cue, index: int) -> float | None:
     who = stage.people.get(cue.asset_id)
+    if who is None and cue.mark is not None and cue.asset_id in stage.props:
+        send(stage.props[cue.asset_id], cue.start / stage.fps, (cue.duration or stage.fps) / stage.fps, cue.mark)
+        return None
     if who is None or cue.clip not in CLIPS:
         return None
     target, prop = stage.subject(cue.target_id), stage.props.get(cue.prop_id or "")

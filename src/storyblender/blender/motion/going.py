@@ -1,0 +1,50 @@
+"""Animals that go: a thing of the catalog turns into its way, bobs along it, and turns to where it looks."""
+
+from __future__ import annotations
+
+import math
+
+from mathutils import Matrix, Vector
+
+from storyblender.blender.motion.channel import clamp, smooth
+from storyblender.blender.motion.puppets import PropPuppet, facing_yaw, standing
+from storyblender.memory.shot_context import Mark
+
+TURNING = 0.22
+"""Share of the time in which it turns into its way, and out of it."""
+STRIDE, BOB = 0.7, 0.05
+"""Length of a step and height of its bob, for each metre of the animal."""
+
+
+def send(puppet: PropPuppet, start: float, seconds: float, mark: Mark) -> None:
+    """Let an animal go to a mark.
+
+    Args:
+        puppet: The animal.
+        start: Second of the shot at which it begins.
+        seconds: How long it takes.
+        mark: Where it ends, and where it looks then.
+    """
+    first = puppet.evaluate(start)
+    here, goal = first.translation.copy(), Vector(mark.location)
+    yaw, last = first.to_euler().z, math.radians(mark.yaw)
+    way = (goal - here).length
+    ahead = facing_yaw(goal - here) if way > 0.1 else last
+    size = max(puppet.size.x, puppet.size.y)
+    steps = max(1, round(way / max(0.08, STRIDE * size))) if way > 0.1 else 0
+
+    def at(t: float) -> Matrix:
+        share = clamp((t - start) / max(seconds, 1e-3))
+        going = smooth(clamp((share - TURNING / 2) / (1 - TURNING)))
+        place = here.lerp(goal, going)
+        place.z += BOB * size * abs(math.sin(math.pi * steps * going))
+        turn = _turned(yaw, ahead, smooth(clamp(share / TURNING)))
+        turn = _turned(turn, last, smooth(clamp((share - 1 + TURNING) / TURNING)))
+        return standing(place, turn)
+
+    puppet.follow(start, at, 0.0)
+
+
+def _turned(start: float, end: float, share: float) -> float:
+    """Return the yaw between two, the shorter way round."""
+    return start + ((end - start + math.pi) % math.tau - math.pi) * share
