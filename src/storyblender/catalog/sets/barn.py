@@ -40,7 +40,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="barn",
     name="Barn",
-    tags=("barn", "stable", "cowshed", "granary", "pigsty"),
+    tags=("barn", "cowshed", "granary", "pigsty"),
     indoor=True,
     draw=draw,
     width=Span(8.0, 9.0, 15.0),

@@ -66,7 +66,13 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="basement",
     name="Basement",
-    tags=("basement", "cellar", "boiler room", "coal cellar", "crawl space", "laundry room"),
+    tags=(
+        "basement",
+        "cellar",
+        "boiler room",
+        "coal cellar",
+        "crawl space",
+    ),
     indoor=True,
     draw=draw,
     width=Span(6.2, 6.8, 10.0),

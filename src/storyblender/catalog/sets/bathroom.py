@@ -39,7 +39,6 @@ KIT = SetKit(
         "restroom",
         "toilet",
         "shower",
-        "laundry",
         "men's room",
         "ladies' room",
     ),

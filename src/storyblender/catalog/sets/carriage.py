@@ -50,7 +50,6 @@ KIT = SetKit(
     tags=(
         "train",
         "carriage",
-        "compartment",
         "railway carriage",
         "subway car",
         "train car",
@@ -62,7 +61,6 @@ KIT = SetKit(
         "metro",
         "tram",
         "cabin of",
-        "boat cabin",
     ),
     indoor=True,
     draw=draw,

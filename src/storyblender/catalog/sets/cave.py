@@ -41,7 +41,7 @@ KIT = SetKit(
     key="cave",
     name="Cave",
     tags=("cave", "cavern", "grotto", "mine", "mine shaft", "mineshaft", "lair", "underground lake", "catacomb",
-          "underground chamber", "burrow"),
+          "underground chamber", ),
     indoor=True,
     draw=draw,
     width=Span(8.6, 9.4, 14.0),

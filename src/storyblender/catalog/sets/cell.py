@@ -41,7 +41,6 @@ KIT = SetKit(
         "cell",
         "jail",
         "prison",
-        "dungeon",
         "holding cell",
         "brig",
         "lockup",

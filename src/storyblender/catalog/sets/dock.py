@@ -89,7 +89,6 @@ KIT = SetKit(
         "mooring",
         "shipyard",
         "canal",
-        "boathouse",
     ),
     indoor=False,
     draw=draw,

@@ -67,8 +67,8 @@ def _long_tables(room: Room) -> None:
 KIT = SetKit(
     key="great_hall",
     name="Great hall",
-    tags=("throne room", "great hall", "palace", "ballroom", "tower", "temple", "royal court",
-          "council chamber", "state room", "banquet hall", "crypt",
+    tags=("throne room", "great hall", "palace", "tower", "royal court",
+          "council chamber", "state room", "banquet hall",
           "castle hall", "palace hall", "hall of the castle", "knights' hall", "feast hall"),
     indoor=True,
     draw=draw,

@@ -66,7 +66,7 @@ def _court(room: Room) -> None:
 KIT = SetKit(
     key="gym",
     name="Sports hall",
-    tags=("gym", "gymnasium", "school gym", "sports hall", "basketball court", "boxing gym", "dojo", "dance studio",
+    tags=("gym", "gymnasium", "school gym", "sports hall", "basketball court", "dojo", "dance studio",
           "ballet studio", "rehearsal room", "training room"),
     indoor=True,
     draw=draw,

@@ -47,7 +47,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="library",
     name="Library",
-    tags=("library", "archive", "reading room", "records room", "bookstore", "bookshop"),
+    tags=("library", "reading room", "bookstore", "bookshop"),
     indoor=True,
     draw=draw,
     width=Span(7.7, 8.2, 12.0),

@@ -51,7 +51,7 @@ KIT = SetKit(
     key="office",
     name="Office",
     tags=("office", "study", "detective agency", "headquarters", "bureau",
-          "studio"),
+          ),
     indoor=True,
     draw=draw,
     width=Span(5.8, 6.4, 10.0),

@@ -98,7 +98,7 @@ _INSIDE_OF = {
     "square": "shop",
     "beach": "cottage",
     "dock": "warehouse",
-    "airfield": "lobby",
+    "airfield": "airport_gate",
     "rooftop": "room",
     "bridge": "control_room",
     "desert": "cottage",

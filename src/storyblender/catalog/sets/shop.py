@@ -47,8 +47,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="shop",
     name="Shop",
-    tags=("shop", "store", "grocery", "bakery", "pharmacy", "drugstore", "general store", "pawn shop",
-          "barber shop", "post office", "butcher", "tailor", "showroom"),
+    tags=("shop", "store", "grocery", "general store", "pawn shop",
+          "butcher", "showroom"),
     indoor=True,
     draw=draw,
     width=Span(7.0, 7.6, 11.0),

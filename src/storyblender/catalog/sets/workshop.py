@@ -49,7 +49,7 @@ KIT = SetKit(
     key="workshop",
     name="Workshop",
     tags=("workshop", "forge", "smithy", "shed", "mill", "carpentry",
-          "toolshed"),
+          ),
     indoor=True,
     draw=draw,
     width=Span(6.4, 7.6, 14.0),

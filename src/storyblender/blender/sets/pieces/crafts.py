@@ -9,6 +9,7 @@ import numpy as np
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import finish, painted
 from storyblender.blender.sets.pieces.registry import PieceSpec, piece
+from storyblender.blender.tags import Surface
 
 
 @piece("seat_row")
@@ -145,4 +146,56 @@ def flight_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
             builder.cylinder(finish("metal_grey"), (x, y, 0.56), (x, y - 0.04, 0.72), 0.015, segments=6)
             builder.sphere(
                 finish("paint_red" if y > 0.6 else "paint_white"), (x, y - 0.045, 0.73), 0.028, segments=8, rings=5
+            )
+
+
+@piece("switch_panel")
+def switch_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a panel of switches, lamps and small screens on a wall at y = 0, lower edge at z = 0. Parameters: width,
+    height."""
+    width, height = spec.number("width", 0.9), spec.number("height", 0.9)
+    builder.box(painted("#4a5055"), (0, -0.03, height / 2), (width, 0.06, height), bevel=0.01)
+    for x in np.arange(-width / 2 + 0.07, width / 2 - 0.03, 0.09):
+        for z in np.arange(0.08, height - 0.04, 0.1):
+            kind = spec.rng.random()
+            if kind < 0.5:
+                builder.cylinder(
+                    finish("chrome"),
+                    (float(x), -0.06, float(z)),
+                    (float(x), -0.085, float(z) + 0.012),
+                    0.007,
+                    segments=5,
+                )
+                builder.box(finish("paint_black"), (float(x), -0.062, float(z)), (0.035, 0.006, 0.035))
+            elif kind < 0.8:
+                key = ("paint_green", "lamp_warm", "paint_red", "lamp_cool")[int(spec.rng.integers(4))]
+                builder.box(finish(key), (float(x), -0.063, float(z)), (0.03, 0.008, 0.02))
+            else:
+                builder.cylinder(
+                    finish("paint_black"), (float(x), -0.06, float(z)), (float(x), -0.072, float(z)), 0.034, segments=12
+                )
+                builder.box(finish("paint_white"), (float(x), -0.075, float(z) + 0.01), (0.006, 0.004, 0.03))
+
+
+@piece("overhead_panel")
+def overhead_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Hang a panel of switches from the ceiling at z = 0."""
+    builder.box(painted("#4a5055"), (0, 0, -0.08), (0.7, 0.8, 0.16), rotation=(-10, 0, 0), bevel=0.02)
+    for x in np.arange(-0.28, 0.3, 0.08):
+        for y in np.arange(-0.3, 0.32, 0.1):
+            skin = finish(("chrome", "lamp_warm", "paint_green", "chrome")[int(spec.rng.integers(4))])
+            builder.cylinder(skin, (float(x), float(y), -0.15), (float(x), float(y) - 0.01, -0.19), 0.009, segments=5)
+
+
+@piece("wave_rings", Surface.NO_INK)
+def wave_rings(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Lay rings of small waves around a boat about the origin."""
+    for radius in (2.6, 3.3, 4.3):
+        ring = [(radius * 1.25 * math.cos(t), radius * 0.7 * math.sin(t), 0.0) for t in np.linspace(0, 6.28, 40)[:-1]]
+        builder.tube(painted("#5a7f8a"), ring, 0.025, segments=4, closed=True)
+    for _ in range(70):
+        x, y, wide = (float(v) for v in (*spec.rng.uniform(-16, 16, 2), spec.rng.uniform(0.3, 0.9)))
+        if math.hypot(x, y) > 4:
+            builder.box(
+                painted("#4a707c"), (x, y, 0.0), (wide, 0.05, 0.02), rotation=(0, 0, float(spec.rng.uniform(-12, 12)))
             )

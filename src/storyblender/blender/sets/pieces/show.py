@@ -174,3 +174,60 @@ def trapeze(builder: MeshBuilder, spec: PieceSpec) -> None:
     for x in (-0.35, 0.35):
         builder.cylinder(finish("canvas"), (x, 0, 0), (x, 0, -drop), 0.012, segments=5)
     builder.cylinder(finish("metal_grey"), (-0.4, 0, -drop), (0.4, 0, -drop), 0.02, segments=8)
+
+
+@piece("striped_stand")
+def striped_stand(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a round painted stand for an animal of the circus."""
+    for index, t in enumerate(np.linspace(0, 2 * math.pi, 13)[:-1]):
+        a, b = t, t + 2 * math.pi / 12
+        skin = painted(("#a3241d", "#c9a227")[index % 2])
+        p, q = ((0.45 * math.cos(v), 0.45 * math.sin(v)) for v in (a, b))
+        r, s = ((0.34 * math.cos(v), 0.34 * math.sin(v)) for v in (a, b))
+        builder.quad(skin, (*p, 0), (*q, 0), (*s, 0.5), (*r, 0.5))
+    builder.cylinder(painted("#33506b"), (0, 0, 0.5), (0, 0, 0.56), 0.38, segments=20)
+
+
+@piece("great_idol")
+def great_idol(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a great seated figure of stone on a plinth that faces -Y."""
+    stone, gold = finish("stone_light"), finish("gold")
+    builder.box(finish("stone_sand"), (0, 0, 0.45), (2.1, 1.7, 0.9), bevel=0.04)
+    builder.box(finish("stone_light"), (0, 0, 0.95), (2.3, 1.9, 0.12), bevel=0.02)
+    builder.cushion(stone, (0, -0.15, 1.3), (1.8, 1.3, 0.6), softness=0.7)
+    builder.cushion(stone, (0, 0.1, 2.0), (1.1, 0.7, 1.3), softness=0.6)
+    for side in (-1, 1):
+        builder.tube(
+            stone,
+            [(side * 0.5, 0.05, 2.4), (side * 0.75, -0.1, 1.9), (side * 0.45, -0.55, 1.55), (side * 0.1, -0.6, 1.5)],
+            [0.19, 0.17, 0.14, 0.1],
+        )
+    builder.cylinder(stone, (0, 0.05, 2.5), (0, 0.05, 2.8), 0.18, segments=14)
+    builder.sphere(stone, (0, 0.0, 3.05), 0.36, scale=(0.85, 0.9, 1.1), segments=18, rings=12)
+    builder.lathe(gold, [(0.36, 0), (0.4, 0.08), (0.2, 0.25), (0.03, 0.5)], origin=(0, 0.02, 3.28), segments=18)
+    builder.lathe(gold, [(0.5, 0.0), (0.36, 0.05)], origin=(0, 0.05, 2.5), segments=20, caps=False)
+    for x in (-0.12, 0.12):
+        builder.box(finish("plaster_soot"), (x, -0.3, 3.1), (0.12, 0.06, 0.03))
+
+
+@piece("earth_wall")
+def earth_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a lumpy wall of earth along x with stones in it, its back at y = 0. Parameters: length, height."""
+    length, height = spec.number("length", 6), spec.number("height", 2.4)
+    xs, zs = np.linspace(-length / 2, length / 2, int(length * 5)), np.linspace(0, height, 11)
+    rows = []
+    for z in zs:
+        out = 0.16 + 0.09 * np.sin(2.1 * xs + 3 * z) + 0.05 * np.sin(5.3 * xs - 4 * z) + 0.5 * (z / height) ** 4
+        rows.append(np.c_[xs, -out, np.full(len(xs), z)])
+    builder.loft(finish("mud"), rows, closed=False)
+    builder.loft(finish("mud"), rows[::-1], closed=False)
+    for _ in range(14):
+        x, z, size = (
+            float(v)
+            for v in (
+                spec.rng.uniform(-length / 2, length / 2),
+                spec.rng.uniform(0.1, height * 0.9),
+                spec.rng.uniform(0.06, 0.16),
+            )
+        )
+        builder.sphere(finish("stone"), (x, -0.24, z), size, scale=(1.2, 0.6, 0.8), segments=8, rings=5)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 
@@ -151,3 +152,19 @@ def printing_press(builder: MeshBuilder, spec: PieceSpec) -> None:
         y, z = 0.36 * math.cos(t), 0.36 * math.sin(t)
         builder.cylinder(iron, (0.85, -y, 1.1 - z), (0.85, y, 1.1 + z), 0.016, segments=5)
     builder.cylinder(iron, (0.6, 0, 1.1), (0.9, 0, 1.1), 0.05, segments=8)
+
+
+@piece("news_desk")
+def news_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a curved desk of a television studio with a lit edge, the camera at -Y."""
+    t = np.linspace(math.pi * 1.2, math.pi * 1.8, 13)
+    outer = np.c_[2.6 * np.cos(t), 2.2 + 2.6 * np.sin(t)]
+    inner = np.c_[2.0 * np.cos(t), 2.2 + 2.0 * np.sin(t)]
+    for (p, q), (r, s) in zip(pairwise(outer), pairwise(inner), strict=True):
+        builder.quad(finish("paint_white"), (*p, 0.98), (*q, 0.98), (*s, 0.98), (*r, 0.98))
+        builder.quad(painted("#1f3a5f"), (*p, 0.1), (*q, 0.1), (*q, 0.9), (*p, 0.9))
+        builder.quad(finish("lamp_cool"), (*p, 0.9), (*q, 0.9), (*q, 0.98), (*p, 0.98))
+        builder.quad(finish("paint_grey"), (*s, 0.1), (*r, 0.1), (*r, 0.98), (*s, 0.98))
+    for x in (-0.7, 0.7):
+        builder.box(finish("paint_white"), (x, 0.0, 0.985), (0.22, 0.3, 0.004))
+        builder.lathe(finish("porcelain"), [(0.035, 0), (0.04, 0.09)], origin=(x + 0.28, 0.0, 0.98), segments=10)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
@@ -123,3 +125,144 @@ def parcel_counter(builder: MeshBuilder, spec: PieceSpec) -> None:
             builder.box(brass, (x, -0.105, z), (width / columns - 0.02, 0.012, height / rows - 0.02))
             builder.box(finish("paint_black"), (x, -0.114, z + 0.02), (0.05, 0.006, 0.03))
             builder.cylinder(finish("iron"), (x, -0.112, z - 0.04), (x, -0.122, z - 0.04), 0.012, segments=6)
+
+
+@piece("vault_door")
+def vault_door(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build the round steel door of a vault on a wall at y = 0."""
+    steel, dark = finish("steel"), finish("metal_grey")
+    builder.box(dark, (0, -0.06, 1.25), (2.3, 0.12, 2.5), bevel=0.02)
+    builder.cylinder(steel, (0, -0.1, 1.25), (0, -0.34, 1.25), 0.98, segments=32)
+    builder.cylinder(dark, (0, -0.34, 1.25), (0, -0.37, 1.25), 0.8, segments=30)
+    for t in np.linspace(0, 2 * math.pi, 13)[:-1]:
+        x, z = 0.88 * math.cos(t), 1.25 + 0.88 * math.sin(t)
+        builder.cylinder(finish("brass"), (x, -0.33, z), (x, -0.37, z), 0.045, segments=8)
+    ring = [(0.36 * math.cos(t), -0.52, 1.25 + 0.36 * math.sin(t)) for t in np.linspace(0, 2 * math.pi, 21)[:-1]]
+    builder.tube(finish("brass"), ring, 0.025, segments=6, closed=True)
+    for t in np.arange(0, math.pi, math.pi / 3):
+        x, z = 0.36 * math.cos(t), 0.36 * math.sin(t)
+        builder.cylinder(finish("brass"), (-x, -0.52, 1.25 - z), (x, -0.52, 1.25 + z), 0.018, segments=6)
+    builder.cylinder(steel, (0, -0.36, 1.25), (0, -0.54, 1.25), 0.07, segments=12)
+    for z in (0.6, 1.9):
+        builder.box(steel, (-1.08, -0.2, z), (0.24, 0.2, 0.34), bevel=0.03)
+
+
+@piece("writing_stand")
+def writing_stand(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a sloping stand to write at, with pens on chains, its back to +Y."""
+    builder.box(finish("wood_dark"), (0, 0.1, 0.55), (1.3, 0.3, 1.1))
+    builder.box(finish("wood"), (0, 0, 1.13), (1.4, 0.56, 0.05), rotation=(12, 0, 0), bevel=0.01)
+    for x in (-0.4, 0.1, 0.45):
+        builder.box(finish("paint_white"), (x, -0.02, 1.16), (0.2, 0.28, 0.004), rotation=(12, 0, 8))
+        builder.cylinder(finish("paint_black"), (x + 0.15, -0.08, 1.15), (x + 0.17, 0.06, 1.19), 0.006, segments=5)
+
+
+@piece("pharmacy_cross")
+def pharmacy_cross(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Hang a green cross with a pale edge on a wall at y = 0."""
+    for key, size, y in (("paint_white", 0.46, -0.03), ("paint_green", 0.4, -0.06)):
+        builder.box(finish(key), (0, y, 0.25), (size, 0.04, size / 3), bevel=0.006)
+        builder.box(finish(key), (0, y, 0.25), (size / 3, 0.04, size), bevel=0.006)
+
+
+@piece("barber_pole")
+def barber_pole(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a striped barber's pole on a wall at y = 0, lower edge at z = 0."""
+    for index in range(14):
+        skin = finish(("paint_white", "paint_red", "paint_white", "paint_blue")[index % 4])
+        builder.cylinder(skin, (0, -0.15, 0.08 + 0.05 * index), (0.0, -0.15, 0.13 + 0.05 * index), 0.08, segments=14)
+    for z in (0.04, 0.82):
+        builder.sphere(finish("brass"), (0, -0.15, z), 0.1, segments=12, rings=7)
+        builder.box(finish("brass"), (0, -0.07, z), (0.05, 0.14, 0.05))
+
+
+@piece("brick_oven")
+def brick_oven(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a baker's brick oven with a lit mouth, its back at y = 0."""
+    brick = finish("brick_red")
+    builder.box(brick, (0, -0.45, 0.45), (1.9, 0.9, 0.9))
+    builder.box(finish("stone_light"), (0, -0.5, 0.93), (2.0, 1.0, 0.08), bevel=0.01)
+    for side in (-1, 1):
+        builder.box(brick, (side * 0.7, -0.4, 1.4), (0.5, 0.8, 0.9))
+    builder.box(brick, (0, -0.4, 1.95), (1.9, 0.8, 0.7))
+    builder.box(finish("plaster_soot"), (0, -0.25, 1.3), (0.9, 0.5, 0.66))
+    builder.box(finish("pane_warm"), (0, -0.51, 1.1), (0.7, 0.02, 0.2))
+    for x in (-0.2, 0.0, 0.2):
+        builder.lathe(finish("flame"), [(0.08, 0), (0.06, 0.12), (0.01, 0.26)], origin=(x, -0.55, 1.0), segments=8)
+    for k in range(7):
+        t = math.pi * (k + 0.5) / 7
+        x, z = 0.5 * math.cos(t), 1.42 + 0.3 * math.sin(t)
+        builder.box(finish("stone_light"), (x, -0.82, z), (0.16, 0.06, 0.22), rotation=(0, 90 - math.degrees(t), 0))
+    builder.cylinder(finish("wood_light"), (0.85, -0.92, 0.0), (0.78, -0.88, 2.0), 0.02, segments=6)
+
+
+@piece("dress_form")
+def dress_form(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a dress form on a stand in a half-made coat that faces -Y. Parameters: color."""
+    coat = spec.paint("color", "#2f3a4a")
+    builder.lathe(finish("wood_dark"), [(0.22, 0), (0.2, 0.04), (0.03, 0.07), (0.025, 0.8)], segments=14)
+    sections = (
+        (0.78, 0.2, 0.14),
+        (0.95, 0.19, 0.13),
+        (1.1, 0.15, 0.11),
+        (1.3, 0.2, 0.13),
+        (1.45, 0.19, 0.1),
+        (1.52, 0.07, 0.06),
+    )
+    t = np.linspace(0, 2 * math.pi, 17)[:-1]
+    builder.loft(coat, [np.c_[w * np.cos(t), d * np.sin(t), np.full(16, z)] for z, w, d in sections])
+    builder.cylinder(finish("linen"), (0, 0, 1.5), (0, 0, 1.6), 0.055, segments=12)
+    builder.sphere(finish("wood_dark"), (0, 0, 1.63), 0.035, segments=8, rings=5)
+    for side in (-1, 1):
+        builder.box(finish("paint_cream"), (side * 0.05, -0.125, 1.35), (0.02, 0.01, 0.2), rotation=(0, side * 20, 0))
+
+
+@piece("vet_table")
+def vet_table(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a steel table to examine animals on, with its lamp above."""
+    steel = finish("steel")
+    builder.box(steel, (0, 0, 0.88), (1.4, 0.65, 0.05), bevel=0.01)
+    builder.box(steel, (0, 0, 0.45), (0.3, 0.3, 0.84))
+    builder.box(steel, (0, 0, 0.03), (0.9, 0.5, 0.06), bevel=0.01)
+    builder.tube(finish("paint_white"), [(0.9, 0.3, 0), (0.9, 0.3, 1.9), (0.6, 0.2, 2.05), (0.3, 0.1, 1.95)], 0.025)
+    builder.lathe(finish("paint_white"), [(0.06, 0.1), (0.2, 0.0)], origin=(0.26, 0.1, 1.86), segments=18, caps=False)
+    builder.cylinder(finish("lamp_cool"), (0.26, 0.1, 1.87), (0.26, 0.1, 1.88), 0.15, segments=16)
+
+
+@piece("cage_wall")
+def cage_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build three rows of cages on a wall at y = 0. Parameters: length."""
+    length, steel = spec.number("length", 3.0), finish("metal_grey")
+    count = max(2, round(length / 0.8))
+    for x in np.linspace(-length / 2, length / 2, count + 1):
+        builder.box(steel, (float(x), -0.3, 0.9), (0.03, 0.6, 1.8))
+    for z in (0.06, 0.6, 1.2, 1.8):
+        builder.box(steel, (0, -0.3, z), (length, 0.6, 0.03))
+    for x in np.arange(-length / 2 + 0.08, length / 2, 0.08):
+        builder.cylinder(steel, (float(x), -0.6, 0.06), (float(x), -0.6, 1.8), 0.006, segments=4, caps=False)
+    for column in range(count):
+        x = (column + 0.5) * length / count - length / 2
+        for z in (0.09, 0.63, 1.23):
+            if spec.rng.random() < 0.6:
+                builder.cushion(painted("#7a5a4a"), (x, -0.3, z + 0.05), (length / count * 0.7, 0.4, 0.1), softness=0.7)
+
+
+@piece("shackles")
+def shackles(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Hang two chains with iron cuffs on a wall at y = 0, from z = 0 down."""
+    iron = finish("iron")
+    for x in (-0.35, 0.35):
+        builder.cylinder(iron, (x, 0, 0), (x, -0.06, 0), 0.07, segments=10)
+        for link in range(7):
+            turn = (0, 0, 90) if link % 2 else (0, 0, 0)
+            builder.box(
+                iron,
+                (x * (1 - 0.02 * link), -0.05, -0.06 - 0.075 * link),
+                (0.05, 0.018, 0.075),
+                rotation=turn,
+                bevel=0.006,
+            )
+        ring = [
+            (x * 0.86 + 0.055 * math.cos(t), -0.05 + 0.055 * math.sin(t), -0.62) for t in np.linspace(0, 6.28, 13)[:-1]
+        ]
+        builder.tube(iron, ring, 0.014, segments=5, closed=True)
