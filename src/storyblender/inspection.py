@@ -230,7 +230,7 @@ def _collision_row(collisions: list[Collision], findings: list[str]) -> CheckRow
         f"{item.shot} frame {item.frame}: {item.asset_id} is {100 * item.depth:.0f} cm inside {item.node_id}"
         for item in collisions
     ]
-    return CheckRow(name="people through furniture", value=str(len(collisions)), ok=not collisions)
+    return CheckRow(name="people through things and people", value=str(len(collisions)), ok=not collisions)
 
 
 def _reach_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:

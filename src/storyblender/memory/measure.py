@@ -81,7 +81,7 @@ class ViewRequest(Frozen):
 
 
 class Collision(Frozen):
-    """A person inside a thing."""
+    """A person inside a thing, or inside another person."""
 
     shot: str
     frame: int

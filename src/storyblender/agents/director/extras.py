@@ -7,11 +7,21 @@ from typing import TypeVar
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import Person, Reading, Unit
+from storyblender.catalog.props.variants import singular
 from storyblender.memory.scene_context import Relation, Spot
+from storyblender.memory.vocabulary import Gender
 
 MOST = 40
 """Bodies for one group."""
 
+_AGES = ("30s", "50s", "20s", "40s", "60s", "30s", "70s")
+"""Of the members of a group of whom no age is told."""
+_MEN = frozenset(
+    {"soldier", "guard", "sailor", "knight", "monk", "miner", "trooper", "warrior", "pirate", "sentry", "marine"}
+)
+"""Groups of whom nobody expects women where the script tells of none."""
+_CROWD = 4
+"""Members from which a group is a crowd."""
 _NUMBER = 60
 """Characters before a group in which its number stands."""
 _Value = TypeVar("_Value")
@@ -53,9 +63,13 @@ def _count(group: Person, text: str) -> int:
 
 
 def _member(group: Person, number: int) -> Person:
+    """Return one of a group; where nothing is told, women and men by turns, and of several ages."""
+    words = {singular(word) for word in f"{group.name} {group.role}".lower().split()}
+    mixed: Gender = "male" if words & _MEN else ("female", "male")[number % 2]
+    gender = group.gender if group.gender != "unknown" or group.count < _CROWD else mixed
     return replace(
         group, id=f"{group.id[:60]}_{number}", name=f"{group.name} {number}", kind="human", count=1,
-        aliases=(*group.aliases, group.name),
+        aliases=(*group.aliases, group.name), gender=gender, age=group.age or _AGES[number % len(_AGES)],
     )  # fmt: skip
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import free_seats, take
+from storyblender.catalog.props.kin import kin_of
 from storyblender.geometry.boxes import facing
 from storyblender.geometry.relations import Thing
 from storyblender.geometry.stations import cheated
@@ -27,6 +28,8 @@ _LANE = 1.1
 _SITTING = 0.6
 """Share of a crowd that sits where there are seats."""
 _GRID = 0.35
+_SEATS = kin_of("chair") | kin_of("bench") | kin_of("sofa") | kin_of("armchair") | {"bar_stool"}
+"""Props on which anybody sits down."""
 
 
 def crowds_of(people: Sequence[str]) -> list[list[str]]:
@@ -63,6 +66,11 @@ def place_crowd(stage: Stage, members: Sequence[str]) -> None:
         group, waiting = waiting[:count], waiting[count:]
         _stand_together(stage, group, spots, turn)
         turn += 1
+
+
+def _for_anybody(stage: Stage, name: str) -> bool:
+    """Return whether a seat is no place of honour or of work: nobody of a crowd sits on the throne."""
+    return stage.brief.props.get(stage.assets[name]) in _SEATS
 
 
 def _open(point: Vec2, principals: Sequence[Vec2]) -> bool:

@@ -15,9 +15,9 @@ from storyblender.reflection import Critique, Fault
 
 INSIDE = 0.6
 """Share of a body's disc that must be free of furniture."""
-TOGETHER = 0.30
-"""Metres: two standing people nearer than this overlap, unless they embrace."""
-EMBRACES = frozenset({"hug", "kiss"})
+TOGETHER = 0.40
+"""Metres: two people nearer than this are in each other, unless they embrace."""
+EMBRACES = frozenset({"hug", "kiss", "lift", "dance"})
 NO_WAY = ("put_down", "look")
 """Clips whose mark is nothing that anybody goes to."""
 LEAPS = frozenset({"jump", "climb"})

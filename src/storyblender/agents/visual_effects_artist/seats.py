@@ -52,7 +52,8 @@ class Seats:
         told = support is None or node in (support.node_id, *(seat.node_id for seat in self.at(support.node_id)))
         if node is None or not told or person.posture != "stand" or math.dist(home, person.place) > NEAR_HOME:
             return None
-        seats = self.floor.seats(node, asked=True)
+        taken = [p.place for p in self.people.values() if p.present and p is not person and p.posture in SEATED]
+        seats = self._free(self.floor.seats(node, asked=True), taken)
         return min(seats, key=lambda seat: math.dist(seat.edge, home), default=None)
 
     def as_laid_out(self, person: Person, state: BodyState) -> BodyState:

@@ -1,4 +1,4 @@
-"""Who is inside the furniture, and how deep: every person's skin against every thing, frame by frame.
+"""Who is inside the furniture or another person, and how deep: skin against things, bones against bones.
 
 The skin is posed with the motion solver's own body data, so the test needs no evaluated meshes. Hands are left out:
 they hold things.
@@ -6,6 +6,7 @@ they hold things.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
@@ -16,12 +17,15 @@ from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
 from storyblender.blender.people.body import Body
+from storyblender.geometry.limbs import THICK, depth_between
 from storyblender.memory.measure import Collision
 
 TOLERANCE = 0.03
 """Metres: cushions and cloth give way this far."""
 STILL = 0.01
 """Metres: a body that moved less since it was tested is where it was."""
+_NEAR = 1.8
+"""Metres between the middles of two bodies that may touch, lying ones too."""
 EVERY = 4
 """Every which skin vertex is tested."""
 _HANDS = ("hand.", "thumb.", "index1.", "index2.", "fingers1.", "fingers2.")
@@ -68,6 +72,15 @@ class _Person:
         free = np.flatnonzero(body.weights[:, hands].sum(axis=1) < 0.1)[::EVERY]
         self._weights, self._points = body.weights[free], np.c_[body.vertices[free], np.ones(len(free))]
         self._unrest = np.linalg.inv(body.rest)
+        self.stature = float(np.ptp(body.vertices[:, 2]))
+
+    def limbs(self) -> tuple[Floats, Floats]:
+        """Return the (n, 2, 3) ends of the trunk's, the head's and the legs' bones in the world, and their radii."""
+        bones = [bone for bone in self.rig.pose.bones if bone.name.split(".")[0] in THICK]
+        ends = np.array([[(*bone.head, 1.0), (*bone.tail, 1.0)] for bone in bones])
+        world = ends @ np.array(self.rig.matrix_world).T
+        radii: Floats = np.array([self.stature * THICK[bone.name.split(".")[0]] for bone in bones], dtype=np.float64)
+        return np.asarray(world[..., :3], dtype=np.float64), radii
 
     def posed(self) -> Floats:
         """Return (n, 3) world positions of every EVERYth vertex at the frame of the scene."""
@@ -80,7 +93,7 @@ class _Person:
 def find_collisions(
     scene: bpy.types.Scene, bodies: Mapping[str, Body], frames: Mapping[str, range], step: int = 8
 ) -> list[Collision]:
-    """Return the deepest collision of each person with each thing in each shot.
+    """Return the deepest collision of each person with each thing and each other person in each shot.
 
     Args:
         scene: The packed scene, in the window.
@@ -97,18 +110,35 @@ def find_collisions(
         tested: dict[str, Floats] = {}
         for frame in range(span.start, span.stop, step):
             scene.frame_set(frame)
-            for person in people:
-                if person.rig.hide_render:
-                    continue
+            shown = [person for person in people if not person.rig.hide_render]
+            for collision in _between(shot, frame - span.start, shown):
+                _note(worst, collision)
+            for person in shown:
                 skin, last = person.posed(), tested.get(person.asset_id)
                 if last is not None and np.abs(skin - last).max() < STILL:
                     continue
                 tested[person.asset_id] = skin
                 for collision in _of_person(shot, frame - span.start, person.asset_id, skin, things):
-                    key = (shot, person.asset_id, collision.node_id)
-                    if key not in worst or collision.depth > worst[key].depth:
-                        worst[key] = collision
+                    _note(worst, collision)
     return sorted(worst.values(), key=lambda item: -item.depth)
+
+
+def _note(worst: dict[tuple[str, str, str], Collision], collision: Collision) -> None:
+    key = (collision.shot, collision.asset_id, collision.node_id)
+    if key not in worst or collision.depth > worst[key].depth:
+        worst[key] = collision
+
+
+def _between(shot: str, frame: int, people: list[_Person]) -> Iterator[Collision]:
+    """Who is in whom: bones within reach of each other, pair by pair."""
+    posed = [(person.asset_id, *person.limbs()) for person in people]
+    for (one, ends, radii), (other, others, widths) in itertools.combinations(posed, 2):
+        apart = np.abs(ends.mean(axis=(0, 1)) - others.mean(axis=(0, 1))).max()
+        if apart > _NEAR:
+            continue
+        depth = depth_between(ends, radii, others, widths)
+        if depth > TOLERANCE:
+            yield Collision(shot=shot, frame=frame, asset_id=one, node_id=other, depth=depth)
 
 
 def _of_person(shot: str, frame: int, asset_id: str, skin: Floats, things: list[_Thing]) -> Iterator[Collision]:
