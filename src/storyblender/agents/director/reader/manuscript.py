@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Literal
 
 from storyblender.agents.director import camera_phrases
+from storyblender.agents.director.lexicon.foreign import Tongue, tongue_of
 from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reading import CameraNote
@@ -78,6 +80,11 @@ class Manuscript:
     def text(self) -> str:
         """The characters all offsets count."""
         return self.screenplay.text
+
+    @cached_property
+    def tongue(self) -> Tongue | None:
+        """The language of its action, where that is another than English."""
+        return tongue_of(" ".join(p.raw for p in self.paragraphs if p.kind == "action"))
 
     @property
     def prose(self) -> bool:

@@ -9,10 +9,12 @@ from collections import Counter
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
 from storyblender.agents.director.reader.beside import act_beside
+from storyblender.agents.director.reader.cast.foreign_cast import add_foreign
 from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
 from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
 from storyblender.agents.director.reader.deeds.carried import bring_along
 from storyblender.agents.director.reader.deeds.exits import clear_exits
+from storyblender.agents.director.reader.foreign import read_foreign
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import open_manuscript
 from storyblender.agents.director.reader.page.cutting import cut_page
@@ -45,11 +47,15 @@ def read_script(screenplay: Screenplay) -> Reading:
     """
     script = open_manuscript(screenplay)
     roster = find_prose_cast(script) if script.prose else find_cast(script)
+    add_foreign(roster, script)
     roster.index()
     reading = Reading(screenplay, people=roster.people)
     sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
-    stage = Stage(roster, Inventory(roster.ids), reading)
+    stage = Stage(roster, Inventory(roster.ids), reading, script.tongue)
+    if script.tongue:
+        reason = f"the page is in {script.tongue.name}: what people do is told by a table of common words"
+        stage.flag("language", script.tongue.key, reason, 0, 0)
     for sentence in sentences:
         _read(stage, sentence)
     _close(stage)
@@ -139,10 +145,10 @@ def _read(stage: Stage, sentence: Sentence) -> None:
         _stay(stage, sentence)
         return
     shown = _look_at(stage, sentence.camera) if sentence.camera else None
-    if sentence.words and stage.reading.screenplay.format != "prose":
-        bring_along(stage, sentence)
-    if sentence.words:
-        read_action(stage, sentence)
+    if sentence.words and stage.tongue:
+        read_foreign(stage, sentence, stage.tongue)
+    elif sentence.words:
+        _read_action(stage, sentence)
     if shown and not unit.deeds:
         lies_there(stage, shown, sentence.words)
     if sentence.speech:
@@ -156,6 +162,12 @@ def _read(stage: Stage, sentence: Sentence) -> None:
         stage.scene.leaving += [person for person in unit.entering if person not in stage.scene.leaving]
     unit.leaving = list(stage.scene.leaving)
     _note_the_stage(stage)
+
+
+def _read_action(stage: Stage, sentence: Sentence) -> None:
+    if stage.reading.screenplay.format != "prose":
+        bring_along(stage, sentence)
+    read_action(stage, sentence)
 
 
 def _stay(stage: Stage, sentence: Sentence) -> None:

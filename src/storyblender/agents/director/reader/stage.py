@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.lexicon.foreign import Tongue
 from storyblender.agents.director.reader.language.words import Word, key_of
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.props import Inventory
@@ -150,6 +151,8 @@ class Stage:
     roster: Roster
     inventory: Inventory
     reading: Reading
+    tongue: Tongue | None = None
+    """The language of the script, where that is another than English."""
     discourse: Discourse = field(default_factory=Discourse)
     scene: SceneState = field(default_factory=SceneState)
     sentence: SentenceState = field(default_factory=SentenceState)

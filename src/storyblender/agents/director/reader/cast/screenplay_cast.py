@@ -177,6 +177,8 @@ def _is_person(name: str, before: str, after: str, cues: set[str], written: Text
     base = _ARTICLE_OR_COUNT.sub("", name)
     if base in cues or name in cues:
         return True
+    if re.search(r" (?:DE|DEL|DI|VON|OF) ", base) and base.split()[-1] in cues:
+        return False  # LA PALMA DE OFELIA
     if " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS:
         return True
     unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"

@@ -1,0 +1,100 @@
+"""Who is in a script in German, Spanish, French or Italian: nouns for people and animals, and genders by pronouns."""
+
+from __future__ import annotations
+
+import re
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.lexicon.foreign import Tongue
+from storyblender.agents.director.reader.manuscript import Manuscript, without_brackets, without_quotations
+from storyblender.agents.director.reader.people.roster import Roster, bare
+from storyblender.agents.director.reading import Person
+from storyblender.memory.vocabulary import Gender
+
+_WORD = re.compile(r"[^\W\d_]+")
+_COMPOUND = 4
+"""Letters that a German noun at the end of a longer word has at least: ``REVIERKATZE``."""
+_VOTING = 160
+"""Characters after a name in which the next pronoun is read."""
+_ENDINGS: dict[str, Gender] = {"a": "female", "o": "male"}
+_PRONOUNS: dict[str, dict[str, Gender]] = {
+    "de": {"er": "male", "sie": "female"},
+    "es": {"él": "male", "ella": "female"},
+    "fr": {"il": "male", "elle": "female"},
+    "it": {"lui": "male", "lei": "female"},
+}
+
+
+def add_foreign(roster: Roster, script: Manuscript) -> None:
+    """Add people and animals whom a noun of the script's language names; tell what they are and of which gender.
+
+    Args:
+        roster: Those with names; filled here.
+        script: Its language is none the reader knows by grammar.
+    """
+    tongue = script.tongue
+    if tongue is None:
+        return
+    for paragraph in script.paragraphs:
+        if paragraph.kind != "action":
+            continue
+        text = without_quotations(without_brackets(paragraph.body))
+        words = [*_WORD.finditer(text)]
+        for at, match in enumerate(words):
+            english = _person_noun(match.group(), tongue)
+            if english and (match.group().isupper() or _acts(words, at, tongue)):
+                _add(roster, match.group(), english, paragraph.start + match.start())
+    for person in roster.people:
+        english = _person_noun(person.name.split()[-1], tongue)
+        if english and not person.role and " " not in person.name:
+            _be(person, english)
+        if person.gender == "unknown" and person.kind == "human":
+            others = {alias for other in roster.people if other is not person for alias in other.aliases}
+            person.gender = _told(person, others, script.text, tongue)
+    roster.sort()
+
+
+def _person_noun(word: str, tongue: Tongue) -> str:
+    """The English noun for a noun for people, also at the end of a German compound; an empty string for none."""
+    low = word.lower()
+    if low in tongue.people:
+        return tongue.people[low]
+    if tongue.key != "de" or not word[0].isupper():
+        return ""
+    ends = [noun for noun in tongue.people if len(noun) >= _COMPOUND and low.endswith(noun)]
+    return tongue.people[max(ends, key=len)] if ends else ""
+
+
+def _acts(words: list[re.Match[str]], at: int, tongue: Tongue) -> bool:
+    """``Der Kellner bringt``: a verb follows."""
+    following = words[at + 1].group().lower() if at + 1 < len(words) else ""
+    return following in tongue.verbs
+
+
+def _add(roster: Roster, word: str, english: str, at: int) -> None:
+    known = roster.find(word) or [person for person in roster.people if word.upper() in person.name.upper().split()]
+    if known:
+        return
+    _be(roster.add(word, at), english)
+
+
+def _be(person: Person, english: str) -> None:
+    person.role = english
+    person.gender = lexicon.gender_of_word(english)
+    person.kind = "animal" if english in lexicon.ANIMALS else person.kind
+    person.age = person.age or lexicon.AGE_NOUNS.get(english, "")
+
+
+def _told(person: Person, others: set[str], text: str, tongue: Tongue) -> Gender:
+    """The gender of a name's ending, else of the next pronoun after it, before anybody else is named."""
+    first = person.name.split()[0].lower()
+    if tongue.key != "fr" and first[-1] in _ENDINGS:
+        return _ENDINGS[first[-1]]
+    names = "|".join(re.escape(alias) for alias in person.aliases if alias == bare(alias))
+    for mention in re.finditer(rf"\b(?:{names})\b", text, re.IGNORECASE) if names else ():
+        for word in _WORD.findall(text[mention.end() : mention.end() + _VOTING]):
+            if word.lower() in others:
+                break
+            if word.lower() in _PRONOUNS[tongue.key]:
+                return _PRONOUNS[tongue.key][word.lower()]
+    return "unknown"

@@ -1,0 +1,238 @@
+"""Action in another language than English, by tables: who does what to what, where, and in which posture.
+
+There is no grammar here. A clause is what stands between two links; its subject is the person or pronoun before its
+verb, else the person after it, else the subject before; what is done is told by the verb and the words it goes with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.lexicon.foreign import Tongue
+from storyblender.agents.director.reader.deeds.states import hold
+from storyblender.agents.director.reader.language.words import Word
+from storyblender.agents.director.reader.page.sentences import Sentence
+from storyblender.agents.director.reader.people.people_meant import resolve_mention
+from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.reading import Deed, Person, StateChange
+from storyblender.memory.vocabulary import Posture, RelationKind
+
+_POSTURES: dict[str, Posture] = {
+    "sit": "sit", "lie_down": "lie", "kneel": "kneel", "crouch": "crouch", "lean": "lean", "sleep": "asleep",
+    "fall": "lie", "stand": "stand", "stand_up": "stand", "walk": "stand", "run": "stand", "jump": "stand",
+}  # fmt: skip
+_RESTING = frozenset({"sit", "lie_down", "kneel", "stand", "lean", "sleep", "crouch"})
+_TAKING = frozenset({"take", "pick_up", "hold", "carry", "catch"})
+_SHORTEST = 3
+"""Letters of a noun that may end a longer one."""
+_LEAVING = {
+    "de": frozenset({"verlässt", "hinaus", "raus"}),
+    "es": frozenset({"sale", "salen"}),
+    "fr": frozenset({"sort", "sortent"}),
+    "it": frozenset({"esce", "escono"}),
+}
+_CHANGES = {"open": "open", "close": "closed"}
+
+
+def read_foreign(stage: Stage, sentence: Sentence, tongue: Tongue) -> None:
+    """Read a sentence of action into the unit that was opened for it.
+
+    Args:
+        stage: The state before.
+        sentence: With the names of the cast marked.
+        tongue: Its language.
+    """
+    stage.sentence.words = sentence.words
+    subjects = _carried(stage)
+    for clause in _clauses(sentence.words, tongue):
+        subjects = _read_clause(stage, clause, tongue, subjects)
+    stage.discourse.subjects = subjects
+
+
+def _carried(stage: Stage) -> list[Person]:
+    return [person for person in stage.discourse.subjects if person.id in stage.scene.on]
+
+
+def _clauses(words: Sequence[Word], tongue: Tongue) -> list[list[Word]]:
+    """Cut at links; a piece without a verb belongs to the one before."""
+    pieces: list[list[Word]] = [[]]
+    for word in words:
+        if word.low in tongue.links and not word.mention:
+            pieces.append([])
+        else:
+            pieces[-1].append(word)
+    joined: list[list[Word]] = []
+    for piece in pieces:
+        if joined and not any(_is_verb(piece, at, tongue) for at in range(len(piece))):
+            joined[-1] += piece
+        elif piece:
+            joined.append(piece)
+    return joined
+
+
+def _read_clause(stage: Stage, words: Sequence[Word], tongue: Tongue, before: list[Person]) -> list[Person]:
+    verb = next((at for at in range(len(words)) if _is_verb(words, at, tongue)), None)
+    named = [(at, person) for at, word in enumerate(words) for person in _people(stage, words, at, word, tongue)]
+    things = [(at, thing) for at, word in enumerate(words) if (thing := _thing(stage, word, tongue))]
+    for _, person in named:
+        stage.mention(person, 1.0)
+        stage.enter(person)
+        stage.involve(person)
+    if verb is None:
+        return [person for _, person in named[:1]] or before
+    subjects = _subjects(stage, words, verb, named, things, before, tongue)
+    motion = _motion(words, verb, tongue)
+    if motion is None or not subjects:
+        return subjects or before
+    _act(stage, words, verb, motion, subjects, [p for at, p in named if p not in subjects], things, tongue)
+    return subjects
+
+
+def _is_verb(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
+    """Whether a word is a verb: ``en la cocina`` is none."""
+    placed = at > 1 and words[at - 1].low in tongue.articles and words[at - 2].low in tongue.places
+    noun = tongue.key == "de" and at > 0 and words[at].text[0].isupper()
+    return words[at].mention is None and words[at].low in tongue.verbs and not (placed or noun)
+
+
+def _people(stage: Stage, words: Sequence[Word], at: int, word: Word, tongue: Tongue) -> list[Person]:
+    """Whom a word names; who stands after ``von``, ``de`` only owns."""
+    if at and words[at - 1].low in ("von", "de", "del", "di"):
+        return []
+    if word.mention is None:
+        return stage.roster.find(word.low)[:1] if word.low in tongue.people or word.text[0].isupper() else []
+    return resolve_mention(stage, word.mention) or word.mention.candidates[:1]
+
+
+def _thing(stage: Stage, word: Word, tongue: Tongue) -> str | None:
+    english = _english(word, tongue) if word.mention is None else None
+    if english is None:
+        return None
+    thing = stage.inventory.id_of(english, word.start)
+    stage.inventory.seen(thing, "seen")
+    if thing not in stage.unit.things:
+        stage.unit.things.append(thing)
+    return thing
+
+
+def _english(word: Word, tongue: Tongue) -> str | None:
+    """What a noun is in English; of a German compound the last part: ``Schuppentür``."""
+    if word.low in tongue.things or tongue.key != "de" or not word.text[0].isupper():
+        return tongue.things.get(word.low)
+    ends = [noun for noun in tongue.things if len(noun) >= _SHORTEST and word.low.endswith(noun)]
+    return tongue.things[max(ends, key=len)] if ends else None
+
+
+def _subjects(
+    stage: Stage,
+    words: Sequence[Word],
+    verb: int,
+    named: Sequence[tuple[int, Person]],
+    things: Sequence[tuple[int, str]],
+    before: list[Person],
+    tongue: Tongue,
+) -> list[Person]:
+    """Before the verb, else after it where nothing else can be meant, else those of the clause before."""
+    leading = [person for at, person in named if at < verb and not _is_placed(words, at, tongue)]
+    if leading:
+        return leading
+    for word in words[:verb] or words[verb + 1 : verb + 2]:
+        if word.low in tongue.pronouns:
+            return _pronoun(stage, tongue.pronouns[word.low], before)
+    if any(at < verb and not _is_placed(words, at, tongue) for at, _ in things) or _is_of_a_noun(words[:verb], tongue):
+        return []  # the door flies open
+    inverted = [person for at, person in named if at > verb and not _is_placed(words, at, tongue)]
+    first = words[0].low in tongue.places or verb == 0
+    noun_follows = words[0].low in tongue.places and _is_of_a_noun(words[verb + 1 :], tongue)
+    if noun_follows and not inverted:
+        return []  # behind the hedge stands a house
+    return inverted[:1] if inverted and first and tongue.key != "es" else before or inverted[:1]
+
+
+def _is_of_a_noun(words: Sequence[Word], tongue: Tongue) -> bool:
+    """``Das Licht``, ``El tubo``, ``Ihr Rad``: an article or possessive with a noun that is nobody of the cast."""
+    if len(words) < 2 or words[0].low not in tongue.articles:
+        return False
+    return not any(word.mention or word.low in tongue.people for word in words[:4])
+
+
+def _is_placed(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
+    return at > 0 and any(
+        word.low in tongue.places or word.low in ("a", "zu", "à") for word in words[max(0, at - 2) : at]
+    )
+
+
+def _pronoun(stage: Stage, gender: str, before: list[Person]) -> list[Person]:
+    here = stage.spoken_of()
+    if gender == "unknown":
+        return [person for person in here if person.kind != "animal"]
+    fitting = [person for person in here if person.gender in (gender, "unknown")]
+    for person in before:
+        if person in fitting:
+            return [person]
+    best = max(fitting, key=stage.presence, default=None)
+    return [best] if best else before
+
+
+def _motion(words: Sequence[Word], verb: int, tongue: Tongue) -> str | None:
+    """The meaning of the verb with most of the words that stand with it."""
+    around = {word.low for word in words}
+    for others, motion in tongue.verbs[words[verb].low]:
+        if all(other in around for other in others):
+            return motion
+    return None
+
+
+def _act(
+    stage: Stage,
+    words: Sequence[Word],
+    verb: int,
+    motion: str,
+    subjects: list[Person],
+    others: list[Person],
+    things: Sequence[tuple[int, str]],
+    tongue: Tongue,
+) -> None:
+    """Make the deeds of a clause, and what stays after them."""
+    placed = [(thing, kind) for at, thing in things if (kind := _relation(words, at, tongue))]
+    handled = [thing for at, thing in things if not _relation(words, at, tongue)]
+    anchor = placed[0] if placed else None
+    if motion in _RESTING and anchor is None and handled:
+        anchor, handled = (handled[0], "at"), handled[1:]
+    prop = handled[0] if handled else None
+    target = others[0].id if others else prop or (anchor[0] if anchor else None)
+    for person in subjects:
+        stage.unit.deeds.append(Deed(person.id, motion, target, prop, words[verb].start, words[verb].low))
+        if motion in _POSTURES:
+            support = anchor[0] if anchor and motion in _RESTING else None
+            stage.scene.posture[person.id] = (_POSTURES[motion], support)
+        if anchor and motion in _RESTING:
+            seat = anchor[1] == "in" and stage.inventory.head(anchor[0]) in lexicon.SEATS
+            stage.relate(person.id, "on" if seat else anchor[1], anchor[0])
+        if prop and motion in _TAKING:
+            hold(stage, person.id, prop)
+        elif prop and motion == "give" and others:
+            hold(stage, others[0].id, prop)
+        elif prop and prop in stage.scene.held.get(person.id, ()) and motion in ("put_down", "throw", "drop"):
+            stage.scene.held[person.id].remove(prop)
+    for thing in handled:
+        stage.inventory.seen(thing, "handled", determined=True)
+    for thing, kind in placed:
+        stage.inventory.seen(thing, "related")
+        if prop and motion == "put_down":
+            stage.relate(prop, kind, thing)
+    if prop and motion in _CHANGES and stage.inventory.head(prop) in lexicon.OPENABLE:
+        stage.unit.changes.append(StateChange(prop, _CHANGES[motion], words[verb].start))
+    if {word.low for word in words} & _LEAVING[tongue.key]:
+        stage.scene.leaving += [person.id for person in subjects if person.id not in stage.scene.leaving]
+
+
+def _relation(words: Sequence[Word], at: int, tongue: Tongue) -> RelationKind | None:
+    """The relation told by a preposition at most three words before a thing."""
+    for word in reversed(words[max(0, at - 3) : at]):
+        if word.low in tongue.places:
+            return tongue.places[word.low]
+        if word.mention or word.low in tongue.verbs:
+            return None
+    return None
