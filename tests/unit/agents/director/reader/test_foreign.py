@@ -47,7 +47,7 @@ def test_german_is_read_by_its_verbs() -> None:
         "hund": ("animal", "unknown"),
     }
     assert reading.units[-1].held == {"berta": ["letter"]}
-    assert [(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations][0] == ("anton", "at", "table")
+    assert next((r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations) == ("anton", "at", "table")
 
 
 def test_spanish_leaves_its_subjects_out() -> None:
