@@ -1,4 +1,4 @@
-"""What is known of German, Spanish, French and Italian: verbs and what they show, common things, people, small words."""
+"""What is known of German, Spanish, French and Italian: verbs, common things, people, small words."""
 
 from __future__ import annotations
 
