@@ -197,7 +197,7 @@ def _act(
     """Make the deeds of a clause, and what stays after them."""
     placed = [(thing, kind) for at, thing in things if (kind := _relation(words, at, tongue))]
     handled = [thing for at, thing in things if not _relation(words, at, tongue)]
-    anchor = placed[0] if placed else None
+    anchor: tuple[str, RelationKind] | None = placed[0] if placed else None
     if motion in _RESTING and anchor is None and handled:
         anchor, handled = (handled[0], "at"), handled[1:]
     prop = handled[0] if handled else None
