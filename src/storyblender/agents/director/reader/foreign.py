@@ -195,11 +195,14 @@ def _act(
     tongue: Tongue,
 ) -> None:
     """Make the deeds of a clause, and what stays after them."""
-    placed = [(thing, kind) for at, thing in things if (kind := _relation(words, at, tongue))]
+    placed: list[tuple[str, RelationKind]] = [
+        (thing, kind) for at, thing in things if (kind := _relation(words, at, tongue))
+    ]
     handled = [thing for at, thing in things if not _relation(words, at, tongue)]
     anchor: tuple[str, RelationKind] | None = placed[0] if placed else None
     if motion in _RESTING and anchor is None and handled:
-        anchor, handled = (handled[0], "at"), handled[1:]
+        anchor = (handled[0], "at")
+        handled = handled[1:]
     prop = handled[0] if handled else None
     target = others[0].id if others else prop or (anchor[0] if anchor else None)
     for person in subjects:
