@@ -43,6 +43,16 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                 kind="AREA",
                 size=0.5,
             )
+    for index in range(count - 1):  # between the doors of each side
+        left, right = -y + params.depth * (index + 1) / count, -y + params.depth * (index + 1.5) / count - 0.75
+        if params.period == "modern":
+            room.piece(
+                "poster", *room.spot("left", left + 0.9, 0.0), 1.2, 90, width=0.55, height=0.8, variant=float(index)
+            )
+        else:
+            room.on_wall("left", "picture", left + 0.85, 1.45, width=0.6, height=0.75)
+        room.on_wall("right", "picture", right, 1.5, width=0.7, height=0.5)
+    room.piece("peg_rail", *room.spot("right", -y + 0.75, 0.0), 1.65, 270, length=0.9)
     room.against("left", "bench", -y + params.depth / count, 0.32, required=False)
     room.furnish("potted_plant", room.half_x - 0.42, y - 0.42, required=False)
     room.on_wall("right", "picture", -y + params.depth * 0.5 / count - 0.6, 1.5)

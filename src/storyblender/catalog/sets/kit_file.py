@@ -173,6 +173,8 @@ class PutTable(Conditional):
     skip: tuple[int, ...] = ()
     required: bool = False
     scale: float = 1.0
+    wild: bool = False
+    """A piece that may be taken away for a shot which it blocks."""
     footprint: tuple[Term, ...] = Field(default=(), max_length=3)
     """Width and depth of a piece that people walk around, and its height if it is no wall."""
     give: dict[str, ParamValue | tuple[ParamValue, ...]] = Field(default={}, alias="with")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan
-from storyblender.catalog.sets.drawing import SetParams
+from storyblender.catalog.sets.drawing import SetParams, rectangle
 from storyblender.catalog.sets.ground import Ground
 from storyblender.catalog.sets.kit import SetKit, Span
 
@@ -29,9 +29,14 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     )
     ledge.scatter(("pine_tree",), 10, inner=14, outer=40, gap=4, scale=(0.5, 1.0), sector=(120, 240), sunk=0.2)
     ledge.scatter(("grass_tuft",), 160, inner=1.6, outer=14, gap=0.4, scale=(0.5, 1.0), sunk=0.02)
+    ledge.slab("patch", rectangle(-60, -0.8, 60, 0.9), "dirt", z=0.01)
+    ledge.piece("signpost", x * 0.55, 1.5, footprint=(0.2, 0.2))
+    ledge.piece("cliff", x + 9.0, y + 12.0, -0.5, -24, footprint=(12, 5), width=16.0, height=10.0, seed=5.0)
+    ledge.furnish("rock", x * 0.2, y * 0.6, required=False)
+    ledge.furnish("log", -x * 0.4, y * 0.55, yaw=8, required=False)
     ledge.mark("edge", x * 0.6, y - 0.6, 180, "window", "edge")
     ledge.ring("hills", 72, 22, sides=14)
-    ledge.ring("hills", 86, 40, sides=14)
+    ledge.ring("hills", 86, 52, sides=14)
     ledge.entrances()
     return ledge.finish()
 

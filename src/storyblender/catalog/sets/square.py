@@ -35,6 +35,13 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     square.furnish("barrel", -x + 0.6, y - 2.3, required=False)
     square.furnish("crate", -x + 0.7, -y * 0.1, yaw=14, required=False)
     square.furnish("bench", -x + 0.6, -y * 0.5, yaw=90, required=False)
+    for px in (-2.2, -0.9, 0.4):
+        square.furnish("park_bench" if px == -0.9 else "potted_plant", px, y + 1.4, required=False)
+    if not old:
+        square.furnish("round_table", -x * 0.3, y + 2.8, required=False)
+        square.furnish("chair", -x * 0.3 + 0.7, y + 2.8, yaw=-90, required=False)
+        square.furnish("chair", -x * 0.3 - 0.7, y + 2.8, yaw=90, required=False)
+    square.piece("lamp_string", 0, y - 0.2, 5.2, length=2 * x + 8, sag=0.9, flags=True)
     for px in (-x - 0.5, x + 0.5):
         square.furnish("lamppost", px, y + 1.6, required=False)
     square.entrances()

@@ -193,7 +193,7 @@ class _Tables:
                 width, depth, *tall = [self._value(term) for term in table.footprint] or [0.0, 0.0]
                 footprint = (width, depth) if table.footprint else None
                 given |= {"tall": tall[0]} if tall else {}
-                self.drawing.piece(key, *spot, scale=table.scale, footprint=footprint, **given)
+                self.drawing.piece(key, *spot, scale=table.scale, footprint=footprint, wild=table.wild, **given)
             spots.append(spot.topped(float(given.get("height", PROPS[key].size[2])) if table.prop else 0.0))
 
     def _given(self, value: ParamValue | tuple[ParamValue, ...], copy: int) -> ParamValue:

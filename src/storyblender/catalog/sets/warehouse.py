@@ -55,11 +55,13 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
                 height=0.6,
             )
     for index in range(3):
-        room.furnish("barrel", -x + 0.55, y - 1.9 - 0.72 * index, required=False)
-    room.furnish("crate", x - 0.8, y - 2.0, yaw=12, required=False, width=0.95, depth=0.95, height=0.95)
-    room.furnish("crate", x - 0.85, y - 3.1, yaw=-8, required=False, width=0.8, depth=0.8, height=0.8)
+        room.furnish("barrel", x - 0.55, y - 1.7 - 0.72 * index, required=False)
     room.furnish("cart" if past else "barrel", x - 1.3, -y + (1.6 if past else 0.9), required=False)
     room.furnish("crate", -x + 0.9, -y + 0.9, yaw=20, required=False, width=0.9, depth=0.9, height=0.9)
+    for at in (-0.1, 0.45):  # pallets of goods on shelves down the left wall
+        room.piece("stock_shelf", *room.spot("left", y * at, 0.0), 0.0, 90, length=y * 0.5, height=2.6, kind="parcels",
+                   color="#5c5f63", seed=3.0 + at)  # fmt: skip
+    room.on_wall("right", "wall_clock", y * 0.75, 2.4)
     room.mark("stack", -x * 0.4, y - 1.7, 0, "table", "crates")
     if not past:
         room.piece("pipes", 0, y - 0.15, h - 0.45, length=2 * x - 0.4)
