@@ -22,6 +22,10 @@ from storyblender.memory.scene_context import LayoutObject
 _GRID = 0.2
 """Metres between the places tried."""
 _MASS_OF_BULK = 6.0
+_SEEN, _BEHIND = 0.55, 5.5
+"""Metres: what is higher than this is seen behind people, and from no farther than that."""
+_RAYS = np.linspace(-28.0, 28.0, 9)
+"""Degrees to either side of straight ahead, from the audience, where the picture's background is."""
 _EDGE = 0.3
 """Metres kept from the border of the playing area."""
 
@@ -39,6 +43,7 @@ class Stage:
         self.walls = walls_of(brief.plan)
         self.things: dict[str, Thing] = {}
         self.assets: dict[str, str] = {}
+        self._dressed: NDArray[np.float64] | None = None
         for item in brief.dressed:
             self.put(item, fixed=True)
         for item in self._left():
@@ -72,6 +77,7 @@ class Stage:
     def add(self, thing: Thing, asset_id: str) -> None:
         """Stand a thing."""
         self.things[thing.name], self.assets[thing.name] = thing, asset_id
+        self._dressed = None
 
     def stand(self, asset_id: str, box: Box, **asked: object) -> None:
         """Stand one of the script's things in a box; ``asked`` are the fields of its ``Thing``."""
@@ -148,6 +154,27 @@ class Stage:
         cost += np.array([suits(float(x), float(y)) for x, y in points])
         x, y = points[int(np.argmin(np.round(cost, 6)))]
         return float(x), float(y)
+
+    def backdrop(self, x: float, y: float) -> float:
+        """Return what share of the view behind a place, from the audience, something of the set fills: 0 a bare wall.
+
+        Args:
+            x: Metres.
+            y: Metres.
+        """
+        if self._dressed is None:
+            solid = [thing.box for thing in self.things.values() if not thing.walks and thing.box.top > _SEEN]
+            found = fixtures_called(self.brief.plan, "window") + fixtures_called(self.brief.plan, "door")
+            boxes = [*solid, *(fixture.box for fixture in found)]
+            self._dressed = np.array([(box.x, box.y, max(box.width, box.depth) / 2) for box in boxes]).reshape(-1, 3)
+        ahead = self._dressed[:, 1] - y
+        near = self._dressed[(ahead > 0.5) & (ahead < _BEHIND)]
+        if not len(near):
+            return 0.0
+        middle = np.degrees(np.arctan2(near[:, 0] - x, near[:, 1] - y))
+        half = np.degrees(np.arctan2(near[:, 2], near[:, 1] - y)) + 3.0
+        hit = np.abs(_RAYS[:, None] - middle) <= half
+        return float(hit.any(axis=1).mean())
 
     def clearance(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return how far each point is from what one cannot stand in, people included."""

@@ -19,6 +19,8 @@ TALK = 1.15
 """Metres between people who talk."""
 _CHEAT = math.radians(16)
 """How far a talker turns towards the audience."""
+_BARE = 1.4
+"""Metres that people go not to act before a bare wall."""
 _ALONE = 1.5
 """Metres between a person and a group they do not belong to."""
 _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, -20.0)}
@@ -156,13 +158,13 @@ def _gather(stage: Stage, members: list[str]) -> None:
         return
     if len(members) == 1:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
-        x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others))
+        x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others) + 0.5 * _bareness(stage, x, y))
         box = stage.box(members[0], x, y, 0.0, 0.0)
         box.turn_to(facing(*_towards_audience(x, y, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
     radius = TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members))
-    x, y = stage.free_spot(stage.middle, radius + 0.45)
+    x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness(stage, x, y))
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
@@ -184,6 +186,11 @@ def _shoulder(other: Thing, x: float, y: float) -> float:
     """Dislike being before somebody, or far behind."""
     across, along = other.box.to_local(x, y)
     return max(-along - 0.1, 0.0) + 0.5 * max(along - 0.4, 0.0) + max(0.6 - abs(across), 0.0)
+
+
+def _bareness(stage: Stage, x: float, y: float) -> float:
+    """Dislike a place behind which the audience sees nothing of what the set is."""
+    return _BARE * (1.0 - stage.backdrop(x, y))
 
 
 def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> float:

@@ -17,6 +17,7 @@ from storyblender.geometry.paths import clearance
 from storyblender.geometry.stations import Sort, Station, cheated, stations
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import BodyState
+from storyblender.memory.vocabulary import Posture
 
 WITHIN = frozenset({"in", "inside", "on", "above", "under", "over"})
 """Relations of who is where the thing itself is: nothing else has to be free there."""
@@ -29,6 +30,11 @@ _TOO_NEAR = 0.42
 _DOOR_NEAR = 0.9
 """Metres to the side of a vehicle's middle from which a door counts as one of that side."""
 _LIE = ("lie", "asleep")
+_IN_THE_AIR: tuple[Posture, ...] = ("hang", "float", "upside_down")
+_CLIMBED, _FOOTING = 1.3, 0.3
+"""Metres: what is higher, or narrower, nobody stands on where no height is told."""
+_ON_BACK = (0.22, 0.62)
+"""Metres behind and above the place of somebody, times their stature over 1.7, of who rides on their back."""
 
 
 class Places:
@@ -50,6 +56,9 @@ class Places:
             Whether they have been moved.
         """
         spot = state.spot
+        if state.posture == "ride" and self._mount(person, state):
+            person.spot = spot
+            return True
         if spot is None or spot == person.spot:
             person.spot = spot
             return False
@@ -61,10 +70,25 @@ class Places:
             return True
         if state.posture in SEATED and person.support is not None:
             return False
-        there = self._before_seat(person, state) or self.station(person, spot)
+        there = self._before_seat(person, state) or self.station(person, spot, state.posture)
         if there is None:
             return False
         person.place, person.yaw, person.z = (there.x, there.y), there.yaw, there.z
+        return True
+
+    def _mount(self, person: Person, state: BodyState) -> bool:
+        """Bring somebody onto what they ride: an animal, a bicycle, the back of another; tell whether there is one."""
+        name = state.support_id or (state.spot.anchor_id if state.spot is not None else None)
+        carrier, thing = self.people.get(name or ""), self.floor.thing(name)
+        if carrier is not None and carrier is not person and carrier.present:
+            (x, y), yaw = carrier.place, carrier.yaw
+            back = _ON_BACK[0] * carrier.k
+            person.place, person.yaw = (x - back * math.sin(yaw), y + back * math.cos(yaw)), yaw
+            person.z, person.support = _ON_BACK[1] * carrier.k, None
+            return True
+        if thing is None:
+            return False
+        person.place, person.yaw, person.z, person.support = thing.location[:2], thing.yaw, 0.0, thing.node_id
         return True
 
     def seat(self, person: Person, state: BodyState) -> SeatPlace | None:
@@ -93,12 +117,13 @@ class Places:
         thing = self.floor.thing(spot.anchor_id)
         return thing is not None and spot.relation in ("in", "inside") and bool(thing.of_kind("seat"))
 
-    def station(self, person: Person, spot: Spot) -> Station | None:
-        """Return the place on the floor that a spot means to somebody: of all it may be, the one with room."""
+    def station(self, person: Person, spot: Spot, posture: Posture = "stand") -> Station | None:
+        """Return the place that a spot means to somebody in a posture: of all it may be, the one with room."""
         found = self.anchor(spot.anchor_id, person)
         if found is None:
             return self._turned(person, spot, Station(*person.place, person.yaw), None) if spot.facing else None
         box, sort, thing = found
+        spot = _on_the_floor(spot, posture, box, sort)
         options = self._at_door(thing, spot) or stations(box, sort, spot.relation, spot.side, spot.distance, person.k)
         best = min(options, key=lambda each: self._cost(person, each, spot.relation in WITHIN))
         if spot.relation not in WITHIN:
@@ -176,3 +201,15 @@ class Places:
             yaw = cheated(facing(found[0].x - here[0], found[0].y - here[1]))
         height = spot.height if spot.height is not None else station.z
         return Station(station.x, station.y, yaw, station.dislike, height)
+
+
+def _on_the_floor(spot: Spot, posture: Posture, box: Box, sort: Sort) -> Spot:
+    """Return a spot, on the floor by its anchor where nobody can be on or above it and no height is told."""
+    if spot.height is not None or spot.relation not in ("on", "above", "over") or posture in _IN_THE_AIR:
+        return spot
+    flat = (
+        sort in ("thing", "point") and box.top < _CLIMBED and (sort == "point" or min(box.width, box.depth) > _FOOTING)
+    )
+    if spot.relation == "on" and flat:
+        return spot
+    return spot.model_copy(update={"relation": "at" if sort in ("door", "window", "wall") else "next_to"})

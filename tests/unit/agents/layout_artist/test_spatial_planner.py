@@ -428,3 +428,12 @@ def test_nothing_lies_where_somebody_lies_on_the_bed() -> None:
             x * math.cos(math.radians(at["bed"].rotation[2])) + y * math.sin(math.radians(at["bed"].rotation[2]))
         )
         assert (aside > 0.33) == bool(states)
+
+
+def test_talkers_do_not_act_before_a_bare_wall_where_something_can_be_behind_them() -> None:
+    shelf = LayoutObject(node_id="wardrobe", asset_id="wardrobe", location=(1.6, 2.0, 0), fixed=True)
+    bare = plan().model_copy(update={"walls": tuple(w.model_copy(update={"openings": ()}) for w in plan().walls)})
+    view = brief(people=["ana", "ben"], dressed=(shelf,))
+    at = solved(LayoutBrief(**{**view.__dict__, "plan": bare}))
+    middle = (at["ana"].location[0] + at["ben"].location[0]) / 2
+    assert middle > 0.3, "before the wardrobe, not in the empty half of the room"

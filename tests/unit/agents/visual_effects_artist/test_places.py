@@ -162,3 +162,21 @@ def test_what_is_absent_is_hidden_while_it_is() -> None:
     _, props = _played(_shot(_state("ann"), absent=("car",)), _shot(_state("ann"), number=2))
     assert [state.visible for state in props[0] if state.asset_id == "car"] == [False]
     assert all(state.visible for state in props[1])
+
+
+@pytest.mark.parametrize("anchor", ["doorway", "bo"])
+def test_nobody_stands_on_top_of_a_door_or_a_person(anchor: str) -> None:
+    marks = _start(
+        _state("bo", relation="at", anchor_id="dining_table"), _state("ann", relation="on", anchor_id=anchor)
+    )
+    assert marks["ann"].start.location[2] == 0.0
+    assert math.dist(marks["ann"].start.location[:2], marks["bo"].start.location[:2]) > 0.4
+
+
+def test_who_rides_on_somebodys_back_is_there_in_every_shot() -> None:
+    rider = _state("ann", "ride", "bo")
+    shots = (_shot(_state("bo", relation="at", anchor_id="dining_table"), rider),
+             _shot(_state("bo", relation="at", anchor_id="car"), rider, number=2))  # fmt: skip
+    for marks in _played(*shots)[0]:
+        one, other = marks["ann"].start, marks["bo"].start
+        assert math.dist(one.location[:2], other.location[:2]) < 0.3 and one.location[2] > 0.5

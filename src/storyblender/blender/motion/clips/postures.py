@@ -134,7 +134,7 @@ def on_all_fours(stage: Stage, who: Performer, beat: Beat) -> float:
 def _saddle(who: Performer, mount: object) -> tuple[float, Vector, float]:
     """Return the height of what one sits on astride, and where and how it stands; the floor where there is none."""
     if not isinstance(mount, StageFurniture | PropPuppet):
-        return 0.55 * who.m.hip_height, who.position.copy(), who.yaw
+        return who.ground + 0.55 * who.m.hip_height, who.position.copy(), who.yaw
     furniture = isinstance(mount, StageFurniture)
     world = Matrix(mount.world.tolist()) if furniture else mount.matrix
     size = mount.dimensions if furniture else tuple(mount.size)
