@@ -15,6 +15,7 @@ from storyblender.blender.props.registry import builders  # noqa: E402
 from storyblender.blender.props.stand_in import build_stand_in  # noqa: E402
 from storyblender.catalog.props import PROPS  # noqa: E402
 from storyblender.catalog.stand_ins import STAND_INS  # noqa: E402
+from storyblender.catalog.writing import WRITING  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.memory.asset_sheet import AssetDimension  # noqa: E402
 
@@ -185,3 +186,12 @@ def test_an_animal_that_sleeps_lies_low_with_its_head_on_the_floor(key):
     points = np.array([vertex.co[:] for vertex in asleep.mesh.vertices])
     front = points[points[:, 1] < points[:, 1].min() + 0.15 * np.ptp(points[:, 1])]
     assert front[:, 2].min() < 0.2 * asleep.dimensions[2]
+
+
+@pytest.mark.parametrize("key", WRITING)
+def test_words_are_laid_on_the_side_that_is_read(key):
+    plain, written = build_prop(key), build_prop(key, {"text": "HELLO THERE"})
+    assert len(written.mesh.polygons) > len(plain.mesh.polygons) + 20
+    assert written.dimensions == pytest.approx(plain.dimensions, abs=0.03)
+    ink = [block.name for block in written.mesh.materials]
+    assert any(WRITING[key].ink in name for name in ink)

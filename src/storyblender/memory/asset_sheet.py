@@ -65,6 +65,10 @@ class Anchor(Frozen):
     """grip: finger curls 0..1 of index, fingers, thumb."""
 
 
+FAR = 5.0
+"""Match score under which a thing of the library is only a little like what the script means."""
+
+
 class CanonicalAsset(Frozen):
     """The 3D object an asset became: shared mesh, bottom-centre origin, front -Y, metres (paper, section 3.3)."""
 
@@ -81,6 +85,11 @@ class CanonicalAsset(Frozen):
     """Hash of the vertices and faces that were built; equal across runs (determinism test)."""
     match_score: float | None = None
     """How well the library entry fits the description, 1 to 10."""
+
+    @property
+    def is_stand_in(self) -> bool:
+        """Whether it is neither the thing nor of a close kind: a plain shape, or what was only a little like it."""
+        return self.source == "stand_in" or (self.match_score is not None and self.match_score < FAR)
 
 
 class AssetDimension(Frozen):

@@ -7,6 +7,7 @@ from typing import Literal
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
+from storyblender.catalog.writing import MOST, WRITING
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Frozen, Vec3, content_hash
 from storyblender.reflection import Critique, Fault
@@ -76,6 +77,12 @@ class Recipe(Frozen):
         if self.source == "stand_in":
             return STAND_INS.get(self.key, STAND_INS[DEFAULT]).size
         return (1.0, 1.0, 1.0)
+
+    def written(self, words: str) -> Recipe:
+        """Return the recipe with words on it, where it is something that words are read on."""
+        if not words.strip() or self.source != "catalog" or self.key not in WRITING:
+            return self
+        return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MOST]}})
 
     def canonical(self) -> CanonicalAsset:
         """Return the canonical asset as it is known before Blender has built it."""

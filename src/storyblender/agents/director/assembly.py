@@ -20,6 +20,7 @@ from storyblender.agents.director.reading import Person, Reading, SceneReading, 
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
+from storyblender.agents.director.written import writing_on
 from storyblender.catalog.costumes import Age, age_of
 from storyblender.catalog.homelands import homeland_of
 from storyblender.memory.asset_sheet import Asset, CharacterLook
@@ -86,7 +87,7 @@ class Assembly:
             description=thing.description
             or one_line(f"{size_of(thing, self.text)} {modifiers_of(thing, self.text)} {thing.name}"),
             name=self.company.names[thing.id],
-            writing=thing.writing,
+            writing=thing.writing or writing_on(thing.name, thing.first, self.text),
             part_of=thing.part_of if thing.part_of in self.company.assets else None,
             tags=(thing.kind, *(("handled",) if thing.handled else ())),
         )

@@ -35,6 +35,7 @@ class Company:
         creatures: Ids of those who are animals on their own feet or machines: things of the catalog that move.
         assets: All ids on the asset sheet.
         fixtures: Things that are a part of the set or of another thing: people go to them, nobody builds them.
+        wholes: Part -> the thing it is a part of: who acts on the lid acts on the box.
         names: Id -> name for people to read, also of those who only speak from outside.
     """
 
@@ -44,7 +45,10 @@ class Company:
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
         self.creatures = {person.id for person in self.people} - self.actors
         self.fixtures = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] in FIXTURES}
-        things = {thing.id for thing in reading.things} - self.fixtures
+        things = {thing.id for thing in reading.things}
+        self.wholes = {thing.id: thing.part_of for thing in reading.things if thing.part_of in things}
+        self.fixtures |= {*self.wholes}
+        things -= self.fixtures
         self.assets = {person.id for person in self.people} | things
         self.names = {each.id: _shown_name(each) for each in (*reading.people, *reading.things)}
 

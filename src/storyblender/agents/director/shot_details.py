@@ -234,13 +234,14 @@ class ShotDetails:
                 continue
             face = unit.expressions.get(deed.actor, "")
             words = deed_words(deed, unit, self.text)
+            target, prop = (self.company.wholes.get(each or "", each) for each in (deed.target, deed.prop))
             found.append(
                 CharacterAction(
                     asset_id=deed.actor,
                     action_description=words,
                     motion="idle" if self.staging.already(deed, unit) else finer(deed.motion, deed.verb, words),
-                    target_id=deed.target if deed.target in self.company.assets | self.company.fixtures else None,
-                    prop_id=deed.prop if deed.prop in self.company.assets else None,
+                    target_id=target if target in self.company.assets | self.company.fixtures else None,
+                    prop_id=prop if prop in self.company.assets else None,
                     distance=deed.distance,
                     mood=deed.mood if deed.mood != "neutral" else mood_of(face),
                     line_index=index,

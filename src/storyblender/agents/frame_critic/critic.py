@@ -132,7 +132,7 @@ def _things(view: FrameView) -> list[Fault]:
             found.append(_fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
         elif pixels < _LEAST_THING and (focus or not tight):
             found.append(_fault("thing_missing", asset_id, 2.0 if focus else 1.5, f"{asset_id} is not seen"))
-        elif asset.canonical is not None and asset.canonical.source == "stand_in":
+        elif asset.canonical is not None and asset.canonical.is_stand_in:
             found.append(_fault("stand_in", asset_id, 2.5 if focus else 1.5, f"{asset_id} is a plain stand-in"))
     return found
 

@@ -9,8 +9,10 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.asleep import lie_down
+from storyblender.blender.props.lettering import write_on
 from storyblender.blender.props.registry import Anchors, PropSpec, builders
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.writing import WRITING
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Anchor, AssetDimension, ParamValue
 from storyblender.memory.base import Vec3
@@ -52,6 +54,7 @@ def build_prop(
         raise InputError(f"the catalog has no prop called {key!r}", mend="see `storyblender catalog props`")
     entry = PROPS[key]
     given = dict(params or {})
+    text = str(given.pop("text", "")) if key in WRITING else ""
     unknown = sorted(set(given) - set(entry.params) - {"color", "material", "width", "depth", "height"})
     if unknown:
         raise InputError(f"the prop {key!r} has no parameter {unknown[0]!r}", mend=f"it has {sorted(entry.params)}")
@@ -62,6 +65,9 @@ def build_prop(
     builder = MeshBuilder(key)
     anchors = builders()[key](builder, spec)
     mesh = builder.mesh()
+    if text and write_on(builder, mesh, WRITING[key], text):
+        bpy.data.meshes.remove(mesh)
+        mesh = builder.mesh()
     if spec.params.get("asleep") and key != "cat":
         lie_down(mesh)
     return settle(mesh, anchors, dimension)

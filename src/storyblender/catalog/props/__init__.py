@@ -17,6 +17,7 @@ from storyblender.catalog.props.pantry import PANTRY
 from storyblender.catalog.props.places import PLACES
 from storyblender.catalog.props.rooms import ROOMS
 from storyblender.catalog.props.seats import SEATS
+from storyblender.catalog.props.signs import SIGNS
 from storyblender.catalog.props.street import STREET
 from storyblender.catalog.props.table_and_desk import TABLE_AND_DESK
 from storyblender.catalog.props.vehicles import VEHICLES
@@ -36,6 +37,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + CARRIED
     + VEHICLES
     + STREET
+    + SIGNS
     + PLACES
     + NATURE
     + ANIMALS

@@ -42,7 +42,7 @@ ROOMS: tuple[PropEntry, ...] = (
     entry(
         "furniture",
         "drip_stand",
-        "drip, iv drip, iv stand, iv pole, iv bag, infusion stand, saline drip, blood bag",
+        "drip, iv, iv drip, iv stand, iv pole, iv bag, infusion stand, saline drip, blood bag",
         (0.5, 0.5, 1.85),
         {"metal": "chrome", "bag": "linen", "wheel": "rubber"},
         "A bag on a wheeled pole.",

@@ -120,7 +120,7 @@ STREET: tuple[PropEntry, ...] = (
     entry(
         "street",
         "barricade",
-        "roadblock, police barrier, sawhorse, crowd barrier",
+        "barrier, roadblock, police barrier, sawhorse, crowd barrier",
         (1.6, 0.6, 1.0),
         {"wood": "wood_light", "stripe": "fabric_red"},
         "A striped barrier.",

@@ -1,0 +1,85 @@
+"""Things that are there to be read: placard, banner, poster, boards and plates. Their front is -Y."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
+
+
+@prop("placard")
+def placard(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a board on a stick, to be held up."""
+    w, _, h = spec.size
+    b.box(spec.material("board"), (0, 0, h * 0.77), (w, 0.012, h * 0.46), bevel=0.003)
+    b.box(spec.material("stick"), (0, 0.016, h * 0.42), (0.032, 0.02, h * 0.84), bevel=0.004)
+    return two_hands((-0.02, 0.016, h * 0.22), (0.25, -1, 0), (1, 0.2, 0), (0.85, 0.85, 0.6))
+
+
+@prop("banner")
+def banner(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a cloth between two poles."""
+    w, _, h = spec.size
+    for x in (-1, 1):
+        b.cylinder(spec.material("pole"), (x * w / 2, 0, 0), (x * w / 2, 0, h), 0.022, segments=10)
+    rows = []
+    for t in np.linspace(0, 1, 13):
+        sag = 0.05 * np.sin(np.pi * t)
+        x = (t - 0.5) * w
+        rows.append(
+            np.array(
+                [
+                    (x, 0.0, h * 0.98 - sag),
+                    (x, 0.006, h * 0.98 - sag),
+                    (x, 0.006, h * 0.62 - sag),
+                    (x, 0.0, h * 0.62 - sag),
+                ]
+            )
+        )
+    b.loft(spec.material("cloth"), rows)
+    return ()
+
+
+@prop("poster")
+def poster(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a sheet on a wall."""
+    w, d, h = spec.size
+    b.box(spec.material("paper"), (0, 0, h / 2), (w, d, h))
+    return ()
+
+
+@prop("sign_board")
+def sign_board(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a board on two posts: a town's sign, one before a house for sale."""
+    w, d, h = spec.size
+    for x in (-1, 1):
+        b.box(spec.material("post"), (x * w * 0.38, d * 0.2, h / 2), (0.08, 0.08, h), bevel=0.01)
+    b.box(spec.material("board"), (0, -d * 0.2, h * 0.74), (w, 0.035, h * 0.5), bevel=0.008)
+    return ()
+
+
+@prop("wall_sign")
+def wall_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a plate with two screws: on a door, at a gate."""
+    w, d, h = spec.size
+    b.box(spec.material("plate"), (0, 0, h / 2), (w, d, h), bevel=min(d / 3, 0.004))
+    for x in (-1, 1):
+        b.cylinder(
+            "steel",
+            (x * w * 0.46, -d / 2, h / 2),
+            (x * w * 0.46, -d / 2 - 0.004, h / 2),
+            min(0.006, h * 0.05),
+            segments=8,
+        )
+    return ()
+
+
+@prop("shop_sign")
+def shop_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build the long board over a shop."""
+    w, d, h = spec.size
+    b.box(spec.material("board"), (0, 0, h / 2), (w, d, h), bevel=0.012)
+    for z in (0.04, h - 0.04):
+        b.box(spec.material("rim"), (0, -d * 0.42, z), (w, d * 0.3, 0.05), bevel=0.012)
+    return ()
