@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from string import capwords
 
 from storyblender.agents.director.creatures import is_creature
@@ -35,7 +35,7 @@ class Company:
         creatures: Ids of those who are animals on their own feet or machines: things of the catalog that move.
         assets: All ids on the asset sheet.
         fixtures: Things that are a part of the set or of another thing: people go to them, nobody builds them.
-        wholes: Part -> the thing it is a part of: who acts on the lid acts on the box.
+        wholes: Part -> the thing it is a part of: who acts on the lid acts on the box. What comes off is no part.
         names: Id -> name for people to read, also of those who only speak from outside.
     """
 
@@ -44,13 +44,46 @@ class Company:
         self.people = [person for person in reading.people if person.id in staged]
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
         self.creatures = {person.id for person in self.people} - self.actors
-        self.fixtures = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] in FIXTURES}
-        things = {thing.id for thing in reading.things}
-        self.wholes = {thing.id: thing.part_of for thing in reading.things if thing.part_of in things}
-        self.fixtures |= {*self.wholes}
-        things -= self.fixtures
+        in_hand = _in_hand(reading)
+        kinds = {thing.id: thing.id.rsplit("_", 1)[-1] for thing in reading.things if thing.id not in in_hand}
+        self.fixtures = {id_ for id_, kind in kinds.items() if kind in FIXTURES}
+        self.wholes = _mere_parts(reading)
+        self.fixtures |= set(self.wholes)
+        things = {thing.id for thing in reading.things} - self.fixtures
         self.assets = {person.id for person in self.people} | things
         self.names = {each.id: _shown_name(each) for each in (*reading.people, *reading.things)}
+
+    def shown(self, id_: str) -> str:
+        """Return the thing that shows a part, or the id itself."""
+        while id_ in self.wholes:
+            id_ = self.wholes[id_]
+        return id_
+
+
+def _in_hand(reading: Reading) -> set[str]:
+    """Return what somebody ever holds: such a lid is no part of the set."""
+    held = {id_ for unit in reading.units for things in unit.held.values() for id_ in things}
+    return held | {id_ for unit in reading.units for things in unit.grips.values() for id_ in things}
+
+
+def _mere_parts(reading: Reading) -> dict[str, str]:
+    """Return part -> whole of the parts that never come off: nobody holds them, and nothing is said of their place."""
+    loose = _in_hand(reading) | {id_ for unit in reading.units for id_ in unit.spots}
+    loose |= {deed.prop for unit in reading.units for deed in unit.deeds if deed.prop}
+    loose |= {change.subject for unit in reading.units for change in unit.changes}
+    known = {thing.id for thing in reading.things}
+    wholes = {thing.id: thing.part_of for thing in reading.things if thing.part_of in known and thing.id not in loose}
+    return {part: whole for part, whole in wholes.items() if whole and not _circular(part, wholes)}
+
+
+def _circular(part: str, wholes: Mapping[str, str | None]) -> bool:
+    seen, at = {part}, wholes.get(part)
+    while at is not None and at in wholes:
+        if at in seen:
+            return True
+        seen.add(at)
+        at = wholes[at]
+    return False
 
 
 def unique(items: Iterable[str | None]) -> list[str]:

@@ -30,9 +30,14 @@ class Names:
 
     def __init__(self, reading: Reading) -> None:
         self.people = {person.id for person in reading.people}
+        self._whole: dict[str, list[str]] = {}
         self._ids: dict[str, list[str]] = {}
         self._starting: dict[str, list[str]] = {}
         self._order: dict[str, int] = {}
+        for each in (*reading.people, *reading.things):
+            self._whole.setdefault(each.id.lower(), []).append(each.id)
+        for each in (*reading.people, *reading.things):
+            self._whole.setdefault(each.name.lower(), []).append(each.id)
         for person in reading.people:
             self._name(person.id, person.name, *person.aliases, person.role)
         for thing in reading.things:
@@ -46,7 +51,15 @@ class Names:
             self._ids[name].append(id_)
 
     def find(self, words: str) -> list[str]:
-        """Return the ids named in ``words``, in order; the longest name wins a place."""
+        """Return the ids named in ``words``, in order: by id or whole name, else by the longest names they hold."""
+        found = [id_ for item in words.split(",") for id_ in self._meant(item.strip().lower()) or self._within(item)]
+        return list(dict.fromkeys(found))
+
+    def _meant(self, name: str) -> list[str]:
+        """Return who or what has that id or that whole name, or else is called so; of several the first."""
+        return self._whole.get(name, self._ids.get(name, []))[:1]
+
+    def _within(self, words: str) -> list[str]:
         found: list[tuple[int, str]] = []
         rest = words
         words_in = {"", *re.findall(r"\w+", words.lower())}
@@ -55,8 +68,8 @@ class Names:
             match = re.search(rf"(?<!\w){re.escape(name)}(?!\w)", rest, re.IGNORECASE)
             if match:
                 rest = rest[: match.start()] + " " * len(match[0]) + rest[match.end() :]
-                found += [(match.start(), id_) for id_ in self._ids[name]]
-        return list(dict.fromkeys(id_ for _, id_ in sorted(found)))
+                found += [(match.start(), id_) for id_ in self._whole.get(name, self._ids[name])]
+        return [id_ for _, id_ in sorted(found)]
 
 
 def attach_notes(reading: Reading) -> dict[int, CameraNote]:

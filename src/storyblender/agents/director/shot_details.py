@@ -159,7 +159,9 @@ class ShotDetails:
 
     def _camera(self, draft: ShotDraft) -> CameraInstruction:
         return CameraInstruction(
-            focus_on_ids=tuple(each for each in draft.focus if each in self.company.assets),
+            focus_on_ids=tuple(
+                unique(each for part in draft.focus if (each := self.company.shown(part)) in self.company.assets)
+            ),
             kind=draft.kind,
             size=draft.size,
             angle=draft.angle,

@@ -30,6 +30,8 @@ _NEARBY = 1.3
 _OVER_THEM, _TALLER = 1.0, 0.5
 """Metres from somebody who kneels or sits, and metres higher, of a head that belongs in a picture of the whole of
 them."""
+_SHOULDERS = 1.8
+"""Metres from the first person of a tight shot to the others whose faces it may hold as well."""
 _BY_IT = 1.0
 """Metres from a thing within which a close picture of it shows another one."""
 TALKS = 80.0
@@ -121,7 +123,7 @@ class CameraBrief:
         away = far_off(self.instruction, self.drawn, self.named)
         nodes = tuple(node for node in self.named if node not in away)
         nodes += tuple(node for node in self._towering(nodes) if node not in nodes)
-        if self.instruction.size not in TIGHT and self.instruction.kind not in _ONE_PERSON:
+        if self.instruction.kind not in _ONE_PERSON and (self.instruction.size not in TIGHT or self._shoulders(nodes)):
             return nodes
         faces = {figure.node_id for moment in self.moments for figure in moment.figures}
         lead = next((node for node in nodes if node in faces), None)
@@ -130,6 +132,12 @@ class CameraBrief:
             apart = {node: distance_to_point(first, box.x, box.y) for node, box in self.props.items()}
             return tuple(node for node in nodes if apart.get(node, math.inf) < _BY_IT)
         return tuple(node for node in nodes if node == lead or node not in faces)
+
+    def _shoulders(self, nodes: Sequence[str]) -> bool:
+        """Return whether a tight shot was ordered of several people who stand so near that it holds all their faces."""
+        people = [figure for node in nodes if (figure := self.drawn.figure(node)) is not None]
+        near = all(math.dist(each.base[:2], people[0].base[:2]) < _SHOULDERS for each in people[1:])
+        return self.instruction.explicit and self.instruction.kind != "insert" and len(people) > 1 and near
 
     def _towering(self, nodes: Sequence[str]) -> list[str]:
         """Return who stands over the first person of a whole picture: it would take their heads off."""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
+from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.agents.layout_artist.camera_start import looks_after, wants_shoulder
 from storyblender.geometry import framing
@@ -54,6 +55,8 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
     if over is None or after is None:
         # Who walks off from a shoulder is as small as the way they have gone.
         found += _size(brief, [subject for _, subject in heads])
+    if at_hand(brief) and over is None:
+        return found
     if len(heads) == 1 or over is not None:
         figure, subject = heads[0]
         assert figure is not None and subject.face is not None
@@ -113,7 +116,7 @@ def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
 def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
     scale = framing.SCALES[brief.instruction.size]
     low, high = scale.band
-    if len(heads) > 1:
+    if len(heads) > 1 or at_hand(brief):
         low *= 0.5
     largest = max(subject.head_height for subject in heads)
     if low <= largest <= high or largest <= 0:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import Moment
-from storyblender.geometry.boxes import Box
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment
+from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import ShotContext
@@ -14,6 +14,8 @@ from storyblender.memory.vocabulary import Hand
 
 _HAND = 0.2
 """Metres: a hand and what is in it."""
+_SMALL, _AT_HAND = 1.0, 0.9
+"""Metres: the largest that a thing is, and the farthest from somebody, that is shown with them."""
 _AHEAD = 0.25
 """Metres that a hand counts as further ahead of the hips, when it is asked from where it is seen."""
 _FEET = (0.5, 0.3)
@@ -42,6 +44,15 @@ def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
     x, y, z = figure.face
     ahead, below = 1.4 * figure.head, 2.0 * figure.head
     return Box(x + ahead * math.sin(yaw), y - ahead * math.cos(yaw), z - below, *size, yaw)
+
+
+def at_hand(brief: CameraBrief) -> tuple[Box, ...]:
+    """Return the boxes of the focus things that are small and by the first person, so that one picture holds both."""
+    if not brief.people or brief.detail is not None:
+        return ()
+    x, y, _ = brief.people[0].base
+    small = (box for box in brief.things if max(box.width, box.depth, box.height) < _SMALL)
+    return tuple(box for box in small if distance_to_point(box, x, y) < _AT_HAND)
 
 
 def detail_of(shot: ShotContext, moments: Sequence[Moment]) -> Box | None:

@@ -20,6 +20,8 @@ _THEIRS = 0.7
 _NEARER, _TAKES, _WORTH = 0.7, 0.015, 0.05
 """Share of the way to the people up to which a thing stands before them; shares of the picture that one such thing
 takes, and all of them, before anything is moved."""
+_ABOVE = 0.4
+"""Metres over a thing within which what is above it hides it: a table top, not a lamp at the ceiling."""
 _FURNITURE = 0.3
 """Cubic metres from which a thing has a back."""
 
@@ -46,6 +48,23 @@ def in_the_way(brief: CameraBrief, camera: Orbit) -> list[str]:
         if float(hidden([box], camera.position, spots).mean()) > _TAKES:
             gone += [node, *(other for other, each in brief.props.items() if _stands_on(each, box))]
     return gone
+
+
+def covers(brief: CameraBrief) -> list[str]:
+    """Return the node_ids of what a thing of an insert is in or under: the drawer's desk, the cup on the letter."""
+    if brief.instruction.kind != "insert" or brief.detail is not None:
+        return []
+    found: list[str] = []
+    for thing in brief.things:
+        for node, box in brief.loose.items():
+            over = box.top > thing.top + _ON and box.z < thing.top + _ABOVE
+            if over and distance_to_point(box, thing.x, thing.y) <= 0:
+                found += [node, *(each for each, other in brief.props.items() if _on_it(each, other, box, brief))]
+    return list(dict.fromkeys(found))
+
+
+def _on_it(node: str, thing: Box, box: Box, brief: CameraBrief) -> bool:
+    return node in brief.loose and _stands_on(thing, box)
 
 
 def _is_theirs(brief: CameraBrief, box: Box) -> bool:

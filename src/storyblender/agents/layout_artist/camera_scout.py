@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
-from storyblender.agents.layout_artist.camera_furniture import GRID, backs, in_the_way
+from storyblender.agents.layout_artist.camera_details import at_hand
+from storyblender.agents.layout_artist.camera_furniture import GRID, backs, covers, in_the_way
 from storyblender.agents.layout_artist.camera_room import outside, rays, void_points
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, start, wants_shoulder
@@ -42,6 +43,8 @@ _SHOULDER_IN = 0.3
 """The same for a head of no size: the smaller the head, the less of a shoulder there is beside it."""
 LEAST_OVER = 0.2
 """Share of the picture's height from which that head is one that we look past, and not somebody in the background."""
+_SIDE = 55.0
+"""Degrees from its front from which a thing is seen from its side."""
 _MARGIN = 0.03
 _SHOULDER = 0.17
 """Metres from the middle of a body to its side."""
@@ -98,7 +101,8 @@ def scouted(brief: CameraBrief) -> list[Take]:
             take = start(brief, turn, rise)
             away = abs(turn) / 240 + rise / 45
             takes.setdefault(take, cost(brief, take) + away)
-            for other in (cleared := _cleared(brief, take), without(cleared, in_the_way(brief, take.camera))):
+            cleared = _cleared(brief, take)
+            for other in (cleared, without(cleared, (*in_the_way(brief, take.camera), *covers(brief)))):
                 if other not in takes:
                     takes[other] = cost(brief, other) + away
     return sorted(takes, key=lambda take: takes[take])
@@ -180,19 +184,33 @@ def _things(brief: CameraBrief, take: Take) -> float:
     """Weigh focus things that are out of the picture."""
     if not brief.things or brief.instruction.kind == "establishing":
         return 0.0
-    screen, depth = project(take.camera, [(box.x, box.y, box.z + box.height / 2) for box in brief.things])
+    middles = [(box.x, box.y, box.z + box.height / 2) for box in brief.things]
+    screen, depth = project(take.camera, middles)
     framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
     if brief.instruction.kind == "insert":
         spots = [(box.x, box.y, box.top) for box in brief.things]
         figures, boxes = brief.drawn.figures, _solids(brief, take.hidden)
-        bodies = [box for figure in figures for box in body(figure)]
+        bodies = [box for figure in figures if figure.node_id not in take.hidden for box in body(figure)]
         around = [box for box in [*bodies, *boxes] if any(_meets(box, *spot, near=0.0) for spot in spots)]
         # What it lies in, as a hand by the hip lies in the box of a chair, would hide it from everywhere: only its top
         # does, as the top of a table does. A boat has none.
         tops = [lidded(box) for box in around if not any(holds(box, figure) for figure in figures)]
         boxes = [*(box for box in [*bodies, *boxes] if box not in around), *tops]
         framed &= ~hidden(boxes, take.camera.position, spots, _AT_HAND)
-    return (1.0 if brief.people else 2.5) * float((~framed).sum())
+    elif at_hand(brief):
+        boxes = [box for figure in brief.drawn.figures if figure.node_id not in take.hidden for box in body(figure)]
+        small = np.array([box in at_hand(brief) for box in brief.things])
+        framed &= ~(small & hidden(boxes, take.camera.position, middles, _AT_HAND))
+    lost = 1.6 if brief.people and brief.instruction.explicit else 1.0 if brief.people else 2.5
+    return lost * float((~framed).sum()) + _wrong_side(brief, take.camera)
+
+
+def _wrong_side(brief: CameraBrief, camera: Orbit) -> float:
+    """Weigh an insert that shows the side or the back of its thing, as of a screen or a clock."""
+    if brief.instruction.kind != "insert" or brief.detail is not None or not brief.things:
+        return 0.0
+    around = abs(math.remainder(camera.azimuth - math.degrees(brief.things[0].yaw), 360.0))
+    return _BACK * max(0.0, around - _SIDE) / (180.0 - _SIDE)
 
 
 def _position(brief: CameraBrief, take: Take) -> float:

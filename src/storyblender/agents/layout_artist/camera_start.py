@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from storyblender.agents.layout_artist.camera_brief import TALKS, TIGHT, TRAVEL, CameraBrief, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
@@ -16,7 +17,7 @@ from storyblender.geometry.boxes import corners, distance_to_point
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import eased, followed, moved
-from storyblender.geometry.orbit import Orbit, orbit, roll
+from storyblender.geometry.orbit import Orbit, orbit, pan, roll
 
 _OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
 """Degrees from full face at which a single is taken; wider sizes take ``_WIDE_OFF``."""
@@ -40,6 +41,9 @@ _SQUATS = 0.6
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
 """Degrees to go round to where two are beside each other, and no longer one before the other's shoulder; sooner where
 one of them walks off: they are far apart."""
+_HELD_SPAN, _FARTHER, _RIM = 0.86, 1.3, 0.05
+"""Share of the picture that faces and the things they have may take; how many times as far the camera may go for
+that, twice; what stays free at the rim."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
@@ -69,6 +73,8 @@ def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
                 camera = _compose(brief, lens, turn, rise)
         if kind == "establishing" or not brief.people:
             camera = walked_in(brief.plan, camera)
+    if kind != "insert" and at_hand(brief) and brief.over is None and kind not in ("pov", "establishing"):
+        camera = _with_things(brief, camera)
     if brief.instruction.angle == "dutch":
         camera = roll(camera, framing.DUTCH_ROLL)
     return take(brief, camera)
@@ -173,6 +179,25 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if instruction.size not in framing.WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
         shown = lead
     return framing.single(film, shown, instruction.size, azimuth, elevation, lens)
+
+
+def _with_things(brief: CameraBrief, camera: Orbit) -> Orbit:
+    """Return the camera panned, and taken back a little, until the things that its people have are in the picture."""
+    things = np.concatenate([corners(box) for box in at_hand(brief)])
+    heads = [point for each in brief.people for point in (each.crown, each.face)]
+    points = np.concatenate([np.asarray(heads, float), things])
+    for _ in range(2):
+        screen, depth = framing.project(camera, points)
+        if depth.min() < 0.2:
+            return camera
+        span = float(np.ptp(screen, axis=0).max())
+        if span > _HELD_SPAN:
+            camera = replace(camera, distance=camera.distance * min(span / _HELD_SPAN, _FARTHER))
+            screen, _ = framing.project(camera, points)
+        low, high = screen.min(0), screen.max(0)
+        over = np.maximum(high - (1 - _RIM), 0.0) - np.maximum(_RIM - low, 0.0)
+        camera = pan(camera, float(over[0]) * camera.aspect, -float(over[1]))
+    return camera
 
 
 def looks_after(brief: CameraBrief) -> Figure | None:
