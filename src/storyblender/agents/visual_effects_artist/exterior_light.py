@@ -40,6 +40,12 @@ _AIRLIGHT = 0.7
 """Share of the fog's own brightness that falls on what stands in it."""
 _BY_DAY = 0.03
 """Share of the wanted level that lamps give by day."""
+_AFTER_DARK = 0.95
+"""Share of the lamps that burn from which it is dark."""
+_NIGHT_SHARE, _WALLS = 0.5, 0.26
+"""Share of the wanted level that comes from all sides after dark; what an average wall throws back."""
+_MOONLIGHT: Color = (0.72, 0.94, 1.5)
+"""Of luminance one."""
 _FOG_BLUE: Color = (0.72, 0.88, 1.0)
 """Lit fog at night: grey with a little of the sky's blue."""
 
@@ -72,6 +78,8 @@ def exterior(view: LightingView) -> Lighting:
     ambient = scaled(ambient, 0.75)
     if gloom and air.fog > _THICK:  # thick air that glows with lamps lights what stands in it from all sides
         ambient = _brighter(ambient, scaled(fog.color, _AIRLIGHT))
+    if hour.lamps > _AFTER_DARK:
+        ambient = _moonlit(ambient, level)
     plan = Lighting(
         lights=strongest((sun, *burning_lamps(view, gloom)), MOST_LIGHTS),
         sky=sky,
@@ -89,6 +97,15 @@ def exterior(view: LightingView) -> Lighting:
     return metered(plan, view.plan, all_lights=False, share=None if hour.lamps else _BY_DAY)
 
 
+def _moonlit(ambient: Color, level: float) -> Color:
+    """Return the light from all sides after dark: enough to read the place by between its lamps, as film has it."""
+    wanted = _NIGHT_SHARE * level / _WALLS
+    here = float(luminance(np.asarray(ambient, np.float32)))
+    return (
+        ambient if here >= wanted else mix(scaled(ambient, wanted / max(here, 1e-4)), scaled(_MOONLIGHT, wanted), 0.5)
+    )
+
+
 def _brighter(a: Color, b: Color) -> Color:
     """Return whichever colour is the brighter one."""
     return a if sum(a) >= sum(b) else b
@@ -96,7 +113,7 @@ def _brighter(a: Color, b: Color) -> Color:
 
 def _outdoor_key(view: LightingView, hour: Hour) -> Color:
     """Return the colour of faces: sunlight softened; at night the lamps, or the moon where there are none."""
-    if hour.lamps < 0.95:
+    if hour.lamps < _AFTER_DARK:
         return mix(hour.sun_color, (1.0, 0.95, 0.9), 0.6)
     return (1.0, 0.78, 0.52) if burning_lamps(view, 1.0) else (0.7, 0.82, 1.0)
 
@@ -123,13 +140,13 @@ def _air(view: LightingView, hour: Hour, horizon: Color, sun: Vec3) -> Fog:
     air = WEATHERS[view.setup.weather]
     density, start, height = air.fog, air.fog_start, air.fog_height
     if hour.lamps > 0.4:
-        density, start = max(density, 0.010 if hour.lamps > 0.95 else 0.006), min(start, 8.0)
+        density, start = max(density, 0.010 if hour.lamps > _AFTER_DARK else 0.006), min(start, 8.0)
     if view.plan.kit == "forest":
         density, start, height = max(density, 0.009), min(start, 8.0), min(height, 24.0)
     strength = (0.55 if hour.elevation < 10 else 0.22) * hour.sun * air.sun / 3
     length = math.hypot(*sun) or 1.0
     return Fog(
-        color=_night_air(view, hour, horizon, air) if hour.lamps > 0.95 else scaled(horizon, 0.85),
+        color=_night_air(view, hour, horizon, air) if hour.lamps > _AFTER_DARK else scaled(horizon, 0.85),
         density=density,
         start=start,
         height=height,
@@ -152,4 +169,4 @@ def _night_air(view: LightingView, hour: Hour, horizon: Color, air: Air) -> Colo
 def _openness(hour: Hour, air: Air) -> float:
     """Return the share of the hour's light under a weather: clouds take the sky's, not the lamps'; lit fog adds."""
     night = air.level + (1.0 - air.level) * hour.lamps
-    return night * (_LIT_FOG if hour.lamps > 0.95 and air.fog > _SOUP else 1.0)
+    return night * (_LIT_FOG if hour.lamps > _AFTER_DARK and air.fog > _SOUP else 1.0)
