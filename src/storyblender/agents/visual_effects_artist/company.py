@@ -382,16 +382,18 @@ class Company:
 
     def prop_states(self, shot: ShotContext) -> tuple[PropState, ...]:
         """Return where every prop that left its place is now."""
-        states = []
+        states, instruction = [], shot.camera_instruction
+        inserted = instruction.focus_on_ids if instruction.kind == "insert" else ()
         for prop in self.touched:
             holder = self.holder(prop)
             place = self.lying.get(prop)
+            if place is None and prop in inserted and (holder is None or holder.asset_id not in shot.on_stage):
+                continue  # a picture of a thing shows it: where the scene has it
             if holder is not None:
                 seen = holder.asset_id in shot.on_stage
                 hand = holder.hand_of(prop)
-                states.append(
-                    PropState(asset_id=prop, visible=seen, held_by=holder.asset_id if seen else None, hand=hand)
-                )
+                by = holder.asset_id if seen else None
+                states.append(PropState(asset_id=prop, visible=seen, held_by=by, hand=hand))
             else:
                 location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
                 states.append(PropState(asset_id=prop, visible=place is not None, location=location))
