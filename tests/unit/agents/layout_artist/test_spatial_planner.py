@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
+from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
 from storyblender.catalog.set_plan import SetPlan
@@ -430,10 +431,11 @@ def test_nothing_lies_where_somebody_lies_on_the_bed() -> None:
         assert (aside > 0.33) == bool(states)
 
 
-def test_talkers_do_not_act_before_a_bare_wall_where_something_can_be_behind_them() -> None:
+def test_a_place_before_furniture_has_a_backdrop_and_one_before_a_bare_wall_has_none() -> None:
     shelf = LayoutObject(node_id="wardrobe", asset_id="wardrobe", location=(1.6, 2.0, 0), fixed=True)
     bare = plan().model_copy(update={"walls": tuple(w.model_copy(update={"openings": ()}) for w in plan().walls)})
     view = brief(people=["ana", "ben"], dressed=(shelf,))
-    at = solved(LayoutBrief(**{**view.__dict__, "plan": bare}))
-    middle = (at["ana"].location[0] + at["ben"].location[0]) / 2
-    assert middle > 0.3, "before the wardrobe, not in the empty half of the room"
+    stage = Stage(LayoutBrief(**{**view.__dict__, "plan": bare}))
+    assert stage.backdrop(1.6, 0.0) > 0.3
+    assert stage.backdrop(-1.6, 0.0) < 0.15
+    assert stage.backdrop(1.6, 2.4) == 0.0, "it is before them there"
