@@ -12,7 +12,7 @@ from storyblender.catalog.costumes import Age, costume
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.garments_of_trades import TRADE_GARMENTS
 from storyblender.catalog.homelands import Homeland
-from storyblender.catalog.species import Species, species_of
+from storyblender.catalog.species import SPECIES, Species, species_of
 from storyblender.catalog.worn import WORN
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
@@ -144,6 +144,8 @@ _FOREIGN: Final = (
     "|german|dutch|italian|russian|australian|swede|swedish|irish|scottish|white (?:man|woman)"
 )
 """Words that say somebody is not from where the story is set."""
+_UNKNOWN: Final = "otter"
+"""What an animal is drawn as whose kind nobody knows."""
 _GREYING: Final = 50.0
 """Years from which hair keeps the colour of its age."""
 
@@ -182,8 +184,9 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
     hair = ", ".join(person.hair) or _hair_words(introduced)
     everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
     worn = garments(", ".join(person.outfit) or introduced)
-    worn = worn or costume(person.role, person.name, era, person.gender, age, seed)
-    beast = species_of(person.role or person.name) if person.kind == "animal" else None
+    beast = (kind_of(person) or SPECIES[_UNKNOWN]) if person.kind == "animal" else None
+    if beast is None:
+        worn = _shod(worn or costume(person.role, person.name, era, person.gender, age, seed), person.gender, age)
     return CharacterLook(
         gender=person.gender,
         age=age,
@@ -192,13 +195,19 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
         build=_first(_BUILD, ", ".join(person.build) or introduced) or "average",
         skin=_first(_SKIN, everything) or (homeland.skin if homeland else "light"),
         hair=_hair(person, hair, age, seed, homeland),
-        hair_color=cloth_color(" ".join(person.build))
+        hair_color=cloth_color(" ".join((*person.build, *person.hair)))
         if beast
         else hair_color(_without_beard(hair)) or (hair_color("black") if homeland and age < _GREYING else None),
         facial_hair=_first(_FACIAL_HAIR, everything) or "none",
-        garments=_shod(worn, person.gender, age),
+        garments=worn,
         glasses=bool(re.search(r"(?<!sun)(?:glasses|spectacles|monocle)", everything)),
     )
+
+
+def kind_of(person: Person) -> Species | None:
+    """Return the species of an animal by its role, its name or what is said of its looks."""
+    looks = " ".join((*person.build, *person.outfit, *person.hair, *person.face))
+    return species_of(person.role) or species_of(person.name) or species_of(looks)
 
 
 def years(person: Person, seed: int = 0) -> float:
@@ -293,11 +302,6 @@ def _hair(person: Person, hair: str, age: float, seed: int, homeland: Homeland |
     if homeland is not None and person.gender != "unknown":
         choices = homeland.women if person.gender == "female" else homeland.men
     return choices[seed % len(choices)]
-
-
-def _hair_color(hair: str, age: float, homeland: Homeland | None) -> Color | None:
-    usual = hair_color("black") if homeland and age < _GREYING else None
-    return hair_color(_without_beard(hair)) or usual
 
 
 def _hair_words(introduced: str) -> str:

@@ -6,13 +6,12 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from storyblender.agents.director.acting_animals import acts_like_a_person
 from storyblender.agents.director.casting import introduction
 from storyblender.agents.director.lexicon import MACHINES
-from storyblender.agents.director.motion_families import HANDS
 from storyblender.agents.director.reading import Person, Reading, Thing
 from storyblender.agents.director.wording import modifiers_of, one_line
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.species import species_of
 
 _LIKENED: Final = re.compile(
     r"\b(?:the size of|as (?:big|large|small|tall|high) as|no (?:bigger|larger|taller) than)"
@@ -23,11 +22,6 @@ _HEIGHTS: Final[dict[str, float]] = {
     word: entry.size[2] for entry in PROPS.values() for word in (*entry.tags, entry.name)
 }
 """What the catalog builds -> metres."""
-_BY_MOUTH: Final = frozenset(
-    {"take", "pick_up", "hold", "catch", "drop", "give", "put_down", "touch", "search", "open"}
-)
-"""What of the work of hands a beak or a claw does."""
-_PARROTS: Final = frozenset({"parrot", "macaw", "cockatoo", "parakeet", "budgie", "budgerigar"})
 _BEFORE: Final = 30
 """Characters before a name in which its kind is told."""
 _REACH: Final = 70
@@ -37,24 +31,15 @@ _REACH: Final = 70
 def is_creature(person: Person, reading: Reading) -> bool:
     """Whether somebody is an animal on its own feet, or a machine that looks like one, and no character on two legs.
 
-    An animal that is dressed, uses its hands or speaks acts like a person, and is cast as one with the head of its
-    kind; one whose kind nobody knows, too, if it does more than speak. Only a parrot speaks and stays what it is.
-
     Args:
         person: One of ``reading.people``.
         reading: What the script says.
     """
-    if person.outfit or person.kind == "group":
+    if person.kind == "group":
         return False
     if person.kind != "animal":
-        return person.role in MACHINES
-    known = species_of(person.role or person.name) is not None and not _PARROTS & {
-        *person.role.split(),
-        *person.name.split(),
-    }
-    deeds = (deed for unit in reading.units for deed in unit.deeds if deed.actor == person.id)
-    handles = any(deed.prop and deed.motion in HANDS - _BY_MOUTH for deed in deeds)
-    return not (person.speaks and (known or handles))
+        return not person.outfit and person.role in MACHINES
+    return not acts_like_a_person(person, reading)
 
 
 def describe_creature(person: Person, reading: Reading) -> str:

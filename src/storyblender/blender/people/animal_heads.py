@@ -1,284 +1,317 @@
-"""Heads of animals on people's bodies: a badger in a waistcoat has a badger's head, and hands of its coat."""
+"""Heads of animals on people's bodies: a badger in a waistcoat has a badger's head, which looks, speaks and smiles."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from storyblender.blender.people.cloth import Bolt
+from storyblender.blender.people import animal_eyes
+from storyblender.blender.people.animal_skull import HINGE, Skull
 from storyblender.blender.people.face import bone_weights
 from storyblender.blender.people.figure import Figure
-from storyblender.blender.people.sheet import Sheet, join
-from storyblender.blender.people.solids import ball, bar
+from storyblender.blender.people.pack import PARTS
+from storyblender.blender.people.sheet import Sheet, join, normals, rigid
+from storyblender.blender.people.solids import ball, bar, skinned
+from storyblender.catalog.expressions import FACE
+from storyblender.catalog.materials import hex_color
 from storyblender.catalog.species import Species
+from storyblender.geometry.implicit import Field, surface
+from storyblender.memory.base import Color
 
 Floats = NDArray[np.float64]
-DARK, WHITE = "#17171a", "#f2efe8"
-SKULL = 0.15
-"""Metres from the middle of the head to its side, on a grown-up: all of the human head is inside."""
-NECK_LINE = 6.0
-"""Decimetres on the base mesh: above it the person's own head is left out."""
+Point = tuple[float, float, float]
+SKULL = 0.155
+"""Metres from the middle of the head to its side, on a grown-up of 1.70 m with a head of size 1."""
+STEP = 0.055
+"""Edge of a face of the head, in radii."""
+_OPEN = 20.0
+"""Degrees that the jaw opens."""
+_HEAD_LINE, _NECK_LINE = 6.75, 6.2
+"""Decimetres on the base mesh: above the first a person's head becomes the skull of the animal, below the second it
+stays as it is."""
 
 
+@dataclass
 class Head:
-    """A head being built, in units of its own radius: x to the animal's left, y back, z up.
+    """A head being built; lengths are in its own radius: x to the animal's left, y back, z up.
+
+    Attributes:
+        species: Which animal.
+        skull: Its form and colours.
+        center: Middle of the skull, metres.
+        radius: Metres.
+        sheets: What is built.
+        colors: Vertex colours (V, 3) of each sheet.
+        keys: Offsets (V, 3) of the shape keys of each sheet.
+    """
+
+    species: Species
+    skull: Skull
+    center: Floats
+    radius: float
+    sheets: list[Sheet] = field(default_factory=list)
+    colors: list[Floats] = field(default_factory=list)
+    keys: list[Mapping[str, Floats]] = field(default_factory=list)
+
+    def place(self, points: ArrayLike) -> Floats:
+        """Return metres of points of the head."""
+        return self.center + np.asarray(points, float) * self.radius
+
+    def add(self, sheet: Sheet, color: str | Floats, keys: Mapping[str, Floats] | None = None) -> None:
+        """Add a sheet.
+
+        Args:
+            sheet: In metres.
+            color: ``main`` for the coat, ``pale``, ``dark``, a hex code, or the colour of each vertex.
+            keys: Offsets of its shape keys, metres.
+        """
+        if isinstance(color, str):
+            named = {"main": self.skull.coat, "pale": self.skull.pale, "dark": self.skull.coat * 0.42}
+            color = np.tile(named[color] if color in named else np.array(hex_color(color)), (len(sheet.points), 1))
+        self.sheets.append(sheet)
+        self.colors.append(np.clip(color, 0, 1))
+        self.keys.append(keys or {})
+
+    def ball(self, color: str, at: Point, half: Point, turn: Point = (0, 0, 0)) -> None:
+        """Add an ellipsoid with semi-axes ``half``, turned by degrees."""
+        self.add(ball(self.place(at), np.array(half) * self.radius, bone_weights("head"), rotation=turn), color)
+
+    def bar(self, color: str, points: Sequence[Point], radii: Sequence[float]) -> None:
+        """Add a bar of changing thickness."""
+        self.add(bar(self.place(points), [each * self.radius for each in radii], bone_weights("head")), color)
+
+    def body(self, form: Field) -> tuple[Sheet, Floats]:
+        """Return the surface of a form, and its vertices in radii."""
+        points, faces = surface(form, *self.skull.bounds(form), STEP)
+        return rigid(self.place(points), faces.tolist(), bone_weights("head")), points
+
+    def finished(self) -> tuple[Sheet, Floats, dict[str, Floats]]:
+        """Return the whole head, its vertex colours and its shape keys."""
+        whole = join(self.sheets)
+        keys = {
+            key: np.concatenate(
+                [keys.get(key, np.zeros_like(sheet.points)) for sheet, keys in zip(self.sheets, self.keys, strict=True)]
+            )
+            for key in FACE
+        }
+        return whole, np.concatenate(self.colors), keys
+
+
+def head_place(points: Floats, joints: Mapping[str, Floats], species: Species, scale: float) -> tuple[Floats, float]:
+    """Return the middle of an animal's skull and its radius, metres.
+
+    Args:
+        points: (V, 3) of the person's body.
+        joints: Positions of the joints ``neck`` and ``l-eye``.
+        species: Which animal.
+        scale: Size of the person's head against a grown-up's.
+    """
+    radius = SKULL * scale * species.head
+    crown = float(points[PARTS["skin"], 2].max())
+    front = float(joints["l-eye"][1])
+    return np.array((0.0, front + 0.55 * radius, max(crown - 0.75 * radius, joints["neck"][2] + 0.8 * radius))), radius
+
+
+def with_skull(base: Floats, points: Floats, center: Floats, radius: float) -> Floats:
+    """Return the body whose head has become the round skull of the animal: hats and the camera go by it.
+
+    Args:
+        base: (V, 3) of the base mesh, decimetres.
+        points: (V, 3) of the body, metres.
+        center: Middle of the skull.
+        radius: Of the skull.
+    """
+    skin = PARTS["skin"]
+    share = np.clip((base[skin, 1] - _NECK_LINE) / (_HEAD_LINE - _NECK_LINE), 0, 1)[:, None]
+    share = share * (np.abs(base[skin, 0]) < 1.3)[:, None]
+    away = points[skin] - center
+    round_ = center + 0.95 * radius * away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-6)
+    moved = points.copy()
+    moved[skin] = points[skin] * (1 - share) + round_ * share
+    return moved
+
+
+def build_head(figure: Figure, species: Species, coat: Color, center: Floats, radius: float) -> Head:
+    """Return the head of an animal without its eyeballs, with a neck down into the collar.
 
     Args:
         figure: Whose.
         species: Which animal.
+        coat: Colour of its coat.
+        center: Middle of its skull, metres.
+        radius: Of its skull.
     """
-
-    def __init__(self, figure: Figure, species: Species) -> None:
-        self.species = species
-        self.radius = SKULL * figure.head_scale
-        skin = figure.part("skin")
-        above = skin.points[(skin.base[:, 1] > 6.6) & (np.abs(skin.base[:, 0]) < 0.8)]
-        low, high = above.min(0), above.max(0)
-        self.center: Floats = np.array((0.0, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2), float)
-        self.neck = (figure.joint("neck") - self.center) / self.radius
-        self.weights = bone_weights("head")
-        self.parts: dict[str, list[Sheet]] = {}
-
-    def place(self, point: tuple[float, float, float]) -> Floats:
-        """Return metres of a point of the head."""
-        return self.center + np.array(point) * self.radius
-
-    def ball(
-        self,
-        tint: str,
-        at: tuple[float, float, float],
-        half: tuple[float, float, float],
-        turn: tuple[float, float, float] = (0, 0, 0),
-    ) -> None:
-        """Add an ellipsoid."""
-        sheet = ball(self.place(at), np.array(half) * self.radius, self.weights, rotation=turn)
-        self.parts.setdefault(tint, []).append(sheet)
-
-    def bar(self, tint: str, points: Sequence[tuple[float, float, float]], radii: Sequence[float]) -> None:
-        """Add a bar of changing thickness."""
-        path = [self.place(point) for point in points]
-        sheet = bar(path, [radius * self.radius for radius in radii], self.weights)
-        self.parts.setdefault(tint, []).append(sheet)
-
-    def bolts(self) -> list[Bolt]:
-        """Return one sheet for each tint."""
-        return [Bolt(join(sheets), tint, "knit") for tint, sheets in self.parts.items()]
+    head = Head(species, Skull(species, coat), center, radius)
+    _skull(head)
+    _neck(head, figure)
+    _eyelids(head)
+    _lips(head)
+    return head
 
 
-def build_animal_head(figure: Figure, species: Species) -> list[Bolt]:
-    """Return the head of an animal, with a neck down into the collar; its coat has the tint ``main``."""
-    head = Head(figure, species)
-    head.ball("main", (0, 0, 0), (0.98, 1.02, 1.04))
-    _, y, z = (float(value) for value in head.neck)
-    head.bar("main", [(0, y, z - 0.25), (0, y * 0.7, z * 0.55), (0, 0, -0.3)], [0.62, 0.6, 0.66])
-    _eyes(head)
-    _mouth(head)
-    _ears(head)
-    for mark in species.marks:
-        _MARKS[mark](head)
-    return head.bolts()
+def eye_centers(head: Head) -> dict[str, Floats]:
+    """Return the middle of each eyeball, metres."""
+    return {side: head.place(head.skull.eyes * (sign, 1, 1)) for side, sign in (("L", 1), ("R", -1))}
 
 
-def _eyes(head: Head) -> None:
-    up, out = (0.72, 0.5) if "goggles" in head.species.marks else (0.26, 0.4)
-    ahead = -0.62 if "goggles" in head.species.marks else -1.0 if "stripes" in head.species.marks else -0.86
-    for x in (-1, 1):
-        head.ball(WHITE, (x * out, ahead, up), (0.17, 0.1, 0.2))
-        head.ball(DARK, (x * (out - 0.02), ahead - 0.08, up - 0.01), (0.09, 0.05, 0.12))
-        head.ball(WHITE, (x * (out - 0.05), ahead - 0.125, up + 0.04), (0.03, 0.02, 0.03))
+def _skull(head: Head) -> None:
+    skull = head.skull
+    sheet, points = head.body(skull.form)
+    colors = skull.paint(points)
+    mouth = np.array(hex_color("#3a1416"))
+    if skull.jaw is not None:  # what the jaw hides until it opens
+        colors[(skull.jaw(points) < 0.0) & (points[:, 1] < -0.6)] = mouth
+    head.add(sheet, colors)
+    if skull.beak is not None:
+        sheet, points = head.body(skull.beak)
+        head.add(sheet, np.tile(skull.pale, (len(points), 1)) * np.interp(points[:, 2:], (-0.4, 0.1), (0.75, 1.0)))
+    if skull.jaw is None:
+        return
+    sheet, points = head.body(skull.jaw)
+    colors = np.tile(skull.pale * 0.8, (len(points), 1)) if skull.beak is not None else skull.paint(points)
+    hidden = (skull.form if skull.beak is None else skull.beak)(points) < -0.01
+    colors[hidden] = mouth
+    tongue = (
+        hidden
+        & (normals(sheet)[:, 2] > 0.6)
+        & (np.abs(points[:, 0]) < 0.5 * skull.thick)
+        & (points[:, 1] > skull.tip[1] + 0.3)
+    )
+    colors[tongue] = hex_color("#a8484e")
+    head.add(sheet, colors, {key: _opened(points, share) * head.radius for key, share in _JAW_KEYS.items()})
 
 
-def _mouth(head: Head) -> None:
-    (long, thick), pale = head.species.snout, head.species.pale or "main"
-    tip = -0.72 - long
-    match head.species.mouth:
-        case "snout":
-            radii = [thick * 1.25, thick, thick * 0.78, thick * 0.45]
-            points = [(0, -0.5, -0.2), (0, -0.72 - long * 0.35, -0.24), (0, tip + 0.1, -0.27), (0, tip, -0.27)]
-            head.bar(pale, points, radii)
-            head.ball(DARK, (0, tip - 0.02, -0.27 + thick * 0.42), (thick * 0.42, 0.12, thick * 0.3))
-            smile = [
-                (-thick * 0.72, tip + 0.3, -0.42),
-                (0, tip + 0.02, -0.27 - thick * 0.6),
-                (thick * 0.72, tip + 0.3, -0.42),
-            ]
-            head.bar(DARK, smile, [0.02, 0.025, 0.02])
-        case "cone":
-            head.bar(
-                pale, [(0, -0.7, -0.05), (0, -0.95, -0.08), (0, tip - 0.25, -0.16)], [thick * 1.1, thick * 0.9, 0.02]
-            )
-        case "hook":
-            head.bar(pale, [(0, -0.8, 0.05), (0, -1.15, 0.0), (0, -1.18, -0.3)], [thick * 1.2, thick, 0.03])
-        case "flat":
-            head.ball(pale, (0, -0.75 - long * 0.5, -0.16), (thick * 1.05, long * 0.75, 0.11))
-            head.ball(pale, (0, -0.7 - long * 0.42, -0.3), (thick * 0.95, long * 0.62, 0.08))
-        case "wide":
-            head.ball(pale, (0, -0.62, -0.3), (thick * 0.95, 0.55, 0.34))
-            head.bar(
-                DARK,
-                [(-thick * 0.85, -0.78, -0.2), (0, -1.16, -0.3), (thick * 0.85, -0.78, -0.2)],
-                [0.022, 0.03, 0.022],
-            )
-        case "trunk":
-            points = [(0, -0.7, -0.1), (0, -1.3, -0.5), (0, -1.35, -1.2), (0, -1.45, -1.6), (0, -1.75, -1.7)]
-            head.bar("main", points, [0.44, 0.34, 0.25, 0.2, 0.18])
-            for x in (-1, 1):
-                head.bar(
-                    WHITE,
-                    [(x * 0.35, -0.75, -0.45), (x * 0.5, -1.1, -0.8), (x * 0.48, -1.45, -0.75)],
-                    [0.12, 0.1, 0.02],
-                )
+_JAW_KEYS = {"mouth_open": 1.0, "wail": 0.7, "snarl": 0.4, "grin": 0.25}
 
 
-def _ears(head: Head) -> None:
-    size, inner = head.species.ears, head.species.pale or "dark"
-    for x in (-1, 1):
-        match head.species.ear:
-            case "round":
-                head.ball("main", (x * 0.68, 0.05, 0.82), (0.32 * size, 0.13, 0.32 * size), (0, x * 30, 0))
-                head.ball(inner, (x * 0.68, -0.05, 0.82), (0.2 * size, 0.07, 0.2 * size), (0, x * 30, 0))
-            case "point":
-                foot, top = (x * 0.52, 0.02, 0.7), (x * 0.78, 0.0, 0.85 + 0.62 * size)
-                middle = tuple((a + b) / 2 for a, b in zip(foot, top, strict=True))
-                head.bar("main", [foot, (middle[0], middle[1], middle[2]), top], [0.34 * size, 0.22 * size, 0.02])
-            case "long":
-                head.ball("main", (x * 0.4, 0.1, 0.95 + 0.7 * size), (0.2, 0.1, 0.9 * size), (0, x * 12, 0))
-                head.ball(inner, (x * 0.4, 0.02, 0.95 + 0.7 * size), (0.11, 0.05, 0.7 * size), (0, x * 12, 0))
-            case "flop":
-                head.ball("dark", (x * 0.92, 0.0, 0.22), (0.14, 0.3 * size, 0.62 * size), (0, x * -14, 0))
-            case "side":
-                head.ball("main", (x * (0.9 + 0.3 * size), 0.1, 0.4), (0.44 * size, 0.12, 0.26 * size), (0, x * 12, 0))
-            case "none":
-                pass
+def _opened(points: Floats, share: float) -> Floats:
+    """Return how points of the jaw move when it opens."""
+    turn = np.radians(_OPEN * share)
+    away = points - HINGE
+    y = away[:, 1] * np.cos(turn) - away[:, 2] * np.sin(turn)
+    z = away[:, 1] * np.sin(turn) + away[:, 2] * np.cos(turn)
+    return np.stack([away[:, 0], y, z], 1) - away
 
 
-def _stripes(head: Head) -> None:
-    for x, tint, radius in ((0.0, WHITE, 0.24), (-0.42, DARK, 0.2), (0.42, DARK, 0.2)):
-        points = [
-            (x, 0.6, 0.86),
-            (x, -0.2, 1.0),
-            (x * 1.02, -0.78, 0.62),
-            (x * 0.86, -0.98, 0.16),
-            (x * 0.4, -1.25, -0.05),
-        ]
-        head.bar(tint, points, [radius * 0.8, radius, radius * 0.95, radius * 0.7, radius * 0.3])
+def _neck(head: Head, figure: Figure) -> None:
+    """Add a neck from inside the skull to below the collar; it bends with the person's."""
+    base, top = figure.joint("neck"), head.center
+    thick = min(0.6, 0.5 / head.species.head + 0.06) * head.radius
+    path = [base - (0, 0, 0.03 * figure.k), base + 0.3 * (top - base), base + 0.65 * (top - base), top]
+    sheet = bar(path, [thick * 1.1, thick, thick, thick], bone_weights("head"))
+    share = np.clip((sheet.points[:, 2] - base[2]) / max(float(top[2] - base[2]) * 0.6, 1e-6), 0, 1)[:, None]
+    sheet.weights[:] = share * bone_weights("head") + (1 - share) * bone_weights("neck")
+    local = (sheet.points - head.center) / head.radius
+    head.add(sheet, head.skull.paint(local + np.array((0, 0, 0.2))))
 
 
-def _spines(head: Head) -> None:
-    for step in range(150):
-        up, turn = 1 - 1.5 * (step + 0.5) / 150, 2.39996 * step
-        across = np.sqrt(max(0.0, 1 - up * up))
-        x, y = across * np.cos(turn), across * np.sin(turn)
-        if (y > -0.35 and up > -0.4) or up > 0.62:
-            end = (x * 1.42, y * 1.42 + 0.12, up * 1.42)
-            head.bar("dark", [(x * 0.95, y * 0.95, up * 0.95), end], [0.055, 0.008])
+def _eyelids(head: Head) -> None:
+    skull, radius = head.skull, head.skull.eye * head.radius
+    for sign, center in zip((1, -1), eye_centers(head).values(), strict=True):
+        sheet, keys = animal_eyes.lids(center, radius)
+        at = skull.eyes * (sign, 1, 1)
+        around = at + np.array([(0, -0.1, 0.2), (0, -0.1, -0.24)])
+        upper, lower = skull.paint(around) * 0.82
+        half = len(sheet.points) // 2
+        head.add(sheet, np.concatenate([np.tile(upper, (half, 1)), np.tile(lower, (half, 1))]), keys)
+        if not skull.goggling:
+            _brow(head, sign)
 
 
-def _cheeks(head: Head) -> None:
-    for x in (-1, 1):
-        head.ball(WHITE, (x * 0.5, -0.52, -0.42), (0.5, 0.42, 0.36), (0, x * 20, 0))
+def _brow(head: Head, sign: int) -> None:
+    """Add a brow over one eye: the coat's dark, or light on a dark coat."""
+    skull = head.skull
+    eye, x = skull.eyes, np.linspace(-0.85, 0.95, 7)
+    line = []
+    for at in x:
+        side = sign * (eye[0] + at * skull.eye * 1.05)
+        height = eye[2] + skull.eye * (1.66 - 0.16 * at - 0.3 * at * at)
+        line.append((side, skull.reach(side, height) - 0.005, height))
+    under = skull.paint(np.array(line)).mean(0)
+    color = under * 0.35 if under.mean() > 0.07 else under + 0.16
+    radii = np.interp(x, (-0.85, -0.2, 0.95), (0.03, 0.036, 0.014)) * head.radius
+    sheet = bar(head.place(line), list(radii), bone_weights("head"))
+    inner = np.interp(np.abs((sheet.points[:, 0] - head.center[0]) / head.radius) - eye[0], (-0.2, 0.2), (1, 0))
+    moves = {"brow_up": (0.14, 0.14), "brow_down": (-0.13, 0.02), "worry": (0.15, -0.07), "snarl": (-0.06, 0.04)}
+    keys = {}
+    for key, (near, far) in moves.items():
+        keys[key] = np.zeros_like(sheet.points)
+        keys[key][:, 2] = (far + (near - far) * inner) * head.radius
+    head.add(sheet, np.tile(color, (len(sheet.points), 1)), keys)
 
 
-def _whiskers(head: Head) -> None:
-    long = head.species.snout[0]
-    for x in (-1, 1):
-        for lift in (-0.12, 0.0, 0.12):
-            foot = (x * 0.26, -0.72 - long * 0.6, -0.3 + lift * 0.4)
-            head.bar(DARK, [foot, (x * 1.1, -0.75 - long * 0.4, -0.32 + lift * 2.2)], [0.014, 0.006])
+_CORNERS = {"smile": 0.17, "grin": 0.15, "frown": -0.15, "wail": -0.16, "wrinkle": -0.05, "purse": 0.0}
+"""How far each shape key lifts the corners of the mouth."""
 
 
-def _mane(head: Head) -> None:
-    for row, (y, reach, count) in enumerate(((-0.2, 1.12, 13), (0.2, 1.3, 13), (0.6, 1.15, 11))):
-        for step in range(count):
-            turn = 2 * np.pi * (step + 0.5 * row) / count
-            head.ball("#6b4020", (reach * np.sin(turn), y, reach * np.cos(turn)), (0.34, 0.32, 0.38))
+def _lips(head: Head) -> None:
+    """Add the line of the mouth around the snout; its corners smile and frown."""
+    skull = head.skull
+    if head.species.mouth not in ("snout", "wide"):
+        return
+    if head.species.mouth == "wide":
+        middle, wide, height = np.array((0.0, -0.15, -0.2)), 80.0, -0.24
+    else:
+        middle, wide = np.array((0.0, skull.tip[1] + 0.3 + 0.3 * skull.long, 0.0)), 104.0
+        height = skull.tip[2] - 0.42 * skull.thick
+    turns = np.radians(np.linspace(-wide, wide, 25))
+    bend = np.abs(np.linspace(-1, 1, 25))
+
+    def line(lift: float) -> Floats:
+        rise = height + (0.12 + lift) * bend**2
+        ways = np.stack([np.sin(turns), -np.cos(turns), 0 * turns], 1)
+        starts = np.stack([0 * rise, middle[1] + 0 * rise, rise], 1) + 2.5 * ways
+        return np.array([skull.cast(start, -way) for start, way in zip(starts, ways, strict=True)])
+
+    radii = [0.019 * head.radius * (1 - 0.5 * share**3) for share in bend]
+    sheet = bar(head.place(line(0.0)), radii, bone_weights("head"))
+    keys = {}
+    for key, lift in _CORNERS.items():
+        moved = bar(head.place(line(lift)), radii, bone_weights("head"))
+        keys[key] = moved.points - sheet.points
+    head.add(sheet, "#201412", keys)
 
 
-def _bands(head: Head) -> None:
-    for y, wide in ((-0.55, 0.5), (-0.25, 0.75), (0.1, 0.9)):
-        up = np.sqrt(max(0.0, 1.06 - y * y))
-        points = [(wide * np.sin(t), y, up * np.cos(t)) for t in np.linspace(-0.8, 0.8, 7)]
-        head.bar(DARK, points, [0.02, 0.05, 0.06, 0.07, 0.06, 0.05, 0.02])
-    for x in (-1, 1):
-        for z in (-0.35, -0.08):
-            head.bar(DARK, [(x * 0.98, -0.2, z), (x * 0.8, -0.6, z - 0.04), (x * 0.6, -0.8, z)], [0.02, 0.06, 0.02])
+def cup(
+    head: Head,
+    path: Sequence[Point],
+    widths: Sequence[float],
+    facing: Point,
+    colors: tuple[str, str],
+    thin: float = 0.2,
+) -> None:
+    """Add an ear: a hollow leaf along a path.
 
-
-def _patches(head: Head) -> None:
-    for x in (-1, 1):
-        head.ball(DARK, (x * 0.42, -0.74, 0.22), (0.28, 0.2, 0.34), (0, x * -24, 0))
-        head.ball(DARK, (x * 0.68, 0.02, 0.84), (0.34, 0.16, 0.34), (0, x * 30, 0))
-
-
-def _mask(head: Head) -> None:
-    head.ball("#2a2826", (0, -0.6, 0.22), (0.84, 0.34, 0.26))
-
-
-def _disc(head: Head) -> None:
-    tip = -0.72 - head.species.snout[0]
-    head.ball("dark", (0, tip, -0.24), (0.36, 0.08, 0.32))
-    for x in (-1, 1):
-        head.ball(DARK, (x * 0.14, tip - 0.07, -0.24), (0.07, 0.04, 0.1))
-
-
-def _horns(head: Head) -> None:
-    for x in (-1, 1):
-        points = [(x * 0.45, 0.0, 0.85), (x * 0.85, 0.05, 1.15), (x * 0.95, 0.1, 1.6)]
-        head.bar("#d8cdb0", points, [0.16, 0.12, 0.02])
-
-
-def _antlers(head: Head) -> None:
-    for x in (-1, 1):
-        head.bar(
-            "#c9b48a",
-            [(x * 0.35, 0.1, 0.9), (x * 0.7, 0.2, 1.5), (x * 1.3, 0.2, 1.9), (x * 1.3, 0.1, 2.5)],
-            [0.1, 0.09, 0.07, 0.03],
-        )
-        head.bar("#c9b48a", [(x * 0.7, 0.2, 1.5), (x * 0.7, -0.2, 2.0)], [0.07, 0.02])
-        head.bar("#c9b48a", [(x * 1.3, 0.2, 1.9), (x * 1.75, 0.1, 2.2)], [0.06, 0.02])
-
-
-def _crest(head: Head) -> None:
-    for step in range(7):
-        turn = -0.5 + 0.42 * step
-        head.ball("#241a14", (0, np.sin(turn) * 1.02, np.cos(turn) * 1.02), (0.13, 0.26, 0.26))
-
-
-def _beard(head: Head) -> None:
-    tip = -0.72 - head.species.snout[0]
-    head.bar("main", [(0, tip + 0.25, -0.5), (0, tip + 0.2, -0.95), (0, tip + 0.3, -1.3)], [0.16, 0.13, 0.02])
-
-
-def _wool(head: Head) -> None:
-    for step in range(46):
-        up, turn = 1 - 1.25 * (step + 0.5) / 46, 2.39996 * step
-        across = np.sqrt(max(0.0, 1 - up * up))
-        x, y = across * np.cos(turn), across * np.sin(turn)
-        if y > -0.5 or up > 0.7:
-            head.ball("main", (x, y, up), (0.3, 0.3, 0.3))
-
-
-def _discs(head: Head) -> None:
-    for x in (-1, 1):
-        head.ball("#e4d8bc", (x * 0.4, -0.76, 0.26), (0.42, 0.16, 0.44))
-        head.ball("#d8a520", (x * 0.4, -0.9, 0.26), (0.25, 0.09, 0.27))
-        head.ball(DARK, (x * 0.39, -0.97, 0.26), (0.12, 0.05, 0.15))
-
-
-def _comb(head: Head) -> None:
-    for step, size in enumerate((0.2, 0.28, 0.26, 0.2)):
-        head.ball("#a3242a", (0, -0.45 + 0.28 * step, 1.1), (0.08, 0.2, size))
-    head.ball("#a3242a", (0, -1.0, -0.5), (0.1, 0.14, 0.28))
-
-
-def _no_mark(head: Head) -> None:
-    """Goggling eyes are placed with the others."""
-
-
-_MARKS: dict[str, Callable[[Head], None]] = {
-    "stripes": _stripes, "spines": _spines, "cheeks": _cheeks, "whiskers": _whiskers, "mane": _mane, "bands": _bands,
-    "patches": _patches, "mask": _mask, "disc": _disc, "horns": _horns, "antlers": _antlers, "crest": _crest,
-    "beard": _beard, "wool": _wool, "discs": _discs, "comb": _comb, "goggles": _no_mark,
-}  # fmt: skip
+    Args:
+        head: Where.
+        path: From its root to its tip.
+        widths: Half its width along the path.
+        facing: Where its hollow looks.
+        colors: Of its back and of its hollow.
+        thin: Thickness for its width.
+    """
+    spine = np.array(
+        [np.interp(np.linspace(0, 1, 11), np.linspace(0, 1, len(path)), axis) for axis in np.array(path).T]
+    ).T
+    for _ in range(2):
+        spine[1:-1] = 0.5 * spine[1:-1] + 0.25 * (spine[:-2] + spine[2:])
+    half = np.interp(np.linspace(0, 1, 11), np.linspace(0, 1, len(widths)), widths)
+    along = np.gradient(spine, axis=0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    front = np.asarray(facing, float) - along * (along @ np.asarray(facing, float))[:, None]
+    front /= np.linalg.norm(front, axis=1, keepdims=True)
+    side = np.cross(along, front)
+    turns = np.linspace(0, 2 * np.pi, 19)[:-1]
+    hollow = np.where(np.sin(turns) > 0, -0.35 * np.sin(turns) ** 1, np.sin(turns))  # the front is pressed in
+    rings = [
+        spine[row] + half[row] * (np.cos(turns)[:, None] * side[row] + thin * 2 * hollow[:, None] * front[row])
+        for row in range(11)
+    ]
+    sheet = skinned([head.place(ring) for ring in rings], bone_weights("head"))
+    inner = np.tile((np.sin(turns) > 0.35), 11)
+    named = {"main": head.skull.coat, "pale": head.skull.pale, "dark": head.skull.coat * 0.42}
+    back, lining = (named[color] if color in named else np.array(hex_color(color)) for color in colors)
+    head.add(sheet, np.where(inner[:, None], lining, back))

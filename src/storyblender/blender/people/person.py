@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.blender.people import eyewear, face, hair, mannequin, mouth, rig, skin, tailor, whiskers
-from storyblender.blender.people.animal_heads import NECK_LINE, build_animal_head
+from storyblender.blender.people.animal import Animal, worn_by_animals
 from storyblender.blender.people.body import Body
 from storyblender.blender.people.figure import Figure
 from storyblender.blender.people.pack import PARTS, BodyPack, load_body_pack
@@ -24,9 +24,8 @@ from storyblender.catalog.cuts import hides_hair
 from storyblender.catalog.expressions import FACE
 from storyblender.catalog.garments import dressed
 from storyblender.catalog.hair import hairstyle
-from storyblender.catalog.materials import hex_color
 from storyblender.catalog.skeleton import SKELETON
-from storyblender.catalog.species import SPECIES, Species
+from storyblender.catalog.species import SPECIES
 from storyblender.memory.asset_sheet import CharacterLook
 
 HEM = 0.004
@@ -68,23 +67,14 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
     if pack is None:
         return _build_stand_in(asset_id, look, seed)
     look = look.model_copy(update={"gender": resolved_gender(look, seed)})
+    if look.species in SPECIES:
+        return _build_animal(asset_id, look, seed, pack)
     colors = complexion(look, seed)
-    species = SPECIES.get(look.species)
-    if species is not None:
-        coat = look.hair_color or hex_color(species.coat)
-        colors = replace(colors, skin=coat, hair=coat)
     figure = Figure(pack, pack.shape(recipe(look, seed)))
     armature = rig.build_armature(asset_id, {n: figure.joint(n) for bone in SKELETON for n in (bone.head, bone.tail)})
     tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
     wardrobe = tailor.dress(figure, dressed(look, look.gender, seed), seed)
     every = skin.expressions(pack)
-    if species is not None:
-        meshes = [
-            _build_skin(figure, armature, look, colors, wardrobe, every, beast=True),
-            _build_animal_head(figure, armature, species, colors),
-            *(_build_garment(figure, armature, worn) for worn in wardrobe if "head" not in worn.spec.covers),
-        ]
-        return PersonBuild(armature, meshes, _measured(figure, armature, pack))
     meshes = [
         _build_skin(figure, armature, look, colors, wardrobe, every),
         _build_eyes(figure, armature, colors),
@@ -93,24 +83,25 @@ def build_person(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
         *_build_glasses(figure, armature, look),
         *(_build_garment(figure, armature, worn) for worn in wardrobe),
     ]
-    return PersonBuild(armature, meshes, _measured(figure, armature, pack))
+    return PersonBuild(armature, meshes, _measured(figure, armature))
 
 
-def _measured(figure: Figure, armature: bpy.types.Object, pack: BodyPack) -> Body:
+def _build_animal(asset_id: str, look: CharacterLook, seed: int, pack: BodyPack) -> PersonBuild:
+    """Build an animal that acts like a person."""
+    animal = Animal(pack, SPECIES[look.species], look, seed)
+    armature = rig.build_armature(asset_id, animal.joints)
+    tag(armature, kind="character", node_id=asset_id, asset_id=asset_id)
+    wardrobe = tailor.dress(animal.figure, worn_by_animals(look), seed)
+    meshes = [
+        *animal.build(armature, wardrobe, glasses=look.glasses),
+        *(_build_garment(animal.figure, armature, worn) for worn in wardrobe),
+    ]
+    return PersonBuild(armature, meshes, _measured(animal.figure, armature))
+
+
+def _measured(figure: Figure, armature: bpy.types.Object) -> Body:
     bare = PARTS["skin"]
-    return rig.measure_body(armature, figure.points[bare], pack.weights[bare], figure.stature, FACE)
-
-
-def _build_animal_head(
-    figure: Figure, armature: bpy.types.Object, species: Species, colors: Complexion
-) -> bpy.types.Object:
-    bolts = build_animal_head(figure, species)
-    paints = [Paint(tailor.tinted(colors.skin, bolt.tint), "hair") for bolt in bolts]
-    for slot, bolt in enumerate(bolts):
-        bolt.sheet.slot[:] = slot
-    whole = join([bolt.sheet for bolt in bolts])
-    group = f"{armature.name}_skin"
-    return build_object(f"{armature.name}_head", whole, paints, armature, surface=Surface.SKIN, ink_group=group)
+    return rig.measure_body(armature, figure.points[bare], figure.pack.weights[bare], figure.stature, FACE)
 
 
 def _build_stand_in(asset_id: str, look: CharacterLook, seed: int) -> PersonBuild:
@@ -133,32 +124,22 @@ def _build_skin(
     colors: Complexion,
     wardrobe: Sequence[Worn],
     every: Expressions,
-    *,
-    beast: bool = False,
 ) -> bpy.types.Object:
-    """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys.
-
-    A ``beast`` has no face of a person: nothing above the neck is built.
-    """
+    """Build the visible skin with lashes, brows, teeth and tongue, which share the face's shape keys."""
     bare = figure.part("skin")
     hidden = tailor.covered_skin(figure, bare, wardrobe)
-    if beast:
-        hidden |= (bare.base[:, 1] > NECK_LINE)[bare.faces].any(1)
     hidden |= covered_scalp(figure, bare, hairstyle(look.hair), float(look.gender == "male"))
     bare = bare.keep_faces(~hidden)
     paint = skin.paint_skin(figure, bare, colors, look)
-    sheets = [bare] if beast else [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
+    sheets = [bare, *(figure.part(name) for name in ("lashes", "teeth", "tongue"))]
     keys = [skin.keys_for(sheet, every) for sheet in sheets]
-    if not beast:
-        brows, brow_keys = face.brows(figure, 0.034, every)
-        sheets.append(brows)
-        keys.append(brow_keys)
+    brows, brow_keys = face.brows(figure, 0.034, every)
+    sheets.append(brows)
+    keys.append(brow_keys)
     for slot, sheet in enumerate(sheets):
         sheet.slot[:] = slot
     whole = join(sheets)
-    painted = {0: paint}  # by slot
-    if not beast:
-        painted[2] = mouth.paint_teeth(sheets[2].base)
+    painted = {0: paint, 2: mouth.paint_teeth(sheets[2].base)}  # by slot
     return build_object(
         f"{armature.name}_skin",
         whole,

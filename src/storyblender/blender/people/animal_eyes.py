@@ -1,0 +1,88 @@
+"""The eyes of an animal: large balls that look with the eyes' bones, lids that close, brows that speak."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.blender.people.face import bone_weights
+from storyblender.blender.people.sheet import Sheet, join, rigid
+
+Floats = NDArray[np.float64]
+_RINGS = ((0.0, 0), (0.3, 0), (0.31, 1), (0.62, 1), (0.63, 2), (0.7, 2), (0.71, 3), (1.0, 3), (1.5, 3), (2.0, 3))
+"""Angle from the axis of the eye and the slot of the band that ends there: pupil, iris, rim, white."""
+_AROUND = 20
+_UPPER, _LOWER = (155.0, 56.0, -28.0), (-155.0, -60.0, -30.0)
+"""Degrees of a lid over the eye: where it begins, its edge when open, its edge when shut; 0 is straight ahead."""
+LID_KEYS: dict[str, tuple[float, float]] = {
+    "blink": (1.0, 1.0), "squint": (0.42, 0.8), "wide": (-0.3, -0.4), "smile": (0.0, 0.45), "brow_down": (0.22, 0.0),
+    "worry": (0.1, 0.0), "grin": (0.1, 0.5),
+}  # fmt: skip
+"""How far each shape key shuts the upper and the lower lid."""
+
+
+def eyeballs(centers: dict[str, Floats], radius: float) -> Sheet:
+    """Return both eyeballs; slots: 0 pupil, 1 iris, 2 rim, 3 white, 4 glint.
+
+    Args:
+        centers: Of the eye of each side, metres.
+        radius: Metres.
+    """
+    return join([_ball(centers[side], radius, side) for side in "LR"])
+
+
+def _ball(center: Floats, radius: float, side: str) -> Sheet:
+    points: list[Floats] = []
+    faces: list[tuple[int, ...]] = []
+    slots: list[int] = []
+    for angle, _ in _RINGS:
+        for step in range(_AROUND):
+            turn = 2 * math.pi * step / _AROUND
+            way = (math.sin(angle) * math.cos(turn), -math.cos(angle), math.sin(angle) * math.sin(turn))
+            points.append(center + radius * np.array(way))
+    for ring, (_, slot) in enumerate(_RINGS[1:]):
+        for step in range(_AROUND):
+            a, b = ring * _AROUND + step, ring * _AROUND + (step + 1) % _AROUND
+            faces.append((a, b, b + _AROUND, a + _AROUND))
+            slots.append(slot)
+    start = len(points)
+    glint = center + radius * np.array((-0.2, -1.0, 0.24))
+    for step in range(8):
+        turn = 2 * math.pi * step / 8
+        points.append(glint + radius * 0.11 * np.array((math.cos(turn), 0.0, math.sin(turn))))
+    faces.append(tuple(range(start, start + 8)))
+    slots.append(4)
+    return rigid(np.array(points), faces, bone_weights(f"eye.{side}"), slots)
+
+
+def lids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
+    """Return the lids of one eye and the offsets (V, 3) of their shape keys.
+
+    Args:
+        center: Of the eyeball, metres.
+        radius: Of the eyeball.
+    """
+    sheets, moves = [], []
+    for number, lid in enumerate((_UPPER, _LOWER)):
+        open_, shut = _shell(lid, 0.0) * radius * 1.08, _shell(lid, 1.0) * radius * 1.08
+        rows, columns = open_.shape[:2]
+        faces = [
+            (r * columns + c, r * columns + c + 1, (r + 1) * columns + c + 1, (r + 1) * columns + c)
+            for r in range(rows - 1)
+            for c in range(columns - 1)
+        ]
+        sheets.append(rigid(center + open_.reshape(-1, 3), faces, bone_weights("head")))
+        moves.append(((shut - open_).reshape(-1, 3), number))
+    keys = {key: np.concatenate([move * shares[number] for move, number in moves]) for key, shares in LID_KEYS.items()}
+    return join(sheets), keys
+
+
+def _shell(lid: tuple[float, float, float], shut: float) -> Floats:
+    """Return the rows of a lid on the unit sphere, (rows, columns, 3), from its root to its edge."""
+    root, edge = math.radians(lid[0]), math.radians(lid[1] + (lid[2] - lid[1]) * shut)
+    turns = np.linspace(root, edge, 9)[:, None]
+    across = np.radians(np.linspace(-84, 84, 13))[None]
+    flat = np.cos(across) * np.ones_like(turns)
+    return np.stack([np.sin(across) * np.ones_like(turns), -flat * np.cos(turns), flat * np.sin(turns)], -1)
