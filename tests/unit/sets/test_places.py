@@ -87,7 +87,7 @@ from storyblender.memory.scene_context import SceneSetup
         ("DUGGAN'S GARAGE", "indoor", "garage"),
         ("DUGGAN'S GARAGE", "outdoor", "street"),
         ("OLD BARN", "indoor", "barn"),
-        ("OLD BARN", "outdoor", "open_ground"),
+        ("OLD BARN", "outdoor", "farm_yard"),
         ("FREIGHTER MERIDIAN, BRIDGE", "indoor", "control_room"),
         ("FERRY LANDING", "outdoor", "dock"),
         ("JETTY BY THE LAKE", "outdoor", "dock"),

@@ -47,6 +47,7 @@ KIT = SetKit(
         "park",
         "garden",
         "orchard",
+        "courtyard",
         "estate",
     ),
     indoor=False,

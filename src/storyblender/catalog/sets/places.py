@@ -52,9 +52,9 @@ _VAGUE = frozenset(
 """Words that name the whole around a place; a more particular word beside them wins."""
 
 _OUTSIDE_OF = {
-    "living_room": "park",
-    "bedroom": "park",
-    "kitchen": "park",
+    "living_room": "suburb",
+    "bedroom": "suburb",
+    "kitchen": "back_yard",
     "cottage": "park",
     "gallery": "square",
     "greenhouse": "park",
@@ -64,23 +64,24 @@ _OUTSIDE_OF = {
     "courtroom": "square",
     "lighthouse": "beach",
     "church": "park",
-    "great_hall": "square",
+    "great_hall": "castle_court",
     "library": "street",
     "cell": "street",
     "warehouse": "dock",
     "dining_room": "park",
     "workshop": "street",
-    "barn": "open_ground",
+    "barn": "farm_yard",
     "carriage": "street",
-    "room": "street",
-    "classroom": "park",
+    "room": "suburb",
+    "classroom": "school_yard",
     "interrogation": "alley",
     "waiting_room": "platform",
     "control_room": "space_hull",
     "tatami_room": "park",
-    "nursery": "park",
+    "nursery": "back_yard",
     "locker_room": "stadium",
-    "bathroom": "street",
+    "motel_room": "parking_lot",
+    "supermarket": "parking_lot",
 }
 """EXT. of an indoor place: what lies before its door; a street unless said otherwise."""
 

@@ -153,7 +153,7 @@ def test_scenes_places_times_and_returns() -> None:
         ("indoor", "rm 412", "day", 1, "clear"),
         ("indoor", "kitchen", "day", None, "clear"),
     ]
-    assert [scene.place_kind for scene in reading.scenes] == ["bedroom", "street", "", "kitchen"]
+    assert [scene.place_kind for scene in reading.scenes] == ["hotel_room", "street", "", "kitchen"]
 
 
 def test_a_story_changes_scenes_only_at_openings() -> None:
