@@ -186,7 +186,8 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
     worn = garments(", ".join(person.outfit) or introduced)
     beast = (kind_of(person) or SPECIES[_UNKNOWN]) if person.kind == "animal" else None
     if beast is None:
-        worn = _shod(worn or costume(person.role, person.name, era, person.gender, age, seed), person.gender, age)
+        worn = worn or costume(person.role, person.name, era, person.gender, age, seed)
+        worn = _shod(_for_swimming(worn, person.gender), person.gender, age)
     return CharacterLook(
         gender=person.gender,
         age=age,
@@ -251,6 +252,15 @@ def _shod(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, 
     if gender != "female" or not 16 <= age < 65 or not keys & {"gown", "dress"} or keys & _FEET:
         return worn
     return (*worn, Garment(key="heels"))
+
+
+def _for_swimming(worn: tuple[Garment, ...], gender: str) -> tuple[Garment, ...]:
+    """Return what is worn, with a swimsuit for a woman whose ``swimming costume`` was taken for trunks."""
+    if gender != "female":
+        return worn
+    return tuple(
+        garment.model_copy(update={"key": "swimsuit"}) if garment.key == "swim_trunks" else garment for garment in worn
+    )
 
 
 def _named_garments(words: str) -> list[tuple[str, Color | None]]:

@@ -160,3 +160,9 @@ def test_a_word_of_age_before_the_name_is_its_age() -> None:
     text = "Baby TOM sleeps. Inspector RAO waits."
     assert called(Person("tom", "TOM", first=5), text) == "baby"
     assert called(Person("rao", "RAO", first=text.index("RAO")), text) == ""
+
+
+def test_a_womans_swimming_costume_is_no_trunks() -> None:
+    for gender, key in (("female", "swimsuit"), ("male", "swim_trunks")):
+        look = cast(Person("kim", "Kim", gender=gender, outfit=("green swimming costume",)))
+        assert [garment.key for garment in look.garments] == [key]
