@@ -164,7 +164,7 @@ MALE_NOUNS, FEMALE_NOUNS = frozenset(_people["male"]), frozenset(_people["female
 ANIMALS = frozenset(_people["animal"])
 COMMON_PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS
 """Nouns for people of the hand-made lists: nothing else goes by them."""
-PERSON_NOUNS = COMMON_PERSON_NOUNS | _wordnet["person"]
+PERSON_NOUNS = COMMON_PERSON_NOUNS | (_wordnet["person"] - frozenset(_rules["devices"]))
 RARE_PERSON_NOUNS = _wordnet["person"]
 """Of the large list: after a title rather a surname."""
 YOUNG_NOUNS = frozenset(_people["young"])

@@ -39,6 +39,10 @@ _MANNER = {
     "shout": "shout", "cry": "shout", "scream": "shout", "yell": "shout", "roar": "shout", "exclaim": "shout",
     "call": "shout", "bellow": "shout", "holler": "shout", "shriek": "shout", "bark": "shout", "thunder": "shout",
 }  # fmt: skip
+_ON_THE_PHONE = re.compile(
+    r"^\W*(?:tele|cell)?phone\W*$|\b(?:on|into|over|in|by|to|answers|answering) (?:(?:the|his|her|a) )?(?:tele|cell)?phone\b"
+)
+"""``(on phone)``, ``(into the telephone)``; who picks up a phone may talk to somebody else."""
 _VOCATIVE = re.compile(
     r"(?:^|[,.!]\s*)(child|kid|boy|girl|son|sir|ma'am|madam|miss|officer|doctor|doc|sergeant|captain|king|mister|sheriff|"
     r"chief|commander|lieutenant|professor|mother|father|mom|dad|mama|mamma|papa|boss|skipper)\s*[,.!?]"
@@ -144,7 +148,7 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
 def _manner(speech: Speech, prose: bool, device: str) -> str:
     """Talk, whisper, shout or phone."""
     parenthetical = speech.parenthetical.lower()
-    if re.search(r"\b(?:tele)?phone\b", parenthetical) or device in ("phone", "cell", "receiver"):
+    if _ON_THE_PHONE.search(parenthetical) or device in ("phone", "cell", "receiver"):
         return "phone"
     if _QUIET.search(parenthetical):
         return "whisper"

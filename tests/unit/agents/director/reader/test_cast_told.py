@@ -141,3 +141,18 @@ def test_the_list_of_a_cast_tells_each_one_apart() -> None:
     }
     assert reading.people[0].gender == "female"
     assert [unit.speaker for unit in reading.units if unit.kind == "dialogue"][2] == "chief_bronn"
+
+
+def test_a_figure_who_is_revealed_has_a_name(read_scene: Read) -> None:
+    reading = read_scene("OTTO (50) waits. A FIGURE. The figure steps into the light, revealing --\n\nMARCUS (40s).")
+    assert [person.id for person in reading.people] == ["otto", "marcus"]
+
+
+def test_a_name_of_two_words_with_a_hyphen_is_one(read_scene: Read) -> None:
+    story = "Long-Ears sat by the door. Little Jack Bunny hopped in. Long-Ears waved to Jack.\n"
+    assert {"long_ears"} < {*told(story)} and "long" not in told(story)
+
+
+@pytest.mark.parametrize("line", ["GRACE sitting down. OTTO leaving.", "CLOSE ON - TOASTER\n\nGRACE sits. OTTO waits."])
+def test_who_is_told_in_shorthand_is_cast(read_scene: Read, line: str) -> None:
+    assert {person.id for person in read_scene(line).people} == {"grace", "otto"}

@@ -70,3 +70,11 @@ def test_who_enters_may_be_told_as_on_the_stage(read_scene: Read) -> None:
     reading = read_scene("ANNA (30) sits. CARL (50) waits outside.\n\nEnter CARL.\n\nExit CARL.\n\nThe clock ticks.")
     assert [(deed.actor, deed.motion) for deed in reading.units[-2].deeds] == [("carl", "walk")]
     assert reading.units[-1].on_stage == ["anna"]
+
+
+@pytest.mark.parametrize(
+    "line", ["Otto backs away.", "Otto passes out.", "Otto goes on to explain it.", "Otto goes for the gun."]
+)
+def test_who_steps_back_or_goes_on_stays(read_scene: Read, line: str) -> None:
+    reading = read_scene(f"OTTO (50) and NORA (40) wait. {line}\n\nNora sighs.")
+    assert reading.units[-1].on_stage == ["otto", "nora"]

@@ -14,7 +14,7 @@ from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
 
 _TITLE = rf"(?:{'|'.join(sorted(title.title() for title in lexicon.TITLES | {'master'}))})"
-_WORDS = rf"[{UPPER}][{LOWER}]+(?:[ ][{UPPER}][{LOWER}]+)*"
+_WORDS = rf"[{UPPER}][{LOWER}]+(?:-[{UPPER}][{LOWER}]+)*(?:[ ][{UPPER}][{LOWER}]+)*"
 _NAME = re.compile(
     rf"(?<![.!?—–:)(\]\[-]\s)(?<![.!?—–:)(\]\[-]\s\s)(?<![(\[\-_/<#])(?<!^)(?<!\n)\b(?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s+)?{_WORDS}"
     rf"|\b{_TITLE}\.?\s[A-Z][a-z]+(?: [{UPPER}][{LOWER}]+)*"
@@ -34,7 +34,21 @@ _WHERE = re.compile(
 )
 _OWNED = re.compile(r"\b(?:an?|his|her|their|my|our)\s((?:[a-z-]+\s){0,2})$")
 """``a silver Volvo``: a thing has a name too."""
-_OPENERS = _SMALL | _NOT_NAMES | {"so", "still", "soon", "again", "now", "only", "even", "perhaps", "maybe", "here"}
+_OPENERS = (
+    _SMALL
+    | _NOT_NAMES
+    | {"so", "still", "soon", "again", "now", "only", "even", "perhaps", "maybe", "here"}
+    | {
+        "little",
+        "dear",
+        "poor",
+        "young",
+        "good",
+        "sweet",
+        "brave",
+        "clever",
+    }
+)
 """``So Hana said``: what may stand before a name at the start of a sentence."""
 
 

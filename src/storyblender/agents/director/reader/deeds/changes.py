@@ -37,7 +37,8 @@ def note_changes(stage: Stage, clause: Clause, roles: Roles) -> None:
 
 def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``opens the door``, ``The door swings open``, ``The window shatters``."""
-    state = _STATE_OF_VERB.get(clause.verb) or _STATE_OF_PARTICLE.get(clause.particle)
+    ajar = clause.particle if clause.particle in ("open", "shut") else ""
+    state = _STATE_OF_PARTICLE.get(ajar) or _STATE_OF_VERB.get(clause.verb) or _STATE_OF_PARTICLE.get(clause.particle)
     for thing in roles.things or (roles.subject_things if not roles.subjects else ()):
         openable = stage.inventory.head(thing) in lexicon.OPENABLE and state in ("open", "closed")
         breakable = stage.inventory.class_of(thing) in ("prop", "set_piece") and state == "broken"

@@ -35,6 +35,39 @@ _SENDING = frozenset(
 )
 """Verbs whose object goes, and who does it stays."""
 _OUTRIGHT = frozenset({"dismiss", "banish", "evict", "eject", "expel"})
+_STAYS = frozenset(
+    f"{verb} {particle}"
+    for verb in (
+        "back",
+        "turn",
+        "look",
+        "step",
+        "pull",
+        "shrink",
+        "lean",
+        "edge",
+        "inch",
+        "draw",
+        "shy",
+        "move",
+        "scoot",
+    )
+    for particle in ("away", "off", "back")
+) | {
+    "go on",
+    "go over",
+    "go through",
+    "pass out",
+    "go off",
+    "take off",
+    "carry on",
+    "drift off",
+    "doze off",
+    "go quiet",
+}
+"""``backs away``, ``goes on to explain``, ``passes out``: still there."""
+_ARISING = frozenset({"go", "make"})
+"""``goes for the gun``, ``makes for the table``."""
 _FOLLOWING = frozenset({"follow", "accompany", "trail", "pursue", "chase", "join"})
 _OTHER = frozenset({"another", "next", "other", "adjoining"})
 _BEYOND = frozenset({"sight", "view", "earshot"})
@@ -148,6 +181,8 @@ def _go(stage: Stage, people: Sequence[Person]) -> None:
 
 def _goes(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
     phrase = f"{clause.verb} {clause.particle}".strip()
+    if phrase in _STAYS or (clause.verb in _ARISING and "for" in roles.prepositions):
+        return False
     alone = not (roles.places or roles.people or roles.things)
     bare = alone and not clause.particle
     if clause.verb in _FOLLOWING and not roles.prepositions - {"by"} and (bare or roles.people):

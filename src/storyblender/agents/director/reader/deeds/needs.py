@@ -20,7 +20,7 @@ _TO_SOMETHING = frozenset(
 _SOLID = frozenset(
     {
         "take", "pick_up", "put_down", "give", "throw", "catch", "carry", "push", "pull", "open", "cut",
-        "wear", "take_off", "drop", "pour", "light", "kick",
+        "wear", "take_off", "drop", "pour", "light", "kick", "hold",
     }
 )  # fmt: skip
 """What they are done to can be touched: nobody takes a question or drops a hint."""

@@ -36,6 +36,7 @@ _INWARD = (
     )
 )
 """What nobody sees."""
+_VOICES = frozenset({"talk", "whisper", "shout", "think"})
 _WORDS = 9
 """Words of an act that a flag repeats."""
 
@@ -64,7 +65,8 @@ def note_unread(stage: Stage, clause: Clause, roles: Roles, shown: str | None) -
         roles: Its people and things.
         shown: The motion that stands for it, if one is near.
     """
-    unseen = clause.verb in _INWARD or clause.passive or clause.earlier
+    spoken = clause.verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(clause.verb) in _VOICES
+    unseen = clause.verb in _INWARD or clause.passive or clause.earlier or spoken
     if not roles.subjects or unseen or stage.sentence.pictured:
         return
     end = min(clause.index + _WORDS, len(stage.sentence.words))

@@ -223,6 +223,8 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left is None or left.inserted:
         return False
     third, right = form.kind == "3sg", following.low if following else "."
+    if third and singular(word.low) in _SELDOM_VERBS and left.low in (",", ";", "and") and right not in OBJECTS:
+        return False  # his face weathered, eyes tired
     brings = following is not None and (following.mention is not None or right in OPENERS)
     if left.low in _ENTERING and brings and _opens_clause(row) and (third or form.lemma in _INVERTING):
         return True
