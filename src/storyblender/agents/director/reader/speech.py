@@ -40,7 +40,8 @@ _MANNER = {
     "call": "shout", "bellow": "shout", "holler": "shout", "shriek": "shout", "bark": "shout", "thunder": "shout",
 }  # fmt: skip
 _ON_THE_PHONE = re.compile(
-    r"^\W*(?:tele|cell)?phone\W*$|\b(?:on|into|over|in|by|to|answers|answering) (?:(?:the|his|her|a) )?(?:tele|cell)?phone\b"
+    r"^\W*(?:tele|cell)?phone\W*$"
+    r"|\b(?:on|into|over|in|by|to|answers|answering) (?:(?:the|his|her|a) )?(?:tele|cell)?phone\b"
 )
 """``(on phone)``, ``(into the telephone)``; who picks up a phone may talk to somebody else."""
 _VOCATIVE = re.compile(

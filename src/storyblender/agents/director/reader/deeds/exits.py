@@ -181,7 +181,9 @@ def _go(stage: Stage, people: Sequence[Person]) -> None:
 
 def _goes(stage: Stage, clause: Clause, roles: Roles, motion: str) -> bool:
     phrase = f"{clause.verb} {clause.particle}".strip()
-    if phrase in _STAYS or (clause.verb in _ARISING and "for" in roles.prepositions):
+    next_word = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 2]]
+    goes_on = clause.verb == "go" and next_word == ["on"]
+    if phrase in _STAYS or goes_on or (clause.verb in _ARISING and "for" in roles.prepositions):
         return False
     alone = not (roles.places or roles.people or roles.things)
     bare = alone and not clause.particle
