@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
 from storyblender.agents.director.reader.cast.by_names import also_known, nicknamed, tagged_name, worn_name
-from storyblender.agents.director.reader.cast.later_names import call_by_nouns, join
+from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.named_groups import name_groups
+from storyblender.agents.director.reader.cast.revealed import join_revealed
 from storyblender.agents.director.reader.cast.walk_ons import add_walk_ons
 from storyblender.agents.director.reader.language.morphology import form_kind, is_person_noun, singular
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
@@ -58,10 +59,6 @@ _NAMING = re.compile(
     r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
     r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
     rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
-)
-_REVEALING = re.compile(
-    r"\b(?i:the|a) (?P<who>(?i:figure|stranger|silhouette|shape|shadow|man|woman|boy|girl|rider|driver|voice|intruder))\b"
-    rf"[^.!?]{{0,80}}?\b(?i:reveal(?:s|ed|ing)?|turns out to be|it is|it['’]s)\W+(?P<name>[{UPPER}][{UPPER}' -]+[{UPPER}])\b"
 )
 _FOLLOWING = 40
 """How many characters after a name are read to decide whether it names a person."""
@@ -118,7 +115,7 @@ def find_cast(script: Manuscript) -> Roster:
     for paragraph in script.paragraphs:
         if paragraph.kind == "action":
             _named_later(roster, paragraph.raw)
-    _revealed(roster, script)
+    join_revealed(roster, script.text)
     add_walk_ons(roster, script)
     call_by_nouns(roster, script.text)
     if not roster.people:
@@ -372,14 +369,6 @@ def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Pe
         person.count, person.kind = max(person.count, count), "group" if person.kind == "human" else person.kind
         roster.call(person, bare(sighting.name))
     return person
-
-
-def _revealed(roster: Roster, script: Manuscript) -> None:
-    """``A FIGURE. ... The figure steps into the light, revealing -- MARCUS``: one person."""
-    for match in _REVEALING.finditer(script.text):
-        shown, known = roster.find(match.group("who")), roster.find(match.group("name").strip())
-        if shown and known and shown[0] is not known[0] and shown[0].role and shown[0].first < known[0].first:
-            join(roster, known[0], shown[0])
 
 
 def _named_later(roster: Roster, text: str) -> None:

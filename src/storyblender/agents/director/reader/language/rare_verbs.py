@@ -26,6 +26,42 @@ DIRECTIONS = frozenset(
 )  # fmt: skip
 BEFORE_NOUN = OPENERS | lexicon.PREPOSITIONS | {"'s"}
 AFTER_VERB = OPENERS | lexicon.PREPOSITIONS | {".", ",", ";", ":", "open", "shut", "and", "slowly", "away", "back"}
+SELDOM_VERBS = frozenset(
+    {
+        "finger",
+        "knee",
+        "eye",
+        "hand",
+        "thumb",
+        "elbow",
+        "boot",
+        "arm",
+        "leg",
+        "toe",
+        "heel",
+        "foot",
+        "ear",
+        "lip",
+        "tooth",
+    }
+    | {
+        "hoof",
+        "knuckle",
+        "shoe",
+        "glove",
+        "sock",
+        "hair",
+        "paw",
+        "tail",
+        "wing",
+        "fist",
+        "palm",
+        "mouth",
+        "chin",
+        "cheek",
+    }
+)
+"""Parts of bodies and garments that are verbs only with an object: ``hands her the key``."""
 _ANY_NOUNS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY | lexicon.WORN | lexicon.ABSTRACT | lexicon.SCENERY
 
 
@@ -65,3 +101,14 @@ def _guessed(word: Word) -> VerbForm | None:
 def goes_on(right: str) -> bool:
     """Whether a word may follow a verb: what opens its object, a direction, an adverb."""
     return right in AFTER_VERB or right in OBJECTS | DIRECTIONS | {"not", "to"} or right.endswith("ly")
+
+
+def is_listed_part(word: Word, left: Word | None, following: Word | None) -> bool:
+    """``his face weathered, eyes tired``: a part of the body without an object, after a comma."""
+    right = following.low if following else "."
+    return (
+        left is not None
+        and left.low in (",", ";", "and")
+        and singular(word.low) in SELDOM_VERBS
+        and right not in OBJECTS
+    )

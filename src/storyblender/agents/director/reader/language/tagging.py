@@ -20,7 +20,9 @@ from storyblender.agents.director.reader.language.rare_verbs import (
     DIRECTIONS,
     OBJECTS,
     OPENERS,
+    SELDOM_VERBS,
     goes_on,
+    is_listed_part,
     rare_verb,
 )
 from storyblender.agents.director.reader.language.row import Row, is_adverb
@@ -46,42 +48,6 @@ _SPORTS = frozenset({"hike", "walk", "run", "ride", "climb", "swim", "dance", "w
 """``hiking boots``, ``driving gloves``: what they are for."""
 _RESTING = lexicon.words("stative")
 _CONTRACTING = frozenset({"he", "she", "it", "they", "we", "i", "you", "who", "there", "that", "here"})
-_SELDOM_VERBS = frozenset(
-    {
-        "finger",
-        "knee",
-        "eye",
-        "hand",
-        "thumb",
-        "elbow",
-        "boot",
-        "arm",
-        "leg",
-        "toe",
-        "heel",
-        "foot",
-        "ear",
-        "lip",
-        "tooth",
-    }
-    | {
-        "hoof",
-        "knuckle",
-        "shoe",
-        "glove",
-        "sock",
-        "hair",
-        "paw",
-        "tail",
-        "wing",
-        "fist",
-        "palm",
-        "mouth",
-        "chin",
-        "cheek",
-    }
-)
-"""Parts of bodies and garments that are verbs only with an object: ``hands her the key``."""
 _GRAMMAR = lexicon.PREPOSITIONS | lexicon.PARTICLES | lexicon.CONJUNCTIONS | OBJECTS
 _BARE_PLACES = frozenset({"inside", "underneath", "beneath", "below", "above", "outside", "opposite", "behind"})
 """``Inside lie two letters``: a place without a noun."""
@@ -97,9 +63,10 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     word = words[at]
     following = words[at + 1] if at + 1 < len(words) else None
     form = FORMS.get(word.low) or rare_verb(word, following, row)
-    if form is None or names_a_kind(word, following) or _ends_a_kind(word, row):
-        return
     left = row.neighbour()
+    named = names_a_kind(word, following) or _ends_a_kind(word, row) or is_listed_part(word, left, following)
+    if form is None or named:
+        return
     following = _object_handed(words, at) or following
     if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
         return
@@ -210,7 +177,7 @@ def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
 def _is_rather_a_noun(word: Word, right: str) -> bool:
     """A plural of a body part, a garment or a thing without an object, or with a verb of its own right after it."""
     noun = singular(word.low)
-    if noun in _SELDOM_VERBS:
+    if noun in SELDOM_VERBS:
         return right not in OBJECTS
     own_verb = FORMS.get(right)
     return (
@@ -223,8 +190,6 @@ def _is_finite(form: VerbForm, word: Word, following: Word | None, left: Word | 
     if left is None or left.inserted:
         return False
     third, right = form.kind == "3sg", following.low if following else "."
-    if third and singular(word.low) in _SELDOM_VERBS and left.low in (",", ";", "and") and right not in OBJECTS:
-        return False  # his face weathered, eyes tired
     brings = following is not None and (following.mention is not None or right in OPENERS)
     if left.low in _ENTERING and brings and _opens_clause(row) and (third or form.lemma in _INVERTING):
         return True
