@@ -235,6 +235,7 @@ STAND_INS: Catalog[StandIn] = Catalog(
             (6.0, 5.0, 4.5),
             "plaster",
             "building, house, hut, cabin, shed, barn, church, tower, castle, lighthouse, windmill, temple, gate",
+            prop="house",
         ),
         _class(
             "barrier",

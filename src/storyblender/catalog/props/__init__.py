@@ -5,6 +5,7 @@ from __future__ import annotations
 from storyblender.catalog.props.beasts import BEASTS
 from storyblender.catalog.props.carried import CARRIED
 from storyblender.catalog.props.entry import PropEntry
+from storyblender.catalog.props.errands import ERRANDS
 from storyblender.catalog.props.everyday import EVERYDAY
 from storyblender.catalog.props.fittings import FITTINGS
 from storyblender.catalog.props.furniture import FURNITURE
@@ -49,6 +50,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + MUSIC_AND_SPORT
     + YARD
     + ROOMS
-    + EVERYDAY,
+    + EVERYDAY
+    + ERRANDS,
 )
 """In the order they are listed to people."""

@@ -38,6 +38,7 @@ COLORS: dict[str, str] = {
     "potato": "#a98a5c",
     "onion": "#b07a3c",
     "plum": "#4d2a4a",
+    "blood": "#6d0f12",
     "tangerine": "#c9702a",
 }
 
