@@ -27,6 +27,7 @@ from storyblender.blender.windows import light_windows
 from storyblender.catalog.hair import HAIRSTYLES
 from storyblender.folder import Folder
 from storyblender.geometry.framing import Figure
+from storyblender.look.aperture import look_through
 from storyblender.look.grade import AGX_CONTRAST, display_of
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.graph import ProjectFormat
@@ -168,7 +169,7 @@ class Session:
             finally:
                 _remove_camera(camera)
         with self._files.writing(job.out) as part:
-            write_png(result.image, part)
+            write_png(look_through(result.image, job.shot.camera_instruction.through), part)
         cast = {str(obj["node_id"]) for obj in scene.objects if obj.get("kind") == "character"}
         return FrameReport(
             out=job.out,

@@ -127,7 +127,9 @@ class FrameJob(Frozen):
         shot = self.shot.model_dump(mode="json", include={"camera", "in_frame"})
         lighting = self.lighting.model_dump(mode="json")
         start = self.pack.start_of(self.shot.shot_id)
-        return content_hash(DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.look, self.frame)
+        through = self.shot.camera_instruction.through
+        parts = (DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.look, self.frame)
+        return content_hash(*parts, *([through] if through else []))
 
 
 class FrameReport(Frozen):

@@ -16,6 +16,7 @@ from storyblender.pipeline.shooting import shoot_frames
 _WIDER: Final = ("person_missing", "people_missing", "face_out", "thing_missing", "nothing")
 _TIGHTER: Final = ("person_small", "flat", "void", "dark")
 _AROUND: Final = ("person_hidden", "face_hidden", "face_away", "foreground")
+_UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN: Final = 0.5
 """Points by which a retake must be better than the take before it."""
 _RETAKES: Final = 2
@@ -91,13 +92,17 @@ def _another_camera(shot: ShotContext, review: FrameReview, attempt: int) -> Cam
         attempt: Retakes so far.
     """
     instruction = shot.camera_instruction
-    fixed = instruction.explicit or shot.camera_decision is not None or "camera" in shot.locked
+    fixed = shot.camera_decision is not None or "camera" in shot.locked
     faults = [fault for fault in review.faults if fault.kind in (*_WIDER, *_TIGHTER, *_AROUND)]
     if review.verdict == "pass" or fixed or not faults or instruction.kind == "insert":
         return None
     worst = max(faults, key=lambda fault: fault.severity).kind
     if worst in _AROUND and attempt == 0 and instruction.angle == "eye-level":
         return CameraDecision(angle="high angle")
+    if instruction.explicit:
+        # The size was ordered: what it does not hold is seen from elsewhere within it, or not at all.
+        from_above = attempt == 0 and instruction.angle == "eye-level" and worst in _UNSEEN
+        return CameraDecision(angle="high angle") if from_above else None
     step = (1 + attempt) * (1 if worst in _TIGHTER else -1)
     at = SHOT_SIZES.index(instruction.size) + step
     return CameraDecision(size=SHOT_SIZES[at]) if 0 <= at <= SHOT_SIZES.index("CU") else None

@@ -8,7 +8,9 @@ import numpy as np
 from PIL import Image
 
 from storyblender.agents.frame_critic.critic import FrameCritic, Verdict, verdict_of
-from storyblender.agents.frame_critic.frame_view import FrameView
+from storyblender.agents.frame_critic.frame_view import FrameView, things_to_see
+from storyblender.catalog.fixtures import fixtures_called
+from storyblender.catalog.sets import plan_of
 from storyblender.look.picture_measure import PictureMeasure, measure_picture
 from storyblender.memory.base import Digest, Frozen, content_hash, shot_name
 from storyblender.memory.measure import Collision
@@ -18,7 +20,7 @@ from storyblender.pipeline.shooting import frame_picture
 from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
 from storyblender.reflection import Critique, Fault
 
-CRITIC_VERSION = 1
+CRITIC_VERSION = 2
 """Raised when the critic judges otherwise: kept reviews are then made anew."""
 
 
@@ -85,6 +87,10 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
     """
     name = shot_name(shot.scene_id, shot.shot_id)
     assets = {asset.asset_id: asset for asset in run.graph.assets}
+    nodes, environment = nodes_of(run.graph, shot.scene_id), run.graph.scene(shot.scene_id).environment
+    plan = plan_of(environment) if environment is not None else None
+    asked = [thing for thing in things_to_see(shot) if thing not in nodes and thing in assets]
+    built = frozenset(thing for thing in asked if plan is not None and fixtures_called(plan, assets[thing].name))
     return FrameCritic().judge(
         FrameView(
             shot=shot,
@@ -92,9 +98,10 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
             people=frozenset(figure.node_id for figure in sight.figures),
             picture=_measured(run, shot),
             assets=assets,
-            nodes=nodes_of(run.graph, shot.scene_id),
+            nodes=nodes,
             staged=tuple(flaw for flaw in run.packs[shot.scene_id].problems if flaw.shot == name),
             collisions=tuple(collisions),
+            built=built,
         )
     )
 

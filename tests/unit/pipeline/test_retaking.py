@@ -33,10 +33,9 @@ def test_the_worst_fault_chooses_the_camera(kind: str, attempt: int, choice: Cam
     assert _another_camera(_shot(), _review(kind), attempt) == choice
 
 
-def test_what_passes_or_was_ordered_or_decided_stays() -> None:
+def test_what_passes_or_was_decided_stays() -> None:
     poor = _review("person_missing")
     assert _another_camera(_shot(), _review("person_missing", score=9.0), 0) is None
-    assert _another_camera(_shot(explicit=True), poor, 0) is None
     assert _another_camera(_shot(kind="insert"), poor, 0) is None
     assert _another_camera(_shot().model_copy(update={"locked": ("camera",)}), poor, 0) is None
     assert _another_camera(_shot().model_copy(update={"camera_decision": CameraDecision(lens=50)}), poor, 0) is None
@@ -47,3 +46,10 @@ def test_a_retake_is_kept_apart_from_what_the_director_planned() -> None:
     taken = _with_camera(_shot(lens=50.0), CameraDecision(size="WS"))
     assert taken.camera is None and taken.camera_instruction.size == "WS" and taken.camera_instruction.lens is None
     assert taken.camera_retake == CameraDecision(size="WS") and taken.camera_decision is None
+
+
+def test_an_ordered_size_is_kept_and_the_angle_is_the_crews() -> None:
+    assert _another_camera(_shot(explicit=True), _review("person_hidden"), 0) == CameraDecision(angle="high angle")
+    assert _another_camera(_shot(explicit=True, angle="low angle"), _review("person_hidden"), 0) is None
+    assert _another_camera(_shot(explicit=True), _review("flat"), 0) is None, "only another size would mend that"
+    assert _another_camera(_shot(explicit=True), _review("person_missing"), 1) is None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
+from dataclasses import replace
 from typing import cast, get_args
 
 from storyblender.agents.director.camera_phrases import parse, parse_note
@@ -119,6 +120,8 @@ def directed_shot(
         default_size: Where the direction names no size.
         last: The shot before, for POV and reverse angles that name nobody.
     """
+    if note.kind == "pov" and not note.through:
+        note = replace(note, through=_looked_through(f"{note.phrase} {note.subject} {unit.text}"))
     named = names.find(note.subject)
     acting = [deed.actor for deed in unit.deeds] or ([unit.speaker] if unit.speaker in unit.on_stage else [])
     focus = (
@@ -149,6 +152,12 @@ def directed_shot(
     return shot
 
 
+def _looked_through(words: str) -> str:
+    """Return what a point of view goes through, as the script says it: ``THROUGH THE BINOCULARS``."""
+    match = re.search(r"\bthrough (?:the |an? |his |her |its |their )?([\w' -]{3,30})", words, re.IGNORECASE)
+    return match[1].strip().lower() if match else ""
+
+
 def _part(subject: str) -> BodyPart | None:
     """Return the part of a body that a direction ends on: ``Rick's hand``, ``the eyes of the guard``."""
     head = re.split(r"\b(?:of|on|as|in|with)\b", subject, maxsplit=1, flags=re.IGNORECASE)[0].strip()
@@ -172,6 +181,8 @@ def _over_shoulder(shot: ShotDraft, who: str | None, unit: Unit, last: ShotDraft
 
 
 def _kind(note: CameraNote, focus: list[str], names: Names, unit: Unit) -> ShotKind:
+    if note.through:
+        return "pov"
     if note.kind in get_args(ShotKind):
         return cast(ShotKind, note.kind)
     if note.kind == "reverse":

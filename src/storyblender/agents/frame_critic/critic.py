@@ -10,6 +10,7 @@ from typing import Literal
 
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
 from storyblender.memory.measure import SubjectView
+from storyblender.memory.shot_context import CameraInstruction
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 from storyblender.reflection import Critique, Fault
 
@@ -23,6 +24,10 @@ _LEAST_PERSON: dict[ShotSize, float] = {
 """Least share of the frame for whom a shot of a size is about."""
 _LEAST_THING = 0.0003
 _LEAST_INSERT = 0.012
+_LEAST_EXTENT = {"ECU": 0.3, "CU": 0.22, "MCU": 0.16}
+"""Least width or height, in those of the picture, of the first thing that an insert is about."""
+_LEAST_WIDE = {"WS": 0.25, "EWS": 0.16}
+"""Least height of somebody, in heights of the picture, whom a wide shot is about, where the frame does not cut them."""
 _FACES_FROM: ShotSize = "FS"
 """The widest size in which a face is read."""
 _PROFILE = 100.0
@@ -32,7 +37,7 @@ _STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.
 _TOUCHES, _INSIDE = 0.03, 0.10
 """Metres one body may be in another, and from which it is plainly seen."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
-_DARK = 0.05
+_DARK = 0.08
 
 
 class FrameCritic:
@@ -77,7 +82,7 @@ def _people(view: FrameView) -> list[Fault]:
         least = _LEAST_PERSON[instruction.size] * (1.0 if central else 0.25)
         if subject is None or subject.pixels < _LEAST_PERSON["EWS"]:
             found.append(_fault("person_missing", asset_id, 4.0 if central else 2.0, f"{asset_id} is not seen"))
-        elif subject.pixels < least:
+        elif subject.pixels < least or (asset_id in meant and _tiny(subject, instruction.size)):
             found.append(_fault("person_small", asset_id, 1.5, f"{asset_id} is too small to be read"))
         elif central and _hidden(subject) > 0.6 and subject.face_visible < 0.5:
             found.append(_fault("person_hidden", asset_id, 2.0, f"{asset_id} is {_hidden(subject):.0%} hidden"))
@@ -87,6 +92,22 @@ def _people(view: FrameView) -> list[Fault]:
         told = ", ".join(unseen[:3])
         found.append(_fault("people_missing", unseen[0], min(0.8 * len(unseen), 2.5), f"{told} not in the picture"))
     return found
+
+
+def _tiny(subject: SubjectView, size: ShotSize) -> bool:
+    """Return whether somebody whom a wide shot is about is too small in it to be somebody."""
+    if subject.box is None or size not in _LEAST_WIDE or subject.head_height <= 0:
+        return False
+    _, top, _, bottom = subject.box
+    return bottom - top < _LEAST_WIDE[size] and subject.head_height < 0.13 * _LEAST_WIDE[size]
+
+
+def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
+    """Return whether the first thing of an insert is too small in it."""
+    if subject is None or subject.box is None or subject.node_id not in instruction.focus_on_ids[:1]:
+        return False
+    left, top, right, bottom = subject.box
+    return max(right - left, bottom - top) < _LEAST_EXTENT.get(instruction.size, 0.0)
 
 
 def _hidden(subject: SubjectView) -> float:
@@ -128,7 +149,9 @@ def _things(view: FrameView) -> list[Fault]:
         focus = asset_id in instruction.focus_on_ids
         subject = view.subject(asset_id)
         pixels = subject.pixels if subject is not None else 0.0
-        if focus and instruction.kind == "insert" and pixels < _LEAST_INSERT:
+        if asset_id in view.built and not pixels:
+            continue
+        if focus and instruction.kind == "insert" and (pixels < _LEAST_INSERT or _slight(subject, instruction)):
             found.append(_fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
         elif pixels < _LEAST_THING and (focus or not tight):
             found.append(_fault("thing_missing", asset_id, 2.0 if focus else 1.5, f"{asset_id} is not seen"))

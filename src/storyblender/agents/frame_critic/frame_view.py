@@ -29,6 +29,7 @@ class FrameView:
         nodes: asset id to the node_ids that show it in the scene.
         staged: What could not be staged in the shot.
         collisions: People inside things or each other in the shot.
+        built: Assets that no object shows because the set itself does, as its own pool.
     """
 
     shot: ShotContext
@@ -39,6 +40,7 @@ class FrameView:
     nodes: Mapping[str, tuple[str, ...]]
     staged: tuple[Flaw, ...] = ()
     collisions: tuple[Collision, ...] = ()
+    built: frozenset[str] = frozenset()
 
     @property
     def subjects(self) -> dict[str, SubjectView]:

@@ -1,0 +1,124 @@
+"""What a point of view looks through: binoculars, a scope, a keyhole, a viewfinder, a gap, drawn over the picture."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Pixels = NDArray[np.uint8]
+Shape = NDArray[np.float32]
+_Field = Callable[[Shape, Shape, float], Shape]
+
+_DARK = 0.04
+"""Display brightness of what stands round the opening."""
+_SOFT = 0.012
+"""Heights of the picture over which an edge goes from open to dark."""
+_LINE = 0.003
+"""Heights of the picture: half a line of a sight or of a viewfinder."""
+
+
+def look_through(pixels: Pixels, through: str) -> Pixels:
+    """Return a picture as it is seen through something; as it is where the words name nothing that is known.
+
+    Args:
+        pixels: (h, w, 3) display values.
+        through: Words for it, e.g. ``binoculars``.
+    """
+    kind = next((kind for kind, words in _WORDS.items() if re.search(rf"\b(?:{words})", through.lower())), None)
+    if kind is None:
+        return pixels
+    height, width = pixels.shape[:2]
+    aspect = width / height
+    y, x = np.mgrid[0:height, 0:width].astype(np.float32)
+    x, y = (x + 0.5 - width / 2) / height, (y + 0.5 - height / 2) / height
+    inside = _OPENINGS[kind](x, y, aspect) if kind in _OPENINGS else np.ones_like(x)
+    picture = pixels.astype(np.float32) * inside[..., None] + 255 * _DARK * (1 - inside[..., None])
+    if kind in _LINES:
+        lines = _LINES[kind](x, y, aspect)[..., None]
+        ink = 20.0 if kind == "scope" else 240.0
+        picture = picture * (1 - lines) + ink * lines
+    return np.clip(np.rint(picture), 0, 255).astype(np.uint8)
+
+
+def _open(distance: Shape) -> Shape:
+    """Return 1 inside an outline and 0 outside, from the distance to it in heights of the picture, negative inside."""
+    return np.clip(0.5 - distance / _SOFT, 0, 1).astype(np.float32)
+
+
+def _circle(x: Shape, y: Shape, at: tuple[float, float], radius: float) -> Shape:
+    return np.hypot(x - at[0], y - at[1]) - radius
+
+
+def _binoculars(x: Shape, y: Shape, _: float) -> Shape:
+    return _open(np.minimum(_circle(x, y, (-0.31, 0.0), 0.45), _circle(x, y, (0.31, 0.0), 0.45)))
+
+
+def _tube(x: Shape, y: Shape, _: float) -> Shape:
+    return _open(_circle(x, y, (0.0, 0.0), 0.46))
+
+
+def _keyhole(x: Shape, y: Shape, _: float) -> Shape:
+    shaft = np.maximum(np.abs(x) - 0.13 - 0.14 * (y + 0.05), np.abs(y - 0.2) - 0.26)
+    return _open(np.minimum(_circle(x, y, (0.0, -0.17), 0.27), shaft))
+
+
+def _gap(x: Shape, _: Shape, __: float) -> Shape:
+    return _open(np.abs(x) - 0.27)
+
+
+def _slats(_: Shape, y: Shape, __: float) -> Shape:
+    return _open(np.abs(np.mod(y, 0.14) - 0.07) - 0.05)
+
+
+def _panes(x: Shape, y: Shape, aspect: float) -> Shape:
+    rim = np.maximum(np.abs(x) - aspect / 2 + 0.05, np.abs(y) - 0.45)
+    return _open(np.maximum(rim, 0.014 - np.minimum(np.abs(x), np.abs(y + 0.12))))
+
+
+def _bars(x: Shape, _: Shape, __: float) -> Shape:
+    return _open(0.02 - np.abs(np.mod(x + 0.15, 0.3) - 0.15))
+
+
+def _line(y: Shape) -> float:
+    """Return half the width of a line: never less than a pixel in all."""
+    return max(_LINE, 0.55 * float(y[1, 0] - y[0, 0]))
+
+
+def _cross(x: Shape, y: Shape, _: float) -> Shape:
+    return (np.minimum(np.abs(x), np.abs(y)) < _line(y)).astype(np.float32) * (np.hypot(x, y) < 0.46)
+
+
+def _brackets(x: Shape, y: Shape, aspect: float) -> Shape:
+    right, low, line = aspect / 2 - 0.08, 0.42, _line(y)
+    edge = (np.abs(np.abs(x) - right) < line) & (np.abs(y) > low - 0.1) & (np.abs(y) < low)
+    edge |= (np.abs(np.abs(y) - low) < line) & (np.abs(x) > right - 0.1) & (np.abs(x) < right)
+    edge |= (np.minimum(np.abs(x), np.abs(y)) < line) & (np.maximum(np.abs(x), np.abs(y)) < 0.04)
+    return edge.astype(np.float32)
+
+
+_WORDS: dict[str, str] = {
+    "binoculars": r"binocular|field.?glass|opera.?glass",
+    "keyhole": r"key.?hole",
+    "scope": r"scope\b|sights?\b|cross.?hair|rifle",
+    "tube": r"telescope|spyglass|periscope|peep|porthole|lens\b|microscope|magnif|eyepiece|monocle|hole",
+    "viewfinder": r"view.?finder|camera|camcorder|phone|screen|monitor",
+    "slats": r"blind|slat|shutter|louvre|grill|grate|vent",
+    "bars": r"bars|fence|railing|cage",
+    "panes": r"window|windscreen|windshield|pane|glass",
+    "gap": r"crack|gap|slit|ajar|door|curtain|between|letter.?box|branches|leaves",
+}
+"""Kind -> the beginnings of words that name it; the first that fits."""
+_OPENINGS: dict[str, _Field] = {
+    "binoculars": _binoculars,
+    "keyhole": _keyhole,
+    "scope": _tube,
+    "tube": _tube,
+    "slats": _slats,
+    "bars": _bars,
+    "panes": _panes,
+    "gap": _gap,
+}
+_LINES: dict[str, _Field] = {"scope": _cross, "viewfinder": _brackets}
