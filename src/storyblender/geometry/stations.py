@@ -13,7 +13,7 @@ from typing import Literal
 
 from storyblender.geometry.boxes import Box, facing, wrapped
 
-Sort = Literal["thing", "person", "door", "window", "wall", "point", "vehicle"]
+Sort = Literal["thing", "person", "door", "window", "wall", "point"]
 """What the anchor is. A point is a named place of the set or a corner: one stands on it."""
 
 REACH = 0.28

@@ -111,9 +111,12 @@ class Actions:
         if partner is None and not action.target_id:
             partner = self._met_later(person, later)
         goal, yaw = self.sheet.goal(action, person, partner, motion.speed or 0.0)
-        if not goes_on and (told := self._told_end(person)) is not None:
+        told = None if goes_on else self._told_end(person)
+        if told is not None:
             goal, yaw = (told.x, told.y), told.yaw
         end = self.sheet.go(person, goal, yaw, start, motion.key)
+        if told is not None and told.z != person.z:
+            end = self.sheet.lifted(person, told.z, end)
         self.sheet.done(person, start, end)
 
     def _told_end(self, person: Person) -> Station | None:

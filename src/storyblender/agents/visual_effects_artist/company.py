@@ -243,7 +243,7 @@ class Company:
     def take_seat(self, person: Person, seat: SeatPlace) -> None:
         """Sit on a seat by a cut, in the next shot too."""
         self.jumps.pop(person.asset_id, None)
-        person.place, person.yaw, person.posture = seat.edge, seat.yaw, "sit"
+        person.place, person.yaw, person.posture, person.z = seat.edge, seat.yaw, "sit", 0.0
         person.support, person.anchor = seat.node_id, seat.anchor
 
     def go_to_bed(self, person: Person, name: str | None, posture: Posture) -> None:

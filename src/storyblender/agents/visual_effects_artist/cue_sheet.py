@@ -145,6 +145,7 @@ class CueSheet:
         length = path_length(way)
         if length < 0.12:
             return self.face(person, yaw, t)
+        person.z = 0.0
         budget = max(1.8, self.limit - t - then - 0.4)
         seconds = natural_seconds(motion, distance=length, stature=1.7 * person.k)
         hurried = seconds > budget
@@ -168,6 +169,17 @@ class CueSheet:
         end = self.cue(person, clip, t, whole, mark=person.mark(), duration=duration)
         person.acted = True
         return end
+
+    def lifted(self, person: Person, height: float, t: float) -> float:
+        """Let the last way of a person end at a height in metres: on the steps, on the stage; return the end."""
+        person.z = height
+        for index in range(len(self.cues) - 1, -1, -1):
+            mark = self.cues[index].mark
+            if mark is not None and self.cues[index].asset_id == person.asset_id:
+                raised = mark.model_copy(update={"location": (*mark.location[:2], round(height, 3))})
+                self.cues[index] = self.cues[index].model_copy(update={"mark": raised})
+                break
+        return t
 
     def cross(self, person: Person, way: Crossing, t: float, clip: str, thing: str) -> float:
         """Leap or climb over a thing from where the way begins; return the end."""

@@ -150,6 +150,7 @@ class Floor:
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self.open_air = not plan.indoor
         self.marks, self.plan = plan.marks, plan
+        self.cast = {asset.asset_id for asset in assets if asset.asset_type == "character"}
         made = ((asset.asset_id, asset.canonical) for asset in assets)
         self.kinds = {name: each.key for name, each in made if each is not None and each.source == "catalog"}
         self.openings = [_opening(place) for wall in plan.walls for place in openings_of(wall)]
@@ -167,6 +168,8 @@ class Floor:
 
     def _alike(self, name: str) -> Thing | None:
         """Return what stands for a large thing of the script that has no place of its own: ``counter`` is the bar."""
+        if name in self.cast:  # Ivy is no plant
+            return None
         key = self.kinds.get(name)
         kin = kin_of(key) if key is not None else meant_by(name)
         large = any(PROPS[prop].placement == "floor" for prop in kin if prop in PROPS)

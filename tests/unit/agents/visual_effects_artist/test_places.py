@@ -7,6 +7,7 @@ import math
 import pytest
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
+from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
@@ -180,3 +181,18 @@ def test_who_rides_on_somebodys_back_is_there_in_every_shot() -> None:
     for marks in _played(*shots)[0]:
         one, other = marks["ann"].start, marks["bo"].start
         assert math.dist(one.location[:2], other.location[:2]) < 0.3 and one.location[2] > 0.5
+
+
+def test_a_person_is_no_thing_though_their_name_is() -> None:
+    ivy = _asset("counter", (0.5, 0.3, 1.7), person=True)
+    floor = Floor(LAYOUT, (*(each for each in ASSETS if each.asset_id != "counter"), ivy), PLAN)
+    assert floor.thing("counter") is None
+
+
+@pytest.mark.parametrize("height", [0.0, 1.2])
+def test_who_walks_comes_down_and_goes_up_to_where_they_are_told(height: float) -> None:
+    walk = CharacterAction(asset_id="ann", action_description="goes", motion="walk", target_id="car")
+    up = _state("ann", relation="at", anchor_id="dining_table", height=0.8)
+    end = _state("ann", relation="at", anchor_id="car", height=height)
+    blocking = _played(_shot(up, character_actions=(walk,), end_states=(end,)))[0][0]["ann"]
+    assert (blocking.start.location[2], blocking.end.location[2]) == (0.8, height)
