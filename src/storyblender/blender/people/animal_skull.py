@@ -48,7 +48,7 @@ class Skull:
             self.eyes: Floats = np.array((0.46, -0.42, 0.86 if species.mouth == "wide" else 0.72))
         else:
             height = 0.34 if species.drop > 0.3 else 0.26
-            out = 0.36 if species.mouth in _BEAKS else 0.46 if species.drop > 0.2 else 0.4
+            out = 0.36 if species.mouth in _BEAKS else 0.42 if species.drop > 0.2 else 0.4
             self.eyes = np.array((out, self.reach(out, height) + 0.62 * self.eye, height))
 
     @cached_property
@@ -61,7 +61,7 @@ class Skull:
                 ellipsoid((0, -0.45 - long / 3, -0.12), (thick, 0.62, 0.4)),
             ]
         else:
-            slim = 0.86 if species.drop > 0.2 or species.mouth in _BEAKS else 0.97
+            slim = 0.78 if species.drop > 0.2 else 0.86 if species.mouth in _BEAKS else 0.97
             parts = [ellipsoid((0, 0.02, 0.04), (slim, 0.95, 0.96))]
             if species.mouth in ("snout", "trunk"):
                 parts += [ellipsoid((x * 0.42, -0.36, -0.36), (0.48, 0.5, 0.44)) for x in (-1, 1)]
@@ -188,7 +188,7 @@ def _tint(code: str) -> Floats:
 
 def _stripes(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
     """A white face with a dark band through each eye from nose to ear."""
-    _blend(colors, _soft(0.45 - y, 0.2), skull.pale)
+    _blend(colors, _soft(0.2 - y, 0.2), skull.pale)
     middle = np.interp(-y, (-0.4, 0.5, 1.0, 1.4), (0.5, 0.42, 0.34, 0.2))
     wide = np.interp(-y, (-0.4, 0.6, 1.0, 1.4), (0.2, 0.19, 0.15, 0.05))
     _blend(colors, _soft(wide - np.abs(x - middle), 0.07) * _soft(z + 0.22, 0.12), _tint("#141416"))
@@ -253,7 +253,7 @@ def _blotches(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> 
     """Large dark patches at the side of the head."""
     dark = _tint("#2a2523") if skull.species.words[0] == "cow" else _tint("#7a4a24")
     spots = np.sin(4.1 * x + 1.0) * np.cos(3.2 * z - 0.4) + 0.6 * np.sin(3.7 * y + 0.6)
-    _blend(colors, _soft(spots - 0.45, 0.12) * _soft(x - 0.2, 0.1) * _soft(y + 0.95, 0.1), dark)
+    _blend(colors, _soft(spots - 0.2, 0.12) * _soft(x - 0.2, 0.1) * _soft(y + 0.95, 0.1), dark)
 
 
 def _discs(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:

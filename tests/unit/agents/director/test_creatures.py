@@ -40,6 +40,7 @@ def test_animals_and_robots_are_the_catalogs(action: str, id: str, description: 
         ("DESMOND FOX (61, silver hair) walks in.", "desmond_fox"),
         ("LOU (50s, hot dog, no expectations) walks in.", "lou"),
         ("RAT (40, a waistcoat) walks in. Rat bows.\n\nRAT\nHello.", "rat"),
+        ("TOD, a fox in a green coat, walks in.\n\nTOD\nGood evening.", "tod"),
         ("A fox walks in.\n\nFOX\nTea?\n\nThe fox pours the tea.", "fox"),
         ("HEX, an android with a porcelain face, walks in. Hex bows.", "hex"),
     ],

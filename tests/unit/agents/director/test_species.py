@@ -58,7 +58,7 @@ def test_a_silent_animal_that_stamps_a_form_or_puts_glasses_on_acts_like_a_perso
 
 
 def test_who_is_ridden_or_only_has_a_coat_is_an_animal() -> None:
-    horse = Person("h", "Duke", kind="animal", role="horse", outfit=["saddle", "brown with a white blaze"])
+    horse = Person("h", "Duke", kind="animal", role="horse", outfit=("saddle", "brown with a white blaze"))
     ridden = _does("ann", "look")
     ridden.posture["ann"] = ("ride", "h")
     assert is_creature(horse, _of(horse, units=(ridden,)))
@@ -73,5 +73,5 @@ def test_among_animals_that_talk_everyone_who_acts_is_one_of_them() -> None:
 
 def test_an_animal_wears_only_what_is_told() -> None:
     assert not cast(Person("b", "Brock", kind="animal", role="badger")).garments
-    told = cast(Person("b", "Brock", kind="animal", role="badger", outfit=["waistcoat"]))
+    told = cast(Person("b", "Brock", kind="animal", role="badger", outfit=("waistcoat",)))
     assert [garment.key for garment in told.garments] == ["vest"]

@@ -61,9 +61,18 @@ def describe(roster: Roster, person: Person, phrase: str) -> None:
             likened = re.search(r"\bof an? ", part) is not None  # a bear of a man
             if word == head and word in lexicon.MACHINES:
                 person.kind, person.role = "human", word  # MULE, a robot
-            if word in lexicon.ANIMALS and word == head and not likened and lexicon.noun_class(part.lower()) != "prop":
+            if word in lexicon.ANIMALS and word == head and not likened and _is_alive(part):
                 person.kind, person.role = "animal", word
                 roster.call(person, word)
+
+
+def _is_alive(part: str) -> bool:
+    """Whether a part of a description is about an animal, and not about a hot dog: ``a fox in a green coat``."""
+    words = part.lower().split()
+    end = next(
+        (i for i, word in enumerate(words) if i and word in lexicon.PREPOSITIONS | {"who", "wearing"}), len(words)
+    )
+    return lexicon.noun_class(" ".join(words[:end])) != "prop"
 
 
 def _has_a_surname(person: Person) -> None:
