@@ -103,7 +103,6 @@ carpet_red         carpet     #6e2b2a
 ice                paint      #b4cbd6
 grain              linen      #c2a050
 moon_dust          sand       #8f8c88
-rust_dust          sand       #a8603a
 sea_floor          sand       #8fa08a
 void               plastic_black #05060a
 cell_blue          glass_dark #16305c

@@ -48,7 +48,7 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="workshop",
     name="Workshop",
-    tags=("workshop", "forge", "smithy", "shed", "mill", "carpentry",
+    tags=("workshop", "forge", "smithy", "shed", "carpentry",
           ),
     indoor=True,
     draw=draw,

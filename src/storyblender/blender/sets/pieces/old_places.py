@@ -376,3 +376,22 @@ def plank_pile(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.cylinder(
             finish("rust"), (-1.5, 0.75 + 0.09 * index, 0.06), (1.5, 0.75 + 0.09 * index, 0.06), 0.045, segments=8
         )
+
+
+@piece("millstones")
+def millstones(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build a pair of millstones in their casing with a hopper, a shaft to the ceiling and its gear. Parameters:
+    height."""
+    height, wood, stone = spec.number("height", 3.4), finish("wood"), finish("stone_light")
+    builder.lathe(finish("boards_dark"), [(0.95, 0), (0.95, 0.5)], segments=24)
+    builder.cylinder(stone, (0, 0, 0.5), (0, 0, 0.7), 0.8, segments=28)
+    builder.cylinder(stone, (0, 0, 0.72), (0, 0, 0.94), 0.8, segments=28)
+    builder.lathe(wood, [(0.12, 1.3), (0.46, 1.9), (0.5, 1.9)], segments=4, caps=False)
+    for x in (-0.6, 0.6):
+        for y in (-0.6, 0.6):
+            builder.box(wood, (x, y, 1.2), (0.08, 0.08, 1.4))
+    builder.cylinder(wood, (0, 0, 0.9), (0, 0, height), 0.1, segments=8)
+    builder.cylinder(wood, (0, 0, 2.35), (0, 0, 2.5), 0.75, segments=24)
+    for t in np.linspace(0, 2 * math.pi, 21)[:-1]:
+        builder.box(finish("wood_dark"), (0.78 * math.cos(t), 0.78 * math.sin(t), 2.42), (0.08, 0.08, 0.2))
+    builder.box(finish("linen"), (0.75, -0.75, 0.3), (0.4, 0.4, 0.6), bevel=0.1)

@@ -168,3 +168,16 @@ def news_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
     for x in (-0.7, 0.7):
         builder.box(finish("paint_white"), (x, 0.0, 0.985), (0.22, 0.3, 0.004))
         builder.lathe(finish("porcelain"), [(0.035, 0), (0.04, 0.09)], origin=(x + 0.28, 0.0, 0.98), segments=10)
+
+
+@piece("drying_line")
+def drying_line(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Stretch a line along x at z = 0 with printed sheets hung over it. Parameters: length."""
+    length = spec.number("length", 5)
+    builder.cylinder(finish("canvas"), (-length / 2, 0, 0), (length / 2, 0, 0), 0.008, segments=4)
+    for x in np.arange(-length / 2 + 0.3, length / 2 - 0.2, 0.42):
+        tall = float(spec.rng.uniform(0.4, 0.5))
+        builder.box(finish("paper"), (float(x), 0, -tall / 2), (0.34, 0.01, tall))
+        for row in range(6):
+            wide = 0.26 if row else 0.16
+            builder.box(finish("paint_black"), (float(x), -0.007, -0.08 - 0.055 * row), (wide, 0.003, 0.012))
