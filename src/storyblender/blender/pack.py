@@ -23,7 +23,7 @@ from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.openings import openings_of
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.base import scene_name, shot_name
-from storyblender.memory.jobs import SceneJob
+from storyblender.memory.jobs import PlayedCue, SceneJob
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Flaw, ShotContext
 
@@ -46,6 +46,8 @@ class ScenePacker:
         self._starts = shot_starts(job.shots)
         self._props: dict[str, bpy.types.Object] = {}
         self._cast: dict[str, CastMember] = {}
+        self.timing: list[PlayedCue] = []
+        """When everything was done, for who chooses the moment of a frame."""
 
     def build(self) -> tuple[Flaw, ...]:
         """Build everything and return what could not be staged."""
@@ -119,6 +121,10 @@ class ScenePacker:
     def _perform(self, stage: Stage, shot: ShotContext, doors: list[Door]) -> list[Flaw]:
         plan = stage.plan(shot)
         performance = solve_shot(plan, self._job.fps, MOTION_STEP)
+        fps = performance.fps
+        for (who, clip, start), (began, over) in performance.played.items():
+            spans = {"began": round(began * fps), "over": round(over * fps)}
+            self.timing.append(PlayedCue(shot_id=shot.shot_id, asset_id=who, clip=clip, start=start, **spans))
         name = shot_name(shot.scene_id, shot.shot_id)
         armatures = {asset_id: member.armature for asset_id, member in self._cast.items()}
         for door in doors:

@@ -100,11 +100,14 @@ class Session:
         from storyblender.blender.pack import ScenePacker, save_pack, shot_starts
 
         self._put_away()
-        problems = ScenePacker(job, self._store).build()
+        packer = ScenePacker(job, self._store)
+        problems = packer.build()
         with self._files.writing(job.out) as part:
             save_pack(part)
         starts = tuple(shot_starts(job.shots).items())
-        return PackRef(scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems)
+        return PackRef(
+            scene_id=job.scene.scene_id, path=job.out, starts=starts, problems=problems, timing=tuple(packer.timing)
+        )
 
     def read_figures(self, pack: PackRef, frames: Sequence[int]) -> list[list[Figure]]:
         """Return everybody's faces at frames of the scene's timeline."""

@@ -89,6 +89,19 @@ class SceneJob(Frozen):
         return f"{self.out.removesuffix('.blend')}.json"
 
 
+class PlayedCue(Frozen):
+    """When a cue was really played: people wait, go nearer and turn before they do something."""
+
+    shot_id: int
+    asset_id: str
+    clip: str
+    start: int
+    """The cue's frame."""
+    began: int
+    over: int
+    """Frames from the shot's start."""
+
+
 class PackRef(Frozen):
     """A packed scene."""
 
@@ -98,6 +111,11 @@ class PackRef(Frozen):
     """Shot id and its first frame on the scene's timeline."""
     problems: tuple[Flaw, ...] = ()
     """What could not be staged as asked."""
+    timing: tuple[PlayedCue, ...] = ()
+
+    def played(self, shot_id: int) -> tuple[PlayedCue, ...]:
+        """Return when the cues of a shot were played."""
+        return tuple(each for each in self.timing if each.shot_id == shot_id)
 
     @property
     def record(self) -> str:

@@ -48,14 +48,17 @@ class PackViewfinder:
     def moments(self, shot: ShotContext) -> list[Moment]:
         """Return everybody's faces at the telling frames of a shot."""
         start = self._pack.start_of(shot.shot_id)
-        return [Moment(frame, tuple(self._figures[start + frame])) for frame in telling_frames(shot)]
+        return [Moment(frame, tuple(self._figures[start + frame])) for frame in self._telling(shot)]
+
+    def _telling(self, shot: ShotContext) -> tuple[int, ...]:
+        return telling_frames(shot, self._pack.played(shot.shot_id))
 
     @cached_property
     def _figures(self) -> dict[int, list[Figure]]:
         """Everybody's faces, by frame of the scene's timeline."""
         outputs, record = self._run.outputs, figures_of(self._pack)
         known = outputs.read(record, _RECORD.validate_json) or {}
-        wanted = [self._pack.start_of(shot.shot_id) + frame for shot in self._shots for frame in telling_frames(shot)]
+        wanted = [self._pack.start_of(shot.shot_id) + frame for shot in self._shots for frame in self._telling(shot)]
         missing = [frame for frame in wanted if frame not in known]
         if missing:
             figures = self._run.engine.read_figures(self._pack, missing).result()

@@ -145,7 +145,7 @@ def _frame_job(run: Run, shot: ShotContext, look: Look) -> FrameJob:
         lighting=light_of(run, shot),
         format=run.graph.format,
         look=look,
-        frame=story_moment(shot),
+        frame=story_moment(shot, run.packs[shot.scene_id].played(shot.shot_id)),
         out="",
     )
     return job.model_copy(update={"out": f"build/frames/{job.digest}.png"})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from storyblender.agents.frame_critic.frame_view import things_to_see
 from storyblender.agents.layout_artist.camera_brief import pose_at
@@ -11,7 +11,7 @@ from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.framing import Figure, Film
 from storyblender.memory.base import Frozen, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.jobs import PackRef
+from storyblender.memory.jobs import PackRef, PlayedCue
 from storyblender.memory.measure import CameraView, ViewRequest
 from storyblender.memory.shot_context import ShotContext
 
@@ -40,7 +40,7 @@ class Sighting:
         shots = [shot for shot in shots if only is None or shot.shot_id in only]
         film = Film(graph.format.sensor_width, graph.format.aspect)
         nodes = nodes_of(graph, pack.scene_id)
-        requests = [_request(shot, film, nodes) for shot in shots]
+        requests = [_request(shot, film, nodes, pack.played(shot.shot_id)) for shot in shots]
         frames = [pack.start_of(request.shot_id) + request.frame for request in requests]
         self._names = [shot_name(shot.scene_id, shot.shot_id) for shot in shots]
         self._views = engine.look(pack, requests, graph.format.aspect)
@@ -61,9 +61,11 @@ def nodes_of(graph: ContinuityMemoryGraph, scene_id: int) -> dict[str, tuple[str
     return {asset_id: tuple(dict.fromkeys(shown)) for asset_id, shown in nodes.items()}
 
 
-def _request(shot: ShotContext, film: Film, nodes: Mapping[str, tuple[str, ...]]) -> ViewRequest:
+def _request(
+    shot: ShotContext, film: Film, nodes: Mapping[str, tuple[str, ...]], played: Sequence[PlayedCue]
+) -> ViewRequest:
     assert shot.camera is not None, "only shots with a camera are looked at"
-    frame = story_moment(shot)
+    frame = story_moment(shot, played)
     return ViewRequest(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,

@@ -9,6 +9,13 @@ from typing import NamedTuple
 
 from storyblender.catalog.motions import MOTIONS
 
+UNREAD = "idle"
+"""Of what the vocabulary of motions has nothing for: then the verb must tell."""
+
+
+_PLAIN = frozenset({"yawn", "sneeze", "cough", "curtsy"})
+"""Verbs that tell an act by themselves."""
+
 
 class _Row(NamedTuple):
     """What a coarse motion becomes with one of these verbs and these words; empty means any."""
@@ -45,7 +52,9 @@ def finer(motion: str, verb: str, words: str) -> str:
     said, lemma = words.lower(), verb.lower().split(" ")[0]
     for row in _rows():
         done = not row.verbs or lemma in row.verbs or (not lemma and any(_told(each, said) for each in row.verbs))
-        fits = done and (not row.coarse or motion in row.coarse) and (row.verbs or row.words is not None)
+        known = motion == UNREAD or not row.coarse or motion in row.coarse
+        told = row.words is not None or (motion == UNREAD and row.verbs & _PLAIN)
+        fits = done and known and (told if motion == UNREAD else row.verbs or row.words is not None)
         if fits and (row.words is None or row.words.search(said)):
             return row.motion
     return motion

@@ -10,7 +10,7 @@ from string import capwords
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
-from storyblender.agents.director.finer import finer
+from storyblender.agents.director.finer import UNREAD, finer
 from storyblender.agents.director.motion_families import GETTING, SPOKEN, TRAVEL
 from storyblender.agents.director.reading import Deed, SceneReading, Unit
 from storyblender.agents.director.staging import Staging
@@ -211,6 +211,7 @@ class ShotDetails:
             actions += self._deeds(beat, index) if beat.start == beat.unit.start else []
             if beat.unit.kind == "dialogue":
                 actions += self._speech(beat, index)
+        actions += self._unread(draft, {action.asset_id for action in actions if action.motion != UNREAD})
         busy = {action.asset_id for action in actions}
         speaker = next((b.unit.speaker for b in draft.beats if b.unit.kind == "dialogue" and b.unit.speaker), None)
         for person in self._in_frame(draft, on_stage):
@@ -226,6 +227,21 @@ class ShotDetails:
                 )
             )
         return actions
+
+    def _unread(self, draft: ShotDraft, busy: set[str]) -> list[CharacterAction]:
+        """What the words of a unit tell of the one person in it of whom the reader found no deed."""
+        found: list[CharacterAction] = []
+        for index, beat in enumerate(draft.beats):
+            unit = beat.unit
+            person = unit.people[0] if len(unit.people) == 1 and unit.kind == "action" and not unit.deeds else ""
+            if person not in self.company.actors or person in busy:
+                continue
+            act = finer(UNREAD, "", unit.text)
+            if act != UNREAD:
+                found.append(
+                    CharacterAction(asset_id=person, action_description=unit.text, motion=act, line_index=index)
+                )
+        return found
 
     def _deeds(self, beat: Beat, index: int) -> list[CharacterAction]:
         unit = beat.unit

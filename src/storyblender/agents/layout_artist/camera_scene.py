@@ -17,6 +17,7 @@ from storyblender.geometry.continuity import walked_around
 from storyblender.geometry.framing import Film
 from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.shot_context import CameraState, Cue, ShotContext
 from storyblender.ports import Viewfinder
@@ -43,10 +44,14 @@ Moments = Callable[[ShotContext], Sequence[Moment]]
 """Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
 
 
-def story_moment(shot: ShotContext) -> int:
+def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     """Return the frame that tells the shot: when the last of the strongest things that its people do has landed.
 
     The script or a person may name the moment instead.
+
+    Args:
+        shot: With its cues.
+        played: When the engine has really played them; else they are taken at their word.
     """
     focus = set(shot.camera_instruction.focus_on_ids)
     last = max(0, shot.duration - 1)
@@ -55,13 +60,26 @@ def story_moment(shot: ShotContext) -> int:
     cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.start < last and cue.clip not in _AT_REST]
     if not cues:
         return round(last * _REST)
-    cue = max(cues, key=lambda item: (_strength(item, shot), item.start))
+    cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues), item.start))
     motion = clip_of(cue.clip)
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     arrives = together and motion.speed is not None
     insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
     share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
-    return min(last, cue.start + round(_length(cue, shot) * share))
+    start, length = _span(cue, shot, played)
+    return min(last, start + round(length * share))
+
+
+def _span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue]) -> tuple[int, int]:
+    """Return the frame at which a cue begins and how many it takes, without the steps and turns before it."""
+    length = _length(cue, shot)
+    name = (cue.asset_id, cue.clip, cue.start)
+    real = next((each for each in played if (each.asset_id, each.clip, each.start) == name), None)
+    if real is None:
+        return cue.start, length
+    if clip_of(cue.clip).speed is not None or cue.duration is not None:
+        return real.began, max(1, real.over - real.began)
+    return max(real.began, real.over - length), length
 
 
 def _length(cue: Cue, shot: ShotContext) -> int:
@@ -72,6 +90,12 @@ def _length(cue: Cue, shot: ShotContext) -> int:
     until, motion = min([*after, shot.duration]) - cue.start, clip_of(cue.clip)
     stays = motion.speed is not None or (motion.reach == "thing" and motion.after in ("sit", "lie"))
     return until if stays else min(until, round(motion.seconds * _FPS))
+
+
+def _is_prelude(cue: Cue, cues: Sequence[Cue]) -> bool:
+    """Tell whether a thing is only taken up by a cue because the same person then uses it."""
+    used = (each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start)
+    return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in used)
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:
@@ -108,10 +132,10 @@ def put_away(shot: ShotContext, frame: int) -> set[str]:
     return gone - {cue.prop_id for cue in last.values()}
 
 
-def telling_frames(shot: ShotContext) -> tuple[int, ...]:
+def telling_frames(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, ...]:
     """Return the frames at which a shot's faces are wanted: start, the moment that is drawn, and end."""
     last = max(shot.duration - 1, 0)
-    middle = min(max(story_moment(shot), 1), max(last - 1, 0))
+    middle = min(max(story_moment(shot, played), 1), max(last - 1, 0))
     return tuple(dict.fromkeys((0, middle, last)))
 
 

@@ -14,6 +14,7 @@ from storyblender.agents.visual_effects_artist.meetings import Meetings
 from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
+from storyblender.catalog.acts import ACTS
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2
@@ -23,6 +24,8 @@ from storyblender.memory.vocabulary import Posture
 
 WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
 """What is done with somebody instead of something."""
+ASIDE = frozenset({"look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "check_watch"})
+"""Looks that are not at anybody before one: nobody turns for them."""
 LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
@@ -75,7 +78,7 @@ class Actions:
             if motion.key == "give" and prop is not None and not person.hand_of(prop):
                 self.hands.fetch(person, prop)
             self.meetings.meet(action, motion, person, partner, prop, later)
-        elif prop is not None and motion.hands:
+        elif prop is not None and motion.hands and not self._worked_on(action, motion, person, prop):
             self._use(action, motion, person, prop, later)
         elif motion.reach == "thing" or motion.key == "jump":
             self._at_thing(action, motion, person)
@@ -310,11 +313,18 @@ class Actions:
         end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=target, mood=action.mood)
         self.sheet.done(person, start, end)
 
+    def _worked_on(self, action: CharacterAction, motion: Motion, person: Person, prop: str) -> bool:
+        """Tell whether a thing is worked on where it lies, and is no tool: bread that is cut, a pot that is stirred."""
+        patient = action.prop_id in (None, action.target_id) and motion.reach == "thing"
+        return patient and motion.key in ACTS and not person.hand_of(prop) and prop in self.company.lying
+
     def _sign(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
         """Looks, gestures and everything one does on the spot."""
         start = self.sheet.start_of(person)
         t = start
         thing = self.company.floor.thing(action.target_id)
+        if motion.key in ASIDE:
+            partner = thing = None
         if partner is not None:
             t = self.sheet.face_person(person, partner, t)
         elif thing is not None and person.upright:

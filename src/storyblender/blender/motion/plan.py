@@ -163,6 +163,7 @@ class Performance:
         props: (N, 4, 4) world matrices by asset id.
         problems: What could not be done.
         ends: Second by which each person has finished all cues.
+        played: Seconds at which cues began and were over, by person, clip and the cue's frame.
         grasps: Second at which a hand moves a door or lid, by person and the cue's frame.
     """
 
@@ -173,6 +174,7 @@ class Performance:
     problems: tuple[Problem, ...]
     ends: dict[str, float]
     grasps: dict[tuple[str, int], float] = field(default_factory=dict)
+    played: dict[tuple[str, str, int], tuple[float, float]] = field(default_factory=dict)
 
 
 def box_of(node_id: str, furniture: StageFurniture, soft: float = 0.0) -> Obstacle:

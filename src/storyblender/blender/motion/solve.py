@@ -209,7 +209,7 @@ def _record(stage: Stage, frames: np.ndarray, ends: dict[str, float]) -> Perform
                 told = f"{who.asset_id}'s hand misses{_target_of(beat)} by {missed:.2f} m"
                 stage.report("unreachable", who, beat, told, missed)
     tracks = {name: rows[name].track(who) for name, who in stage.people.items()}
-    return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps)
+    return Performance(stage.fps, frames, tracks, matrices, tuple(stage.problems), ends, stage.grasps, stage.played)
 
 
 def _target_of(beat: Beat) -> str:

@@ -109,6 +109,8 @@ class Stage:
         """Moments at which a hand must be where it was sent."""
         self.grasps: dict[tuple[str, int], float] = {}
         """Seconds at which doors and lids are moved, by person and the cue's frame."""
+        self.played: dict[tuple[str, str, int], tuple[float, float]] = {}
+        """Seconds at which cues began and were over, by person, clip and the cue's frame."""
         self.problems: list[Problem] = []
         for who in self.people.values():
             who.home = {side: at_ease(who, side) for side in SIDES}

@@ -13,6 +13,7 @@ from storyblender.blender.motion.clips.handling import approach, come_up, pick_u
 from storyblender.blender.motion.clips.locomotion import step_to
 from storyblender.blender.motion.clips.pairs import keep, meet
 from storyblender.blender.motion.clips.registry import CLIPS, Clip, Play
+from storyblender.blender.motion.clips.using import table_height
 from storyblender.blender.motion.clips.work import WORKING, handle_of
 from storyblender.blender.motion.hands import chest_yaw, hand, shoulder_rest
 from storyblender.blender.motion.performer import Performer
@@ -24,6 +25,8 @@ from storyblender.catalog.acts.entry import HOME_SECONDS, Act, FootPose, Gaze, H
 
 AT_HAND = 1.3
 """Metres from which a thing is picked up for an act; what is farther off is in hand already."""
+WITHIN, BEFORE_SITTER = 0.62, 0.20
+"""Metres of somebody of 1.7 m from the edge of a seat: what its sitter reaches, and where they work on a table."""
 OVER_WORK = 0.12
 """Metres of somebody of 1.7 m that hands work above a surface."""
 STEP_LIFT = 0.03
@@ -71,7 +74,7 @@ class _Playing:
         bent = 0.0
         if any(pose.frame == "work" for pose in poses):
             t = approach(self.stage, who, self.beat, handle_of(self.stage, who, self.beat)[0], WORKING * who.m.arm)
-            self.spot = handle_of(self.stage, who, self.beat)[0]
+            self.spot = self._worked_on(handle_of(self.stage, who, self.beat)[0])
             bent = reach_down(who, t, 0.6, self.spot + UP * (OVER_WORK * who.m.k))
         if poses:
             who.lean_after.set(t, 0, 0.0 if all(pose.frame in ("chest", "head") for pose in poses) else 1.0)
@@ -86,6 +89,17 @@ class _Playing:
         if bent:
             come_up(who, now, HOME_SECONDS)
         return now + HOME_SECONDS
+
+    def _worked_on(self, place: Vector) -> Vector:
+        """Return where the hands work: the place, or, where who sits cannot reach it, on the top before them."""
+        who, k = self.who, self.who.m.k
+        subject = self.beat.target or self.beat.prop
+        in_hand = isinstance(subject, PropPuppet) and subject.holder is who
+        far = (place.xy - who.position).length > WITHIN * k
+        if who.posture != "sit" or not (in_hand or subject is None or far):
+            return place
+        ahead = who.position + who.forward * (BEFORE_SITTER * k)
+        return Vector((*ahead, table_height(self.stage, who)))
 
     def react(self, t: float) -> None:
         """Play what the act does to the other person."""

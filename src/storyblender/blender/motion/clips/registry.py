@@ -58,6 +58,7 @@ def play(stage: Stage, who: Performer, key: str, beat: Beat) -> float:
         if side in parts:
             who.hands[side].cut(start)
     end = chosen.play(stage, who, replace(beat, start=start))
+    stage.played[who.asset_id, key, beat.frame] = (start, end)
     for part in parts:
         who.free[part] = max(who.free[part], end)
     return end
