@@ -53,8 +53,11 @@ def finer(motion: str, verb: str, words: str) -> str:
     for row in _rows():
         done = not row.verbs or lemma in row.verbs or (not lemma and any(_told(each, said) for each in row.verbs))
         known = motion == UNREAD or not row.coarse or motion in row.coarse
-        told = row.words is not None or (motion == UNREAD and row.verbs & _PLAIN)
-        fits = done and known and (told if motion == UNREAD else row.verbs or row.words is not None)
+        if motion == UNREAD:
+            telling = bool(row.verbs) and (row.words is not None or bool(row.verbs & _PLAIN))
+        else:
+            telling = bool(row.verbs) or row.words is not None
+        fits = done and known and telling
         if fits and (row.words is None or row.words.search(said)):
             return row.motion
     return motion

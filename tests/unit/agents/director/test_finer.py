@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.agents.director.finer import finer
+from storyblender.agents.director.finer import UNREAD, finer
 
 
 @pytest.mark.parametrize(
@@ -22,3 +22,15 @@ from storyblender.agents.director.finer import finer
 )
 def test_words_make_a_motion_finer(motion: str, verb: str, words: str, act: str) -> None:
     assert finer(motion, verb, words) == act
+
+
+@pytest.mark.parametrize(
+    ("words", "act"),
+    [
+        ("Otto covers his ears.", "cover_ears"),
+        ("Otto yawns.", "yawn"),
+        ("The clock is on the wall behind him.", UNREAD),
+    ],
+)
+def test_what_has_no_motion_is_an_act_where_its_verb_tells(words: str, act: str) -> None:
+    assert finer(UNREAD, "", words) == act
