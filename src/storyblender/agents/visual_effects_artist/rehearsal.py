@@ -10,6 +10,7 @@ from storyblender.agents.visual_effects_artist.actions import Actions
 from storyblender.agents.visual_effects_artist.bearing import Bearing, lasting
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.fallen import Fallen
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.menagerie import Menagerie
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
@@ -48,6 +49,7 @@ class Rehearsal:
     def __init__(self, floor: Floor, assets: Sequence[Asset], objects: Sequence[LayoutObject], fps: int) -> None:
         self.company, self.fps = Company(floor, assets, objects), fps
         self.animals = Menagerie(self.company, assets, objects)
+        self.fallen = Fallen(assets, objects)
 
     def keep(self, shot: ShotContext) -> None:
         """Take over the ends of a shot whose blocking the user has locked."""
@@ -66,13 +68,14 @@ class Rehearsal:
         company.bring_on(shot, cast, stay)
         company.apply_states(shot.states, shot.character_actions)
         company.place_loose_props(shot)
+        standing = company.prop_states(shot)
         sheet = CueSheet(
             company,
             shot.duration / self.fps,
             self.fps,
             {name for name in shot.on_stage if name not in stay},
             {person.asset_id: person.mark() for person in cast},
-            company.prop_states(shot),
+            self.fallen.lay(shot, standing, company.lying),
         )
         ends = {state.asset_id: state for state in shot.end_states}
         actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet)

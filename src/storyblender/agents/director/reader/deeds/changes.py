@@ -13,8 +13,10 @@ from storyblender.agents.director.reading import Person, StateChange
 _STATE_OF_VERB = {
     "open": "open", "unlock": "open", "pop": "open", "close": "closed", "shut": "closed", "slam": "closed",
     "lock": "closed", "break": "broken", "shatter": "broken", "smash": "broken", "crack": "broken", "burst": "broken",
-    "explode": "broken",
+    "explode": "broken", "overturn": "tipped", "topple": "tipped", "upend": "tipped", "capsize": "tipped",
+    "spill": "spilled", "tip over": "tipped", "knock over": "tipped", "fall over": "tipped", "kick over": "tipped",
 }  # fmt: skip
+_HARMED = frozenset({"broken", "tipped", "spilled"})
 _STATE_OF_PARTICLE = {"open": "open", "shut": "closed", "on": "on", "off": "off", "out": "off"}
 _HALF_OUT = {"flicker": "flickering", "dim": "dim"}
 _LAMPS, _LIGHTING = lexicon.words("lamps"), lexicon.words("lighting")
@@ -38,10 +40,12 @@ def note_changes(stage: Stage, clause: Clause, roles: Roles) -> None:
 def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``opens the door``, ``The door swings open``, ``The window shatters``."""
     ajar = clause.particle if clause.particle in ("open", "shut") else ""
-    state = _STATE_OF_PARTICLE.get(ajar) or _STATE_OF_VERB.get(clause.verb) or _STATE_OF_PARTICLE.get(clause.particle)
+    phrased = _STATE_OF_VERB.get(f"{clause.verb} {clause.particle}")
+    state = _STATE_OF_PARTICLE.get(ajar) or phrased or _STATE_OF_VERB.get(clause.verb)
+    state = state or _STATE_OF_PARTICLE.get(clause.particle)
     for thing in roles.things or (roles.subject_things if not roles.subjects else ()):
         openable = stage.inventory.head(thing) in lexicon.OPENABLE and state in ("open", "closed")
-        breakable = stage.inventory.class_of(thing) in ("prop", "set_piece") and state == "broken"
+        breakable = stage.inventory.class_of(thing) in ("prop", "set_piece") and state in _HARMED
         if state and (openable or breakable):
             _change(stage, thing, state, clause.at)
 

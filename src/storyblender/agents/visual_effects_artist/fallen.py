@@ -1,0 +1,64 @@
+"""Things that are tipped over, spilled or broken: from the shot that tells it on they lie on their side. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Vec3
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.shot_context import PropState, ShotContext
+
+LYING = frozenset({"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"})
+"""States in which a thing lies."""
+UPRIGHT = frozenset({"upright", "standing", "righted"})
+_FLAT = 0.35
+"""Height for its breadth under which a thing has nothing to fall over with."""
+
+
+class Fallen:
+    """What lies on its side, from shot to shot.
+
+    Args:
+        assets: Of the scene, with their sizes.
+        objects: The layout, for where things stand that nobody has moved.
+    """
+
+    def __init__(self, assets: Sequence[Asset], objects: Sequence[LayoutObject]) -> None:
+        self._sizes: dict[str, Vec3] = {
+            asset.asset_id: asset.canonical.dimensions
+            for asset in assets
+            if asset.asset_type == "object" and asset.canonical is not None
+        }
+        self._homes = {item.asset_id: (item.location, item.rotation) for item in reversed(objects)}
+        self._down: dict[str, None] = {}
+
+    def lay(self, shot: ShotContext, states: tuple[PropState, ...], lying: Mapping[str, Vec3]) -> tuple[PropState, ...]:
+        """Return where things are in a shot, with what has fallen on its side.
+
+        Args:
+            shot: Its changes are taken over first.
+            states: Of everything that has left its place.
+            lying: Where things lie that nobody holds.
+        """
+        for change in shot.asset_modifications:
+            if change.state in LYING and self._can_fall(change.asset_id):
+                self._down[change.asset_id] = None
+            elif change.state in UPRIGHT:
+                self._down.pop(change.asset_id, None)
+        kept = {state.asset_id: state for state in states}
+        for name in self._down:
+            state = kept.get(name)
+            if state is not None and (state.held_by is not None or not state.visible):
+                continue
+            place, turn = self._homes.get(name, (None, (0.0, 0.0, 0.0)))
+            place = (state.location if state is not None else None) or lying.get(name) or place
+            if place is None:
+                continue
+            raised = (place[0], place[1], round(place[2] + self._sizes[name][1] / 2, 3))
+            kept[name] = PropState(asset_id=name, location=raised, rotation=(90.0, 0.0, turn[2]))
+        return tuple(kept.values())
+
+    def _can_fall(self, name: str) -> bool:
+        width, depth, height = self._sizes.get(name, (1.0, 1.0, 0.0))
+        return height > _FLAT * max(width, depth)
