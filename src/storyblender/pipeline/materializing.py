@@ -152,9 +152,12 @@ class ConceptArtist:
         setup = next((scene.setup for scene in scenes if asset.asset_id in scene.setup.asset_ids), None)
         if setup is None:
             return AssetRequest(asset=asset, models=self._models)
+        changes = [change for shot in self._run.graph.shots for change in shot.asset_modifications]
+        states = {change.state for change in changes if change.asset_id == asset.asset_id and change.state}
+        state = states.pop() if len(states) == 1 else ""
         weather = setup.weather if setup.scene_type == "outdoor" else ""
         means = dict(SETS[kit_of(setup)].meanings)
-        return AssetRequest(asset=asset, models=self._models, means=means, weather=weather)
+        return AssetRequest(asset=asset, models=self._models, means=means, weather=weather, state=state)
 
 
 def model_files(folder: Path | None) -> tuple[ModelFile, ...]:

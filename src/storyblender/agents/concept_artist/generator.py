@@ -100,7 +100,7 @@ class Generator:
 
 def _prop(view: AssetRequest, key: str, score: float, reason: str) -> Recipe:
     """Return a prop of the catalog in the colour, material and state that the script tells."""
-    params = read_variant(PROPS[key], f"{view.phrase} {view.asset.description} {view.weather}")
+    params = read_variant(PROPS[key], view.told)
     return Recipe(source="catalog", key=key, params=params, score=score, reason=reason)
 
 

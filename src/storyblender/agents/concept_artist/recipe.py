@@ -40,6 +40,13 @@ class AssetRequest(Frozen):
     """What plain words mean in the place it is first seen in, prop for prop."""
     weather: str = ""
     """In the place it is first seen in, where that is outdoors: umbrellas are up in the rain."""
+    state: str = ""
+    """The one state that the story tells of it: ``open``, ``lit``; empty where it tells of none or of several."""
+
+    @property
+    def told(self) -> str:
+        """All words that say how it looks."""
+        return f"{self.phrase} {self.asset.description} {self.weather} {self.state}"
 
     @property
     def phrase(self) -> str:

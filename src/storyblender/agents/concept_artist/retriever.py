@@ -108,7 +108,7 @@ class Retriever:
             Recipe(
                 source="catalog",
                 key=(key := _meant(match, phrase, view.means)),
-                params=read_variant(PROPS[key], f"{phrase} {view.asset.description} {view.weather}"),
+                params=read_variant(PROPS[key], view.told),
                 score=match.score,
                 reason=match.reason,
             )
