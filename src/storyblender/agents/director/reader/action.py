@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.bearing.faces import note_faces_told
 from storyblender.agents.director.reader.bearing.grips import note_grips, note_had
 from storyblender.agents.director.reader.bearing.lasting import note_lasting
 from storyblender.agents.director.reader.bearing.looks import note_fragment, note_looks
+from storyblender.agents.director.reader.bearing.postures import note_posture
 from storyblender.agents.director.reader.bearing.tethers import note_tethers
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
 from storyblender.agents.director.reader.deeds.motions import motion_of
@@ -192,6 +193,8 @@ def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bo
         note_unread(stage, clause, roles, motion)
     if roles.subjects and motion and not clause.earlier:
         states.settle(stage, deeds.act(stage, clause, roles, motion), clause, roles)
+    note_posture(stage, clause, roles)
+    if roles.subjects and motion and not clause.earlier:
         exits.leave(stage, clause, roles, motion)
 
 

@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clause import Clause
 from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
+from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.people.people_meant import is_neuter
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
@@ -29,6 +30,9 @@ _NO_THING = "manner"
 _LIKENING = frozenset({"like", "unlike", "as", "than"})
 _IN_PLURAL = {"bar": "music"}
 """What is no thing in the plural: four bars, the bars of a cage."""
+_NOUN_PHRASE = 4
+"""Words before a noun that may belong to it."""
+_IDIOMS = frozenset(idiom.replace("_", " ") for idiom in lexicon.words("idioms"))
 _SHOWN = frozenset({"picture", "image"})
 _SCREENS = lexicon.words("screens")
 _TOWARDS = frozenset(
@@ -78,7 +82,11 @@ def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
 def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
     """Whether a noun names no thing here: ``like a tree``, ``in plaster``, the picture on a screen."""
     before = phrases[index - 1] if index else None
-    if before is not None and before.kind == "preposition" and before.text in _LIKENING:
+    if before is not None and before.kind == "preposition" and before.text in _LIKENING | {"without"}:
+        return True
+    if noun.determiner == "no" or _is_likened(stage.sentence.words, noun.index) or _is_said_of_it(phrases, index, noun):
+        return True
+    if _is_in_an_idiom(stage, noun):
         return True
     bare = not noun.determiner and noun.possessor is None and not noun.plural
     if bare and stage.sentence.words[noun.index].text.istitle() and lexicon.noun_class(noun.key) == "unknown":
@@ -87,6 +95,37 @@ def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhr
         return True
     lately = {stage.inventory.head(thing) for thing in stage.discourse.recent_things}
     return noun.head in _SHOWN and noun.determiner == "the" and bool(lately & _SCREENS)
+
+
+def _is_likened(words: Sequence[Word], at: int) -> bool:
+    """``lights like a spaceship landed``, ``as flat as a mirror``: nothing of the kind is there."""
+    back = at - 1
+    while back >= 0 and at - back <= _NOUN_PHRASE and words[back].text.isalpha():
+        if words[back].low == "like":
+            return back > 0 and words[back - 1].mention is None and words[back - 1].low not in lexicon.PRONOUNS
+        if words[back].verb:
+            return False
+        if words[back].low in ("as", "than"):
+            return any(
+                word.low in ("as", "more", "less") or word.low.endswith("er") for word in words[max(0, back - 2) : back]
+            )
+        back -= 1
+    return False
+
+
+def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
+    """``It's an oven in here``, ``Now it is a boat``: what something is said to be."""
+    if noun.determiner not in ("a", "an") or index < 2:
+        return False
+    verb, subject = phrases[index - 1], phrases[index - 2]
+    being = verb.kind == "verb" and verb.verb is not None and verb.verb.lemma == "be"
+    return being and subject.noun is not None and subject.noun.head in ("it", "this", "that")
+
+
+def _is_in_an_idiom(stage: Stage, noun: NounPhrase) -> bool:
+    """``in any case``, ``knows the ropes``, ``throws a tantrum``."""
+    text = f" {joined(stage.sentence.words)} "
+    return any(noun.head in idiom and f" {idiom} " in text for idiom in _IDIOMS)
 
 
 def _is_at_a_part(phrases: list[Phrase], index: int) -> bool:

@@ -104,3 +104,32 @@ def test_looks_are_told_anywhere(read_scene: Read) -> None:
 )
 def test_ages_in_all_forms(written: str, age: str) -> None:
     assert age_of(written) == age
+
+
+@pytest.mark.parametrize(
+    ("line", "posture"),
+    [
+        ("Otto hangs from the gutter.", "hang"),
+        ("Otto hangs upside down from a branch.", "upside_down"),
+        ("Otto floats above the table.", "float"),
+        ("Otto crawls to the door.", "crawl"),
+        ("Otto is on horseback.", "ride"),
+    ],
+)
+def test_postures_to_which_no_motion_leads(read_scene: Read, line: str, posture: str) -> None:
+    assert last(read_scene(_CAST + line)).posture["otto"][0] == posture
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "There is no lamp and no chair.",
+        "Lights like a spaceship landed.",
+        "It is an oven in here.",
+        "In any case he waits.",
+        "Otto sits without a blanket.",
+        "The sea is as flat as a mirror.",
+    ],
+)
+def test_what_is_denied_or_likened_is_not_there(read_scene: Read, line: str) -> None:
+    assert read_scene(_CAST + line).things == []

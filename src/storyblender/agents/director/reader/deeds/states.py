@@ -16,7 +16,7 @@ from storyblender.agents.director.reading import Deed, Person
 from storyblender.memory.vocabulary import Posture
 
 _POSTURE_OF_MOTION: dict[str, Posture] = {
-    "sit": "sit", "lie_down": "lie", "kneel": "kneel", "crouch": "crouch", "sleep": "asleep", "crawl": "kneel",
+    "sit": "sit", "lie_down": "lie", "kneel": "kneel", "crouch": "crouch", "sleep": "asleep", "crawl": "crawl",
     "fall": "lie", "wake": "lie", "lean": "lean",
 }  # fmt: skip
 _UPRIGHT = frozenset(

@@ -64,8 +64,8 @@ def tag_verb(words: list[Word], at: int, row: Row) -> None:
     following = words[at + 1] if at + 1 < len(words) else None
     form = FORMS.get(word.low) or rare_verb(word, following, row)
     left = row.neighbour()
-    named = names_a_kind(word, following) or _ends_a_kind(word, row) or is_listed_part(word, left, following)
-    if form is None or named:
+    named = names_a_kind(word, following) or _ends_a_kind(word, row)
+    if form is None or named or is_listed_part(word, left, _object_handed(words, at) or following):
         return
     following = _object_handed(words, at) or following
     if word.low in _FRAGMENT_NOUNS and not row.words and following and following.low in ("up", "raised", "drawn"):
