@@ -26,6 +26,8 @@ WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "
 """What is done with somebody instead of something."""
 ASIDE = frozenset({"look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "check_watch"})
 """Looks that are not at anybody before one: nobody turns for them."""
+HANDSET = 0.12
+"""Metres of the second largest extent: a telephone that is larger stays where it stands."""
 LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
@@ -315,8 +317,10 @@ class Actions:
 
     def _worked_on(self, action: CharacterAction, motion: Motion, person: Person, prop: str) -> bool:
         """Tell whether a thing is worked on where it lies, and is no tool: bread that is cut, a pot that is stirred."""
-        patient = action.prop_id in (None, action.target_id) and motion.reach == "thing"
-        return patient and motion.key in ACTS and not person.hand_of(prop) and prop in self.company.lying
+        size = self.company.size_of(prop)
+        desk_set = motion.key == "phone" and size is not None and size[1] > HANDSET
+        patient = action.prop_id in (None, action.target_id) and motion.reach == "thing" and motion.key in ACTS
+        return (patient or desk_set) and not person.hand_of(prop) and prop in self.company.lying
 
     def _sign(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
         """Looks, gestures and everything one does on the spot."""
