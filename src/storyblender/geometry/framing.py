@@ -91,8 +91,8 @@ _LOWER = 0.1
 """Most that a whole body lower than a standing one goes down in the picture."""
 _BODIES = 0.83
 """Most of the picture's height that whole bodies take in a group."""
-_HEADS = 0.62
-"""Most of the picture's height between the faces of a group: who lies at somebody's feet is in it."""
+_HEADS, _CROWN_TO_CHIN = 0.62, 0.82
+"""Most of the picture's height between the faces of a group, and from its highest crown to its lowest chin."""
 _LOW_WHOLE = 0.5
 """What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
 _CROWN = 0.55
@@ -245,8 +245,10 @@ def group(
         aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
         needed = aside / span - depth + camera.distance
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
-    heights = project(camera, faces)[0][:, 1]
-    camera = replace(camera, distance=camera.distance * max(float(np.ptp(heights)) / _HEADS, 1.0))
+    chins = [(*each.face[:2], each.face[2] - (1 - _CROWN) * each.head) for each in figures]
+    ends = project(camera, [*(each.crown for each in figures), *chins])[0][:, 1]
+    taken = max(float(np.ptp(project(camera, faces)[0][:, 1])) / _HEADS, float(np.ptp(ends)) / _CROWN_TO_CHIN)
+    camera = replace(camera, distance=camera.distance * max(taken, 1.0))
     if size in WHOLE:
         tops, bottoms = (project(camera, [getattr(each, end) for each in figures])[0] for end in ("crown", "base"))
         tall = float(bottoms[:, 1].max() - tops[:, 1].min())

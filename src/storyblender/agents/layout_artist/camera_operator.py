@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
 from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
+from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_scout import cost, scouted, without
 from storyblender.agents.layout_artist.camera_start import F_NUMBER, take
 from storyblender.geometry.continuity import side_of_line
@@ -71,6 +72,9 @@ class CameraRules:
         cleared = [node for node in draft.hidden if node not in needed]
         fixed = [without(take(view, camera), cleared) for camera in _fixed(draft, critique)]
         fixed = sorted((other for other in fixed if other not in known), key=lambda other: cost(view, other))
+        if any(fault.kind in ("hidden", "out_of_frame") for fault in critique.faults) and (over := covers(view)):
+            bare = without(draft, over)
+            fixed = fixed if bare in known else [bare, *fixed]
         best, score = self._best(fixed[:_FIXES], view)
         if best is not None and score > critique.score + 0.1:
             return best

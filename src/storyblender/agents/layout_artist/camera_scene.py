@@ -35,6 +35,8 @@ _BENT = ("pick_up", "put_down")
 """Clips whose telling moment is when a face shows again; an insert of the hand at work is drawn before."""
 _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
+_TAKES = ("pick_up", "take", "catch")
+"""Clips after which a thing is in somebody's hand."""
 _AT_REST = ("idle", "look", "listen", "turn")
 """Clips that tell nothing by themselves."""
 _ANSWERS = ("single", "reaction", "ots")
@@ -203,6 +205,18 @@ def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:
     return last if last is not None and last.instruction.focus_on_ids != focus else None
 
 
+def _handlings(shot: ShotContext, frame: int) -> list[Cue]:
+    """Return what is done with things up to a frame, the last of each thing that has not been laid down again."""
+    last: dict[str, Cue] = {}
+    for cue in sorted(shot.cues, key=lambda cue: cue.start):
+        if cue.prop_id is None or cue.start > frame:
+            continue
+        taken = last.get(cue.prop_id)
+        if taken is None or taken.clip not in _TAKES or cue.clip in (*_TAKES, *_LEAVES):
+            last[cue.prop_id] = cue
+    return [cue for cue in last.values() if cue.clip not in _LEAVES]
+
+
 def camera_brief(
     graph: ContinuityMemoryGraph,
     shot: ShotContext,
@@ -242,6 +256,13 @@ def camera_brief(
         elif state.location is not None:  # brought by somebody and laid down: the layout does not know it
             props[node] = Box(*state.location, *size_of(measure), math.radians(state.rotation[2]))
     instruction, in_frame = shot.camera_instruction, shot.in_frame
+    for cue in _handlings(shot, middle_of(moments).frame) if moments else ():
+        node, holder = nodes.get(cue.prop_id or "", cue.prop_id or ""), middle_of(moments).figure(cue.asset_id)
+        if holder is None or node in carried.get(cue.asset_id, ()):
+            continue
+        carried[cue.asset_id] = (*carried.get(cue.asset_id, ()), node)
+        if cue.clip in _TAKES and (measure := measures.get(cue.prop_id or "")) is not None:
+            props[node] = held_at(holder, cue.hand, size_of(measure))
     if moments:
         over = put_away(shot, middle_of(moments).frame)
         instruction = instruction.model_copy(

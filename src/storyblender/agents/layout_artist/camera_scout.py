@@ -43,6 +43,8 @@ _SHOULDER_IN = 0.3
 """The same for a head of no size: the smaller the head, the less of a shoulder there is beside it."""
 LEAST_OVER = 0.2
 """Share of the picture's height from which that head is one that we look past, and not somebody in the background."""
+_UNSEEN = 0.5
+"""Points for a thing in the picture of somebody that a body hides: a face matters more."""
 _SIDE = 55.0
 """Degrees from its front from which a thing is seen from its side."""
 _MARGIN = 0.03
@@ -186,7 +188,7 @@ def _things(brief: CameraBrief, take: Take) -> float:
         return 0.0
     middles = [(box.x, box.y, box.z + box.height / 2) for box in brief.things]
     screen, depth = project(take.camera, middles)
-    framed = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1)
+    framed, points = (depth > 0.1) & ((screen > _MARGIN) & (screen < 1 - _MARGIN)).all(1), 0.0
     if brief.instruction.kind == "insert":
         spots = [(box.x, box.y, box.top) for box in brief.things]
         figures, boxes = brief.drawn.figures, _solids(brief, take.hidden)
@@ -200,9 +202,9 @@ def _things(brief: CameraBrief, take: Take) -> float:
     elif at_hand(brief):
         boxes = [box for figure in brief.drawn.figures if figure.node_id not in take.hidden for box in body(figure)]
         small = np.array([box in at_hand(brief) for box in brief.things])
-        framed &= ~(small & hidden(boxes, take.camera.position, middles, _AT_HAND))
+        points += _UNSEEN * float((framed & small & hidden(boxes, take.camera.position, middles, _AT_HAND)).sum())
     lost = 1.6 if brief.people and brief.instruction.explicit else 1.0 if brief.people else 2.5
-    return lost * float((~framed).sum()) + _wrong_side(brief, take.camera)
+    return points + lost * float((~framed).sum()) + _wrong_side(brief, take.camera)
 
 
 def _wrong_side(brief: CameraBrief, camera: Orbit) -> float:
