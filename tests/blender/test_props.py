@@ -195,3 +195,11 @@ def test_words_are_laid_on_the_side_that_is_read(key):
     assert written.dimensions == pytest.approx(plain.dimensions, abs=0.03)
     ink = [block.name for block in written.mesh.materials]
     assert any(WRITING[key].ink in name for name in ink)
+
+
+@pytest.mark.parametrize("key", ["cardboard_box", "chest", "suitcase", "fridge"])
+def test_what_stands_open_is_the_thing_at_the_size_of_the_closed_one(key):
+    closed, opened = build_prop(key).dimensions, build_prop(key, {"open": True}).dimensions
+    longest = int(np.argmax(PROPS[key].size))
+    assert opened[longest] == pytest.approx(closed[longest], rel=0.1)
+    assert max(opened) > 1.05 * max(closed) or np.prod(opened) > 1.1 * np.prod(closed)

@@ -8,6 +8,7 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.lamps import flame
+from storyblender.blender.props.opened import open_fridge
 from storyblender.blender.props.parts import panel_door
 from storyblender.blender.props.registry import Anchors, PropSpec, handle, lean, prop
 
@@ -88,8 +89,11 @@ def wood_stove(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("fridge")
 def fridge(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a refrigerator with rounded shoulders."""
+    """Build a refrigerator with rounded shoulders, or one whose door stands ``open``."""
     (w, d, h), body, metal = spec.size, spec.material("body"), spec.material("metal")
+    if spec.flag("open"):
+        open_fridge(b, body, metal, spec.size)
+        return (handle((-w * 0.38, -d / 2 - 0.03, h * 0.55), name="door"),)
     b.rounded_box(body, (0, 0.03, h / 2 + 0.02), (w, d - 0.08, h - 0.04), 0.07)
     b.rounded_box(body, (0, -d / 2 + 0.06, h * 0.4), (w - 0.02, 0.1, h * 0.66), 0.04)
     b.rounded_box(body, (0, -d / 2 + 0.06, h * 0.86), (w - 0.02, 0.1, h * 0.23), 0.04)

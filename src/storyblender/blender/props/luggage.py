@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
+from storyblender.blender.props.opened import open_case
 from storyblender.blender.props.parts import bent, rectangle
 from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_hands
 from storyblender.blender.props.tableware import around
@@ -60,8 +61,11 @@ def toolbox(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("suitcase")
 def suitcase(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a standing suitcase with straps and corners."""
+    """Build a standing suitcase with straps and corners, or one that lies ``open``."""
     (w, d, h), body, brass = spec.size, spec.material("body"), spec.material("metal")
+    if spec.flag("open"):
+        open_case(b, body, brass, "linen", spec.size)
+        return hanging(d * 0.3)
     case = h - 0.05
     b.rounded_box(body, (0, 0, case / 2), (w, d, case), 0.03)
     b.box("leather_black", (0, 0, case / 2), (w + 0.004, 0.012, case + 0.004), bevel=0.002)

@@ -8,6 +8,7 @@ import numpy as np
 
 from storyblender.blender.materials import material
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.opened import open_carton, tray
 from storyblender.blender.props.parts import book_row, bottle_profile, drawer, four_legs, panel_door
 from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, two_hands
 from storyblender.catalog.materials import hex_color
@@ -224,8 +225,11 @@ def crate(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("cardboard_box")
 def cardboard_box(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a closed, taped carton."""
+    """Build a closed, taped carton, or one that stands ``open``."""
     (w, d, h), body = spec.size, spec.material("body")
+    if spec.flag("open"):
+        open_carton(b, body, spec.size)
+        return two_hands((-w / 2, 0, h * 0.4), (0, -1, -0.1), (1, 0, 0), (0.15, 0.15, 0.1))
     b.box(body, (0, 0, h / 2), (w, d, h), bevel=0.004)
     for y in (-1, 1):
         b.box(body, (0, y * (d / 4), h + 0.002), (w, d / 2 - 0.004, 0.004))
@@ -256,7 +260,10 @@ def chest(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a round-lidded chest with iron bands and a lock."""
     (w, d, h), body, trim = spec.size, spec.material("body"), spec.material("trim")
     base = h * 0.58
-    b.box(body, (0, 0, base / 2), (w, d, base), bevel=0.006)
+    if spec.flag("open"):
+        tray(b, body, "wood_dark", (w, d, base))
+    else:
+        b.box(body, (0, 0, base / 2), (w, d, base), bevel=0.006)
 
     def arch(reach: float) -> list[tuple[float, float]]:
         return [
@@ -264,12 +271,14 @@ def chest(b: MeshBuilder, spec: PropSpec) -> Anchors:
             for a in np.linspace(0, math.pi, 15)
         ]
 
-    with b.at((-w / 2, 0, 0), (90, 0, 90)):
+    raised = -78.0 if spec.flag("open") else 0.0
+    with b.at((0, d / 2, base), (raised, 0, 0)), b.at((-w / 2, -d / 2, -base), (90, 0, 90)):
         b.extrude(body, arch(0.0), w)
         for at in (0.0, 0.22, 0.74, 0.96):
             b.extrude(trim, arch(0.008), w * 0.05, base=at * w - 0.003)
     for x in (-0.475, -0.255, 0.265, 0.485):
-        b.box(trim, (x * w, 0, base / 2), (w * 0.05, d + 0.014, base + 0.01))
+        for y in (-1, 1):
+            b.box(trim, (x * w, y * d / 2, base / 2), (w * 0.05, 0.014, base + 0.01))
     b.box(trim, (0, 0, 0.025), (w + 0.012, d + 0.012, 0.05), bevel=0.004)
     b.box(trim, (0, -d / 2 - 0.012, base - 0.03), (0.11, 0.02, 0.14), bevel=0.006)
     b.cylinder("brass", (0, -d / 2 - 0.03, base - 0.05), (0, -d / 2, base - 0.05), 0.016)

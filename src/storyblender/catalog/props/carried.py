@@ -93,6 +93,7 @@ CARRIED: tuple[PropEntry, ...] = (
         (0.68, 0.22, 0.5),
         {"body": "leather", "metal": "brass"},
         "A suitcase with straps, standing.",
+        params={"open": False},
     ),
     held(
         "bag",

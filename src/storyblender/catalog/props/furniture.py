@@ -236,6 +236,7 @@ FURNITURE: tuple[PropEntry, ...] = (
         "A taped carton.",
         placement="surface",
         holdable=True,
+        params={"open": False},
     ),
     entry(
         "furniture",
@@ -252,6 +253,7 @@ FURNITURE: tuple[PropEntry, ...] = (
         (0.95, 0.52, 0.56),
         {"body": "wood", "trim": "iron"},
         "A chest with a round lid.",
+        params={"open": False},
     ),
     entry(
         "furniture",

@@ -137,6 +137,7 @@ MACHINES: tuple[PropEntry, ...] = (
         (0.7, 0.68, 1.7),
         {"body": "enamel", "metal": "chrome"},
         "A refrigerator.",
+        params={"open": False},
     ),
     entry(
         "fitting",
