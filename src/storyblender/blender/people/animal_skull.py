@@ -114,7 +114,7 @@ class Skull:
     def jaw(self) -> Field | None:
         """The lower jaw, shut."""
         long, thick = self.long, self.thick
-        down = np.array((0.0, 0.2, -0.46 * thick))
+        down = np.array((0.0, 0.3, -0.42 * thick))
         match self.species.mouth:
             case "snout":
                 return rod((0, -0.3, -0.5), self.tip + down, (0.5 * (0.55 + thick), thick * 0.62), flat=0.72)
