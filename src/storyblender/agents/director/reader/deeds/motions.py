@@ -15,7 +15,7 @@ _NOT_GOING = frozenset(verb.split(" ")[0] for verb in lexicon.MOTION_OF_VERB) | 
 _COPULAS = lexicon.words("copulas")
 _AWAY = frozenset({"in", "out", "past", "away", "off", "by", "along"})
 _ALONG = frozenset({"into", "out_of", "past", "across", "along", "toward", "towards"})
-_SUPINE = frozenset({"sit", "lie", "kneel", "crouch"})
+_SUPINE = frozenset({"sit", "lie", "kneel", "crouch", "crawl"})
 """Postures from which ``She stands.`` is getting up."""
 
 
