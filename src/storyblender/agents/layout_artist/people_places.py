@@ -9,7 +9,7 @@ import numpy as np
 from storyblender.agents.layout_artist.crowd_places import crowds_of, place_crowd
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import SEATED, sit
-from storyblender.agents.layout_artist.people_stations import Wanted, stand_at, wanted_by, work_place
+from storyblender.agents.layout_artist.people_stations import Wanted, in_reach, stand_at, wanted_by, work_place
 from storyblender.catalog.set_plan import PlanMark
 from storyblender.geometry.boxes import facing, separation, wrapped
 from storyblender.geometry.relations import Thing
@@ -57,7 +57,7 @@ def _stand(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
     anchor = stage.anchor(None if carried else leaned_on)  # who leans on a stick by the boat is by the boat
     anchor = anchor or (stage.anchor(wanted.anchor) if wanted is not None else None)
     anchor = anchor or work_place(stage, state)
-    if anchor is not None and not anchor.walks:
+    if anchor is not None and not anchor.walks and in_reach(stage, anchor):
         stand_at(stage, state.asset_id, anchor, wanted or Wanted())
     elif wanted is None or wanted.anchor not in stage.assets.values():
         _stand_at_work(stage, state.asset_id, wanted)
@@ -82,7 +82,9 @@ def _find(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
     if state.asset_id not in stage.things and (wanted is None or not wanted.sure):
         _stand_at_work(stage, state.asset_id, wanted)
     anchor = stage.anchor(wanted.anchor) if wanted is not None else None
-    if state.asset_id not in stage.things and wanted is not None and anchor is not None and not anchor.walks:
+    if state.asset_id in stage.things or wanted is None or anchor is None or anchor.walks:
+        return
+    if in_reach(stage, anchor):
         stand_at(stage, state.asset_id, anchor, wanted)
 
 

@@ -21,6 +21,8 @@ _ELBOW = 0.28
 """The same with room for the elbows; more is no better."""
 _TIGHT = 8.0
 """Dislike, in metres, of a metre less room than that."""
+_AFAR = 2.5
+"""Metres from the playing area beyond which a thing is scenery."""
 _APART = 0.7
 """Metres between two who stand at the same thing."""
 _FACES = ("at", "facing", "in_front_of", "behind")
@@ -106,6 +108,14 @@ def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None
             thing.anchor, thing.relationship = anchor.name, name
             thing.direction = "facing" if relation in _FACES and _looks_at(box, anchor.box) else None
     stage.add(thing, asset_id)
+
+
+def in_reach(stage: Stage, anchor: Thing) -> bool:
+    """Return whether people of the scene can be at a thing: not at what is only seen from afar, as a far plane."""
+    room, box = stage.room, anchor.box
+    dx = max(room.x_min - box.x, box.x - room.x_max, 0.0) - box.reach((1.0, 0.0))
+    dy = max(room.y_min - box.y, box.y - room.y_max, 0.0) - box.reach((0.0, 1.0))
+    return max(dx, dy) < _AFAR
 
 
 def _looks_at(box: Box, other: Box) -> bool:

@@ -137,7 +137,8 @@ class Places:
         """Return a station, or the free place nearest to it where somebody is there already."""
         point = (station.x, station.y)
         others = [each.place for each in self.people.values() if each.present and each is not person]
-        if all(math.dist(point, other) > _TOO_NEAR for other in others):
+        reached = self.floor.inside(point, -self.floor.beyond)  # what is only seen from afar is gone towards
+        if reached and all(math.dist(point, other) > _TOO_NEAR for other in others):
             return station
         x, y = self.floor.free_near(point, person.k, others, apart=_APART)
         return replace(station, x=x, y=y)

@@ -24,6 +24,8 @@ TOLERANCE = 0.03
 """Metres: cushions and cloth give way this far."""
 STILL = 0.01
 """Metres: a body that moved less since it was tested is where it was."""
+_EMBRACED = 0.12
+"""Metres that two bodies are into each other at most when they embrace: flesh and cloth give way."""
 _NEAR = 1.8
 """Metres between the middles of two bodies that may touch, lying ones too."""
 EVERY = 4
@@ -137,7 +139,7 @@ def _between(shot: str, frame: int, people: list[_Person]) -> Iterator[Collision
         if apart > _NEAR:
             continue
         depth = depth_between(ends, radii, others, widths)
-        if depth > TOLERANCE:
+        if depth > _EMBRACED:
             yield Collision(shot=shot, frame=frame, asset_id=one, node_id=other, depth=depth)
 
 
