@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from storyblender.agents.director.breakdown import storyboard
+from storyblender.agents.director.places_by_meaning import place_by_meaning
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import is_reading_of, read_reading, write_reading
@@ -45,7 +46,7 @@ def ground(run: Run, script: Path, reading: Path | None = None) -> None:
     if corrected is not None:
         sources[KEPT_READING] = corrected.read_bytes()
     if run.graph.plan_digest != digest:
-        graph = _revised(run, _plan(run, script, _understood(screenplay, corrected), digest))
+        graph = _revised(run, _plan(run, script, _understood(run, screenplay, corrected), digest))
         _keep(run, digest, sources)
         run.project.commit(graph, "director", f"plans {script.name}")
         for shot in graph.shots:
@@ -84,11 +85,15 @@ def export_reading(run: Run, script: Path, out: Path) -> None:
         InputError: The file cannot be written.
     """
     screenplay = load(script)
-    Folder(out.parent).write(out.name, write_reading(_understood(screenplay, _kept_reading(run, screenplay))))
+    Folder(out.parent).write(out.name, write_reading(_understood(run, screenplay, _kept_reading(run, screenplay))))
 
 
-def _understood(screenplay: Screenplay, corrected: Path | None) -> Reading:
-    return read_script(screenplay) if corrected is None else read_reading(corrected, screenplay)
+def _understood(run: Run, screenplay: Screenplay, corrected: Path | None) -> Reading:
+    if corrected is not None:
+        return read_reading(corrected, screenplay)
+    reading = read_script(screenplay)
+    place_by_meaning(reading, lambda: run.embedder)
+    return reading
 
 
 def _keep(run: Run, digest: str, sources: Mapping[str, bytes]) -> None:

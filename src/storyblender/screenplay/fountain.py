@@ -11,7 +11,10 @@ from typing import NamedTuple
 
 from storyblender.screenplay.comments import blank, find_comments
 from storyblender.screenplay.headings import is_heading, split_number
+from storyblender.screenplay.layout.front import titled
+from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
+from storyblender.screenplay.series import closes_series, item_mark, opens_series
 
 _SECTION = re.compile(
     r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"
@@ -99,7 +102,7 @@ def kind_of_words(words: str) -> ElementKind | None:
         return "heading"
     if _TRANSITION.fullmatch(words):
         return "transition"
-    if _SECTION.fullmatch(words):
+    if _SECTION.fullmatch(words) or opens_series(words) or closes_series(words):
         return "section"
     return "page_break" if _PAGE_FURNITURE.fullmatch(words) else None
 
@@ -113,11 +116,16 @@ class _Reader:
         self.lines = self._split_lines()
         self.elements: list[Element] = []
         self.at = 0
+        self.series = False
+        """Inside a series of shots."""
+        self.pictures = 0
+        self.picture: int | None = None
 
     def read(self) -> Screenplay:
         title_page = self._title_page()
         while self.at < len(self.lines):
             self._element()
+        title_page, self.elements = titled(title_page, self.elements)
         self._add_comments()
         return Screenplay(
             path=self.path,
@@ -162,6 +170,7 @@ class _Reader:
             self.at += 1
             return
         kind = self._kind(self.at)
+        self._follow_series(kind, line.words)
         if kind == "cue":
             self._speech()
         elif kind == "action":
@@ -175,7 +184,7 @@ class _Reader:
         words = self.lines[index].words
         if not words:  # a boneyard and nothing beside it
             return "action"
-        before = index == 0 or not self.lines[index - 1].words
+        before = index == 0 or not self.lines[index - 1].words or self._ends_shot(index - 1)
         after = index + 1 == len(self.lines) or self.lines[index + 1].blank
         forced = self._forced(words)
         if forced is not None:
@@ -183,9 +192,28 @@ class _Reader:
         told = kind_of_words(words)
         if told == "heading" and (before or words == words.upper()):
             return "heading"
-        if told not in (None, "heading") and before and (after or _LISTS_SHOTS.search(words)):
+        if told not in (None, "heading") and before and (after or _LISTS_SHOTS.search(words) or opens_series(words)):
             return told
+        labelled = element_of_label(words[item_mark(words) :] if self.series else words)
+        if labelled and labelled[0] != "section":
+            return labelled[0]
         return "cue" if before and not after and looks_like_cue(words) else "action"
+
+    def _ends_shot(self, index: int) -> bool:
+        """Whether a line is a cut, so that a heading may stand right below it."""
+        return _TRANSITION.fullmatch(self.lines[index].words) is not None
+
+    def _follow_series(self, kind: ElementKind, words: str) -> None:
+        """Note where a series of shots begins and ends, and open a picture for each of its items."""
+        if kind == "heading":
+            self.series, self.picture = _LISTS_SHOTS.search(words) is not None, None
+        elif kind in ("section", "transition"):
+            self.series, self.picture = opens_series(words), None
+        elif kind == "action" and self.series:
+            self.pictures += 1
+            self.picture = self.pictures
+        elif kind in ("title", "sound") and item_mark(words):
+            self.picture = None
 
     @staticmethod
     def _forced(words: str) -> ElementKind | None:
@@ -204,6 +232,11 @@ class _Reader:
         if kind == "heading":
             start += self.text[start] == "."
             number, start, end = self._without_number(start, end)
+        elif kind in ("title", "sound"):
+            words = self.shown[start:end]
+            mark = item_mark(words) if self.series else 0
+            labelled = element_of_label(words[mark:])
+            start += mark + (labelled[1] if labelled else 0)
         elif kind in ("lyric", "section", "synopsis", "transition", "centered"):
             start = _MARK.match(self.shown, start, end).end()  # pyright: ignore[reportOptionalMemberAccess]
             end -= kind == "centered"
@@ -225,11 +258,13 @@ class _Reader:
         self.at += 1
         while self.at < len(self.lines) and not self.lines[self.at].blank:
             line = self.lines[self.at]
-            if line.words and (line.words[0] == "!" or self._kind(self.at) != "action"):
+            another = self.series and item_mark(line.words) > 0
+            if line.words and (another or line.words[0] == "!" or self._kind(self.at) != "action"):
                 break
             self.at += 1
         start = self.lines[first].start + len(self.lines[first].shown) - len(self.lines[first].shown.lstrip())
         start += self.text[start] == "!"
+        start += item_mark(self.lines[first].words) if self.series else 0
         self._add_pieces("action", start, self._end_of(self.at - 1))
 
     def _speech(self) -> None:
@@ -312,6 +347,7 @@ class _Reader:
                 extension=extension,
                 scene_number=scene_number,
                 dual=dual,
+                picture=self.picture,
             )
         )
 

@@ -162,6 +162,18 @@ def _names(words: str, key: str) -> bool:
     return any(_score(tag, _heading("", words)) >= _SURE for tag in SETS[key].tags if tag not in _VAGUE)
 
 
+def is_told(place_kind: str, words: str, scene_type: SceneType) -> bool:
+    """Return whether the words of a place name a kit, so that it is no mere fallback.
+
+    Args:
+        place_kind: The Director's key of the place, or empty.
+        words: The place as written.
+        scene_type: INT or EXT.
+    """
+    key = find_kit(place_kind, words, scene_type)
+    return key != FALLBACK[scene_type] or _names(words, key) or _names(place_kind.replace("_", " "), key)
+
+
 def find_kit(place_kind: str, words: str, scene_type: SceneType) -> str:
     """Return the key of the kit that fits a place best.
 

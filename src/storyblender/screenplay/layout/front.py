@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from storyblender.screenplay.layout.lines import Line, Page, plain
+from storyblender.screenplay.model import Element
 
 _CAST = re.compile(
     r"(?:(?:THE )?(?:CAST|CHARACTERS?|PERSONS?|PEOPLE|PLAYERS|DRAMATIS PERSON(?:AE|Æ|S)|PERSONNAGES|PERSONAJES"
@@ -51,6 +52,40 @@ def read_front(page: Page, lines: Sequence[Line]) -> frozenset[str]:
             listing = False
             _titled(page, line)
     return frozenset(names - {""})
+
+
+def titled(
+    title_page: tuple[tuple[str, str], ...], elements: Sequence[Element]
+) -> tuple[tuple[tuple[str, str], ...], list[Element]]:
+    """Take a title, a byline and the like out of what stands before the first heading of a script.
+
+    Args:
+        title_page: As read from its keys; empty where it has none.
+        elements: Of the whole script.
+
+    Returns:
+        The title page, and the elements with those lines as sections.
+    """
+    first = next((i for i, element in enumerate(elements) if element.kind in ("heading", "cue")), 0)
+    named = {key for key, _ in title_page}
+    found = list(title_page)
+    told = list(elements)
+    for index, element in enumerate(elements[:first]):
+        by = _BY.fullmatch(element.text)
+        short = len(element.text.split()) <= 8 and not element.text.endswith((".", "!", ":"))
+        loud = element.text == element.text.upper() and any(letter.isalpha() for letter in element.text)
+        if element.kind not in ("action", "centered") or "\n" in element.text:
+            break
+        if by and "Author" not in named:
+            found.append(("Author", by["author"].strip(" .")))
+            named.add("Author")
+        elif short and (loud or element.kind == "centered") and "Title" not in named:
+            found.append(("Title", element.text.strip('"“”')))
+            named.add("Title")
+        elif element.kind != "centered" and not (loud and short):
+            break
+        told[index] = element.model_copy(update={"kind": "section"})
+    return tuple(found), told
 
 
 def cast_list(lines: Sequence[Line]) -> int | None:

@@ -82,6 +82,10 @@ class _Sighting:
     nickname: str = ""
 
 
+_PART_OF = re.compile(r"\b(?:OF|DE|DEL|DU|DES|DI|DELLA|VON|DER)\b")
+"""``LA MANO DE ROSA``: a part of somebody, and no name."""
+
+
 def find_cast(script: Manuscript) -> Roster:
     """Collect the people of a screenplay in the order they appear.
 
@@ -168,7 +172,8 @@ def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
     for _, camera in paragraph.cameras:
         for name in (camera.subject, camera.who):
             at = paragraph.raw.find(name)
-            name_alone = name.upper() == name and at >= 0 and len(name) > 1
+            part = _PART_OF.search(name) is not None and bool(cues & {*name.split()})
+            name_alone = not part and name.upper() == name and at >= 0 and len(name) > 1
             after = paragraph.raw[at + len(name) : at + len(name) + _FOLLOWING]
             if name_alone and _is_person(name, "the ", after, cues, TextIndex("")):
                 found.append(_Sighting(paragraph.start + at, name, after))

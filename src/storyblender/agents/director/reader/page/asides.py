@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.manuscript import without_brackets
 from storyblender.agents.director.reader.page.sentences import Sentence
 
 _TO_THE_READER = re.compile(
@@ -18,7 +20,7 @@ _TO_THE_READER = re.compile(
     re.IGNORECASE,
 )
 _INTERJECTION = re.compile(
-    r"(?:oof|ouch|ugh|huh|hmm+|yep|yes|no|nope|well|oh|ah|aha|ha|okay|ok|fine|right|sure|exactly|anyway"
+    r"(?:oof|ouch|ugh|huh|hmm+|yep|yes|no|nope|well|oh|ah|aha|ha|okay|ok|fine|sure|exactly|anyway"
     r"|fair(?:'s fair| enough)|of course"
     r"|obviously|naturally|really|seriously|whatever|nothing|wrong answer|same here|literally|classic|typical"
     r"|bingo)\b\W*(?:\w+\W*)?$",
@@ -30,6 +32,7 @@ _TO_THE_ARTIST = re.compile(
     re.IGNORECASE,
 )
 """How a comic script or a commercial speaks to whoever draws it."""
+_SOMEBODY = ("male", "female", "plural")
 _QUESTION = re.compile(r"\?\W*$")
 
 
@@ -44,10 +47,10 @@ def is_aside(sentence: Sentence, text: str, *, drawn: bool = False) -> bool:
         text: The script.
         drawn: The page also speaks to whoever draws it.
     """
-    words = " ".join(text[sentence.start : sentence.end].split())
+    words = " ".join(without_brackets(text[sentence.start : sentence.end]).split())
     if sentence.speech or sentence.camera or not words:
         return False
-    named = any(word.mention is not None for word in sentence.words)
+    named = any(word.mention is not None or lexicon.PRONOUNS.get(word.low) in _SOMEBODY for word in sentence.words)
     if _INTERJECTION.fullmatch(words) and not named:
         return True
     if named:

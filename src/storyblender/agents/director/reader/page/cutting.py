@@ -15,6 +15,7 @@ from storyblender.agents.director.reader.page.scenes import first_scene, read_he
 from storyblender.agents.director.reader.page.sentences import Sentence, Speech, action_sentences, speech_sentences
 from storyblender.agents.director.reader.page.slugs import slug_of
 from storyblender.agents.director.reader.page.story_places import WHOLE
+from storyblender.agents.director.reader.page.surroundings import settle_sides
 from storyblender.agents.director.reader.page.told_places import ToldPlace, place_set_down
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
@@ -64,6 +65,7 @@ class _Cutter:
                 self.cue = paragraph
             elif paragraph.kind != "cast":
                 self._told(index, paragraph)
+        settle_sides(self.script.text, self.scenes)
         return self.sentences
 
     # -- scenes ----------------------------------------------------------------------------------------------------

@@ -48,13 +48,12 @@ def _place(name: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
     if not place or (told is None and len(name.split()) > 3):
         return None
     last = scenes[-1]
-    known = bool(told and told.place)
     return replace(
         last,
         heading="",
         place=place,
         place_kind=lexicon.place_kind(place),
-        scene_type=type_of_place(place) if known else last.scene_type,
+        scene_type=type_of_place(place, last.scene_type),
         reference=None,
         furniture=[],
     )

@@ -133,7 +133,7 @@ def _named(segment: str, *, alone: bool) -> str:
                 return _named(" ".join(after), alone=False)
             return owned + place if place else ""
     place = _kind_at_end(words)
-    if not place or (place in _NO_PLACES and not (led or owned) and len(words) == 1):
+    if not place or (place in _NO_PLACES and not (led or owned)):
         return ""
     return f"{owned}{place}" if alone or led or owned or len(words) <= 4 else ""
 
@@ -152,12 +152,18 @@ def _kind_at_end(words: list[str]) -> str:
     return ""
 
 
-def type_of_place(place: str) -> SceneType:
-    """Whether a place is indoors: by the lists of places, else by the kit that has it among its words."""
+def type_of_place(place: str, otherwise: SceneType = "outdoor") -> SceneType:
+    """Whether a place is indoors: by the lists of places, else by the kit that has it among its words.
+
+    Args:
+        place: In small letters.
+        otherwise: For a place that neither knows.
+    """
     head = place.rpartition(" ")[2]
     if head in lexicon.PLACES:
         return scene_type_of(place)
-    return "indoor" if place_words().get(place, place_words().get(head, False)) else "outdoor"
+    indoor = place_words().get(place, place_words().get(head))
+    return otherwise if indoor is None else "indoor" if indoor else "outdoor"
 
 
 @cache

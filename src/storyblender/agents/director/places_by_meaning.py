@@ -1,0 +1,91 @@
+"""The set of a place that no word list knows: by likeness of meaning to the kits, told with a flag."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+import numpy as np
+
+from storyblender.agents.director.reading import Reading, SceneReading
+from storyblender.catalog.sets import SETS, SetKit
+from storyblender.catalog.sets.evidence import told_by_things
+from storyblender.catalog.sets.places import FALLBACK, is_told
+from storyblender.memory.shot_context import Flag
+from storyblender.ports import Embedder
+
+_LIKE: Final = 0.43
+"""Least likeness of a place to a kit; under it the plain room or open ground stays."""
+_MARGIN: Final = 0.03
+"""By which the best kit must be more like the place than the next."""
+_TAGS: Final = 6
+"""Words of a kit that are compared one by one, the strongest first."""
+_TEXT: Final = 400
+"""Characters of what is done in a scene that help to tell where it is."""
+_WEIGHTS: Final = (0.5, 0.2, 0.5)
+"""Of the place against the nearest word of a kit, the place against the kit, and the scene's words against the kit."""
+
+
+def place_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
+    """Give each scene whose place names no set kit the kit that it is most like, and flag the guess.
+
+    Args:
+        reading: Its scenes take the kind of their place.
+        load: Loads the sentence model; called only where a place is unknown.
+    """
+    unknown = [
+        (index, scene)
+        for index, scene in enumerate(reading.scenes)
+        if scene.reference is None and not is_told(scene.place_kind, scene.place, scene.scene_type)
+    ]
+    by_meaning = [(index, scene) for index, scene in unknown if not _by_things(reading, index, scene)]
+    named = [(index, scene) for index, scene in by_meaning if scene.place]
+    if not named:
+        return
+    kits = [kit for kit in SETS.values()]
+    scores = _likeness(kits, [scene.place for _, scene in named], [_text(reading, i) for i, _ in named], load())
+    for (_, scene), row in zip(named, scores, strict=True):
+        indoor = scene.scene_type == "indoor"
+        ranked = sorted((-score, kit.key) for score, kit in zip(row, kits, strict=True) if kit.indoor == indoor)
+        (best, key), (second, _) = ranked[0], ranked[1]
+        sure = -best >= _LIKE and second - best >= _MARGIN
+        chosen = key if sure else FALLBACK[scene.scene_type]
+        if sure:
+            scene.place_kind = key
+        reason = f"“{scene.place}” is no place that the library knows; {SETS[chosen].name.lower()} stands in"
+        reading.flags.append(Flag(topic="place", choice=chosen, reason=reason, start=scene.start, end=scene.end))
+    _follow(reading)
+
+
+def _by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
+    """Let what is in a scene tell its kit, where it tells enough."""
+    indoor = scene.scene_type == "indoor"
+    told = told_by_things([_text(reading, index)], [kit.key for kit in SETS.values() if kit.indoor == indoor])
+    if told is not None and not scene.place_kind:
+        scene.place_kind = told
+    return told is not None
+
+
+def _follow(reading: Reading) -> None:
+    """Scenes in the same place take its kind."""
+    kinds = {scene.id: scene.place_kind for scene in reading.scenes}
+    for scene in reading.scenes:
+        first = kinds.get(scene.reference or 0)
+        if first and not is_told(scene.place_kind, scene.place, scene.scene_type):
+            scene.place_kind = first
+
+
+def _text(reading: Reading, index: int) -> str:
+    told = [unit.text for unit in reading.units if unit.scene == index and unit.kind == "action"]
+    return " ".join(" ".join(told).split())[:_TEXT] or reading.scenes[index].place
+
+
+def _likeness(kits: list[SetKit], places: list[str], texts: list[str], embedder: Embedder) -> np.ndarray:
+    """Return the likeness of each place (row) to each kit (column)."""
+    words = [(index, tag) for index, kit in enumerate(kits) for tag in (kit.name.lower(), *kit.tags[:_TAGS])]
+    owners = np.array([index for index, _ in words])
+    near = embedder.embed(places) @ embedder.embed([tag for _, tag in words]).T
+    tags = np.stack([near[:, owners == index].max(axis=1) for index in range(len(kits))], axis=1)
+    described = embedder.embed([f"{kit.name}: {', '.join(kit.tags)}" for kit in kits])
+    tag, kit, text = _WEIGHTS
+    return tag * tags + kit * embedder.embed(places) @ described.T + text * embedder.embed(texts) @ described.T

@@ -1,0 +1,45 @@
+"""Inside or outside, where a scene has no place of its own: by what is told to be there; and who is afloat."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reading import SceneReading
+
+_OUTSIDE, _INSIDE, _AFLOAT = lexicon.words("outdoor_sign"), lexicon.words("indoor_sign"), lexicon.words("afloat")
+_ENOUGH = 2
+"""Signs that turn a scene round."""
+_WATERS = frozenset({"sea", "ocean", "river", "lake", "bay", "water", "lagoon"})
+
+
+def settle_sides(text: str, scenes: Sequence[SceneReading]) -> None:
+    """Turn scenes inside or outside, where nothing but their things tells it.
+
+    A scene without a place is where its things are; one that only inherits its place from the scene before goes out
+    where its things are all outside. People in a boat on the water are on its deck.
+
+    Args:
+        text: The script.
+        scenes: In order; changed here.
+    """
+    for index, scene in enumerate(scenes):
+        words = re.findall(r"[a-z]+", text[scene.start : scene.end].lower())
+        outside, inside = ({word for word in words if word in signs} for signs in (_OUTSIDE, _INSIDE))
+        if not scene.place and not scene.heading:
+            scene.scene_type = "indoor" if len(inside) > len(outside) else scene.scene_type
+        inherited = index > 0 and not scene.heading and scene.place == scenes[index - 1].place
+        if inherited and scene.scene_type == "indoor" and len(outside) >= _ENOUGH and not inside:
+            _go_out(scene, words)
+        if scene.place in _WATERS and len({*words} & _AFLOAT) >= _ENOUGH:
+            scene.place, scene.place_kind = f"boat on the {scene.place}", "ship_deck"
+
+
+def _go_out(scene: SceneReading, words: Sequence[str]) -> None:
+    """Put a scene before the door of the place that it inherits."""
+    named = next(
+        (word for word in words if word in lexicon.OUTDOOR - lexicon.INDOOR and word in lexicon.PLACE_KINDS), "yard"
+    )
+    scene.place, scene.place_kind = named, lexicon.place_kind(named)
+    scene.scene_type, scene.reference = "outdoor", None
