@@ -65,7 +65,7 @@ class _Cutter:
                 self.cue = paragraph
             elif paragraph.kind != "cast":
                 self._told(index, paragraph)
-        settle_sides(self.script.text, self.scenes)
+        settle_sides(self.script.text, self.scenes, chat=self.page == "chat")
         return self.sentences
 
     # -- scenes ----------------------------------------------------------------------------------------------------

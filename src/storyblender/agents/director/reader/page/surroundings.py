@@ -14,7 +14,7 @@ _ENOUGH = 2
 _WATERS = frozenset({"sea", "ocean", "river", "lake", "bay", "water", "lagoon"})
 
 
-def settle_sides(text: str, scenes: Sequence[SceneReading]) -> None:
+def settle_sides(text: str, scenes: Sequence[SceneReading], *, chat: bool = False) -> None:
     """Turn scenes inside or outside, where nothing but their things tells it.
 
     A scene without a place is where its things are; one that only inherits its place from the scene before goes out
@@ -23,14 +23,15 @@ def settle_sides(text: str, scenes: Sequence[SceneReading]) -> None:
     Args:
         text: The script.
         scenes: In order; changed here.
+        chat: The page is messages, whose senders are in many places.
     """
     for index, scene in enumerate(scenes):
         words = re.findall(r"[a-z]+", text[scene.start : scene.end].lower())
         outside, inside = ({word for word in words if word in signs} for signs in (_OUTSIDE, _INSIDE))
-        if not scene.place and not scene.heading:
+        if not scene.place and not scene.heading and not chat:
             scene.scene_type = "indoor" if len(inside) > len(outside) else scene.scene_type
         inherited = index > 0 and not scene.heading and scene.place == scenes[index - 1].place
-        if inherited and scene.scene_type == "indoor" and len(outside) >= _ENOUGH and not inside:
+        if inherited and scene.scene_type == "indoor" and len(outside) >= _ENOUGH > len(inside):
             _go_out(scene, words)
         if scene.place in _WATERS and len({*words} & _AFLOAT) >= _ENOUGH:
             scene.place, scene.place_kind = f"boat on the {scene.place}", "ship_deck"
@@ -38,8 +39,7 @@ def settle_sides(text: str, scenes: Sequence[SceneReading]) -> None:
 
 def _go_out(scene: SceneReading, words: Sequence[str]) -> None:
     """Put a scene before the door of the place that it inherits."""
-    named = next(
-        (word for word in words if word in lexicon.OUTDOOR - lexicon.INDOOR and word in lexicon.PLACE_KINDS), "yard"
-    )
+    places = lexicon.OUTDOOR - lexicon.INDOOR
+    named = next((word for word in words if word in places and word in lexicon.PLACE_KINDS), "yard")
     scene.place, scene.place_kind = named, lexicon.place_kind(named)
     scene.scene_type, scene.reference = "outdoor", None
