@@ -10,7 +10,7 @@ import re
 from typing import NamedTuple
 
 from storyblender.screenplay.comments import blank, find_comments
-from storyblender.screenplay.headings import is_heading, split_number
+from storyblender.screenplay.headings import is_heading, scene_label, split_number
 from storyblender.screenplay.layout.front import titled
 from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
@@ -116,6 +116,8 @@ class _Reader:
         self.lines = self._split_lines()
         self.elements: list[Element] = []
         self.at = 0
+        self.labelled = not any(is_heading(line.words) for line in self.lines)
+        """No heading begins with INT or EXT, so that ``Scene 2`` is one."""
         self.series = False
         """Inside a series of shots."""
         self.pictures = 0
@@ -194,6 +196,8 @@ class _Reader:
             return "heading"
         if told not in (None, "heading") and before and (after or _LISTS_SHOTS.search(words) or opens_series(words)):
             return told
+        if self.labelled and before and len(words) <= 80 and scene_label(words):
+            return "heading"
         labelled = element_of_label(words[item_mark(words) :] if self.series else words)
         if labelled and labelled[0] != "section":
             return labelled[0]
@@ -282,6 +286,11 @@ class _Reader:
             while self._speech_goes_on(kind):
                 self.at += 1
             lyric = kind == "lyric"
+            said = self.shown.rfind(")", self.lines[first].start, self._end_of(self.at - 1)) + 1
+            if kind == "parenthetical" and self.shown[said : self._end_of(self.at - 1)].strip():
+                self._add_pieces(kind, self.lines[first].start, said, dual=dual)
+                self._add_pieces("dialogue", said, self._end_of(self.at - 1), dual=dual)
+                continue
             start = self.lines[first].start + (self.lines[first].shown.find("~") + 1 if lyric else 0)
             self._add_pieces(kind, start, self._end_of(self.at - 1), dual=dual)
 
@@ -300,7 +309,7 @@ class _Reader:
         if not self._in_speech(self.at) or kind == "lyric":
             return False
         if kind == "parenthetical":
-            return not self.lines[self.at - 1].words.endswith(")")
+            return ")" not in self.lines[self.at - 1].words
         return self._speech_kind(self.lines[self.at].words) == "dialogue"
 
     def _end_of(self, index: int) -> int:
@@ -383,7 +392,7 @@ def looks_like_cue(words: str) -> bool:
     """Return whether a line is a name in capitals, with or without brackets behind it."""
     name = split_cue(words[:120])[0]
     letters = [letter for letter in name if letter.isalpha()]
-    if not letters or name != name.upper() or len(name) > 60 or _CAMERA_LEAD.match(name):
+    if not letters or name != name.upper() or len(name) > 60 or _CAMERA_LEAD.match(name) or " - " in name:
         return False
     if name.endswith((":", "!", "?", "...", "…")) or (name.endswith(".") and len(name.split()[-1]) > 4):
         return False

@@ -48,7 +48,8 @@ class HeadingWords(NamedTuple):
 
 def is_heading(line: str) -> bool:
     """Return whether a line reads as a scene heading; without a mark after INT it must be in capitals."""
-    line = LEADING_WORDS.sub("", _NUMBER.sub("", line, count=1))
+    number = _NUMBER.match(line)
+    line = LEADING_WORDS.sub("", line[number.end() :] if number else line)
     labelled = _LABEL.match(line)
     match = _PREFIX.match(line, labelled.end() if labelled else 0)
     if match is None or len(line) <= match.end():

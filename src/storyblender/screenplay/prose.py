@@ -25,6 +25,17 @@ _REMARK = re.compile(
     re.IGNORECASE | re.DOTALL,
 )
 """What is said of the story and not told in it."""
+_LETTER = re.compile(
+    r"(?:my )?(?:dear|dearest|darling)(?: [^.!?\n]{1,40})?[,:—-]{0,2}"
+    r"|(?:(?:mon|tues|wednes|thurs|fri|satur|sun)day,? )?(?:the )?\d{1,2}(?:st|nd|rd"
+    r"|th)?(?: of)? [A-Z][a-z]+,?(?: \d{4})?\.?"
+    r"|(?:(?:mon|tues|wednes|thurs|fri|satur|sun)day,? )?[A-Z][a-z]+ \d{1,2}(?:st|nd|rd|th)?,?(?: \d{4})?\.?"
+    r"|(?:(?:yours?|love|with love|sincerely|affectionately|regards|best wishes|ever|always|kisses|xx*|p\.?s\.?"
+    r"|your \w+)\b[^.!?]{0,40})",
+    re.IGNORECASE,
+)
+"""The date, the address and the greeting of a letter."""
+_SIGNED = re.compile(r"[—–-]?\s*[A-Z][\w.'’]*(?: [A-Z][\w.'’]*){0,2}")
 _FRONT = 8
 """Paragraphs among which a title, a byline and remarks may stand."""
 _HEADED = 100
@@ -44,6 +55,7 @@ def parse(text: str, path: str = "") -> Screenplay:
     title_page: list[tuple[str, str]] = []
     paragraphs = _paragraphs(text)
     begins = _begins(text, paragraphs)
+    letters = any(re.match(r"(?:my )?dear(?:est)?\b", text[start:end], re.IGNORECASE) for start, end, _ in paragraphs)
     for at, (start, end, line) in enumerate(paragraphs):
         words = text[start:end]
         if at < begins:
@@ -53,6 +65,8 @@ def parse(text: str, path: str = "") -> Screenplay:
                 elements.append(Element(kind="section", text=words, start=start, end=end, line=line))
             continue
         kind, shown, after = _classify(words)
+        if letters and kind == "action" and (_LETTER.fullmatch(words) or _SIGNED.fullmatch(words)):
+            kind = "section"
         number = heading_words(shown).number if kind == "heading" else ""
         start += words.index(shown) if kind == "title" else 0
         elements.append(Element(kind=kind, text=shown, start=start, end=end - after, line=line, scene_number=number))
@@ -96,7 +110,8 @@ def _is_title(words: str) -> bool:
     """Whether a paragraph is a title, with or without lines below it that close with no full stop."""
     lines = [line.strip() for line in words.split("\n")]
     closed = re.search(r"[.!?,;\"”'’…]$", lines[-1]) and not re.fullmatch(r"[\"“'‘][^\"”]*[\"”'’]", lines[-1])
-    told = closed or lines[0].endswith((",", ".", ";")) or len(lines) > 4 or words[0] in "—-"
+    dated = _LETTER.fullmatch(lines[0]) is not None
+    told = dated or closed or lines[0].endswith((",", ".", ";")) or len(lines) > 4 or words[0] in "—-"
     return not told and len(lines[0].split()) <= 12 and all(len(line) <= _HEADED for line in lines)
 
 

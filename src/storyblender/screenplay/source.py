@@ -99,7 +99,7 @@ def _parse(text: str, format: ScriptFormat, path: str) -> Screenplay:
         if recognised(text):
             return parse(text, path)
     lines = [line.strip() for line in text.split("\n")]
-    if play.names_speakers(text) and _cues(lines) < _ENOUGH_CUES:
+    if (play.names_speakers(text) and _cues(lines) < _ENOUGH_CUES) or play.has_own_layout(text):
         return play.parse(text, path)
     return fountain.parse(text, path) if format == "fountain" else prose.parse(text, path)
 
@@ -203,7 +203,7 @@ def _sniff(text: str, path: str) -> ScriptFormat:
 
 def _is_fountain(text: str) -> bool:
     lines = [line.strip() for line in text.split("\n")]
-    if any(is_heading(line) and line == line.upper() for line in lines):
+    if any(is_heading(line) and (line == line.upper() or line[:3] in ("INT", "EXT")) for line in lines):
         return True
     forced = sum(bool(re.match(r"\.[A-Z]|@\w|>.*TO:$", line)) for line in lines)
     title = bool(re.match(r"(?:title|credit|authors?):", lines[0], re.IGNORECASE))

@@ -17,7 +17,7 @@ _PAGE = re.compile(
 )
 _PANEL = re.compile(
     r"[*_#\s]*(?:PANEL|PNL|VI[ÑN]ETA|CASE|BILD|VIGNETTA|FRAME)\s*#?\s*(?:\d{1,2}[A-Z]?|ONE|TWO|THREE|FOUR|FIVE|SIX|SEVEN|EIGHT|NINE|TEN)"
-    r"[*_]*(?P<shape>\s*\([^)\n]{1,60}\))?\s*[.:)–—-]*[*_]*(?=\s|$)",
+    r"[*_]*(?P<shape>\s*\([^)\n]{1,60}\))?\s*[.:)–—-]*[*_]*(?=\s|$)|\[\d{1,2}\](?=\s|$)",
     re.IGNORECASE,
 )
 _NUMBER = re.compile(r"(?:\d{1,2}[.)]|\d{1,2}\s*[-–—:])(?=\s)")
@@ -28,7 +28,7 @@ _BALLOON = re.compile(
 _CAPTION = re.compile(
     r"(?:\d{1,2}[.)]?\s+)?[*_]*(?:CAPTIONS?|CAP|NARR(?:ATION|ATIVE)?|BOX|LOCATION CAP(?:TION)?|TITLES?|CREDITS?|SUPER"
     r"|EDITOR['’]?S? NOTE|TEXTO|CARTUCHO|BLOCKTEXT)\b"
-    r"\s*(?:\d+\s*)?(?:[(\[][^)\]\n]{1,60}[)\]])?\s*:\s*[*_]*",
+    r"\s*(?:\d+\s*)?(?:[(\[][^)\]\n]{1,60}[)\]])?\s*(?::|(?=$))\s*[*_]*",
     re.IGNORECASE,
 )
 _NOISE = re.compile(
@@ -89,7 +89,9 @@ class _Reader:
                 continue
             name = plain_name(match["name"])
             said = line.words[match.end() :] or following.words
-            if name == name.upper() and said and re.search(r"[A-ZÀ-Þ]{2}|#\\d", name):
+            spoken = name == name.upper() and re.search(r"[A-ZÀ-Þ]{2}|#\\d", name)
+            called = len(name.split()) <= 2 and name.istitle() and match[0].rstrip().endswith(":")
+            if said and (spoken or called):
                 found.add(key_of_name(name))
         return frozenset(found)
 

@@ -70,6 +70,11 @@ def titled(
     named = {key for key, _ in title_page}
     found = list(title_page)
     told = list(elements)
+    opens = len(told) > 2 and [element.kind for element in told[:2]] == ["cue", "dialogue"] and "Title" not in named
+    if opens and told[2].kind != "dialogue" and not any(element.name == told[0].name for element in told[1:]):
+        found.append(("Title", told[0].text))
+        told[:2] = [element.model_copy(update={"kind": "section", "name": ""}) for element in told[:2]]
+        return tuple(found), told
     for index, element in enumerate(elements[:first]):
         by = _BY.fullmatch(element.text)
         short = len(element.text.split()) <= 8 and not element.text.endswith((".", "!", ":"))
@@ -79,10 +84,10 @@ def titled(
         if by and "Author" not in named:
             found.append(("Author", by["author"].strip(" .")))
             named.add("Author")
-        elif short and (loud or element.kind == "centered") and "Title" not in named:
+        elif short and (loud or index == 0 or element.kind == "centered") and "Title" not in named:
             found.append(("Title", element.text.strip('"“”')))
             named.add("Title")
-        elif element.kind != "centered" and not (loud and short):
+        elif element.kind != "centered" and not (short and (loud or "Author" not in named)):
             break
         told[index] = element.model_copy(update={"kind": "section"})
     return tuple(found), told
@@ -107,7 +112,7 @@ def _titled(page: Page, line: Line) -> None:
         page.title_page.append((keyed[1].capitalize(), keyed[2].strip('"“” ')))
     elif by and "Author" not in keys:
         page.title_page.append(("Author", by["author"].strip(" .")))
-    elif "Title" not in keys and len(words.split()) <= 12 and not words.endswith((".", ":", ",")):
+    elif "Title" not in keys and ":" not in words and len(words.split()) <= 12 and not words.endswith((".", ":", ",")):
         page.title_page.append(("Title", words))
     page.add("section", line.start, line.end)
 

@@ -13,7 +13,8 @@ from storyblender.screenplay.model import ElementKind
 
 _UP = "A-ZÀ-ÖØ-Þ"
 _NAME = (
-    rf"(?:\#\d{{1,3}}|(?:[{_UP}][\w'’.&#-]*)(?:[ \t]+(?:(?:and|of|the|de|la|von|y|und|et|e|in|with)\b|&"
+    rf"(?:\#\d{{1,3}}(?:[-–]\d{{1,3}})?|(?:[{_UP}][\w'’.&#-]*)(?:[ \t]+(?:(?:and|of|the|de|la|von|y|und|et|e|in"
+    rf"|with)\b|&"
     rf"|[{_UP}#\d][\w'’.&#-]*))"
     r"{0,4})"
 )
@@ -29,7 +30,10 @@ _PLAIN = (
 """A name without a full stop in it."""
 _STOP = re.compile(rf"{_LEAD}[*_]{{0,3}}(?P<name>{_PLAIN})[*_]{{0,3}}{_BRACKET}\.(?:[-–—]+)?[*_]{{0,3}}(?P<gap>\s+|$)")
 _DASH = re.compile(rf"{_LEAD}[*_]{{0,3}}(?P<name>{_NAME})[*_]{{0,3}}{_BRACKET}\s?(?:[-–—]{{1,2}})(?P<gap>\s+)")
-_TAB = re.compile(rf"(?P<name>#\d{{1,3}}|[{_UP}][{_UP}'’ .#\d]{{1,24}}?)(?P<bracket>)(?P<gap>\t+|[ ]{{3,}})(?=\S)")
+_TAB = re.compile(
+    rf"(?P<name>#\d{{1,3}}(?:[-–]\d{{1,3}})?|[{_UP}][{_UP}'’ .#\d]{{1,24}}?)(?P<bracket>)(?P<gap>\t+"
+    rf"|[ ]{{3,}})(?=\S)"
+)
 FORMS: Final = {"colon": _COLON, "stop": _STOP, "dash": _DASH, "tab": _TAB}
 """How a name and its speech share a line."""
 _READ = re.compile(

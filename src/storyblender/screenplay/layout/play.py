@@ -18,6 +18,12 @@ from storyblender.screenplay.layout.front import cast_list, ends_cast, read_fron
 from storyblender.screenplay.layout.labels import Label, element_of_label, find_convention, spoken_line
 from storyblender.screenplay.layout.lines import Line, Page, lines_of, plain
 from storyblender.screenplay.layout.speech import add_cue, add_speech
+from storyblender.screenplay.layout.standing import (
+    goes_on_as_action,
+    is_out_of_place,
+    standing_name,
+    standing_names,
+)
 from storyblender.screenplay.model import ElementKind, Screenplay
 
 _ACT = re.compile(
@@ -45,6 +51,10 @@ _RISE = re.compile(
 )
 _SENTENCE = re.compile(r"(?<=[.!?])(?<!\b[A-Z]\.)(?<!St\.)(?<!Mr\.)(?<!Dr\.)(?<!Mrs\.)[_*)\]]*\s+")
 _REST = re.compile(r"(?:a )?(?:long |short |slight )?(?:pause|beat|silence|no dialogue|silent)\.?", re.IGNORECASE)
+_MANNER = re.compile(r"\\?[(\[][^()\[\]]{1,120}[)\]]")
+_INTRODUCED = re.compile(r"\b([^\W\d_a-z][\w'’-]+(?: [^\W\d_a-z][\w'’-]+)?)\s*,?\s*\(\d{1,2}\b")
+_TITLE_LINES = 12
+"""Lines before the first heading that may be a title and a byline, where none of them is a sentence."""
 _DEEP = 40
 """Lines that a bracket may go over."""
 
@@ -65,6 +75,11 @@ def names_speakers(text: str) -> bool:
     return find_convention(lines, _listed(lines)) is not None
 
 
+def has_own_layout(text: str) -> bool:
+    """Return whether the names over the speeches of a page are not where Fountain would look for them."""
+    return is_out_of_place(lines_of(text))
+
+
 def _listed(lines: Sequence[Line]) -> frozenset[str]:
     """The names of the list of people, in capitals."""
     head = cast_list(lines)
@@ -79,6 +94,8 @@ class _Reader:
         self.page = Page(text)
         self.lines = lines_of(text)
         self.convention = find_convention(self.lines, _listed(self.lines))
+        self.names = standing_names(self.lines)
+        self.known = self.names | {match[1].upper() for match in _INTRODUCED.finditer(text)}
         self.at = 0
         self.speaking = False
         self.bracketed = sum(line.words[:1] in ("(", "[") for line in self.lines) >= 3
@@ -102,6 +119,9 @@ class _Reader:
 
     def _body(self) -> int:
         """The line at which the story begins."""
+        first = next((i for i, line in enumerate(self.lines[:_TITLE_LINES]) if is_heading(line.words)), None)
+        if first is not None and not any(line.words.endswith((".", "!")) for line in self.lines[:first]):
+            return first
         head = cast_list(self.lines)
         start = 0
         if head is not None:
@@ -113,7 +133,10 @@ class _Reader:
         line = self.lines[index]
         if listing and not ends_cast(line):
             label = self._label(line)
-            return label is not None and label.speech < line.end
+            listed = (
+                not any(each.words for each in self.lines[max(0, index - 1) : index]) and self._following(index).words
+            )
+            return label is not None and label.speech < line.end and not listed and not self.lines[index - 1].words
         marked = is_heading(line.words) or place_label(line.words) or scene_label(line.words) or _RISE.match(line.words)
         if marked or _ACT.fullmatch(line.words) or _TRANSITION.fullmatch(line.words) or self._label(line):
             return True
@@ -135,7 +158,9 @@ class _Reader:
             self.at += 1
             return
         spoken = self._label(line)
-        if spoken is None and self._structure(line):
+        if not any(letter.isalnum() for letter in line.words):
+            self._single("section", line)
+        elif spoken is None and not self._is_cue(self.at) and self._structure(line):
             self.speaking = False
         elif spoken:
             self.at += 1
@@ -224,6 +249,12 @@ class _Reader:
             self.page.add("action", line.start, self._run(self.at))
             return
         inner = text[opening + 1 : close]
+        label = place_label(inner)
+        if label:
+            stop = _SENTENCE.search(inner, label.end())
+            head = opening + 1 + (stop.start() if stop else len(inner))
+            self.page.add("heading", opening + 1, head)
+            opening, inner = head - 1, text[head:close]
         self.page.add("section" if _REST.fullmatch(inner.strip("_* ")) else "action", opening + 1, close)
         while self.at < len(self.lines) and self.lines[self.at].end <= close + 2:
             self.at += 1
@@ -239,8 +270,12 @@ class _Reader:
             self.page.add("action", start, end)
 
     def _is_cue(self, index: int) -> bool:
-        """A name in capitals over a line of other words."""
+        """A name in capitals over a line of other words; one that comes back, wherever it stands."""
         line = self.lines[index]
+        if (name := standing_name(line)) and name in self.names:
+            return True
+        if index and self.lines[index - 1].words:
+            return False
         following = self.lines[index + 1].words if index + 1 < len(self.lines) else ""
         return bool(following) and following != following.upper() and looks_like_cue(line.words)
 
@@ -250,15 +285,20 @@ class _Reader:
             ahead = self.at
             while ahead < len(self.lines) and not self.lines[ahead].words:
                 ahead += 1
-            if (
-                ahead < len(self.lines)
-                and not self._label(self.lines[ahead])
-                and not is_heading(self.lines[ahead].words)
-            ):
-                self.at, start = ahead, self.lines[ahead].start
+            if ahead >= len(self.lines) or self._divides(self.lines[ahead]) or self._is_cue(ahead):
+                return
+            self.at, start = ahead, self.lines[ahead].start
+            if _MANNER.fullmatch(self.lines[ahead].words) and not self._following(ahead).words:
+                self.page.add("parenthetical", start, self.lines[ahead].end)
+                self.at += 1
+                self._speech(start, begun=False)
+                return
         end = max(start, self._run(self.at, inside=begun))
         add_speech(self.page, start, end)
         self.speaking = True
+
+    def _following(self, index: int) -> Line:
+        return self.lines[index + 1] if index + 1 < len(self.lines) else Line(0, 0, "", 0)
 
     def _run(self, index: int, *, inside: bool = False) -> int:
         """Return the offset at which the paragraph at a line ends, and go on behind it.
@@ -270,7 +310,9 @@ class _Reader:
         first = index
         while index < len(self.lines) and self.lines[index].words:
             line = self.lines[index]
-            if (index > first or inside) and self._divides(line):
+            if (index > first or inside) and (self._divides(line) or self._is_cue(index)):
+                break
+            if index > first and goes_on_as_action(line, self.lines[index - 1], self.known):
                 break
             index += 1
         self.at = index
@@ -279,6 +321,7 @@ class _Reader:
     def _divides(self, line: Line) -> bool:
         words = line.words
         marked = is_heading(words) or scene_label(words) or place_label(words) or element_of_label(words)
+        marked = marked or re.fullmatch(r"\d{1,3}\.|\(?(?:CONTINUED|MORE)\)?:?", words)
         return bool(marked or self._label(line) or _TRANSITION.fullmatch(words) or _ACT.fullmatch(words))
 
 

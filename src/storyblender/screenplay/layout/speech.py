@@ -6,7 +6,7 @@ import re
 
 from storyblender.screenplay.layout.lines import Page
 
-_BRACKET = re.compile(r"[_*]*(?:\((?P<round>[^()]{1,600})\)|\[(?P<square>[^\[\]]{1,600})\])[_*]*", re.DOTALL)
+_BRACKET = re.compile(r"[_*\\]*(?:\((?P<round>[^()]{1,600}?)\\?\)|\[(?P<square>[^\[\]]{1,600})\])[_*]*", re.DOTALL)
 _OFF = re.compile(
     r"(?:V\.?\s?O|O\.?\s?S|O\.?\s?C|OFF|VOICE[ -]?OVER|FILTERED|ON (?:THE )?(?:PHONE|RADIO|TV|SCREEN|TELEPHONE"
     r"|LAPTOP)|CONT['’]?D|OFFSTAGE|OFF[ -]STAGE"

@@ -28,6 +28,8 @@ _STOP = re.compile(
 )
 """``INT. ASHDOWN PARK, BALLROOM. NIGHT. 1811``: full stops divide like dashes."""
 _BRACKETS = re.compile(r"\s*\([^)]*\)\s*")
+_TITLED = re.compile(r"[\"“'‘][^\"”]*[\"”'’]")
+"""``Scene One "Notes"``: a title, and no place."""
 _LATELY = 250
 """Scenes back in which a place may be that is named shorter now."""
 _SMALL = frozenset({"the", "a", "of", "in", "at", "s"})
@@ -50,10 +52,10 @@ def read_heading(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReadi
         paragraph: The heading.
         scenes: The scenes before; the new one takes the next id.
     """
-    heading = " ".join(paragraph.text.split())
+    heading = " ".join(paragraph.text.replace("\\", "").split())
     words = heading_words(_NUMBER.sub("", heading) if not paragraph.scene_number else heading)
     found = _place_and_time(words.place.strip(" .-"), scenes)
-    place = _BACK.sub("", found.whole.lower())
+    place = _BACK.sub("", "" if _TITLED.fullmatch(found.whole) else found.whole.lower())
     scene_type = _scene_type(words.side, place)
     return SceneReading(
         id=len(scenes) + 1,

@@ -34,6 +34,10 @@ def slug_of(text: str, scenes: Sequence[SceneReading]) -> ToldPlace | None:
         return None
     place = match["place"].lower().replace("’", "'")
     time = heading_time(match["time"] or "")
+    beside = (match["time"] or "").strip(" -–—,").lower()
+    told = place_set_down(beside) if beside and time is None else None
+    if told and told.place:
+        return told._replace(scene_type=type_of_place(told.place, scenes[-1].scene_type if scenes else "outdoor"))
     been = place_before(place, scenes)
     if been:
         return ToldPlace(been.place, been.scene_type, time)
