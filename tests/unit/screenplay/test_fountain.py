@@ -273,5 +273,7 @@ def test_lines_that_divide_a_script(line: str, kind: str) -> None:
 
 def test_a_montage_may_list_its_shots_right_below() -> None:
     screenplay = parse("MONTAGE - ROCCO TRAINS\n-- Rocco runs.\n-- Rocco boxes.\n")
-    assert [element.kind for element in screenplay.elements] == ["section", "action"]
+    assert [(element.kind, element.text) for element in screenplay.elements] == [
+        ("section", "MONTAGE - ROCCO TRAINS"), ("action", "Rocco runs."), ("action", "Rocco boxes."),
+    ]  # fmt: skip
     assert [element.kind for element in parse("INT. BED - DAY\n\nDREAM\nCome.\n").elements][1:] == ["cue", "dialogue"]

@@ -6,7 +6,7 @@ from storyblender.agents.director.reader.manuscript import QUOTATION, without_qu
 from storyblender.screenplay.model import ElementKind, Screenplay
 
 _TOLD: frozenset[ElementKind] = frozenset(
-    {"heading", "action", "cue", "parenthetical", "shot", "centered", "section", "synopsis"}
+    {"heading", "action", "cue", "parenthetical", "shot", "centered", "section", "synopsis", "title"}
 )
 _SAID: frozenset[ElementKind] = frozenset({"dialogue", "lyric"})
 

@@ -71,7 +71,13 @@ def titled(
     found = list(title_page)
     told = list(elements)
     opens = len(told) > 2 and [element.kind for element in told[:2]] == ["cue", "dialogue"] and "Title" not in named
-    if opens and told[2].kind != "dialogue" and not any(element.name == told[0].name for element in told[1:]):
+    closed = opens and told[1].text.rstrip("\"”') ").endswith((".", "!", "?", "…", "-"))
+    if (
+        opens
+        and not closed
+        and told[2].kind != "dialogue"
+        and not any(element.name == told[0].name for element in told[1:])
+    ):
         found.append(("Title", told[0].text))
         told[:2] = [element.model_copy(update={"kind": "section", "name": ""}) for element in told[:2]]
         return tuple(found), told
