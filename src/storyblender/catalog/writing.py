@@ -61,7 +61,7 @@ WRITING: dict[str, Writing] = {
     "poster": Writing("front", (0.0, 0.0), (0.9, 0.86), "", "plastic_black"),
     "sign_board": Writing("front", (0.0, 0.24), (0.9, 0.42), "", "wax"),
     "wall_sign": Writing("front", (0.0, 0.0), (0.9, 0.8), "", "plastic_black"),
-    "shop_sign": Writing("front", (0.0, 0.0), (0.92, 0.76), "", "brass"),
+    "shop_sign": Writing("front", (0.0, 0.37), (0.9, 0.15), "", "brass"),
     "mailbox": Writing("front", (0.0, 0.2), (0.7, 0.12), "", "wax"),
     "van": Writing("front", (0.0, -0.1), (0.5, 0.1), "", "wax"),
     "trophy": Writing("front", (0.0, -0.4), (0.5, 0.14), "brass", "plastic_black"),

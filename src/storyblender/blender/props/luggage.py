@@ -65,7 +65,7 @@ def suitcase(b: MeshBuilder, spec: PropSpec) -> Anchors:
     (w, d, h), body, brass = spec.size, spec.material("body"), spec.material("metal")
     if spec.flag("open"):
         open_case(b, body, brass, "linen", spec.size)
-        return hanging(d * 0.3)
+        return ()
     case = h - 0.05
     b.rounded_box(body, (0, 0, case / 2), (w, d, case), 0.03)
     b.box("leather_black", (0, 0, case / 2), (w + 0.004, 0.012, case + 0.004), bevel=0.002)

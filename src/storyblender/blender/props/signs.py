@@ -77,9 +77,11 @@ def wall_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("shop_sign")
 def shop_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build the long board over a shop."""
+    """Build the long board of a shop, high on two posts."""
     w, d, h = spec.size
-    b.box(spec.material("board"), (0, 0, h / 2), (w, d, h), bevel=0.012)
-    for z in (0.04, h - 0.04):
-        b.box(spec.material("rim"), (0, -d * 0.42, z), (w, d * 0.3, 0.05), bevel=0.012)
+    for x in (-1, 1):
+        b.cylinder("iron", (x * w * 0.42, 0.03, 0), (x * w * 0.42, 0.03, h), 0.045, segments=10)
+    b.box(spec.material("board"), (0, -d * 0.2, h * 0.87), (w, 0.07, h * 0.22), bevel=0.012)
+    for z in (h * 0.77, h * 0.97):
+        b.box(spec.material("rim"), (0, -d * 0.2 - 0.03, z), (w, 0.04, 0.05), bevel=0.012)
     return ()

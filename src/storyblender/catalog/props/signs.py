@@ -23,6 +23,6 @@ SIGNS: tuple[PropEntry, ...] = (
               placement="wall"),
     entry("street", "shop_sign", "shop front sign, store sign, cafe sign, inn sign, pub sign, station sign", (2.6,
         0.1, 0.5),
-          {"board": "paint", "rim": "brass"}, "The board over a shop.", params={"color": "#2a3a30"}, placement="wall"),
+          {"board": "paint", "rim": "brass"}, "The board of a shop on two posts.", params={"color": "#2a3a30"}),
 )  # fmt: skip
 """Roughly from small to large."""
