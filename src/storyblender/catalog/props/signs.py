@@ -22,6 +22,7 @@ SIGNS: tuple[PropEntry, ...] = (
           "door plate, no smoking sign, vacancy sign", (0.42, 0.012, 0.16), {"plate": "porcelain"}, "A plate.",
               placement="wall"),
     entry("street", "shop_sign", "shop front sign, store sign, cafe sign, inn sign, pub sign, station sign",
-          (2.0, 0.2, 2.9), {"board": "paint", "rim": "brass"}, "The board of a shop on two posts.", params={"color": "#2a3a30"}),
+          (2.0, 0.2, 2.9), {"board": "paint", "rim": "brass"}, "The board of a shop on two posts.",
+          params={"color": "#2a3a30"}),
 )  # fmt: skip
 """Roughly from small to large."""
