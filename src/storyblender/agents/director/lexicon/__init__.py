@@ -218,8 +218,6 @@ WEATHER_WORDS: dict[str, Weather] = cast(dict[str, Weather], _pairs(_time["weath
 
 EXPRESSION_OF_WORD = cast(dict[str, Expression], _inverse(_read("expressions.tsv")))
 """Word said of somebody, in any form -> what their face does."""
-SMALL_WORDS = {language: frozenset(words) for language, words in _read("tongues.tsv").items()}
-"""Language -> articles, pronouns and prepositions that tell it."""
 MOOD_OF_WORD = _inverse(_read("moods.tsv"))
 
 # -- function words ----------------------------------------------------------------------------------------------

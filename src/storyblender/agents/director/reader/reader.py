@@ -19,14 +19,12 @@ from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import open_manuscript
 from storyblender.agents.director.reader.page.cutting import cut_page
 from storyblender.agents.director.reader.page.sentences import Sentence
-from storyblender.agents.director.reader.page.tongues import language_of
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
 from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
-from storyblender.memory.shot_context import Flag
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -61,19 +59,7 @@ def read_script(screenplay: Screenplay) -> Reading:
     for sentence in sentences:
         _read(stage, sentence)
     _close(stage)
-    _say_the_language(reading)
     return reading
-
-
-def _say_the_language(reading: Reading) -> None:
-    """Flag a page that is not in English: of its sentences less is understood than of its headings and speeches."""
-    language = language_of(reading.screenplay.text)
-    if language == "English":
-        return
-    reason = f"the page is in {language}: places, hours and speeches are read, what is done is understood less surely"
-    reading.flags.append(
-        Flag(topic="language", choice=language, reason=reason, start=0, end=len(reading.screenplay.text))
-    )
 
 
 def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:

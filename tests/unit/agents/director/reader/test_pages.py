@@ -8,7 +8,6 @@ import pytest
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.places_by_meaning import place_by_meaning
 from storyblender.agents.director.reader.page.told_places import place_set_down
-from storyblender.agents.director.reader.page.tongues import language_of
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read
@@ -115,28 +114,6 @@ def test_what_is_said_to_the_reader_gets_no_shot_of_its_own() -> None:
     assert [unit.kind for unit in reading.units] == ["action", "aside", "aside", "action"]
     shots = storyboard(reading).storyboard_outline[0].shots
     assert all(any(line.text.strip(" .") not in ("Oof", "Wrong answer") for line in shot.lines) for shot in shots)
-
-
-@pytest.mark.parametrize(
-    ("text", "language"),
-    [
-        ("Rook sits in the mill and the cat is on his knees. He looks at the door and waits for her.", "English"),
-        (
-            "Rosa sitzt in der Mühle und die Katze ist auf dem Tisch. Sie sieht nicht hinaus, er wartet auf sie.",
-            "German",
-        ),
-        (
-            "Rosa está en el molino y el gato no se mueve. Él mira la puerta y no dice que la quiere, pero lo sabe.",
-            "Spanish",
-        ),
-        (
-            "Rosa est dans le moulin et le chat ne bouge pas. Il regarde la porte et ne dit pas qu'elle est avec lui.",
-            "French",
-        ),
-    ],
-)
-def test_the_language_of_a_page_is_told(text: str, language: str) -> None:
-    assert language_of(text * 2) == language
 
 
 class _Likes:
