@@ -176,12 +176,11 @@ class Company:
             if self.places.settle(person, state):
                 self.jumps.pop(person.asset_id, None)
             in_hand = (*state.held, *self._stick_of(state))
-            for hand, prop in list(person.held.items()):
-                if prop not in in_hand:
-                    del person.held[hand]
+            person.held = {hand: prop for hand, prop in person.held.items() if prop in in_hand}
             for prop in in_hand:
                 if self._carriable(prop) and (state.asset_id, prop) not in taken and prop not in self.aside:
                     self.hand_over(person, prop)
+                    person.hold_as(prop, dict(state.grips).get(prop))
 
     def _carriable(self, prop: str) -> bool:
         """Tell whether one person can carry a thing of the sheet: it has a grip, or is not too large."""

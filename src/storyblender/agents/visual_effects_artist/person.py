@@ -9,7 +9,7 @@ from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import Mark
-from storyblender.memory.vocabulary import Hand, Posture
+from storyblender.memory.vocabulary import Grip, Hand, Posture
 
 SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
 
@@ -68,6 +68,17 @@ class Person:
     def hand_of(self, prop: str) -> Hand | None:
         """Return the hand that holds a prop."""
         return next((hand for hand, held in self.held.items() if held == prop), None)
+
+    def hold_as(self, prop: str, grip: Grip | None) -> None:
+        """Hold what is in hand as the script says: in that hand, in both, or in none where it is worn."""
+        kept: dict[Hand, str] = {hand: held for hand, held in self.held.items() if held != prop}
+        wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R"), "worn": ()}
+        hands = wish.get(grip or "")
+        if hands is None or len(kept) == len(self.held) or {*hands} & {*kept}:
+            return
+        self.held = kept
+        for hand in hands:
+            self.held[hand] = prop
 
     def free_hand(self, wish: Hand = "R") -> Hand | None:
         """Return an empty hand, the wished one first."""

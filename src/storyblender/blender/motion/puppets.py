@@ -74,6 +74,8 @@ class PropPuppet:
     def __init__(self, asset_id: str, prop: StageProp) -> None:
         self.asset_id, self.node_id = asset_id, prop.node_id
         self.size = Vector(prop.dimensions)
+        self.both = False
+        """Held with both hands because the script says so."""
         self.anchors = {a.name or a.kind: a for a in prop.anchors if a.kind in ("grip", "handle")}
         self.matrix = Matrix(prop.world.tolist())
         if prop.state is not None and prop.state.location is not None:
@@ -88,7 +90,7 @@ class PropPuppet:
     @property
     def two_handed(self) -> bool:
         """Carried with both hands."""
-        return two_handed(tuple(self.size), tuple(self.anchors.values()))
+        return self.both or two_handed(tuple(self.size), tuple(self.anchors.values()))
 
     @property
     def hangs(self) -> bool:

@@ -77,6 +77,8 @@ def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
     who.put(x, y, math.radians(mark.yaw), z)
     beat = Beat(LONG_BEFORE, mark=mark)
     held = {prop: side for side, prop in mark.held}
+    for name in held.keys() & stage.props.keys():
+        stage.props[name].both = sum(prop == name for _, prop in mark.held) > 1
     for name, prop in stage.plan.props.items():
         if prop.state is not None and prop.state.held_by == who.asset_id and prop.state.hand is not None:
             held.setdefault(name, prop.state.hand)
