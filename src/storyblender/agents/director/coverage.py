@@ -391,9 +391,8 @@ class _SceneCoverage:
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
-        cut = None
-        if listener and word_count(unit.text) > _SPEECH and unit.panel is None:
-            cut = middle_of_speech(self.text, unit)
+        long = listener and word_count(unit.text) > _SPEECH and unit.panel is None
+        cut = middle_of_speech(self.text, unit) if long else None
         if cut is None:
             return
         draft.beats = [Beat(unit, unit.start, cut[0])]

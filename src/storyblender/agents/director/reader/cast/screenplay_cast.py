@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER, unaccented
-from storyblender.agents.director.reader.cast.by_names import also_known, nicknamed, tagged_name, worn_name
+from storyblender.agents.director.reader.cast.by_names import also_known, named_later, nicknamed, tagged_name, worn_name
 from storyblender.agents.director.reader.cast.later_names import call_by_nouns
 from storyblender.agents.director.reader.cast.named_groups import name_groups
 from storyblender.agents.director.reader.cast.revealed import join_revealed
@@ -55,11 +55,6 @@ _NEXT_LINE = re.compile(rf"\n(?=\s*(?:A |AN |THE )?[{UPPER}]{{2}})")
 """The line of somebody else."""
 _SOME, _MOST = 3, 6
 """Members of a group whose number is not told, and of one that is a crowd."""
-_NAMING = re.compile(
-    r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
-    r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
-    rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
-)
 _FOLLOWING = 40
 """How many characters after a name are read to decide whether it names a person."""
 _NOT_FAR = 900
@@ -118,7 +113,7 @@ def find_cast(script: Manuscript) -> Roster:
         person.speaks = any(alias in speaking for alias in person.aliases)
     for paragraph in script.paragraphs:
         if paragraph.kind == "action":
-            _named_later(roster, paragraph.raw)
+            named_later(roster, paragraph.raw)
     join_revealed(roster, script.text)
     add_walk_ons(roster, script)
     call_by_nouns(roster, script.text)
@@ -374,24 +369,6 @@ def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Pe
         person.count, person.kind = max(person.count, count), "group" if person.kind == "human" else person.kind
         roster.call(person, bare(sighting.name))
     return person
-
-
-def _named_later(roster: Roster, text: str) -> None:
-    """``A woman in a grey suit sits down. Her name is NANCY``: the woman is Nancy."""
-    naming = _NAMING.search(text)
-    people = roster.find(naming.group(1).strip()) if naming else []
-    if not naming or not people or people[0].role:
-        return
-    person = people[0]
-    for phrase in find_person_nouns(text[: naming.start()]):
-        if phrase.determiner in ("a", "an") and not phrase.plural:
-            person.role = phrase.noun
-            if person.gender == "unknown":
-                person.gender = lexicon.gender_of_word(phrase.noun)
-            roster.call(person, phrase.noun)
-            if phrase.adjectives:
-                roster.call(person, " ".join((*phrase.adjectives, phrase.noun)))
-            return
 
 
 def _is_part_of(name: str, full: str) -> bool:
