@@ -78,11 +78,11 @@ def inspect(
     """Check a project.
 
     Args:
-        graph: The story.
-        engine: Looks and measures.
-        packs: The scenes as built.
-        reviews: The Frame Critic's, by shot name.
-        progress: Hears how many scenes are checked, of how many, and which one is next.
+        graph: The story graph.
+        engine: The render engine that measures the frames.
+        packs: The built scenes.
+        reviews: Reviews of the Frame Critic, by shot name.
+        progress: Callback with the number of scenes checked, their total, and the next scene.
     """
     waiting = [
         (Sighting(graph, engine, pack), engine.find_collisions(pack), engine.measure_drift(pack)) for pack in packs
@@ -253,7 +253,7 @@ def _staging_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
 
 
 def _review_row(reviews: Mapping[str, FrameReview], findings: list[str]) -> CheckRow:
-    """Frames that do not tell their lines."""
+    """Report the frames that do not show what their script lines say."""
     poor = [review for review in reviews.values() if review.verdict != "pass"]
     for review in poor:
         told = "; ".join(fault.message for fault in review.faults)

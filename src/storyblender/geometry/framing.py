@@ -92,7 +92,7 @@ _LOWER = 0.1
 _BODIES = 0.83
 """Most of the picture's height that whole bodies take in a group."""
 _HEADS, _CROWN_TO_CHIN = 0.62, 0.82
-"""Most of the picture's height between the faces of a group, and from its highest crown to its lowest chin."""
+"""Largest share of the picture height between the faces of a group, and from its top crown to its lowest chin."""
 _LOW_WHOLE = 0.5
 """What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
 _CROWN = 0.55

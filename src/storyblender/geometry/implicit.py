@@ -1,4 +1,4 @@
-"""Rounded bodies as distance fields, melted into each other, and the surface where the field is zero. Pure numpy."""
+"""Implicit surfaces: rounded solids as signed distance fields, smooth unions, and meshing. Pure numpy."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Field = Callable[[Floats], Floats]
-"""(N, 3) points -> (N,) distance, negative inside."""
+"""Signed distance field: (N, 3) points to (N,) distances, negative inside."""
 
 _CORNERS = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 _EDGES = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.abs(_CORNERS[a] - _CORNERS[b]).sum() == 1]
@@ -33,10 +33,10 @@ def rod(start: ArrayLike, end: ArrayLike, radii: tuple[float, float], *, flat: f
     """Return the field of a rod with round ends.
 
     Args:
-        start: Middle of one end.
-        end: Middle of the other end.
+        start: Centre of one end.
+        end: Centre of the other end.
         radii: Of both ends.
-        flat: Height of a cross-section for its width; the height is along z.
+        flat: Ratio of height (along z) to width of a cross-section.
     """
     squeeze = np.array((1.0, 1.0, 1 / flat))
     first, last = np.asarray(start, float) * squeeze, np.asarray(end, float) * squeeze
@@ -52,7 +52,7 @@ def rod(start: ArrayLike, end: ArrayLike, radii: tuple[float, float], *, flat: f
 
 
 def melted(fields: Sequence[Field], blend: float) -> Field:
-    """Return the union of ``fields`` whose seams are rounded over the distance ``blend``."""
+    """Return the smooth union of ``fields``; seams are rounded over the distance ``blend``."""
 
     def field(points: Floats) -> Floats:
         total = fields[0](points)
@@ -69,10 +69,10 @@ def surface(field: Field, low: ArrayLike, high: ArrayLike, step: float) -> tuple
     """Return vertices (V, 3) and outward quads (F, 4) of the surface where ``field`` is zero (surface nets).
 
     Args:
-        field: The body.
+        field: The signed distance field.
         low: Corner of the box that holds all of it.
         high: The opposite corner.
-        step: Edge of a cell.
+        step: Edge length of a grid cell.
     """
     start = np.asarray(low, float)
     counts = np.ceil((np.asarray(high, float) - start) / step).astype(int) + 1
@@ -99,13 +99,13 @@ def surface(field: Field, low: ArrayLike, high: ArrayLike, step: float) -> tuple
 
 
 def _quads(values: Floats, number: Ints, axis: int) -> Ints:
-    """Return the faces around the cut grid edges along one axis."""
+    """Return the quads around the grid edges along one axis that cross the surface."""
     turned, cells = np.moveaxis(values, axis, 0), np.moveaxis(number, axis, 0)
     first, last = turned[:-1, 1:-1, 1:-1], turned[1:, 1:-1, 1:-1]
     cut = (first < 0) != (last < 0)
     around = [cells[:, :-1, :-1], cells[:, 1:, :-1], cells[:, 1:, 1:], cells[:, :-1, 1:]]
     faces = np.stack([corner[cut] for corner in around], 1)
-    # A face looks from inside to outside; taking y for the first axis mirrors the other two.
+    # Face normals point from inside to outside; taking y for the first axis mirrors the other two.
     backwards = (first[cut] >= 0) ^ (axis == 1)
     faces[backwards] = faces[backwards, ::-1]
     return faces

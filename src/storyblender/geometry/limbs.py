@@ -1,4 +1,4 @@
-"""Bodies as capsules: how deep two people are in each other, from the segments of their bones. Pure numpy."""
+"""Bodies as capsules: penetration depth of two people, from the segments of their bones. Pure numpy."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ THICK: dict[str, float] = {
     "hips": 0.07, "spine": 0.066, "chest": 0.07, "upper_chest": 0.07, "neck": 0.028, "head": 0.05,
     "thigh": 0.04, "shin": 0.027,
 }  # fmt: skip
-"""Radius of a bone's capsule as a share of the stature, a little less than flesh; arms touch and are left out."""
+"""Radius of a bone capsule as a share of the stature, slightly thinner than the body; arms may touch: left out."""
 
 
 def depth_between(one: Floats, one_radii: Floats, other: Floats, other_radii: Floats) -> float:
-    """Return how far the capsules of two bodies reach into each other at most, metres; 0 if they do not.
+    """Return the largest penetration depth of the capsules of two bodies in metres; 0 if they do not intersect.
 
     Args:
         one: (n, 2, 3) ends of the segments.

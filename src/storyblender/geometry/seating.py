@@ -36,13 +36,13 @@ _Seat = TypeVar("_Seat")
 
 
 def on_side(seats: Sequence[_Seat], side: str, ahead: Callable[[_Seat], tuple[float, float]]) -> list[_Seat]:
-    """Return the seats of a vehicle on the side that is told, all of them where it has none there.
+    """Return the seats of a vehicle on the given side, or all seats if it has none on that side.
 
     Args:
-        seats: Of one vehicle.
+        seats: Seats of one vehicle.
         side: ``driver`` and ``passenger`` sit in front, left and right of the middle; ``front``, ``rear`` or
-            ``back``, ``left`` and ``right`` are what they say, from the vehicle's own point of view.
-        ahead: Returns how far to the vehicle's own left and how far ahead of its middle a seat is, metres.
+            ``back``, ``left`` and ``right`` are sides of the vehicle in its driving direction.
+        ahead: Returns the offset of a seat from the vehicle's centre in metres: to its left, and forward.
     """
     if not seats:
         return []

@@ -1,7 +1,7 @@
-"""Stations: where somebody is who is at, behind, beside or before something, and which way they face. Pure.
+"""Stations: positions and facing of a person at, behind, beside or in front of an anchor. Pure.
 
-A relation to an anchor gives a few places, each with how much it is disliked by itself. Who asks adds what the room
-says about them: clearance, other people, the way there. The audience sits at -Y.
+A relation to an anchor gives a few candidate places, each with a cost. The caller adds the costs that depend on the
+room: clearance, other people, the path. The audience sits at -Y.
 """
 
 from __future__ import annotations
@@ -14,24 +14,24 @@ from typing import Literal
 from storyblender.geometry.boxes import Box, facing, wrapped
 
 Sort = Literal["thing", "person", "door", "window", "wall", "point"]
-"""What the anchor is. A point is a named place of the set or a corner: one stands on it."""
+"""Type of the anchor. A point is a named place of the set or a corner; people stand on it."""
 
 REACH = 0.28
-"""Metres from the edge of a thing to the middle of who works at it, times stature over 1.7."""
+"""Metres from the edge of an object to the centre of a person who works at it, times stature over 1.7."""
 BEFORE, ASIDE, WATCH = 0.75, 0.42, 1.1
-"""Metres from a thing's edge to who is before it, beside it, or looks at it."""
+"""Metres from the edge of an object to a person in front of it, beside it, or looking at it."""
 TALK, SHOULDER, TAIL = 1.15, 0.62, 0.85
-"""Metres between people who talk, who stand side by side, and to who is behind somebody."""
+"""Metres between people who talk, who stand side by side, and who stand behind one another."""
 _SLOT = 0.75
-"""Metres between places along one side of a thing: shoulder to shoulder."""
+"""Metres between neighbouring places along one side of an object."""
 _CHEAT = math.radians(20)
-"""How far a body turns from what it looks at towards the audience, so that the face is seen."""
+"""Radians that a body cheats out: turns from its subject towards the audience so that the face is visible."""
 _BACK_TO_US = 0.3
-"""Dislike, in metres, of standing with the back to the audience."""
+"""Cost, in metres, of standing with the back to the audience."""
 _DOOR_STEP = 0.1
-"""Metres from a wall's face into the room of who stands in a doorway."""
+"""Metres from the face of the wall into the room for a person in a doorway."""
 _AWAY_FROM_SIDE = 1.2
-"""Dislike, in metres, of the sides of a thing at which one is not expected."""
+"""Cost, in metres, of the sides of an object where its user is not expected."""
 
 TURNS = {
     "front": 0.0, "left": math.pi / 2, "right": -math.pi / 2, "back": math.pi,
@@ -39,7 +39,7 @@ TURNS = {
 }  # fmt: skip
 """Radians from a thing's front to its sides, its own left and right; a driver sits on the left."""
 _OTHER_HALF = 0.6
-"""Dislike, in metres, of the half of a side that is not the one told: behind the car, driver's side."""
+"""Cost, in metres, of the half of a side that was not asked for: behind the car, driver's side."""
 _SIDES_OF_RELATION: dict[str, tuple[str, ...]] = {
     "in_front_of": ("front",),
     "facing": ("front",),
@@ -52,13 +52,13 @@ _SIDES_OF_RELATION: dict[str, tuple[str, ...]] = {
 
 @dataclass(frozen=True)
 class Station:
-    """A place.
+    """A candidate place for a person.
 
     Attributes:
         x: Metres.
         y: Metres.
         yaw: Radians.
-        dislike: Metres that one would go to avoid it.
+        dislike: Cost, as the metres of detour that are worth avoiding this place.
         z: Height of the feet above the floor, metres.
     """
 
@@ -72,11 +72,11 @@ class Station:
 def stations(
     anchor: Box, sort: Sort, relation: str, side: str | None = None, distance: float | None = None, k: float = 1.0
 ) -> list[Station]:
-    """Return the places at which somebody stands in a relation to something, the likeliest first.
+    """Return the candidate places of a person in a relation to an anchor, the likeliest first.
 
     Args:
-        anchor: What they are at; its front is where its user is.
-        sort: What that is.
+        anchor: Box of the anchor; its front is the side of its user.
+        sort: Type of the anchor.
         relation: A ``RelationKind``.
         side: ``front``, ``back``, ``left``, ``right`` from the anchor's own point of view; ``driver``, ``passenger`` or
             ``rear`` of a vehicle.
@@ -113,19 +113,19 @@ def stations(
 
 
 def _on_half(anchor: Box, place: Station, aside: float) -> Station:
-    """Return a station, disliked where it is not on the half of a thing that is told: 1 is its own left."""
+    """Return a station, with a cost if it is not on the given half of an object: ``aside`` 1 is its own left."""
     across = anchor.to_local(place.x, place.y)[0] * aside
     return replace(place, dislike=place.dislike + _OTHER_HALF * (across <= 0.1))
 
 
 def cheated(yaw: float, most: float = _CHEAT) -> float:
-    """Return a yaw turned towards the audience by at most so many radians."""
+    """Return a yaw turned towards the audience by at most ``most`` radians."""
     yaw = wrapped(yaw)
     return yaw - max(-most, min(most, yaw))
 
 
 def away_from_audience(yaw: float) -> float:
-    """Return 0 for who faces the audience or shows a profile, up to 1 for who turns their back on it."""
+    """Return 0 for a yaw that faces the audience or shows a profile, up to 1 for one that shows the back."""
     return max(0.0, -math.cos(yaw))
 
 
@@ -138,7 +138,7 @@ def _along(
     dislike: float,
     halves: bool = False,
 ) -> Iterator[Station]:
-    """Places along one side of a thing, its middle first."""
+    """Yield places along one side of an object, its middle first."""
     out, along = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
     gap = {"next_to": ASIDE, "left_of": ASIDE, "right_of": ASIDE, "in_front_of": BEFORE, "facing": WATCH}
     usual = gap.get(relation, REACH) * k
@@ -159,7 +159,7 @@ def _along(
 
 
 def _by_person(other: Box, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
-    """Places by somebody: before them to talk, at their shoulder, behind their back."""
+    """Yield places near a person: facing them to talk, at their shoulder, behind their back."""
     turn = TURNS.get(side or "")
     ahead = math.atan2(other.forward[1], other.forward[0])
     if relation in ("left_of", "right_of"):
@@ -183,12 +183,12 @@ def _by_person(other: Box, relation: str, side: str | None, distance: float | No
             angle = middle + flip + math.radians(degrees)
             x, y = other.x + reach * math.cos(angle), other.y + reach * math.sin(angle)
             yaw = other.yaw if look == "same" else cheated(facing(other.x - x, other.y - y))
-            in_line = max(0.0, abs(math.sin(angle)) - 0.5)  # one would hide the other
+            in_line = max(0.0, abs(math.sin(angle)) - 0.5)  # one person would hide the other
             yield Station(x, y, yaw, abs(degrees) / 120 + in_line + _BACK_TO_US * away_from_audience(yaw))
 
 
 def _by_opening(opening: Box, sort: Sort, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
-    """Places at a door or a window: beside it, so that what it shows is seen; before it where that is said."""
+    """Yield places at a door or window: beside it, to keep the view free, or in front of it if asked for."""
     off = distance if distance is not None else 0.45
     half = opening.width / 2
     if relation in ("in_front_of", "facing", "behind"):

@@ -1,4 +1,4 @@
-"""What a point of view looks through: binoculars, a scope, a keyhole, a viewfinder, a gap, drawn over the picture."""
+"""Aperture masks for POV shots, drawn over the picture: binoculars, scope, keyhole, viewfinder, gap."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ Shape = NDArray[np.float32]
 _Field = Callable[[Shape, Shape, float], Shape]
 
 _DARK = 0.04
-"""Display brightness of what stands round the opening."""
+"""Display brightness (0 to 1) of the area outside the opening."""
 _SOFT = 0.012
-"""Heights of the picture over which an edge goes from open to dark."""
+"""Width of the soft edge of the opening, in picture heights."""
 _LINE = 0.003
-"""Heights of the picture: half a line of a sight or of a viewfinder."""
+"""Half the width of a reticle or viewfinder line, in picture heights."""
 
 
 def look_through(pixels: Pixels, through: str) -> Pixels:
-    """Return a picture as it is seen through something; as it is where the words name nothing that is known.
+    """Return a picture as seen through an optical device or opening; unchanged if the words name none.
 
     Args:
         pixels: (h, w, 3) display values.
-        through: Words for it, e.g. ``binoculars``.
+        through: Words for the device or opening, e.g. ``binoculars``.
     """
     kind = next((kind for kind, words in _WORDS.items() if re.search(rf"\b(?:{words})", through.lower())), None)
     if kind is None:
@@ -44,7 +44,11 @@ def look_through(pixels: Pixels, through: str) -> Pixels:
 
 
 def _open(distance: Shape) -> Shape:
-    """Return 1 inside an outline and 0 outside, from the distance to it in heights of the picture, negative inside."""
+    """Return the mask of an outline, 1 inside and 0 outside.
+
+    Args:
+        distance: Signed distance to the outline in picture heights, negative inside.
+    """
     return np.clip(0.5 - distance / _SOFT, 0, 1).astype(np.float32)
 
 
@@ -83,7 +87,7 @@ def _bars(x: Shape, _: Shape, __: float) -> Shape:
 
 
 def _line(y: Shape) -> float:
-    """Return half the width of a line: never less than a pixel in all."""
+    """Return half the width of a line in picture heights, so that the line is at least one pixel wide."""
     return max(_LINE, 0.55 * float(y[1, 0] - y[0, 0]))
 
 
@@ -110,7 +114,7 @@ _WORDS: dict[str, str] = {
     "panes": r"window|windscreen|windshield|pane|glass",
     "gap": r"crack|gap|slit|ajar|door|curtain|between|letter.?box|branches|leaves",
 }
-"""Kind -> the beginnings of words that name it; the first that fits."""
+"""Kind of aperture to the word prefixes that name it; the first match wins."""
 _OPENINGS: dict[str, _Field] = {
     "binoculars": _binoculars,
     "keyhole": _keyhole,

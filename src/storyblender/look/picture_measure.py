@@ -1,4 +1,4 @@
-"""Measures of a finished picture: how much of it is one flat surface, and how dark it is. Pure numpy."""
+"""Measures of a finished picture: share of the largest flat surface, and brightness. Pure numpy."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 _ROWS = 18
-"""Rows of square blocks that a picture is measured in."""
+"""Number of rows of square blocks that the picture is divided into."""
 _PLAIN = 0.012
-"""Standard deviation of brightness in a block, of 1, below which it shows nothing but a surface."""
+"""Standard deviation of the brightness (0 to 1) in a block, below which the block counts as flat."""
 _ALIKE = 0.05
-"""Distance of mean colours, of 1, within which two blocks show the same surface."""
+"""Largest distance of the mean colours (0 to 1) of two blocks that show the same surface."""
 
 
 @dataclass(frozen=True)
 class PictureMeasure:
-    """What the pixels of a frame say.
+    """Measures of the pixels of a frame.
 
     Attributes:
         flat: Share of the picture that is the largest plain surface of one colour.

@@ -39,7 +39,7 @@ class CharacterLook(Frozen):
     """From the inside out; empty lets gender, age and period decide."""
     glasses: bool = False
     species: str = ""
-    """A key of ``catalog.species`` for an animal that acts like a person: its head and its coat; empty for people."""
+    """Key of ``catalog.species`` for an animal cast as a character; empty for people."""
 
 
 class Anchor(Frozen):
@@ -51,7 +51,7 @@ class Anchor(Frozen):
     kind: Literal["seat", "bed", "top", "grip", "lean", "handle", "mouth", "door"]
     name: str = ""
     location: Vec3
-    """seat: middle of the front edge at sitting height; door: the floor beside it, where one stands to get in; top:
+    """seat: middle of the front edge at sitting height; door: the floor point beside it for getting in; top:
     centre of the surface; grip: palm centre."""
     direction: Vec3 = (0.0, -1.0, 0.0)
     """seat: where the sitter faces; bed: from head to feet; grip: the fingers' direction."""
@@ -66,7 +66,7 @@ class Anchor(Frozen):
 
 
 FAR = 5.0
-"""Match score under which a thing of the library is only a little like what the script means."""
+"""Match score below which a library asset is only a loose match for what the script means."""
 
 
 class CanonicalAsset(Frozen):
@@ -88,7 +88,7 @@ class CanonicalAsset(Frozen):
 
     @property
     def is_stand_in(self) -> bool:
-        """Whether it is neither the thing nor of a close kind: a plain shape, or what was only a little like it."""
+        """Whether the asset is only a substitute: a plain shape, or a loose match from the library."""
         return self.source == "stand_in" or (self.match_score is not None and self.match_score < FAR)
 
 
@@ -113,9 +113,9 @@ class Asset(Frozen):
     tags: tuple[str, ...] = ()
     origin: Literal["script", "dressing", "user"] = "script"
     writing: str = ""
-    """Words that can be read on it: a sign, a letter, a screen."""
+    """Legible text on the asset: a sign, a letter, a screen."""
     part_of: Identifier | None = None
-    """The asset that this is a part of; a part is shown on its whole."""
+    """Id of the asset that this one is a part of; a part is shown on the whole asset."""
     look: CharacterLook | None = None
     """Characters only."""
     dimension: AssetDimension | None = None

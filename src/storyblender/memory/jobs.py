@@ -90,13 +90,13 @@ class SceneJob(Frozen):
 
 
 class PlayedCue(Frozen):
-    """When a cue was really played: people wait, go nearer and turn before they do something."""
+    """Actual timing of a cue: characters wait, approach and turn before they act."""
 
     shot_id: int
     asset_id: str
     clip: str
     start: int
-    """The cue's frame."""
+    """Planned start frame of the cue."""
     began: int
     over: int
     """Frames from the shot's start."""
@@ -114,7 +114,7 @@ class PackRef(Frozen):
     timing: tuple[PlayedCue, ...] = ()
 
     def played(self, shot_id: int) -> tuple[PlayedCue, ...]:
-        """Return when the cues of a shot were played."""
+        """Return the actual timing of the cues of a shot."""
         return tuple(each for each in self.timing if each.shot_id == shot_id)
 
     @property

@@ -77,11 +77,11 @@ class ViewRequest(Frozen):
     focus_ids: tuple[str, ...] = ()
     """node_ids the shot is about."""
     other_ids: tuple[str, ...] = ()
-    """node_ids that are measured too, and are not what the shot is about."""
+    """node_ids that are measured as well but are not the subject of the shot."""
 
 
 class Collision(Frozen):
-    """A person inside a thing, or inside another person."""
+    """A person who intersects an object or another person."""
 
     shot: str
     frame: int

@@ -22,19 +22,19 @@ class Relation(Frozen):
 
 
 class Spot(Frozen):
-    """Where a person or a thing is, as the script says it; what is left out is the crew's to choose."""
+    """Position of a person or prop as the script gives it; fields left empty are chosen automatically."""
 
     relation: RelationKind = "at"
     anchor_id: Identifier | None = None
-    """The thing, the person or the fixture of the set (``door``, ``window``) that it is told by."""
+    """The prop, person or set fixture (``door``, ``window``) that the position refers to."""
     side: Side | None = None
-    """Of the anchor; for a vehicle, which seat or door."""
+    """Side of the anchor; for a vehicle, which seat or door."""
     distance: float | None = Field(default=None, ge=0, le=1000)
     """Metres from the anchor."""
     height: float | None = Field(default=None, ge=-100, le=1000)
-    """Metres of the feet, or of the underside of a thing, above the floor."""
+    """Metres from the floor to the feet of a person, or to the underside of a prop."""
     facing: Identifier | None = None
-    """An id, or ``away`` from the anchor, or ``camera``."""
+    """Facing direction: towards an id, ``away`` from the anchor, or towards the ``camera``."""
 
 
 class SceneSetup(Frozen):
@@ -50,7 +50,7 @@ class SceneSetup(Frozen):
     place_kind: str = ""
     """Key of the place lexicon, e.g. ``cafe``; chooses the set kit."""
     kit: str = ""
-    """Key of the set kit where it was chosen by name; counts before the words."""
+    """Key of the set kit if it was chosen by name; takes precedence over the heading."""
     time_of_day: TimeOfDay = "day"
     weather: Weather = "clear"
     layout_description: str = ""

@@ -66,21 +66,21 @@ class BodyState(Frozen):
     held: tuple[Identifier, ...] = ()
     looking_at: Identifier | None = None
     gaze: GazeDirection | None = None
-    """Where the eyes go, where they rest on nothing in the set; counts before ``looking_at``."""
+    """Direction of a gaze that rests on nothing in the set; takes precedence over ``looking_at``."""
     expression: Expression = "neutral"
     activity: str = ""
-    """Key of a motion that goes on until it is changed: ``phone``, ``drive``, ``paint``."""
+    """Key of a motion that continues until it is changed: ``phone``, ``drive``, ``paint``."""
     grips: tuple[tuple[Identifier, Grip], ...] = ()
-    """How things are carried; what is held and not named here is carried as the crew chooses."""
+    """How props are carried; a held prop that is not listed gets an automatic grip."""
     spot: Spot | None = None
-    """Where they are, if the script says it."""
+    """Position of the character, if the script gives one."""
 
 
 class Tether(Frozen):
-    """Somebody or something is led or tied: a dog on its leash, a child by the hand."""
+    """A link by which a character or prop is led or tied: a dog on its leash, a child by the hand."""
 
     holder: Identifier
-    """A person, or the thing that it is tied to."""
+    """The person who leads, or the object that it is tied to."""
     held: Identifier
     kind: TetherKind = "rope"
 
@@ -109,7 +109,7 @@ class CameraInstruction(Frozen):
     explicit: bool = False
     """Written in the script: never overruled by taste."""
     through: str = ""
-    """POV: what it looks through: ``binoculars``, ``keyhole``, ``scope``, ``window``."""
+    """POV shots: what the camera looks through: ``binoculars``, ``keyhole``, ``scope``, ``window``."""
 
 
 class CameraDecision(Frozen):
@@ -197,9 +197,9 @@ class Cue(Frozen):
     """Where the clip ends, for travel and posture changes."""
     mood: Mood = "neutral"
     expression: Expression | None = None
-    """Of clip ``face``: what the face shows from now on."""
+    """For the clip ``face``: the facial expression from this cue on."""
     lasting: bool = False
-    """Goes on under whatever else is done, until the shot ends."""
+    """Whether the motion continues underneath other cues until the shot ends."""
 
 
 class PropState(Frozen):
@@ -287,22 +287,22 @@ class ShotContext(Frozen):
     states: tuple[BodyState, ...] = ()
     """At the start of the shot, one for each person on stage."""
     end_states: tuple[BodyState, ...] = ()
-    """At its end, for those whom its words have changed."""
+    """Body states at the end of the shot, for the characters whose state changes in it."""
     thing_spots: dict[Identifier, Spot] = {}
-    """Where things are by the end of the shot, if the script says it: a cup that was put on the sill."""
+    """Positions of props at the end of the shot, if the script gives them: a cup put on the sill."""
     absent: tuple[Identifier, ...] = ()
-    """Things of the scene that are not in the set during the shot: not there yet, or gone."""
+    """Props of the scene that are not in the set during the shot: not there yet, or gone."""
     tethers: tuple[Tether, ...] = ()
     moment: Moment | None = None
-    """The moment that the board's frame shows, if the script or a person says it."""
+    """Moment that the storyboard frame shows, if the script or the user sets it."""
     asset_modifications: tuple[AssetModification, ...] = ()
     character_actions: tuple[CharacterAction, ...] = ()
     new_lighting_description: str | None = None
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
-    """As the Director planned it, with ``camera_retake`` and ``camera_decision`` on top."""
+    """The Director's camera plan, with ``camera_retake`` and ``camera_decision`` applied on top."""
     camera_retake: CameraDecision | None = None
-    """What the Frame Critic had changed, because the first take did not tell the lines."""
+    """Changes by the Frame Critic after a first take that did not show what the lines say."""
     camera_decision: CameraDecision | None = None
     """What a person decided; it stays with the words of the shot when the script changes."""
     duration: int = Field(default=48, ge=1, le=432_000)

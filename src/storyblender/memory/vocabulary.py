@@ -44,12 +44,12 @@ Expression = Literal[
 Grip = Literal["right", "left", "both", "under_arm", "shoulder", "lap", "mouth", "worn"]
 """How a thing is carried: in which hand, or where on the body."""
 GazeDirection = Literal["left", "right", "up", "down", "camera", "closed"]
-"""Where eyes go that rest on nothing in the set, as the audience sees it; ``closed`` for closed eyes."""
+"""Direction of a gaze at nothing in the set, from the viewer's side; ``closed`` for closed eyes."""
 Side = Literal["left", "right", "front", "back", "driver", "passenger", "rear"]
 """A side of a thing, from its own point of view; the last three are seats and doors of a vehicle."""
 TetherKind = Literal["leash", "rope", "chain", "hand"]
 Moment = Literal["start", "middle", "end"]
-"""Which moment of its words a panel shows; ``end`` is when the last of them has been done."""
+"""Which moment of its script lines a panel shows; ``end`` is after the last action."""
 Hand = Literal["L", "R"]
 BodyPart = Literal["hand", "eyes", "mouth", "feet"]
 Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]
