@@ -236,7 +236,7 @@ class Hat(Piece):
     """Headwear.
 
     Attributes:
-        shape: What it is turned to; ``globe`` is the helmet of a space or diving suit, open in front of the face.
+        shape: Shape of the hat; ``globe`` is the helmet of a space or diving suit, open in front of the face.
         band: Tint of its band.
         visor: Tint of its visor.
     """
@@ -248,13 +248,12 @@ class Hat(Piece):
 
 @dataclass(frozen=True, kw_only=True)
 class HeadCloth(Piece):
-    """Cloth that lies on the head itself.
+    """Cloth cut from the skin of the head.
 
     Attributes:
         region: ``hood`` covers all but the face, ``scarf`` the hair, ``mask`` nose and mouth,
-            ``balaclava`` all but the
-            eyes, ``band`` the forehead, ``blindfold`` the eyes.
-        ease: How far it stands off.
+            ``balaclava`` all but the eyes, ``band`` the forehead, ``blindfold`` the eyes.
+        ease: Offset from the skin in metres.
     """
 
     region: Literal["hood", "scarf", "mask", "balaclava", "band", "blindfold"]
@@ -263,14 +262,14 @@ class HeadCloth(Piece):
 
 @dataclass(frozen=True, kw_only=True)
 class Gear(Piece):
-    """A solid thing that is worn."""
+    """A solid accessory worn on the body."""
 
     shape: Literal["backpack", "tank", "necklace", "stethoscope", "wings", "cape", "satchel", "braces", "headphones",
                    "sunglasses", "eyepatch"]  # fmt: skip
 
 
 HIDES_HAIR: frozenset[str] = frozenset({"hood", "scarf", "balaclava", "globe"})
-"""Regions and shapes under which no hair is seen."""
+"""Regions and shapes that hide the hair completely."""
 
 AnyPiece = (
     Top
@@ -293,7 +292,7 @@ AnyPiece = (
 
 
 def hides_hair(piece: AnyPiece) -> bool:
-    """Return whether no hair is seen under a piece."""
+    """Return whether a piece hides the hair completely."""
     return (isinstance(piece, HeadCloth) and piece.region in HIDES_HAIR) or (
         isinstance(piece, Hat) and piece.shape in HIDES_HAIR
     )

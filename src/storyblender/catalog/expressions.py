@@ -1,4 +1,4 @@
-"""Faces: the shape keys of every person, the sixteen expressions made of them, and the words that mean one. Data."""
+"""Facial expressions: shape keys, the sixteen expressions mixed from them, and their synonyms. Data."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ FACE_UNITS: Mapping[str, Mapping[str, float]] = {
         "nose-compression": 1.1, "nose-left-elevation": 1.1, "nose-right-elevation": 1.1, "mouth-elevation": 0.5,
     },
 }  # fmt: skip
-"""Shape keys of a person's face, and the MakeHuman units that each is mixed from."""
+"""Shape keys of a person's face, each with the MakeHuman units it is mixed from."""
 FACE: tuple[str, ...] = tuple(FACE_UNITS)
-"""The order of a face's values."""
+"""Names of the face values in their fixed order."""
 
 EXPRESSIONS: Mapping[str, Mapping[str, float]] = {
     "neutral": {},
@@ -46,7 +46,7 @@ EXPRESSIONS: Mapping[str, Mapping[str, float]] = {
     "thoughtful": {"brow_down": 0.3, "purse": 0.35, "squint": 0.3},
     "suspicious": {"brow_down": 0.6, "squint": 0.9, "purse": 0.2, "frown": 0.3},
     "tired": {"blink": 0.5, "worry": 0.3, "frown": 0.35},
-    # beside the sixteen: faces of single acts
+    # besides the sixteen: expressions used by single acts
     "asleep": {"blink": 1.0},
     "eyes_closed": {"blink": 1.0, "smile": 0.2},
     "whistle": {"purse": 1.0, "mouth_open": 0.06},
@@ -59,7 +59,7 @@ EXPRESSIONS: Mapping[str, Mapping[str, float]] = {
 OF_MOOD: Mapping[Mood, str] = {
     "neutral": "neutral", "happy": "smile", "sad": "sad", "angry": "angry", "afraid": "afraid", "tender": "tender",
 }  # fmt: skip
-"""What a mood looks like on a face."""
+"""Mood to facial expression."""
 
 _WORDS: tuple[tuple[str, str], ...] = (
     ("eyes_closed", r"(eyes|lids) (are |tightly )?(closed|shut)|shut eyes|closed eyes"),
@@ -80,16 +80,16 @@ _WORDS: tuple[tuple[str, str], ...] = (
     ("thoughtful", r"thought|ponder|pensive|puzzl|confus|curious|concentrat|focus|attentive|intent|studi|determin"),
     ("smile", r"smil|happ|grin|beam|pleas|cheer|joy|delight|amus|content|excit|proud|glad|relie|bright|hope|joke"),
 )
-"""Expressions and the words for them, the more telling ones first."""
+"""Expressions and their synonyms, the more distinctive ones first."""
 
 
 def values_of(weights: Mapping[str, float]) -> tuple[float, ...]:
-    """Return the values of a face in the order of ``FACE``."""
+    """Return the shape key values in the order of ``FACE``; missing keys are 0."""
     return tuple(weights.get(key, 0.0) for key in FACE)
 
 
 def expression_of(words: str) -> str | None:
-    """Return the expression that words mean: one of the sixteen by name, else by likeness; None where none fits."""
+    """Return the expression that words mean: by its name, else by its synonyms; None without a match."""
     said = words.strip().lower()
     if said in EXPRESSIONS:
         return said

@@ -1,4 +1,4 @@
-"""Parts of a set that people can be at: doors, windows, walls, corners, stairs, pieces, named places. Pure."""
+"""Fixtures: parts of a set that a character can stand at, such as doors, windows, corners and stairs. Pure."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ _SAME: dict[str, tuple[str, ...]] = {
     "bush": ("hedge",), "altar": ("table",), "quay": ("quay_edge",), "pier": ("quay_edge",),
 }  # fmt: skip
 _IN_CORNER = 0.55
-"""Metres from both walls of who stands in a corner."""
+"""Metres from both walls to a person who stands in a corner."""
 _TALL = 2.0
 _MARK = 0.02
-"""Metres across of a place that has a name and no body."""
+"""Width in metres of the box of a named place without geometry."""
 
 
 @dataclass(frozen=True)
 class Fixture:
-    """A part of the set.
+    """A part of a set that the script can refer to.
 
     Attributes:
-        name: Of the opening, the wall, the piece or the mark.
-        kind: What it is.
-        box: Its extent; its front looks to who is before it.
-        tags: Other names; ``enter`` where people come in.
+        name: Id of the opening, wall, piece or mark.
+        kind: Type of the fixture.
+        box: Extent of the fixture; its front faces a person in front of it.
+        tags: Synonyms; ``enter`` marks an entrance.
     """
 
     name: str
@@ -50,7 +50,7 @@ class Fixture:
 
 
 def fixtures_called(plan: SetPlan, name: str | None) -> list[Fixture]:
-    """Return the parts of a set that a name from the script may mean, the surest first.
+    """Return the fixtures of a set that a name from the script may mean, the best match first.
 
     Args:
         plan: The set.
@@ -103,7 +103,7 @@ def _wall(name: str, start: tuple[float, float], end: tuple[float, float], heigh
 
 
 def _corners(plan: SetPlan) -> Iterator[Fixture]:
-    """The two corners at the back, seen from the audience."""
+    """Yield the two back corners of the room, as seen from the audience."""
     size = plan.size
     for side, x in (("left", size.x_negative + _IN_CORNER), ("right", size.x - _IN_CORNER)):
         y = size.y - _IN_CORNER

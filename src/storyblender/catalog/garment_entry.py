@@ -1,4 +1,4 @@
-"""What the wardrobe knows of one garment. Data only."""
+"""Data model of one garment of the wardrobe. Data only."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ class GarmentSpec:
 
     Attributes:
         key: Key in the catalog.
-        name: For people.
-        tags: Other words for it.
-        layer: Garments are put on in this order, so a jacket goes over a shirt in whatever order they were named.
-        covers: What it dresses; a person without upper or lower gets the default there.
+        name: Display name.
+        tags: Synonyms.
+        layer: Dressing order, innermost first: a jacket goes over a shirt in whatever order they were named.
+        covers: Body areas it dresses; an undressed upper or lower body gets the default garment.
         colors: Typical colours (hex); the seed picks one where none is given.
-        pieces: What it is sewn from.
-        bares: What stays bare with it: nobody wears shoes to a swimsuit.
+        pieces: Pattern pieces it is made of.
+        bares: Body areas left bare with it: no shoes with a swimsuit.
     """
 
     key: str
@@ -38,7 +38,7 @@ class GarmentSpec:
 def garment(
     key: str, words: str, layer: int, covers: str, colors: str, *pieces: AnyPiece, name: str = ""
 ) -> GarmentSpec:
-    """Return a garment; an area after a minus stays bare with it."""
+    """Return a garment; an area of ``covers`` with a leading minus stays bare."""
     return GarmentSpec(
         key=key,
         name=name or key.replace("_", " "),

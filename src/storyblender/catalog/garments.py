@@ -1,6 +1,6 @@
-"""The wardrobe: every garment as data, and what people wear where the script does not say.
+"""The wardrobe: every garment as data, and the default clothes where the script names none.
 
-Everyday clothes are here, costumes in ``garments_of_trades``, hats and what is worn on the body in ``worn``. To add a
+Everyday clothes are here, costumes in ``garments_of_trades``, hats and accessories in ``worn``. To add a
 garment, add one entry (docs/add-a-garment.md).
 """
 

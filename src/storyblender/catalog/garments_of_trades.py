@@ -1,4 +1,4 @@
-"""Costumes: clothes of trades, of other ages and other lands, for the night, for sport and for the rain."""
+"""Costumes: work uniforms, historical and regional dress, nightwear, sportswear and rainwear."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ TRADE_GARMENTS: tuple[GarmentSpec, ...] = (
     garment("high_vis", "hi-vis vest, safety vest, reflective vest, hi-vis jacket", 66, "", "#c8d02a",
             Top(sleeve=-0.1, neck=0.0, ease=0.022, drape=12, hem=("hip", 0.0), opening=_V),
             Band(low=("waist", -0.05), high=("waist", -0.01), ease=0.03, tint="#d8dad4", fabric="satin")),
-    # ------------------------------------------------------------------ the night, the house
+    # ------------------------------------------------------------------ nightwear, homewear
     garment("pyjamas", "pajamas, nightclothes, jammies", 28, "upper lower", "#8fa6bd #c9b9c4 #7d8a6a",
             Top(sleeve=1.9, neck=0.02, ease=0.014, drape=14, hem=("hip", -0.06), opening=_HIGH_V, elbow=0.055,
             cuff=0.05),
@@ -156,7 +156,7 @@ TRADE_GARMENTS: tuple[GarmentSpec, ...] = (
             cuff=0.046),
             Lapel(opening=_LOW_V, width=0.045, tint="dark", fabric="satin"),
             Skirt(top=("belt", 0.02), hem=("knee", 0.02), flare=0.16, folds=5, depth=0.02, ease=0.022, opening=0.11)),
-    # ------------------------------------------------------------------ other lands and ages
+    # ------------------------------------------------------------------ historical and regional
     garment("kimono", "yukata, hanbok, japanese robe", 44, "upper lower", "#31486b #7a2f3d #4a5a3a",
             Top(sleeve=1.8, neck=0.02, ease=0.018, drape=18, hem=("belt", -0.04), opening=_HIGH_V, elbow=0.12,
             cuff=0.16),
@@ -207,4 +207,4 @@ TRADE_GARMENTS: tuple[GarmentSpec, ...] = (
             Skirt(hem=("knee", 0.02), flare=0.14, folds=19, depth=0.03), Band(low=("belt", -0.02), high=("belt",
             0.02))),
 )  # fmt: skip
-"""In no order: each is put on by its layer."""
+"""Unordered; garments are put on by ``layer``."""

@@ -1,4 +1,4 @@
-"""Kinds of things: which prop of the catalog looks most like a thing that the catalog lacks, by the noun alone."""
+"""Nearest props: which catalog prop looks most like an object that the catalog lacks, by its noun alone."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from storyblender.catalog.props.variants import singular, words_of
 
 
 def near_kind(words: Sequence[str]) -> tuple[str, str] | None:
-    """Return the key of the prop that stands in for a thing, and the noun it was found by; None if none is known.
+    """Return the key of the prop that substitutes for an object and the noun that matched; None without a match.
 
     Args:
-        words: Of a noun phrase in lower case, its head last; the longest end of it that is listed decides.
+        words: Words of a noun phrase in lower case, head noun last; the longest listed suffix decides.
     """
     phrase = tuple(singular(word) for word in words)
     for start in range(len(phrase)):
@@ -24,7 +24,7 @@ def near_kind(words: Sequence[str]) -> tuple[str, str] | None:
 
 @cache
 def kinds() -> dict[tuple[str, ...], str]:
-    """Return every listed noun, as words in the singular, with its prop; the first line that has a noun wins."""
+    """Return every listed noun (its words in the singular) with its prop; the first line with a noun wins."""
     kinds: dict[tuple[str, ...], str] = {}
     for line in files("storyblender.catalog").joinpath("kinds.tsv").read_text(encoding="utf-8").splitlines():
         if line.startswith("#"):

@@ -1,4 +1,4 @@
-"""What the catalogue says about one motion."""
+"""Data model of one motion of the catalogue."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Literal
 from storyblender.memory.vocabulary import Posture
 
 Reach = Literal["self", "person", "thing", "place"]
-"""What a motion is about, besides the one who moves: nobody, another person, a thing, a place to go to."""
+"""Target of a motion besides the actor: none, another person, an object, or a destination."""
 UPRIGHT: tuple[Posture, ...] = ("stand",)
 AWAKE: tuple[Posture, ...] = ("stand", "sit", "kneel", "crouch", "lean")
 
@@ -19,19 +19,19 @@ class Motion:
 
     Attributes:
         key: Name of the clip.
-        name: For people.
-        tags: Other words for it.
-        seconds: Natural length for a stature of 1.7 m, without any way to go; for stretching motions the usual length.
-        directs: The Director's motions that this clip plays, beside the one of its own name.
+        name: Display name.
+        tags: Synonyms.
+        seconds: Natural duration at a stature of 1.7 m without the walk to it; the usual one for stretching motions.
+        directs: Motions of the Director's vocabulary that this clip plays, besides its own name.
         speed: Metres per second of motions that travel.
-        stretches: Its length may be chosen by the cue's duration.
-        before: Postures it can start from; empty for any. Others are left first.
+        stretches: Whether the cue sets its duration.
+        before: Postures it can start from, empty for any; the actor leaves other postures first.
         after: Posture it ends in; None keeps the one before.
-        reach: What it needs to be near to.
-        distance: Metres to keep from the other person for ``reach`` person; to stand from a thing.
+        reach: Kind of target that the actor must be near.
+        distance: Metres to the other person for ``reach`` person, or to the object.
         hands: Number of hands it needs.
-        lasts: Goes on while one talks and looks about, until the hands are needed for something else.
-        telling: Share of its length at which a still picture of it is drawn: when it has landed, or at its extreme.
+        lasts: Whether it continues under talking and looking until the hands are needed for another cue.
+        telling: Share of the duration at which a still frame shows it best: on landing, or at its extreme.
     """
 
     key: str

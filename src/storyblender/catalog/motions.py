@@ -170,21 +170,21 @@ _CALLED: dict[str, str] = {
     for motion in reversed(list(MOTIONS.values()))
     for word in (*motion.tags, motion.name, motion.key)
 }
-"""Everything a motion is called -> its key; where two are called the same, the first."""
+"""Name or synonym to key of the motion; the first motion with a name wins."""
 
 
 @lru_cache(maxsize=4096)
 def clip_of(motion: str) -> Motion:
-    """Return what plays a motion of the Director's vocabulary, or one of the catalogue's by its key or another name.
+    """Return the clip for a motion of the Director's vocabulary, or for a key or synonym of the catalogue.
 
-    What is called nothing in the catalogue stands idle.
+    An unknown motion becomes idle standing.
     """
     key = CLIP_OF.get(motion, motion if motion in MOTIONS else "")
     return MOTIONS[key or _called(motion.lower().replace("_", " ").strip())]
 
 
 def _called(words: str) -> str:
-    """Return the motion of these words: all of them, else the verb with its particle, else the verb."""
+    """Return the key of the motion that the words name: all words, else verb and particle, else the verb."""
     verb, *rest = words.split() or [""]
     for count in range(len(rest), -1, -1):
         for form in _forms(verb):
@@ -195,7 +195,7 @@ def _called(words: str) -> str:
 
 
 def _forms(verb: str) -> list[str]:
-    """Return what a verb's base form may be."""
+    """Return the candidate base forms of an inflected verb."""
     forms = [verb]
     for ending in ("ing", "es", "s", "ed", "d"):
         stem = verb.removesuffix(ending)

@@ -1,4 +1,4 @@
-"""Animals that act like people: the head, the coat, the tail and the height of each. Data only."""
+"""Anthropomorphic animals: head, coat, tail and height of each species. Data only."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ Build = Literal["slim", "average", "athletic", "stocky", "heavy"]
 
 @dataclass(frozen=True, kw_only=True)
 class Species:
-    """How an animal looks that stands upright and acts.
+    """Appearance of an animal that stands upright and acts like a person.
 
     Attributes:
-        words: What the script may call it; the first is its name.
+        words: Names in scripts; the first is the key.
         coat: Colour of its fur or feathers, hex.
-        height: Metres that a grown one stands.
-        head: Size of its head for its body; small animals have large ones.
+        height: Standing height of an adult, metres.
+        head: Size factor of the head; small animals have large heads.
         ear: Shape of its ears.
-        ears: Size of an ear for the head.
-        mouth: What its mouth is like.
-        snout: Length and thickness of the mouth for the head.
-        drop: How far the tip of the mouth lies below its root, for the head.
-        pale: Colour of its snout or beak, and of the insides of its ears.
-        belly: Colour of its front; empty is that of the snout of a furry one.
+        ears: Ear size relative to the head.
+        mouth: Shape of the snout or beak.
+        snout: Length and thickness of the mouth relative to the head.
+        drop: Drop of the mouth's tip below its root, relative to the head.
+        pale: Colour of its snout or beak, and of the inside of its ears.
+        belly: Colour of its front; empty uses the snout colour on furred animals.
         limbs: Colour of its hands and feet.
         nose: Colour of its nose.
         iris: Colour of its eyes.
-        tail: What its tail is like.
-        tip: Colour of the end, the rings or the fan of its tail.
-        build: Its figure where the script does not say.
-        marks: What else it is known by; keys of the markings and of the things that grow on its head.
+        tail: Shape of its tail.
+        tip: Colour of the tip, rings or fan of its tail.
+        build: Default build.
+        marks: Keys of its coat markings and of growths such as horns or a mane.
     """
 
     words: tuple[str, ...]
@@ -201,7 +201,7 @@ _OTHERS: tuple[Species, ...] = (
 )  # fmt: skip
 
 SPECIES: dict[str, Species] = {each.words[0]: each for each in (*_CLAWED, *_HOOFED, *_OTHERS)}
-"""By name."""
+"""Species by name."""
 _BY_WORD: dict[str, Species] = {word: each for each in SPECIES.values() for word in each.words}
 
 

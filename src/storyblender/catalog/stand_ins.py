@@ -1,6 +1,6 @@
-"""Stand-ins: for what nothing in the catalog is near, the plainest thing of its class and size. Pure data.
+"""Stand-ins: a plain shape by class and size for objects that no catalog prop resembles. Pure data.
 
-A class is found by the words of its list (exact head nouns first), or by likeness of meaning to them.
+A class is found by its word list (exact head nouns first), or by semantic similarity to those words.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class StandIn(Frozen):
     material: Identifier
     holdable: bool = False
     prop: Identifier | None = None
-    """The prop of the catalog that is built for the class; without one its plain shape is."""
+    """Catalog prop to build for this class; None builds the plain shape."""
 
 
 def _class(

@@ -1,4 +1,4 @@
-"""Where a deed is done that is told without a place: one stirs at a stove, types at a desk. Pure data."""
+"""Default workplaces of motions that the script gives no place: stirring at a stove, typing at a desk. Data."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ WORKPLACES: dict[str, tuple[str, ...]] = {
     "paint": ("easel",),
     "pray": ("altar", "pew"),
 }
-"""Motion to the props it is done at, the likeliest first."""
+"""Motion to its usual workplace props, the likeliest first."""
 
 _AT_SINK = frozenset({"pot", "pan", "plate", "bowl", "cup", "dish", "glass", "mug", "frying_pan"})
 
 
 def workplaces_of(motion: str, prop: str | None) -> tuple[str, ...]:
-    """Return the props at which a motion is done, the likeliest first.
+    """Return the usual workplace props of a motion, the likeliest first.
 
     Args:
-        motion: Key of the motion, the Director's or a clip's.
-        prop: Key of the thing it is done with, if any: who cleans a plate is at the sink.
+        motion: Key of a Director motion or of a clip.
+        prop: Key of the prop used in the motion, if any: plates are cleaned at the sink.
     """
     if motion == "clean" and prop in _AT_SINK:
         return WORKPLACES["wash"]

@@ -1,4 +1,4 @@
-"""Hats, cloths of the head, and what is worn on the body without being clothing: packs, chains, masks."""
+"""Headwear and accessories: hats, scarves, masks, backpacks, necklaces."""
 
 from __future__ import annotations
 
@@ -74,4 +74,4 @@ WORN: tuple[GarmentSpec, ...] = (
             Gear(shape="sunglasses", fabric="satin")),
     garment("eyepatch", "eye patch", 89, "", "#121214", Gear(shape="eyepatch", fabric="leather")),
 )  # fmt: skip
-"""In no order: each is put on by its layer."""
+"""Unordered; garments are put on by ``layer``."""

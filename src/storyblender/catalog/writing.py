@@ -1,4 +1,4 @@
-"""Where on a prop words can be read: on which side, how large, on what ground and in what ink. Data only."""
+"""Text areas of props: side, position, size, background material and ink. Data only."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 MOST = 90
-"""Letters that fit; of more the first are shown."""
+"""Maximum number of characters shown; longer text is cut off."""
 
 
 @dataclass(frozen=True)
 class Writing:
-    """The place of the words, in shares of the prop's size.
+    """Text area of a prop; lengths are fractions of the prop's size.
 
     Attributes:
         side: ``front`` is seen from -Y, ``top`` from above.
-        middle: Across and up from the prop's middle, -0.5 to 0.5.
-        size: Width and height.
+        middle: Centre of the text area, across and up from the prop's centre, -0.5 to 0.5.
+        size: Width and height of the text area.
         ground: Material of the plate behind the words, empty for none.
         ink: Material of the letters.
     """
@@ -70,4 +70,4 @@ WRITING: dict[str, Writing] = {
     "jar": Writing("front", (0.0, -0.05), (0.8, 0.4), "paper", "plastic_black"),
     "bottle": Writing("front", (0.0, -0.2), (0.9, 0.24), "paper", "plastic_black"),
 }
-"""By prop."""
+"""Text area by prop key."""

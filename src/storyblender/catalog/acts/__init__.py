@@ -1,4 +1,4 @@
-"""Acts: motions that are rows of key poses. A new one is one row; ``blender/motion/clips/acts.py`` plays them all."""
+"""Acts: motions defined as rows of key poses. ``blender/motion/clips/acts.py`` plays them all."""
 
 from __future__ import annotations
 
@@ -10,6 +10,6 @@ from storyblender.catalog.acts.signs import SIGNS
 from storyblender.catalog.registry import Catalog
 
 ACTS: Catalog[Act] = Catalog("act", (*SIGNS, *BODIES, *CHORES, *ARTS))
-"""Every act, by key."""
+"""All acts, by key."""
 
 __all__ = ["ACTS", "Act"]

@@ -67,4 +67,4 @@ ARTS: tuple[Act, ...] = (
         Key(0.16, 0.05, lead=_STICK_DOWN, far=_STICK_UP), Key(0.16, 0.05, lead=_STICK_UP, far=_STICK_DOWN),
     ), again=1, stretches=True, told=0),
 )  # fmt: skip
-"""Acts of artists and of who looks through glass."""
+"""Acts of artists, and acts with cameras and optical instruments."""

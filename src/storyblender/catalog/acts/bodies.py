@@ -1,4 +1,4 @@
-"""Acts of the whole body: bending, slipping, fighting, and what two do with each other."""
+"""Full-body acts: bending, slipping, fighting, and acts of two people."""
 
 from __future__ import annotations
 
@@ -169,4 +169,4 @@ BODIES: tuple[Act, ...] = (
             nod=(6, 0, 0), gaze="hands", far_foot=FootPose(0, 0.18), lead_foot=FootPose(0.02, -0.16, 0.04, -36)),
     ), before=UPRIGHT),
 )  # fmt: skip
-"""Acts of the whole body, alone and with somebody."""
+"""Full-body acts, alone and with a partner."""

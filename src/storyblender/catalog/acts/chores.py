@@ -1,4 +1,4 @@
-"""Acts with tools and things: kitchen, workshop, garden, desk."""
+"""Acts with tools and objects: kitchen, workshop, garden, desk."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from storyblender.catalog.motion_entry import UPRIGHT
 
 
 def _at_work(place: tuple[float, float, float], *, tool: tuple | None = None, curl: tuple = at.GRIP) -> HandPose:
-    """A hand over what is worked on, holding something."""
+    """Return a hand pose over the work piece, holding a tool."""
     return HandPose(place, (-0.35, 0.9, -0.3), (-0.6, 0, -0.7), (0.8, 0.1, -0.5), curl, "work", tool)
 
 
 _DOWN = ((0, -0.5, 0.85), (0, 0.85, 0.5))
-"""A tool held with its top up and a little back."""
+"""Tool directions (top, front): top up and slightly back."""
 _BLADE = ((0, 0.1, 1), (-0.2, 0.9, -0.35))
-"""A knife: blade ahead and down."""
+"""Tool directions of a knife: blade forward and down."""
 _STRUCK = ((0, 1, 0.15), (0, 0, -1))
-"""A hammer on the nail: its head ahead."""
+"""Tool directions of a hammer at the moment of impact: head forward."""
 _RAISED = ((0, 0.1, 1), (0, 1, 0))
 
 CHORES: tuple[Act, ...] = (
@@ -188,4 +188,4 @@ CHORES: tuple[Act, ...] = (
         Key(0.4, 0.3, lead=HandPose((-0.10, 0.76, -0.46), (-0.2, 1, 0), (-0.2, 0, -1), curl=(24, 30, 14))),
     ), again=0, stretches=True, told=1, directs=("play_game",)),
 )  # fmt: skip
-"""Acts that are done with a tool or to a thing."""
+"""Acts with a tool or on an object."""

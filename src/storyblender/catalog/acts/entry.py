@@ -1,4 +1,4 @@
-"""The form of an act: key poses in time, one row of data for a motion that needs no code of its own."""
+"""Data model of an act: timed key poses, for a motion that needs no code of its own."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ Frame = Literal[
 ]  # fmt: skip
 Gaze = Literal["target", "ahead", "down", "up", "left", "right", "back", "away", "hands", "around"]
 HOME_SECONDS = 0.6
-"""In which everything goes back at the end of an act."""
+"""Seconds that the body takes to return to its rest pose at the end of an act."""
 
 
 @dataclass(frozen=True)
 class HandPose:
-    """Where a hand is and how it is held. Triples are outwards (to the hand's own side), forwards, up.
+    """Position and orientation of a hand. Triples are outwards (to the hand's own side), forwards, up.
 
     Attributes:
-        at: The palm's centre. From the shoulder in arm lengths for ``chest`` and ``upright``; metres of somebody of
-            1.7 m from between the eyes for ``head``, from what is worked on for ``work``, from between the feet for
-            ``ground``, from a part of the other person for ``their_...``; these three in one's own axes.
-        fingers: Where the fingers point.
-        palm: Where the palm looks.
-        elbow: Where the elbow points.
-        curl: Degrees of forefinger, other fingers and thumb.
-        frame: What it is measured from. ``chest`` bends with the trunk, ``upright`` does not.
-        tool: Where the top and the front of a thing in the hand point; None holds it as the hand is held.
+        at: Palm centre. In arm lengths from the shoulder for ``chest`` and ``upright``; in metres at a stature of
+            1.7 m from between the eyes for ``head``, from the work piece for ``work``, from between the feet for
+            ``ground``, from a part of the other person for ``their_...``; the last three in the actor's own axes.
+        fingers: Direction of the fingers.
+        palm: Direction that the palm faces.
+        elbow: Direction of the elbow.
+        curl: Curl in degrees of the forefinger, the other fingers and the thumb.
+        frame: Reference frame of ``at``. ``chest`` bends with the trunk, ``upright`` does not.
+        tool: Directions of the top and the front of the held tool; None lets it follow the hand.
     """
 
     at: Triple
@@ -44,7 +44,7 @@ class HandPose:
 
 @dataclass(frozen=True)
 class FootPose:
-    """Where a foot is: aside, ahead and up of its place in standing, metres of somebody of 1.7 m, and its pitch.
+    """Offset of a foot from its standing place, outwards, forwards and up, in metres at 1.7 m, and its pitch.
 
     ``pitch`` is in degrees, toes up above 0.
     """
@@ -57,20 +57,20 @@ class FootPose:
 
 @dataclass(frozen=True)
 class Key:
-    """One key pose. What is None stays as it was.
+    """One key pose. Parts that are None stay as they were.
 
     Attributes:
-        seconds: To get there.
-        stay: Seconds to remain.
-        lead: The hand that acts.
-        far: The other hand.
-        spine: Degrees the trunk bends forwards, to the acting hand's side, turns to it.
-        hips: Metres of somebody of 1.7 m to the acting hand's side, ahead and up, and degrees of forward pitch.
-        nod: Degrees of the head: down, to the acting hand's side, turned to it.
-        face: An expression.
-        gaze: Where to look.
-        lead_foot: The foot on the acting hand's side.
-        far_foot: The other foot.
+        seconds: Seconds to reach the pose.
+        stay: Seconds to hold the pose.
+        lead: Pose of the acting hand.
+        far: Pose of the other hand.
+        spine: Degrees that the trunk bends forwards, bends to the acting hand's side, and turns to that side.
+        hips: Hip offset to the acting hand's side, forwards and up, in metres at 1.7 m, and forward pitch in degrees.
+        nod: Degrees that the head tilts down, tilts to the acting hand's side, and turns to that side.
+        face: Name of an expression.
+        gaze: Gaze target.
+        lead_foot: Pose of the foot on the acting hand's side.
+        far_foot: Pose of the other foot.
     """
 
     seconds: float
@@ -92,20 +92,20 @@ class Act:
 
     Attributes:
         key: Name of the motion.
-        name: For people.
-        tags: Other words for it.
-        keys: In order.
-        again: Index of the key from which the keys are repeated until the end of a stretching act; None plays them once
-            and stays in the last.
-        stretches: Whether a cue may give it another length.
-        told: Index of the key that a still picture shows, as soon as it is reached; None takes the last.
-        reach: What it needs to be near to.
-        distance: Metres from the other person, or from the thing.
+        name: Display name.
+        tags: Synonyms.
+        keys: Key poses in order.
+        again: Index of the first key of the loop that fills a stretching act; None plays the keys once and holds the
+            last.
+        stretches: Whether a cue may set another duration.
+        told: Index of the key that a still frame shows, at the moment it is reached; None takes the last.
+        reach: Kind of target that the actor must be near.
+        distance: Metres from the other person or the object.
         before: Postures it can start from.
-        directs: Other motions of the Director that it plays.
-        partner: Key poses of the other person meanwhile.
-        second: Metres along a tool from the acting hand to where the other hand holds it; None leaves that hand free.
-        stays: What it shows lasts after it, until the hands are needed.
+        directs: Further motions of the Director's vocabulary that this act plays.
+        partner: Simultaneous key poses of the other person.
+        second: Metres along the tool from the acting hand to the grip of the other hand; None leaves that hand free.
+        stays: Whether the last pose is held after the act until the hands are needed.
     """
 
     key: str
@@ -125,29 +125,29 @@ class Act:
 
     @property
     def hands(self) -> int:
-        """How many hands it needs."""
+        """Number of hands that the act needs."""
         lead = any(key.lead is not None for key in self.keys)
         far = self.second is not None or any(key.far is not None for key in self.keys)
         return int(lead) + int(far)
 
     @property
     def bodily(self) -> bool:
-        """Whether hips and feet tell it."""
+        """Whether the act moves the hips or feet."""
         return any(key.hips or key.lead_foot or key.far_foot for key in self.keys)
 
     @property
     def once(self) -> float:
-        """Seconds of all keys, played once."""
+        """Duration of all keys played once, in seconds."""
         return sum(key.seconds + key.stay for key in self.keys)
 
     @property
     def seconds(self) -> float:
-        """Natural length."""
+        """Natural duration in seconds."""
         return self.once + (0.0 if self.stays else HOME_SECONDS)
 
     @property
     def telling(self) -> float:
-        """Share of its length at which the telling key has just been reached."""
+        """Share of the duration at which the key for the still frame has just been reached."""
         until = len(self.keys) if self.told is None else self.told + 1
         shown = self.keys[until - 1]
         reached = sum(key.seconds + key.stay for key in self.keys[:until]) - shown.stay
@@ -155,7 +155,7 @@ class Act:
 
     @property
     def motion(self) -> Motion:
-        """The entry of the catalogue of motions."""
+        """Entry of the act in the motion catalogue."""
         return Motion(
             key=self.key,
             name=self.name,

@@ -1,4 +1,4 @@
-"""Acts of head and hands: signs, feelings, habits."""
+"""Acts of head and hands: gestures, emotions, habits."""
 
 from __future__ import annotations
 
@@ -177,4 +177,4 @@ SIGNS: tuple[Act, ...] = (
             face="terrified"),
     )),
 )  # fmt: skip
-"""Acts that need no place and no tool."""
+"""Acts that need no particular place and no tool."""

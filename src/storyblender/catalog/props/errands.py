@@ -1,4 +1,4 @@
-"""Tools, toys, appliances and food that ordinary pages name, and what is left of things: puddles, pieces, flames."""
+"""Tools, toys, appliances and food of everyday scripts, and remains: puddles, shards, flames."""
 
 from __future__ import annotations
 
@@ -86,4 +86,4 @@ ERRANDS: tuple[PropEntry, ...] = (
         "cottage, cabin, hut, shed, barn, farmhouse, building, bungalow, log cabin, villa, chapel", (6.0, 5.0, 4.6),
           {"wall": "plaster", "roof": "brick"}, "A small house."),
 )  # fmt: skip
-"""Roughly from the hand to the street."""
+"""Roughly from hand props to street props."""

@@ -1,4 +1,4 @@
-"""Props that stand for each other: the script's table is whatever table the set has."""
+"""Interchangeable props: the script's table may be any table of the set."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ FAMILIES: tuple[frozenset[str], ...] = tuple(
 
 
 def kin_of(prop: str) -> frozenset[str]:
-    """Return a prop with all that stand for it."""
+    """Return a prop together with all props that can replace it."""
     return frozenset({prop}).union(*(family for family in FAMILIES if prop in family))
 
 

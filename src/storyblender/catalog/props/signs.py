@@ -1,4 +1,4 @@
-"""Things that are there to be read; where their words stand is in ``catalog.writing``."""
+"""Signs, posters and other lettered props; ``catalog.writing`` says where their text goes."""
 
 from __future__ import annotations
 

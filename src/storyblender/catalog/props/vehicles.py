@@ -11,7 +11,7 @@ _CAR = {"body": "paint", "trim": "plastic_black", "chrome": "chrome", "tyre": "r
 def _car(
     key: str, words: str, size: Vec3, description: str, color: str = "", band: str = "", **params: str
 ) -> PropEntry:
-    """Return a car that people sit in; ``open`` names the doors that stand open, ``all`` for every one."""
+    """Return a car with seats; its option ``open`` names the open doors, or ``all``."""
     given = {"open": "", **({"color": color} if color else {}), **params}
     materials = _CAR | ({"band": band} if band else {})
     return entry("vehicle", key, words, size, materials, description, params=given, seats=2 if key in _TWO_SEATS else 4)
@@ -20,7 +20,7 @@ def _car(
 def _craft(
     key: str, words: str, size: Vec3, description: str, color: str, trim: str = "steel", seats: int = 0
 ) -> PropEntry:
-    """Return a craft or a working machine of one colour and a trim."""
+    """Return an aircraft, vessel or work machine with one body colour and a trim."""
     materials = {"body": "paint", "trim": trim, "chrome": "chrome", "lamp": "lamp_warm"}
     return entry("vehicle", key, words, size, materials, description, params={"color": color}, seats=seats)
 

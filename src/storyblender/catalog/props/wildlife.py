@@ -1,4 +1,4 @@
-"""Birds, small animals and beasts of other lands: what picture books and ordinary pages need."""
+"""Birds, small animals and exotic animals."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _bird(key: str, words: str, size: Vec3, color: str, wing: str = "", beak: st
 
 
 def _beast(key: str, words: str, size: Vec3, color: str, role: str = "coat", **materials: str) -> PropEntry:
-    """Return a beast on four legs of one colour; further roles by name."""
+    """Return a four-legged animal with one coat colour; further material roles are keyword arguments."""
     params = {"color": color, **({"asleep": False} if key in _SLEEPERS else {})}
     return entry(
         "animal",
@@ -111,4 +111,4 @@ WILDLIFE: tuple[PropEntry, ...] = (
     _beast("dinosaur", "tyrannosaurus, t-rex, t rex, raptor, tyrannosaur, dinosaurs", (1.4, 6.0, 3.75), "#5a6a3c",
         "skin"),
 )  # fmt: skip
-"""Roughly by where they live."""
+"""Roughly by habitat."""
