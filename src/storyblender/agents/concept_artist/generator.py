@@ -1,9 +1,9 @@
-"""The Asset Generator, without a service: what stands in for a thing that the library does not have.
+"""The Asset Generator without an external service: picks stand-ins for things missing from the library.
 
-Omega hands over to it where the Retriever found nothing that fits. It takes the nearest prop of the catalog: by the
-noun's kind, by the head of the phrase, by likeness of meaning; and only where nothing is near a plain shape. A
-language crew with an image-to-3D provider puts its own policy here; this one always ends, so no run stops for want of a
-model.
+Omega calls it when the Retriever found nothing that fits. It takes the nearest prop of the catalog: by the
+noun's kind, by the head of the phrase, by word similarity; and falls back to a plain shape if nothing is near. A
+language crew with an image-to-3D provider replaces this policy; this one always succeeds, so no run stops for want
+of a model.
 """
 
 from __future__ import annotations
@@ -24,27 +24,27 @@ from storyblender.ports import Embedder
 from storyblender.reflection import Critique
 
 CLOSE, LIKE, PLAIN = 6.0, 4.5, 3.0
-"""Match scores: a prop of a close kind, one that is like it in meaning, a plain shape. None is the thing itself."""
+"""Match scores: a prop of a close kind, a prop similar in meaning, a plain shape. None is an exact match."""
 ALIKE = 0.5
-"""Least cosine for a prop to stand in by likeness of meaning; a creature or a vehicle takes the nearest of all."""
+"""Least cosine similarity for a prop as stand-in; creatures and vehicles always take the nearest prop."""
 SURE = 0.5
-"""Least cosine for a class of shapes to be taken by likeness of meaning."""
+"""Least cosine similarity for choosing a class of plain shapes."""
 _OF_KIND: dict[str, str] = {"set_piece": "furnishing", "vehicle": "vehicle", "animal": "creature"}
 """Kind of thing -> its class where nothing else is known; everything else is a small thing."""
 
 
 class Generator:
-    """The policy that makes something of a thing that the library does not have.
+    """The policy that builds a stand-in for a thing that the library does not have.
 
     Args:
-        embedder: Likeness of meaning, for words that no table lists.
+        embedder: Sentence embeddings, for words that no table lists.
     """
 
     def __init__(self, embedder: Callable[[], Embedder]) -> None:
         self._load = embedder
 
     def propose(self, view: AssetRequest) -> Recipe:
-        """Return the nearest prop of the catalog, or a plain shape of the class that the thing's words say."""
+        """Return the nearest prop of the catalog, or a plain shape of the class that the thing's description names."""
         words, kind = noun_words(view.phrase), next(iter(view.asset.tags), "")
         found = near_kind(words)
         if found is not None:
@@ -59,7 +59,7 @@ class Generator:
         return draft
 
     def _by_meaning(self, view: AssetRequest, kind: str) -> Recipe | None:
-        """Return the prop of the thing's kind whose name means most nearly the same, if it is near enough."""
+        """Return the prop of the thing's kind whose name is closest in meaning, or None if none is close enough."""
         entries, vectors = self._props
         query = self._model.embed([" ".join(noun_words(view.phrase)) or view.phrase])[0]
         likeness = vectors @ query - [2.0 * (not _suitable(PROPS[key], kind)) for key, _ in entries]
@@ -70,7 +70,7 @@ class Generator:
         return _prop(view, key, LIKE, f"like {name!r} ({cosine:.2f})")
 
     def _shape(self, view: AssetRequest, kind: str) -> Recipe:
-        """Return a plain shape of the size that the thing's class has."""
+        """Return a plain shape with the typical size of the thing's class."""
         known = guess_class(view.phrase)
         if known is not None:
             return _plain(view, known, f"a kind of {known.name}")
@@ -99,13 +99,13 @@ class Generator:
 
 
 def _prop(view: AssetRequest, key: str, score: float, reason: str) -> Recipe:
-    """Return a prop of the catalog in the colour, material and state that the script tells."""
+    """Return a catalog prop in the colour, material and state that the script gives."""
     params = read_variant(PROPS[key], view.told)
     return Recipe(source="catalog", key=key, params=params, score=score, reason=reason)
 
 
 def _plain(view: AssetRequest, entry: StandIn, reason: str) -> Recipe:
-    """Return what is built for a class of things: its prop, or its shape."""
+    """Return the recipe for a class of things: its prop, or its plain shape."""
     if entry.prop is not None:
         return _prop(view, entry.prop, PLAIN, reason)
     return Recipe(source="stand_in", key=entry.key, score=PLAIN, reason=reason)

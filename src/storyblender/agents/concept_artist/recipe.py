@@ -41,11 +41,11 @@ class AssetRequest(Frozen):
     weather: str = ""
     """In the place it is first seen in, where that is outdoors: umbrellas are up in the rain."""
     state: str = ""
-    """The one state that the story tells of it: ``open``, ``lit``; empty where it tells of none or of several."""
+    """The one state that the story gives it: ``open``, ``lit``; empty if there is none or more than one."""
 
     @property
     def told(self) -> str:
-        """All words that say how it looks."""
+        """All words that describe its look."""
         return f"{self.phrase} {self.asset.description} {self.weather} {self.state}"
 
     @property
@@ -86,7 +86,7 @@ class Recipe(Frozen):
         return (1.0, 1.0, 1.0)
 
     def written(self, words: str) -> Recipe:
-        """Return the recipe with words on it, where it is something that words are read on."""
+        """Return the recipe with ``words`` lettered on it, if it is a thing that can carry writing."""
         if not words.strip() or self.source != "catalog" or self.key not in WRITING:
             return self
         return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MOST]}})

@@ -41,7 +41,7 @@ _HEAPS: frozenset[str] = frozenset(
 )
 """Words whose ``of`` names the thing: a pile of money, but a bottle of milk."""
 _SERVED = frozenset(("turkey", "chicken", "lobster", "crab", "prawn", "prawns", "lamb", "crayfish"))
-"""Animals that are a dish where the script has them among its things."""
+"""Animals that mean a dish when the script lists them among its things."""
 _MODIFIERS: frozenset[str] = PLAIN | COLORS.keys() | MATERIALS.keys()
 
 
@@ -170,7 +170,7 @@ def _terms_of(category: str) -> tuple[_Term, ...]:
 
 
 def _suitable_terms(view: AssetRequest) -> tuple[_Term, ...]:
-    """Return the names that a thing may mean: of an animal or a vehicle only those of animals or vehicles."""
+    """Return the library names a thing may mean: for an animal or a vehicle only animals or vehicles."""
     kind = next(iter(view.asset.tags), "")
     return _terms_of(kind) if kind in ("animal", "vehicle") else CATALOG_TERMS
 

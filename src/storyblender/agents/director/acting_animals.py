@@ -1,4 +1,4 @@
-"""Which animals act like people: they are cast, upright and with hands; the others stay animals on their own feet."""
+"""Tells animals that act like people (cast as upright characters with hands) from animals on their own four feet."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from storyblender.agents.director.reading import Person, Reading
 _BY_MOUTH: Final = frozenset(
     {"take", "pick_up", "hold", "catch", "drop", "give", "put_down", "touch", "search", "open"}
 )
-"""What of the work of hands a beak or a claw does."""
+"""Verbs of handling that a beak or a claw can do as well."""
 _PARROTS: Final = frozenset({"parrot", "macaw", "cockatoo", "parakeet", "budgie", "budgerigar"})
 _AT_HOME: Final = frozenset({"cat", "dog", "bird", "parrot", "owl", "crow", "hen", "rabbit", "mouse", "squirrel"})
-"""Kinds that lie on beds and perch on chairs as they are."""
+"""Animals that lie on beds and perch on chairs as plain animals."""
 _TACK: Final = frozenset({
     "collar", "lead", "leash", "saddle", "bridle", "harness", "halter", "bell", "blanket", "reins", "muzzle", "tag",
     "bandage", "chain", "rope",
 })  # fmt: skip
-"""What people put on animals."""
+"""Things that people put on animals."""
 _HELD: Final = frozenset({"right", "left", "both", "under_arm", "shoulder"})
 _SEATED: Final = frozenset({"sit", "lie", "asleep", "lean"})
 
@@ -27,12 +27,12 @@ _SEATED: Final = frozenset({"sit", "lie", "asleep", "lean"})
 def acts_like_a_person(person: Person, reading: Reading) -> bool:
     """Return whether an animal speaks, wears clothes, has things in its hands or lives among furniture.
 
-    In a story whose animals talk to each other, every animal that does something is one of them. Who is ridden or
-    led is an animal, unless it speaks; a parrot that only speaks is one, too.
+    In a story whose animals talk to each other, every animal that does something is cast. An animal that is ridden or
+    led stays an animal, unless it speaks; so does a parrot that only speaks.
 
     Args:
-        person: Of the kind ``animal``.
-        reading: What the script says.
+        person: A person of the kind ``animal``.
+        reading: The reading of the script.
     """
     handles = _uses_hands(person, reading)
     species = kind_of(person)
@@ -52,13 +52,13 @@ def acts_like_a_person(person: Person, reading: Reading) -> bool:
 
 
 def _is_dressed(person: Person) -> bool:
-    """Whether the looks of an animal name clothes, and not only its coat or its collar."""
+    """Whether the description of an animal names clothes, beyond its coat or collar."""
     worn = [words for words in person.outfit if not _TACK & {*words.lower().split()}]
     return bool(garments(", ".join(worn)))
 
 
 def _uses_hands(person: Person, reading: Reading) -> bool:
-    """Whether it does what no mouth or paw does, carries in a hand, or puts something on."""
+    """Whether the animal does what no mouth or paw can do, carries in a hand, or puts something on."""
     names = {thing.id: thing.name for thing in reading.things}
     for unit in reading.units:
         for deed in unit.deeds:
@@ -72,7 +72,7 @@ def _uses_hands(person: Person, reading: Reading) -> bool:
 
 
 def _is_mastered(person: Person, reading: Reading) -> bool:
-    """Whether somebody rides it, or leads it on a leash."""
+    """Whether another character rides the animal, or leads it on a leash."""
     ridden = any(place == ("ride", person.id) for unit in reading.units for place in map(tuple, unit.posture.values()))
     ridden = ridden or any(
         deed.motion == "ride" and person.id in (deed.target, deed.prop) for unit in reading.units for deed in unit.deeds
@@ -81,7 +81,7 @@ def _is_mastered(person: Person, reading: Reading) -> bool:
 
 
 def _sits_on_furniture(person: Person, reading: Reading) -> bool:
-    """Whether it sits or lies on or in a thing, as people do."""
+    """Whether the animal sits or lies on or in a thing, as people do."""
     things = {thing.id for thing in reading.things}
     places = [unit.posture[person.id] for unit in reading.units if person.id in unit.posture]
     return any(posture in _SEATED and support in things for posture, support in places)

@@ -1,7 +1,8 @@
 """Camera directions written in a script: ``CLOSE ON NORA``, ``we push in``, ``[[SHOT: low angle]]`` (notes, section 3).
 
-A word alone counts in capitals, or as a move after "we" or "the camera": people also pull back. What only a camera is
-told (``Wide shot of``, ``Nahaufnahme``) counts in any spelling, and so does everything in a ``SHOT`` note.
+A word alone counts only in capitals, or as a move after "we" or "the camera", since people also pull back. Phrases
+used only for cameras (``Wide shot of``, ``Nahaufnahme``) count in any spelling, and so does everything in a ``SHOT``
+note.
 """
 
 from __future__ import annotations
@@ -142,7 +143,7 @@ _ALWAYS = (
     r"|PRIMO PIANO|CAMPO LUNGO|DETTAGLIO(?= D|\s*[:.]))"
 )
 _LOOSE = re.compile(rf"\s*{_ALWAYS}(?![\w])", re.IGNORECASE)
-"""What nobody but a camera is told, in any spelling."""
+"""Phrases used only for cameras, in any spelling."""
 _TOLD_CAMERA = re.compile(
     r"(?<![Aa] )(?<!\w)(?:the )?camera\s+(?:(?:slowly|quickly|gently|then|also|now)\s+)*(?:moves?|cuts?|goes|turns?"
     r"|faces?|frames?|shows?|reveals?|finds?|drops?"
@@ -155,7 +156,7 @@ _WE_SEE = re.compile(
     r"|finally |still )*(?:see|hear|find|meet|notice)\b(?: that\b)?(?: only\b)?",
     re.IGNORECASE,
 )
-"""What is seen and heard is told to the camera, and done by nobody."""
+"""Verbs of seeing and hearing that address the camera and are no character's action."""
 _INSIDE = re.compile(rf"(?<![\w'’]){_HOW}(?:{_MOVE})(?![A-Za-z]){_WAY}")
 _SPOKEN = re.compile(
     rf"\b(?:WE|(?:THE )?CAMERA)\s+(?:SLOWLY |QUICKLY |GENTLY |THEN |ALSO )*(?:{_SPOKEN_MOVE})(?![A-Za-z]){_WAY}",
@@ -197,7 +198,7 @@ def parse(sentence: str) -> tuple[CameraNote | None, Span]:
 
 
 def without_direction(sentence: str) -> str:
-    """Return what a sentence tells besides the camera: its action, else what the camera is pointed at."""
+    """Return a sentence without its camera direction: its action, else the subject the camera is pointed at."""
     note, (start, end) = parse(sentence)
     if note is None:
         return sentence

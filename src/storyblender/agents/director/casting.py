@@ -68,7 +68,7 @@ _GARMENTS: Final = _EVERYDAY | {
     spec.key: "|".join(re.escape(word).replace(r"\ ", "[ -]") for word in (spec.name, *spec.tags))
     for spec in (*TRADE_GARMENTS, *WORN)
 }
-"""With the costumes by their own names."""
+"""Costumes by their own names as well."""
 _FEET: Final = {"heels", "shoes", "boots", "socks"}
 _HAIR: Final = {
     "shaved": "shaved head|shaven|hairless|clean-shaven head|completely bald",
@@ -145,7 +145,7 @@ _FOREIGN: Final = (
 )
 """Words that say somebody is not from where the story is set."""
 _UNKNOWN: Final = "otter"
-"""What an animal is drawn as whose kind nobody knows."""
+"""Species used for an animal of unknown kind."""
 _GREYING: Final = 50.0
 """Years from which hair keeps the colour of its age."""
 
@@ -206,7 +206,7 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
 
 
 def kind_of(person: Person) -> Species | None:
-    """Return the species of an animal by its role, its name or what is said of its looks."""
+    """Return the species of an animal by its role, its name or its description."""
     looks = " ".join((*person.build, *person.outfit, *person.hair, *person.face))
     return species_of(person.role) or species_of(person.name) or species_of(looks)
 
@@ -255,7 +255,7 @@ def _shod(worn: tuple[Garment, ...], gender: str, age: float) -> tuple[Garment, 
 
 
 def _for_swimming(worn: tuple[Garment, ...], gender: str) -> tuple[Garment, ...]:
-    """Return what is worn, with a swimsuit for a woman whose ``swimming costume`` was taken for trunks."""
+    """Return the outfit, with a swimsuit for a woman whose ``swimming costume`` was taken for trunks."""
     if gender != "female":
         return worn
     return tuple(
@@ -328,7 +328,7 @@ def _without_beard(words: str) -> str:
 
 
 def _beast_stature(person: Person, beast: Species, age: float) -> float:
-    """Return how tall an animal on two legs stands: by its kind, its age and the words of size."""
+    """Return the height in metres of an animal on two legs: by its species, its age and words of size."""
     words = " ".join((*person.build, *person.face)).lower()
     told = next((offset for word, offset in (_TALL | _SMALL).items() if re.search(rf"\b{word}\b", words)), 0.0)
     grown = 0.62 if age < 10 else 0.8 if age < 15 else 1.0

@@ -24,19 +24,19 @@ FIXTURES = frozenset((
 
 
 class Company:
-    """Everybody who is ever on stage, and every thing.
+    """All people and things that appear on stage in the story.
 
     Args:
-        reading: What the script says.
+        reading: The reading of the script.
 
     Attributes:
-        people: Those of ``reading.people`` who are ever on stage.
-        actors: Ids of those of them who are cast.
-        creatures: Ids of those who are animals on their own feet or machines: things of the catalog that move.
+        people: Those of ``reading.people`` who appear on stage.
+        actors: Ids of the people who are cast as human figures.
+        creatures: Ids of animals on their own feet and of machines: catalog props that move.
         assets: All ids on the asset sheet.
-        fixtures: Things that are a part of the set or of another thing: people go to them, nobody builds them.
-        wholes: Part -> the thing it is a part of: who acts on the lid acts on the box. What comes off is no part.
-        names: Id -> name for people to read, also of those who only speak from outside.
+        fixtures: Parts of the set or of another thing: people go to them, but they are not built as assets.
+        wholes: Part -> the thing it belongs to: acting on the lid acts on the box. Detachable parts are not listed.
+        names: Id -> display name, also of people who only speak from outside.
     """
 
     def __init__(self, reading: Reading) -> None:
@@ -54,20 +54,20 @@ class Company:
         self.names = {each.id: _shown_name(each) for each in (*reading.people, *reading.things)}
 
     def shown(self, id_: str) -> str:
-        """Return the thing that shows a part, or the id itself."""
+        """Return the id of the thing that shows a part, or the id itself."""
         while id_ in self.wholes:
             id_ = self.wholes[id_]
         return id_
 
 
 def _in_hand(reading: Reading) -> set[str]:
-    """Return what somebody ever holds: such a lid is no part of the set."""
+    """Return the ids of all things that are ever held: a held lid is no part of the set."""
     held = {id_ for unit in reading.units for things in unit.held.values() for id_ in things}
     return held | {id_ for unit in reading.units for things in unit.grips.values() for id_ in things}
 
 
 def _mere_parts(reading: Reading) -> dict[str, str]:
-    """Return part -> whole of the parts that never come off: nobody holds them, and nothing is said of their place."""
+    """Return part -> whole of the parts that never come off: never held, and without a place of their own."""
     loose = _in_hand(reading) | {id_ for unit in reading.units for id_ in unit.spots}
     loose |= {deed.prop for unit in reading.units for deed in unit.deeds if deed.prop}
     loose |= {change.subject for unit in reading.units for change in unit.changes}

@@ -83,7 +83,7 @@ class _SceneCoverage:
         self.talkers = {each for unit in units if unit.kind == "dialogue" for each in (unit.speaker, unit.to)}
         self.axes: dict[frozenset[str], tuple[str, str]] = {}
         self.waiting: list[Unit] = []
-        """Words on the screen and remarks before the first shot."""
+        """On-screen text and asides before the first shot."""
 
     def shots(self) -> list[ShotDraft]:
         for index, unit in enumerate(self.units):
@@ -114,7 +114,7 @@ class _SceneCoverage:
             self._speech(index, unit)
 
     def _beside(self, unit: Unit) -> None:
-        """Words on the screen, a noise, a remark to the reader: they go with the shot before, else with the first."""
+        """Attach on-screen text, a sound or an aside to the shot before, or to the first shot."""
         if self._last and self._last.beats:
             self._last.beats.append(Beat.whole(unit))
         else:

@@ -1,5 +1,5 @@
-"""Who is no person: animals that do not act like people, and robots, stand on the set as the
-catalog's, in the size and colour the script gives."""
+"""Characters that are not cast as people: animals that do not act like people, and robots, shown by catalog
+props in the size and colour the script gives."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ _REACH: Final = 70
 
 
 def is_creature(person: Person, reading: Reading) -> bool:
-    """Whether somebody is an animal on its own feet, or a machine that looks like one, and no character on two legs.
+    """Return whether a character is an animal on its own feet or a machine, and not a figure on two legs.
 
     Args:
         person: One of ``reading.people``.
-        reading: What the script says.
+        reading: The reading of the script.
     """
     if person.kind == "group":
         return False

@@ -145,7 +145,7 @@ def middle_of_speech(text: str, unit: Unit) -> tuple[int, int] | None:
 
 
 def size_of(motions: Collection[str]) -> ShotSize:
-    """Return the size in which motions are seen: the whole body while it travels, both hands while they work."""
+    """Return the shot size for motions: the whole body while it travels, both hands while they work."""
     if TRAVEL & set(motions):
         return "FS"
     if WHOLE_BODY & set(motions):
@@ -154,12 +154,12 @@ def size_of(motions: Collection[str]) -> ShotSize:
 
 
 def acts_apart(unit: Unit, things: Sequence[str]) -> bool:
-    """Return whether people do more in a unit than to handle the things of an insert."""
+    """Return whether people in a unit do more than handle the things of an insert."""
     return any(deed.motion not in HANDS or not {deed.prop, deed.target} & {*things} for deed in unit.deeds)
 
 
 def listener_of(unit: Unit, speaker: str) -> str | None:
-    """Return who hears a speech: whom it is for, else the only other person there."""
+    """Return the listener of a speech: its addressee, else the only other person there."""
     if unit.to in unit.on_stage and unit.to != speaker:
         return unit.to
     others = [person for person in unit.on_stage if person != speaker]
@@ -167,7 +167,7 @@ def listener_of(unit: Unit, speaker: str) -> str | None:
 
 
 def seen_thing(deeds: Sequence[Deed], props: Collection[str]) -> str | None:
-    """Return the prop that somebody looks at or reads: point, glance, thing."""
+    """Return the prop that a character points at, glances at or reads."""
     for deed in deeds:
         if deed.motion in ("look", "read"):
             return next((each for each in (deed.prop, deed.target) if each in props), None)

@@ -57,7 +57,7 @@ class Names:
         return list(dict.fromkeys(found))
 
     def _meant(self, name: str) -> list[str]:
-        """Return who or what has that id or that whole name, or else is called so; of several the first."""
+        """Return the ids with that id or whole name, else the first one that the name may refer to."""
         return self._whole.get(name, self._ids.get(name, []))[:1]
 
     def _within(self, words: str) -> list[str]:
@@ -153,7 +153,7 @@ def directed_shot(
 
 
 def _looked_through(words: str) -> str:
-    """Return what a point of view goes through, as the script says it: ``THROUGH THE BINOCULARS``."""
+    """Return the optical device of a point of view as written: ``THROUGH THE BINOCULARS``."""
     match = re.search(r"\bthrough (?:the |an? |his |her |its |their )?([\w' -]{3,30})", words, re.IGNORECASE)
     return match[1].strip().lower() if match else ""
 

@@ -50,7 +50,7 @@ class ShotDraft:
     """The unit that begins when it ends, where it has no line of its own: a thing it shows is in that hand already."""
 
     picture: int | None = None
-    """The panel, item of a series or row that it is."""
+    """Number of the panel, series item or table row that this shot draws."""
 
     @property
     def explicit(self) -> bool:
@@ -59,7 +59,7 @@ class ShotDraft:
 
     @property
     def panel(self) -> int | None:
-        """The panel that the script, or a corrected reading, puts it in."""
+        """The panel number from the script or from a corrected reading."""
         return self.beats[0].unit.panel if self.beats else None
 
     @property

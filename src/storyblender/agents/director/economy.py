@@ -49,7 +49,7 @@ class _Economy:
         self.target = settings.shots_per_scene or 0
 
     def panels(self) -> None:
-        """Make one shot of the units of each panel that is given, and drop what comes between panels without a line."""
+        """Merge the units of each given panel into one shot, and drop units without lines between panels."""
         if not any(draft.panel is not None for draft in self.drafts):
             return
         kept: list[ShotDraft] = []
@@ -191,7 +191,7 @@ class _Economy:
         return [each for each in draft.focus if each in self.people]
 
     def _join(self, a: ShotDraft, b: ShotDraft) -> None:
-        """Let ``a`` tell ``b`` as well: wide enough for both, on the people of both, as the script orders either."""
+        """Merge shot ``b`` into ``a``: wide enough for both, focused on both groups, with either's camera note."""
         if b.explicit and not a.explicit:
             ordered = replace(b, beats=a.beats + b.beats, on_stage=list(dict.fromkeys([*a.on_stage, *b.on_stage])))
             vars(a).update(vars(ordered))

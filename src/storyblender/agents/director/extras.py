@@ -12,16 +12,16 @@ from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.vocabulary import Gender
 
 MOST = 40
-"""Bodies for one group."""
+"""Most bodies for one group."""
 
 _AGES = ("30s", "50s", "20s", "40s", "60s", "30s", "70s")
-"""Of the members of a group of whom no age is told."""
+"""Ages given in turn to members of a group without a stated age."""
 _MEN = frozenset(
     {"soldier", "guard", "sailor", "knight", "monk", "miner", "trooper", "warrior", "pirate", "sentry", "marine"}
 )
-"""Groups of whom nobody expects women where the script tells of none."""
+"""Groups that are all men unless the script mentions women."""
 _CROWD = 4
-"""Members from which a group is a crowd."""
+"""Number of members from which a group counts as a crowd."""
 _NUMBER = 60
 """Characters before a group in which its number stands."""
 _Value = TypeVar("_Value")
@@ -63,7 +63,7 @@ def _count(group: Person, text: str) -> int:
 
 
 def _member(group: Person, number: int) -> Person:
-    """Return one of a group; where nothing is told, women and men by turns, and of several ages."""
+    """Return one member of a group; without a description, women and men in turn, at several ages."""
     words = {singular(word) for word in f"{group.name} {group.role}".lower().split()}
     mixed: Gender = "male" if words & _MEN else ("female", "male")[number % 2]
     gender = group.gender if group.gender != "unknown" or group.count < _CROWD else mixed

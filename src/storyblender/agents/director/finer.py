@@ -1,4 +1,4 @@
-"""From a coarse motion of the reader to the act its words mean: to look, over the shoulder, is to look back."""
+"""Refines a coarse motion of the reader by the words around it: ``look`` with "over the shoulder" is ``look_back``."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from typing import NamedTuple
 from storyblender.catalog.motions import MOTIONS
 
 UNREAD = "idle"
-"""Of what the vocabulary of motions has nothing for: then the verb must tell."""
+"""The motion of verbs that the motion vocabulary lacks; the verb then decides."""
 
 
 _PLAIN = frozenset({"yawn", "sneeze", "cough", "curtsy"})
-"""Verbs that tell an act by themselves."""
+"""Verbs that name an action by themselves."""
 
 
 class _Row(NamedTuple):
-    """What a coarse motion becomes with one of these verbs and these words; empty means any."""
+    """The fine motion of a coarse motion with one of these verbs and words; an empty field matches any."""
 
     motion: str
     coarse: frozenset[str]
@@ -42,12 +42,12 @@ def _any_or(cell: str) -> frozenset[str]:
 
 
 def finer(motion: str, verb: str, words: str) -> str:
-    """Return the act that a deed is, as finely as the catalogue of motions has it.
+    """Return the finest motion of the catalogue for an action.
 
     Args:
-        motion: As the reader or a corrected reading has it.
-        verb: Its verb, as a lemma; may be empty.
-        words: What the script says of it.
+        motion: The coarse motion, from the reader or a corrected reading.
+        verb: The verb as a lemma; may be empty.
+        words: The script's words for the action.
     """
     said, lemma = words.lower(), verb.lower().split(" ")[0]
     for row in _rows():
@@ -64,5 +64,5 @@ def finer(motion: str, verb: str, words: str) -> str:
 
 
 def _told(verb: str, words: str) -> bool:
-    """Tell whether a verb stands in words, in one of its regular forms."""
+    """Tell whether a verb occurs in the words, in one of its regular forms."""
     return re.search(rf"\b{verb.removesuffix('e')}(e|es|s|ed|ing|{verb[-1]}ed|{verb[-1]}ing)?\b", words) is not None

@@ -29,7 +29,7 @@ LOW: Final = frozenset({"fall", "lie_down", "crawl"})
 POSES: Final = frozenset({"sit", "lie_down", "kneel", "crouch", "lean", "stand", "sleep"})
 """Where a scene opens on one of these, it is a state, not a movement."""
 POSING: Final = POSES | {"stand_up", "wake", "fall", "bow", "turn"}
-"""Leads to a posture."""
+"""Motions that end in a posture."""
 PORTABLE: Final = frozenset({"phone", "sing", "talk", "carry", "drive", "ride", "play_music"})
 """Lasting activities that go on while a person walks."""
 GETTING: Final = frozenset({"take", "pick_up", "catch"})

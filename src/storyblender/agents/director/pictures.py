@@ -1,4 +1,4 @@
-"""Panels, items of a series and rows of two columns: everything that is told of one is one shot."""
+"""Panels, series items and two-column rows: all units of one picture become one shot."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 BESIDE: Final = frozenset({"title", "sound", "aside"})
 """Kinds of units that get no shot of their own."""
 _FACES: Final = 5
-"""No more faces than this in one picture's focus."""
+"""Most faces in the focus of one picture."""
 
 
 def spoken_picture(unit: Unit, widest: ShotSize) -> ShotDraft:
-    """Return the shot of a picture of which only a speech, a caption or a noise is told.
+    """Return the shot of a picture whose units are only a speech, a caption or a sound.
 
     Args:
         unit: The first unit of the picture.
-        widest: Size where nobody is seen to speak.
+        widest: Shot size if no speaker is visible.
     """
     if unit.speaker in unit.on_stage and not unit.off_screen and unit.speaker:
         return ShotDraft("single", "MS", [unit.speaker])
@@ -29,19 +29,19 @@ def spoken_picture(unit: Unit, widest: ShotSize) -> ShotDraft:
 
 
 def begin_picture(draft: ShotDraft, unit: Unit) -> ShotDraft:
-    """Make a shot the shot of a picture that begins with a unit, and return it."""
+    """Turn a shot into the shot of a picture that begins with ``unit``, and return it."""
     draft.picture = unit.picture
     draft.beats, draft.on_stage = [Beat.whole(unit)], list(unit.on_stage)
     return draft
 
 
 def add_to_picture(draft: ShotDraft, unit: Unit, people: Collection[str]) -> None:
-    """Let the shot of a picture tell one more of its units, wide enough for everybody who acts in it.
+    """Add a unit to the shot of its picture, widening the shot to everyone who acts in it.
 
     Args:
         draft: The shot.
         unit: A unit with the shot's picture number.
-        people: Ids of people, to tell faces from things in a focus.
+        people: Ids of people, to tell faces from things in the focus.
     """
     draft.beats.append(Beat.whole(unit))
     draft.on_stage = unique([*draft.on_stage, *unit.on_stage])

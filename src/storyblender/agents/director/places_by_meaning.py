@@ -1,4 +1,4 @@
-"""The set of a place that no word list knows: by likeness of meaning to the kits, told with a flag."""
+"""Chooses the set of a place that no word list knows, by word similarity to the set kits, and flags the guess."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from storyblender.memory.shot_context import Flag
 from storyblender.ports import Embedder
 
 _LIKE: Final = 0.43
-"""Least likeness of a place to a kit; under it the plain room or open ground stays."""
+"""Least similarity of a place to a kit; below it the plain room or open ground stays."""
 _MARGIN: Final = 0.03
-"""By which the best kit must be more like the place than the next."""
+"""Least lead in similarity of the best kit over the second."""
 _TAGS: Final = 6
-"""Words of a kit that are compared one by one, the strongest first."""
+"""Number of a kit's strongest tags that are compared one by one."""
 _TEXT: Final = 400
-"""Characters of what is done in a scene that help to tell where it is."""
+"""Characters of a scene's action text that are compared."""
 _WEIGHTS: Final = (0.5, 0.2, 0.5)
-"""Of the place against the nearest word of a kit, the place against the kit, and the scene's words against the kit."""
+"""Weights of: place to nearest tag, place to kit, and scene text to kit."""
 
 
 def place_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
-    """Give each scene whose place names no set kit the kit that it is most like, and flag the guess.
+    """Give each scene of unknown place the most similar set kit, and flag the guess.
 
     Args:
-        reading: Its scenes take the kind of their place.
+        reading: Changed: the scenes take the kind of their place.
         load: Loads the sentence model; called only where a place is unknown.
     """
     unknown = [
@@ -58,7 +58,7 @@ def place_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
 
 
 def _by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
-    """Let what is in a scene tell its kit, where it tells enough."""
+    """Choose a scene's kit by the things in it; False if they are too few."""
     indoor = scene.scene_type == "indoor"
     told = told_by_things([_text(reading, index)], [kit.key for kit in SETS.values() if kit.indoor == indoor])
     if told is not None and not scene.place_kind:
@@ -67,7 +67,7 @@ def _by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
 
 
 def _follow(reading: Reading) -> None:
-    """Scenes in the same place take its kind."""
+    """Copy the kind of a place to all scenes in the same place."""
     kinds = {scene.id: scene.place_kind for scene in reading.scenes}
     for scene in reading.scenes:
         first = kinds.get(scene.reference or 0)
@@ -81,7 +81,7 @@ def _text(reading: Reading, index: int) -> str:
 
 
 def _likeness(kits: list[SetKit], places: list[str], texts: list[str], embedder: Embedder) -> np.ndarray:
-    """Return the likeness of each place (row) to each kit (column)."""
+    """Return the similarity of each place (row) to each kit (column)."""
     words = [(index, tag) for index, kit in enumerate(kits) for tag in (kit.name.lower(), *kit.tags[:_TAGS])]
     owners = np.array([index for index, _ in words])
     near = embedder.embed(places) @ embedder.embed([tag for _, tag in words]).T

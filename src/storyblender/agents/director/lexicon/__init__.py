@@ -163,7 +163,7 @@ SOUNDS = _pairs(_nouns["sound"])
 MALE_NOUNS, FEMALE_NOUNS = frozenset(_people["male"]), frozenset(_people["female"])
 ANIMALS = frozenset(_people["animal"])
 COMMON_PERSON_NOUNS = MALE_NOUNS | FEMALE_NOUNS | frozenset(_people["neutral"]) | ANIMALS
-"""Nouns for people of the hand-made lists: nothing else goes by them."""
+"""Nouns for people from the hand-made lists; these nouns never mean anything else."""
 PERSON_NOUNS = COMMON_PERSON_NOUNS | (_wordnet["person"] - frozenset(_rules["devices"]))
 RARE_PERSON_NOUNS = _wordnet["person"]
 """Of the large list: after a title rather a surname."""
@@ -217,7 +217,7 @@ TIME_PHRASES: dict[str, TimeOfDay] = {
 WEATHER_WORDS: dict[str, Weather] = cast(dict[str, Weather], _pairs(_time["weather"]))
 
 EXPRESSION_OF_WORD = cast(dict[str, Expression], _inverse(_read("expressions.tsv")))
-"""Word said of somebody, in any form -> what their face does."""
+"""Word describing a person, in any form -> facial expression."""
 MOOD_OF_WORD = _inverse(_read("moods.tsv"))
 
 # -- function words ----------------------------------------------------------------------------------------------
@@ -286,7 +286,7 @@ def _patterns() -> dict[str, re.Pattern[str]]:
 
 
 BEARING: dict[str, re.Pattern[str]] = _patterns()
-"""What is told of how people bear themselves -> the words for it, as ``bearing.tsv`` has them."""
+"""Category of bearing -> pattern of its words, from ``bearing.tsv``."""
 
 
 def relation_of(preposition: str) -> RelationKind | None:

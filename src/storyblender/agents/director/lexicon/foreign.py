@@ -1,4 +1,4 @@
-"""What is known of German, Spanish, French and Italian: verbs, common things, people, small words."""
+"""Word tables for German, Spanish, French and Italian: verbs, common things, people, function words."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from storyblender.memory.vocabulary import Gender, RelationKind
 
 _WORD = re.compile(r"[^\W\d_]+")
 _SHARE = 0.14
-"""Share of the words of a page that are small words of its language."""
+"""Least share of function words of a language on a page written in it."""
 _ENOUGH = 30
-"""Words of a page from which its language is told."""
+"""Least number of words for detecting the language of a page."""
 
 
 _NAMES = {"de": "German", "es": "Spanish", "fr": "French", "it": "Italian"}
@@ -27,13 +27,13 @@ class Tongue:
     Attributes:
         key: ``de``, ``es``, ``fr``, ``it``.
         name: In English.
-        verbs: Form of a verb -> pairs of what stands with it (a particle, a noun) and the motion, longest first.
+        verbs: Verb form -> pairs of its companion word (a particle, a noun) and the motion, longest first.
         things: Noun -> English noun.
         people: Noun -> English noun.
         places: Preposition -> relation.
-        pronouns: Word -> gender; ``unknown`` for all together.
-        links: Words and marks that begin another clause.
-        small: Words that tell the language.
+        pronouns: Word -> gender; ``unknown`` for plurals.
+        links: Words and punctuation that begin another clause.
+        small: Function words for detecting the language.
         articles: Articles and possessives.
     """
 
@@ -72,7 +72,7 @@ def tongues() -> dict[str, Tongue]:
 
 
 def _take(tongue: Tongue, kind: str, words: list[str]) -> None:
-    """Put one row of words where it belongs."""
+    """Add one row of words to the table of its kind."""
     pairs = dict(word.replace("_", " ").split("=", 1) for word in words if "=" in word)
     if kind == "thing":
         tongue.things |= pairs
@@ -95,7 +95,7 @@ def tongue_of(text: str) -> Tongue | None:
     """The language a text is written in, or None for English and any other.
 
     Args:
-        text: Action, in any letters.
+        text: Action lines, in upper or lower case.
     """
     words = [word.lower() for word in _WORD.findall(text)]
     if len(words) < _ENOUGH:

@@ -94,7 +94,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
 
 
 def _note_bearing(stage: Stage, clauses: list[Clause], people: list[Person]) -> None:
-    """Note what is so meanwhile: faces, eyes, what goes on, how things are carried, who is led."""
+    """Note expressions, gaze, lasting activities, grips and tethers."""
     here = [person for person in people if person.id in stage.scene.on]
     if stage.sentence.pictured:
         return

@@ -1,4 +1,4 @@
-"""What somebody does while speaking, told in brackets: ``(picking up the rose)``, ``(folds the letter)``."""
+"""Actions during a speech, in brackets: ``(picking up the rose)``, ``(folds the letter)``."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""How people bear themselves meanwhile: faces, eyes, what goes on, how things are carried, who is led."""
+"""Bearing of people: facial expressions, gaze, lasting activities, grips on things, and tethers."""

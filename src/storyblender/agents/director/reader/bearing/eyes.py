@@ -1,4 +1,4 @@
-"""Where eyes go that rest on nothing in the set: up, down, aside, into the camera, or closed."""
+"""Gaze that rests on nothing in the set: up, down, aside, into the camera, or eyes closed."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ _DENIED = re.compile(r"\b(?:not|n't|never|without|cannot)\b")
 
 
 def note_gaze(stage: Stage, people: Sequence[Person]) -> None:
-    """Note where the people of a sentence look, and end what no longer holds when they look at something.
+    """Note the gaze of the people of a sentence, and end an earlier gaze when they look at something.
 
     Args:
-        stage: Its unit takes the directions; the scene keeps who has one.
-        people: Whom the sentence is about.
+        stage: Its unit takes the directions; the scene remembers the people with a gaze.
+        people: The people of the sentence.
     """
     turned = stage.scene.gaze
     for deed in stage.unit.deeds:
@@ -42,7 +42,7 @@ def note_gaze(stage: Stage, people: Sequence[Person]) -> None:
 
 
 def _forget_the_camera(stage: Stage, way: str) -> None:
-    """Who looks into the camera looks at us: there is none on the set."""
+    """A look at the camera is a look at the audience: there is no camera on the set."""
     if way != "camera":
         return
     cameras = {

@@ -1,4 +1,4 @@
-"""What shows on faces without a deed: ``Furious, Otto``, ``She looks worried``, ``a grin spreads over his face``."""
+"""Facial expressions without a deed: ``Furious, Otto``, ``She looks worried``, ``a grin spreads over his face``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _NOT = frozenset(
     {"not", "n't", "no", "never", "without", "hardly", "nor", "neither", "less", "nothing", "longer", "if"}
 )
 _LOOK_BACK = 4
-"""Words in which a negation stands before a face."""
+"""Words before an expression in which a negation is looked for."""
 _COPULAS = frozenset(
     {"is", "are", "was", "were", "looks", "look", "seems", "feels", "grows", "gets", "turns", "'s", "'re"}
 )
@@ -21,12 +21,12 @@ _ANIMATE = frozenset({"who", "he", "she", "they", "both", "everybody", "everyone
 
 
 def note_faces_told(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
-    """Note the expressions a sentence tells, each with whom it is said of.
+    """Note the facial expressions in a sentence, each with its person.
 
     Args:
         stage: Its unit takes the expressions.
         words: The sentence.
-        people: Whom it is about, or the one before, where it names nobody.
+        people: The people of the sentence, or of the one before if it names none.
     """
     for at, word in enumerate(words):
         expression = lexicon.EXPRESSION_OF_WORD.get(word.low)
@@ -41,7 +41,7 @@ def _is_denied(words: Sequence[Word], at: int) -> bool:
 
 
 def _is_of_a_thing(words: Sequence[Word], at: int) -> bool:
-    """``an angry sea``, ``a sad little flag``: said of what is no person."""
+    """``an angry sea``, ``a sad little flag``: the word describes a thing."""
     for word in words[at + 1 : at + 3]:
         if word.mention:
             return False
@@ -54,7 +54,7 @@ def _is_of_a_thing(words: Sequence[Word], at: int) -> bool:
 
 
 def _whose(stage: Stage, words: Sequence[Word], at: int) -> list[Person]:
-    """The last of the people named before it, or right after it at the start: ``Furious, Otto leaves``."""
+    """Return the last person named before the word, or right after it at the start: ``Furious, Otto leaves``."""
     if at > 2 and words[at - 1].text == "," and stage.sentence.subjects:
         return []  # Otto looks at Nora, puzzled.
     for index in range(at - 1, -1, -1):

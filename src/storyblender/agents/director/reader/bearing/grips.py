@@ -28,10 +28,10 @@ _INNER: tuple[tuple[Grip, re.Pattern[str]], ...] = tuple(
     (grip, re.compile(rf"(?:^|\s){pattern.pattern.removeprefix('^')}(?: [a-z]+)* (?:an?|the|his|her) (?:[a-z-]+ )?$"))
     for grip, pattern in _GRIPS
 )
-"""The same before the thing."""
+"""The same phrases, placed before the thing."""
 _NOT_IN_HAND = lexicon.words("food") | lexicon.PARTS | lexicon.VEHICLES | lexicon.LIQUIDS
 _REACH = 7
-"""Words after a thing in which its place on the body stands."""
+"""Words after a thing within which its place on the body is looked for."""
 _HAVING = frozenset(
     {"have", "has", "had", "carry", "carries", "carrying", "hold", "holds", "holding", "clutching", "with", "wears"}
 )
@@ -43,7 +43,7 @@ def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) ->
     Args:
         stage: Its unit takes the grips.
         words: The sentence.
-        people: Whom it is about.
+        people: The people of the sentence.
     """
     if not people or stage.sentence.pictured:
         return
@@ -63,12 +63,12 @@ def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) ->
 
 
 def note_had(stage: Stage, clause: Clause, roles: Roles) -> None:
-    """``Rose has the drill``, ``The kid has a pistol``: a prop that somebody has is in their hand.
+    """``Rose has the drill``, ``The kid has a pistol``: put a prop that a person has into their hand.
 
     Args:
-        stage: The state before.
-        clause: Neither negated nor unreal.
-        roles: Its people and things.
+        stage: The state before the clause.
+        clause: A clause that is neither negated nor hypothetical.
+        roles: The people and things of the clause.
     """
     if clause.verb != "have" or len(roles.subjects) != 1 or clause.earlier:
         return
@@ -82,7 +82,7 @@ def note_had(stage: Stage, clause: Clause, roles: Roles) -> None:
 
 
 def _before(words: Sequence[Word], index: int) -> Grip | None:
-    """``holds in his lap a birdcage``, ``in each hand a bucket``: the place stands first."""
+    """Return the grip of a phrase before the thing: ``holds in his lap a birdcage``, ``in each hand a bucket``."""
     told = " ".join(word.low for word in words[max(0, index - _REACH) : index] if not word.inserted)
     for grip, pattern in _GRIPS:
         place = re.search(
@@ -94,7 +94,7 @@ def _before(words: Sequence[Word], index: int) -> Grip | None:
 
 
 def _bearer(stage: Stage, words: Sequence[Word], index: int, people: Sequence[Person]) -> Person:
-    """The last of the people named before the thing, else whom the sentence is about."""
+    """Return the last person named before the thing, else the first person of the sentence."""
     for word in reversed(words[:index]):
         named = [person for person in (word.mention.people if word.mention else []) if person.id in stage.scene.on]
         if named:

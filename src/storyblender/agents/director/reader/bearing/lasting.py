@@ -1,4 +1,4 @@
-"""What people do for a while: on the phone, painting, driving, playing; until they do something else."""
+"""Activities that last: on the phone, painting, driving, playing; until the person does something else."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ _LASTING = frozenset(
     {"phone", "write", "drive", "ride", "play_music", "cook", "clean", "work", "read", "type", "dance", "smoke", "eat"}
     | {"sing", "search", "cut", "stir", "swim", "pray", "drink", "aim"}
 )
-"""Motions that may go on through the lines that follow."""
+"""Motions that may continue through the following lines."""
 _BESIDE_IT = frozenset(
     {"talk", "whisper", "shout", "look", "look_around", "nod", "shake_head", "shrug", "laugh", "listen", "peek", "cry"}
     | {"stand", "sit", "think"}
 )
-"""Deeds during which it goes on."""
+"""Deeds that do not interrupt a lasting activity."""
 _ON_THE_PHONE, _OVER = lexicon.BEARING["on_the_phone"], lexicon.BEARING["over"]
 
 
 def note_lasting(stage: Stage, clauses: Sequence[Clause], people: Sequence[Person]) -> None:
-    """Begin and end what goes on.
+    """Begin and end lasting activities.
 
     Args:
-        stage: Its unit has the deeds of the sentence; the scene keeps what goes on.
-        clauses: Of the sentence.
-        people: Whom it is about.
+        stage: Its unit has the deeds of the sentence; the scene keeps the activities.
+        clauses: The clauses of the sentence.
+        people: The people of the sentence.
     """
     text = joined(stage.sentence.words)
     going_on = stage.scene.activities

@@ -1,4 +1,4 @@
-"""What people look like, wherever it is told: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
+"""Appearance of people, anywhere in the text: ``Otto is bald``, ``She wears a red dress``, ``His hair is wet``."""
 
 from __future__ import annotations
 
@@ -28,18 +28,18 @@ _FEATURES = frozenset(
 _LOOKS = lexicon.BUILD | lexicon.HAIR | (lexicon.FACE - {"eyes", "tired", "lined"}) | set(lexicon.AGE_WORDS)
 _UNSAID = lexicon.ANIMALS | {"like", "as", "if", "enough", "too"}
 _MOST = 4
-"""Descriptions of hair that are kept."""
+"""Most hair descriptions kept per person."""
 _FRAGMENT = 7
-"""Words of a sentence without a verb that tells a look: ``Sixty-six. Bald.``"""
+"""Most words of a verbless sentence that describes appearance: ``Sixty-six. Bald.``"""
 
 
 def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
-    """Give what a clause says of somebody's looks to them.
+    """Add the appearance that a clause describes to its person.
 
     Args:
         stage: The state before the clause.
-        clause: Any clause that happens.
-        roles: Its people and things.
+        clause: Any clause that really happens.
+        roles: The people and things of the clause.
     """
     if clause.negated or clause.unreal or clause.earlier or stage.sentence.pictured:
         return
@@ -58,13 +58,13 @@ def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
 
 
 def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
-    """Read ``Sixty-six.``, ``Bald, in a torn coat.`` after somebody was introduced in the same paragraph.
+    """Read ``Sixty-six.``, ``Bald, in a torn coat.`` after a person was introduced in the same paragraph.
 
     Args:
         stage: The state before.
         words: A sentence without a clause.
-        people: Whom the sentence before is about.
-        start: Of the paragraph.
+        people: The people of the sentence before.
+        start: Offset of the paragraph.
     """
     if len(people) != 1 or people[0].first < start or any(word.mention for word in words):
         return
@@ -77,7 +77,7 @@ def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person],
 
 
 def _rest(words: Sequence[Word], index: int) -> list[Word]:
-    """The words after a verb, up to a stop or the next verb."""
+    """Return the words after a verb, up to a full stop or the next verb."""
     rest: list[Word] = []
     for word in words[index + 1 :]:
         acts = word.verb is not None and word.verb.kind != "pp"
@@ -93,7 +93,7 @@ def _parts(words: Sequence[Word]) -> list[str]:
 
 
 def _tell(stage: Stage, person: Person, words: Sequence[Word]) -> None:
-    """Take those parts of a description that tell a look."""
+    """Add the parts of a description that concern appearance."""
     for part in _parts(words):
         low = part.lower().split()
         if _UNSAID & set(low) or (low[0] in lexicon.PREPOSITIONS and low[0] not in ("in", "with")):
@@ -107,7 +107,7 @@ def _tell(stage: Stage, person: Person, words: Sequence[Word]) -> None:
 
 
 def _describe_once(stage: Stage, person: Person, part: str) -> None:
-    """An age that is known already stays; hair is told in a few words."""
+    """Add a description once: a known age stays, hair keeps only a few words."""
     if (age_of(part) and person.age) or part in person.hair or len(person.hair) >= _MOST:
         return
     kind, role = person.kind, person.role
@@ -116,7 +116,7 @@ def _describe_once(stage: Stage, person: Person, part: str) -> None:
 
 
 def _of_a_part(stage: Stage, clause: Clause, words: Sequence[Word]) -> None:
-    """``His hair is grey``, ``Her coat is torn``: the looks of whose they are."""
+    """``His hair is grey``, ``Her coat is torn``: add to the appearance of the owner."""
     noun = clause.subject[0]
     owner = stage.person(noun.owner or "") if noun.kind == "thing" else None
     said = [
@@ -139,7 +139,7 @@ def _dress(stage: Stage, person: Person, words: Sequence[Word]) -> None:
 
 
 def _add_outfit(stage: Stage, person: Person, piece: str) -> None:
-    """Clothes told in the first scene in which any are told; what is put on later is a deed."""
+    """Add clothes from the first scene that describes any; later changes of clothes are deeds."""
     scene = stage.scene_dressed.setdefault(person.id, stage.unit.scene)
     plain = re.sub(r"^(?:in |wearing |an? |the |his |her |their )+", "", piece.strip(), flags=re.IGNORECASE)
     if scene == stage.unit.scene and plain and plain not in person.outfit:

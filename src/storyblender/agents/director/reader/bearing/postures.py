@@ -1,4 +1,4 @@
-"""Postures that no motion leads to: hanging, also upside down, floating, riding."""
+"""Postures without a motion that leads to them: hanging, also upside down, floating, riding."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ _MOUNTS = frozenset(
 _FROM = frozenset({"from", "off", "on", "onto", "by", "to", "under", "over"})
 _ASTRIDE = frozenset({"on", "astride", "atop", "onto"})
 _PASSING = frozenset({"up", "out", "around", "round", "on"})
-"""``hangs up``, ``hangs around``: nobody hangs."""
+"""``hangs up``, ``hangs around``: particles with which the person does not hang."""
 
 
 def note_posture(stage: Stage, clause: Clause, roles: Roles) -> None:
-    """Carry a posture that a clause tells into the scene.
+    """Set the posture that a clause describes in the scene.
 
     Args:
         stage: The state before.
-        clause: Neither negated nor unreal.
-        roles: Its people and things.
+        clause: A clause that is neither negated nor hypothetical.
+        roles: The people and things of the clause.
     """
     if not roles.subjects or clause.object or clause.passive or clause.earlier:
         return
@@ -48,7 +48,7 @@ def _is_upside_down(stage: Stage) -> bool:
 
 
 def _mount(stage: Stage, roles: Roles) -> str | None:
-    """What somebody rides, on which they are told to be."""
+    """Return the id of the animal or vehicle a person rides."""
     return next((found for place in roles.places if (found := _mount_of(stage, place))), None)
 
 

@@ -1,4 +1,4 @@
-"""Who is led or tied: a dog on a leash, a child by the hand, somebody bound to a chair."""
+"""Tethers: a dog on a leash, a child by the hand, a person bound to a chair."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ _HAND, _BOUND = lexicon.BEARING["hand_in_hand"], lexicon.BEARING["bound"]
 
 
 def note_tethers(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
-    """Note who leads whom in a sentence, and what somebody is tied to.
+    """Note who leads whom in a sentence, and what a person is tied to.
 
     Args:
         stage: Its unit takes the tethers.
         words: The sentence.
-        people: Whom it is about.
+        people: The people of the sentence.
     """
     text = joined(list(words))
     named = [person for word in words if word.mention for person in word.mention.people]
@@ -49,7 +49,7 @@ def note_tethers(stage: Stage, words: Sequence[Word], people: Sequence[Person]) 
 
 
 def _offset(words: Sequence[Word], text: str, match: re.Match[str]) -> int:
-    """The offset in the script of the first word after a match in the joined words."""
+    """Return the script offset of the first word after a match in the joined words."""
     count = text[: match.end()].count(" ")
     written = [word for word in words if not word.inserted]
     return written[min(count, len(written) - 1)].start

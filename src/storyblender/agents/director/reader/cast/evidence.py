@@ -1,4 +1,4 @@
-"""What shows that a word with a capital in a story names somebody: a capital alone is nothing."""
+"""Evidence that a capitalised word in a story is a person's name; the capital alone is not enough."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from storyblender.agents.director.reader.language.morphology import form_kind, i
 from storyblender.agents.director.reader.language.text_index import TextIndex
 
 _REACH = 40
-"""Characters before a name, and after it, that are read."""
+"""Characters before and after a name that are searched."""
 _KNOWN = lexicon.FIRST_NAMES | lexicon.TITLES | lexicon.KIN
 _DETERMINED = re.compile(
     rf"\b(?:(?:{'|'.join(sorted((lexicon.DETERMINERS | lexicon.POSSESSIVES) - {'that'}))})\s+|that\s+(?=[a-z]))"
@@ -26,11 +26,11 @@ _OPENS = re.compile(r"(?:^|[.!?;…”\"\n(\[—–-])\s*$")
 
 
 def is_somebody(name: str, told: TextIndex) -> bool:
-    """Whether a name is that of a person: known as one, acts, speaks, is of an age, or is named inside sentences.
+    """Return whether a name is a person's: known, acts, speaks, has an age, or occurs inside sentences.
 
     Args:
-        name: As written.
-        told: The words of the story without what is said.
+        name: The name as written.
+        told: The words of the story without its speeches.
     """
     words = name.lower().split()
     first = unaccented(words[0].strip("."))
@@ -48,7 +48,7 @@ def is_somebody(name: str, told: TextIndex) -> bool:
 
 
 def _is_determined(before: str) -> bool:
-    """``a Mortgage``, ``that certain Messuage``, but not ``in the house Margaret sat``, ``her son Pierre``."""
+    """Whether a determiner precedes: ``a Mortgage``, but not ``in the house Margaret sat``, ``her son Pierre``."""
     left = _DETERMINED.search(before)
     between = left.group(1) if left else None
     if between is not None and is_person_noun(singular(between)):
@@ -57,7 +57,7 @@ def _is_determined(before: str) -> bool:
 
 
 def _acts(after: str) -> bool:
-    """A verb that tells what somebody does follows."""
+    """Whether a verb of human action follows."""
     following = _AFTER.match(after)
     word = following.group(1) if following else ""
     return word in ("and", "who") or form_kind(word) in ("3sg", "past", "aux")
@@ -70,7 +70,7 @@ def _owns(after: str) -> bool:
 
 
 def _is_common(words: list[str]) -> bool:
-    """A word that means something else is no name for its capital: ``Mortgage``, ``Media``, ``Only``."""
+    """Whether a capitalised word is a common noun: ``Mortgage``, ``Media``, ``Only``."""
     last = singular(words[-1])
     return (
         lexicon.noun_class(last) != "unknown"

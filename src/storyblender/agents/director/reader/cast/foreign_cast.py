@@ -1,4 +1,4 @@
-"""Who is in a script in German, Spanish, French or Italian: nouns for people and animals, and genders by pronouns."""
+"""Cast of a script in German, Spanish, French or Italian: nouns for people and animals, and genders by pronouns."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from storyblender.memory.vocabulary import Gender
 
 _WORD = re.compile(r"[^\W\d_]+")
 _COMPOUND = 4
-"""Letters that a German noun at the end of a longer word has at least: ``REVIERKATZE``."""
+"""Least letters of a German noun at the end of a compound: ``REVIERKATZE``."""
 _VOTING = 160
-"""Characters after a name in which the next pronoun is read."""
+"""Characters after a name within which the next pronoun gives the gender."""
 _ENDINGS: dict[str, Gender] = {"a": "female", "o": "male"}
 _PRONOUNS: dict[str, dict[str, Gender]] = {
     "de": {"er": "male", "sie": "female"},
@@ -26,11 +26,11 @@ _PRONOUNS: dict[str, dict[str, Gender]] = {
 
 
 def add_foreign(roster: Roster, script: Manuscript) -> None:
-    """Add people and animals whom a noun of the script's language names; tell what they are and of which gender.
+    """Add people and animals named by a noun of the script's language, with their kind and gender.
 
     Args:
-        roster: Those with names; filled here.
-        script: Its language is none the reader knows by grammar.
+        roster: The people with names; changed.
+        script: A script in a language without a grammar in the reader.
     """
     tongue = script.tongue
     if tongue is None:
@@ -55,7 +55,7 @@ def add_foreign(roster: Roster, script: Manuscript) -> None:
 
 
 def _person_noun(word: str, tongue: Tongue) -> str:
-    """The English noun for a noun for people, also at the end of a German compound; an empty string for none."""
+    """Return the English noun for a person noun, also at the end of a German compound; empty if there is none."""
     low = word.lower()
     if low in tongue.people:
         return tongue.people[low]
@@ -86,7 +86,7 @@ def _be(person: Person, english: str) -> None:
 
 
 def _told(person: Person, others: set[str], text: str, tongue: Tongue) -> Gender:
-    """The gender of a name's ending, else of the next pronoun after it, before anybody else is named."""
+    """Return the gender by the name's ending, else by the next pronoun before another name."""
     first = person.name.split()[0].lower()
     if tongue.key != "fr" and first[-1] in _ENDINGS:
         return _ENDINGS[first[-1]]

@@ -22,7 +22,7 @@ _NAME = re.compile(
     rf"|(?:(?<=[.!?:)\]]\s)|(?<=[.!?:)\]]\s\s)|(?<=[(\[])|^|(?<=\n)){_WORDS}(?=(?:, who)?\s+([a-z]+)|['’]s\s[a-z])",
     re.MULTILINE,
 )
-"""A capital right after a full stop, a colon or a bracket names somebody only if something else says so."""
+"""Position after a full stop, a colon or a bracket, where a capital alone is no evidence of a name."""
 _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
 """``named Iver, tall and stooped, with a grey beard``."""
 _NOT_NAMES = lexicon.words("not_names")

@@ -1,4 +1,4 @@
-"""Who is seen before being named: ``A figure steps into the light, revealing -- MARCUS``."""
+"""People who are seen before they are named: ``A figure steps into the light, revealing -- MARCUS``."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _REVEALING = re.compile(
 
 
 def join_revealed(roster: Roster, text: str) -> None:
-    """Make one person of a figure and of whom it turns out to be.
+    """Merge a figure with the named person it turns out to be.
 
     Args:
         roster: The cast of a screenplay.

@@ -52,7 +52,7 @@ _LOOK = re.compile(
     re.DOTALL,
 )
 _NEXT_LINE = re.compile(rf"\n(?=\s*(?:A |AN |THE )?[{UPPER}]{{2}})")
-"""The line of somebody else."""
+"""The cue line of another speaker."""
 _SOME, _MOST = 3, 6
 """Members of a group whose number is not told, and of one that is a crowd."""
 _FOLLOWING = 40
@@ -78,7 +78,7 @@ class _Sighting:
 
 
 _PART_OF = re.compile(r"\b(?:OF|DE|DEL|DU|DES|DI|DELLA|VON|DER)\b")
-"""``LA MANO DE ROSA``: a part of somebody, and no name."""
+"""``LA MANO DE ROSA``: a part of a person, and no name."""
 
 
 def find_cast(script: Manuscript) -> Roster:
@@ -124,7 +124,7 @@ def find_cast(script: Manuscript) -> Roster:
 
 
 def _describe_entry(roster: Roster, line: str) -> None:
-    """``MAMA RISI, a tailor, fifty-eight``: a line of the list of the cast."""
+    """``MAMA RISI, a tailor, fifty-eight``: read an entry of the cast list."""
     entry = re.match(rf"(?:A |AN |THE )?([{UPPER}][{UPPER}.'’ -]+[{UPPER}])[\s,:.(–—-]+(.+)", line.strip())
     people = roster.find(entry.group(1)) if entry else []
     if entry and people:

@@ -1,4 +1,4 @@
-"""People of a screenplay whose names are in small letters or who have none: ``A waitress brings the soup``."""
+"""People of a screenplay named in small letters or without a name: ``A waitress brings the soup``."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from storyblender.agents.director.reader.people.roster import Roster
 
 _BETWEEN = r"(?:\s*,? (?:who|which|that)\b[^.;,]*,?|\s*,\s[^.;,]*,|\s+(?:in|on|with|of|at|from|behind|by)\s[^.;,]*?)?"
 _FOLLOWING = re.compile(rf"{_BETWEEN}\s+(?:[a-z]+ly\s+|both\s+|all\s+|then\s+)?([a-z]+)\b")
-"""The verb after somebody, whatever is said of them in between."""
+"""The verb after a person, past any description in between."""
 _ARRIVING = re.compile(
     r"(?:^|[.!?;]\s+|,\s+|\band\s+)(?:[Tt]here|[Hh]ere|[Oo]ut|[Uu]p|[Dd]own|[Nn]ext|[Tt]hen|"
     rf"(?:{'|'.join(f'[{word[0].upper()}{word[0]}]{word[1:]}' for word in sorted(lexicon.PREPOSITIONS))})\b[^.!?;,]*?)"
@@ -27,16 +27,16 @@ _ARRIVING = re.compile(
 _NAMED_AFTER = re.compile(
     rf"[^.!?]{{0,60}}?(?:[,:(]|--|—|–)\s*(?:an? |the )?[{UPPER}]{{2,}}[{UPPER}'’ -]*(?![{LOWER}])"
 )
-"""``a bride, SELMA``, ``a kid with a broom: KITTY``: somebody with a name."""
+"""``a bride, SELMA``, ``a kid with a broom: KITTY``: a noun that introduces a named person."""
 _LIKENED = re.compile(r"\b(?:like|as|than|of|way|being|is|was|are|were|be|become|becomes|not|no)\s+$", re.IGNORECASE)
 _PAINTED = re.compile(
     r"\b(?:painted|painting|margin|poster|portrait|photo\w*|mural|fresco|statue|advert\w*)\b[^.!?]*$", re.I
 )
 _APPOSED = re.compile(r"[A-Z]\S*(?:\s*\([^)]*\))?,\s+$")
 _THE_KNOWN = frozenset({"man", "woman", "boy", "girl", "child", "lady", "guy", "figure", "kid", "person", "couple"})
-"""``the man`` is somebody whom the page has shown."""
+"""Nouns that with ``the`` refer to a person the page has already shown."""
 _STAFF = lexicon.words("staff")
-"""Who may be *the* without having been told of: the bartender, where there is a bar."""
+"""Staff that may take ``the`` without an introduction: the bartender, where there is a bar."""
 _NOBODY = frozenset(
     {
         "people",
@@ -58,16 +58,16 @@ _PLURAL = re.compile(
 )
 _MOST = 6
 _BACK = 80
-"""Characters before somebody that are read."""
+"""Characters before a person noun that are searched."""
 _NAME_ACTS = re.compile(r"(?:,? who|, [^.,;]{0,40},)?\s+(?:[a-z]+ly\s+)?([a-z]+)\b")
 _FINITE = frozenset({"3sg", "past", "aux"})
 
 
 def add_walk_ons(roster: Roster, script: Manuscript) -> None:
-    """Cast whoever does something in a screenplay without capitals or a cue.
+    """Cast the people who do something in a screenplay without capitals or a cue.
 
     Args:
-        roster: Those with capitals or a cue; filled here.
+        roster: The people with capitals or a cue; changed.
         script: A screenplay.
     """
     told = [paragraph for paragraph in script.paragraphs if paragraph.kind == "action"]
@@ -88,7 +88,7 @@ def add_walk_ons(roster: Roster, script: Manuscript) -> None:
 
 
 def _is_known(roster: Roster, phrase: PersonNoun, text: str) -> bool:
-    """Whether somebody of the cast is meant, or nobody in particular."""
+    """Whether a phrase means a member of the cast, or no particular person."""
     if phrase.noun in _NOBODY | lexicon.ANIMALS or phrase.noun not in lexicon.COMMON_PERSON_NOUNS:
         return True
     if _NAMED_AFTER.match(text, phrase.end) or _is_meant(roster, phrase):
@@ -101,7 +101,7 @@ def _is_known(roster: Roster, phrase: PersonNoun, text: str) -> bool:
 
 
 def _is_meant(roster: Roster, phrase: PersonNoun) -> bool:
-    """``the detective``, ``his guest``, ``her father``: another word for somebody of the cast whom it fits."""
+    """``the detective``, ``his guest``, ``her father``: another word for a member of the cast whom it fits."""
     if phrase.determiner in ("a", "an") or phrase.plural:
         return False
     kin = phrase.noun in lexicon.KIN
@@ -115,7 +115,7 @@ def _is_meant(roster: Roster, phrase: PersonNoun) -> bool:
 
 
 def _does_something(phrase: PersonNoun, text: str) -> bool:
-    """Whether a noun for somebody is the subject of a verb, or comes after one of coming and being there."""
+    """Whether a person noun is the subject of a verb, or follows a verb of coming or being there."""
     before = text[max(0, phrase.start - _BACK) : phrase.start]
     if (
         _PAINTED.search(before)
@@ -133,7 +133,7 @@ def _does_something(phrase: PersonNoun, text: str) -> bool:
 
 
 def _is_verb(word: str, several: bool) -> bool:
-    """Whether a word after a subject tells what it does; ``are`` and ``is`` too."""
+    """Whether a word after a subject is its verb, ``are`` and ``is`` included."""
     kind = form_kind(word)
     return kind in _FINITE | {"ing"} or (several and kind == "base" and word not in lexicon.PREPOSITIONS)
 
@@ -151,7 +151,7 @@ def _add(roster: Roster, phrase: PersonNoun, start: int) -> None:
 
 
 def _add_plural(roster: Roster, match: re.Match[str], start: int) -> None:
-    """``Soldiers run past.``, ``Children laugh``: several, without a determiner."""
+    """``Soldiers run past.``, ``Children laugh``: add a group without a determiner."""
     noun = singular(match.group(1).lower())
     if (
         not is_person_noun(noun)
@@ -166,7 +166,7 @@ def _add_plural(roster: Roster, match: re.Match[str], start: int) -> None:
 
 
 def _add_named(roster: Roster, script: Manuscript, told: list[Paragraph]) -> None:
-    """``Nadia opens the window.``, who is nowhere in capitals: a first name that acts, or any name that acts twice."""
+    """``Nadia opens the window.``, never in capitals: add a first name that acts once, or any name that acts twice."""
     acts: Counter[str] = Counter()
     first: dict[str, int] = {}
     headings = {word for p in script.paragraphs if p.kind == "heading" for word in re.findall(r"\w+", p.text.lower())}

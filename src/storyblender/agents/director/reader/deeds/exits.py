@@ -65,7 +65,7 @@ _STAYS = frozenset(
     "doze off",
     "go quiet",
 }
-"""``backs away``, ``goes on to explain``, ``passes out``: still there."""
+"""``backs away``, ``goes on to explain``, ``passes out``: the person stays."""
 _ARISING = frozenset({"go", "make"})
 """``goes for the gun``, ``makes for the table``."""
 _FOLLOWING = frozenset({"follow", "accompany", "trail", "pursue", "chase", "join"})

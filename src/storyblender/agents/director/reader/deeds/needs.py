@@ -1,4 +1,4 @@
-"""What a motion needs to be the one a verb means: ``take`` a thing, ``eat`` food, ``push`` something solid."""
+"""Conditions for the motion of a verb: ``take`` needs a thing, ``eat`` food, ``push`` something solid."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ _TO_SOMETHING = frozenset(
         "wear", "take_off", "hit", "touch", "kiss", "hug", "fold",
     }
 )  # fmt: skip
-"""Motions that are done to something or somebody."""
+"""Motions that need an object, a thing or a person."""
 _SOLID = frozenset(
     {
         "take", "pick_up", "put_down", "give", "throw", "catch", "carry", "push", "pull", "open", "cut",
         "wear", "take_off", "drop", "pour", "light", "kick", "hold",
     }
 )  # fmt: skip
-"""What they are done to can be touched: nobody takes a question or drops a hint."""
+"""Motions whose object must be tangible: taking a question or dropping a hint does not count."""
 _TOGETHER = frozenset({"kiss", "hug", "hit"})
 _AGAINST = frozenset(
     {"at", "against", "on", "onto", "into", "with", "from", "to", "for", "of", "through", "over", "out", "up", "down"}
@@ -35,17 +35,17 @@ _BACKING = frozenset({"reverse", "back_up", "brake", "accelerate", "park", "stee
 _SHIFTING = frozenset({"shift", "roll", "bump", "edge", "force"})
 _OBJECTS = frozenset({"prop", "worn", "set_piece", "unknown", "body", "scenery"})
 _MATTER = lexicon.PARTS | lexicon.words("food") | lexicon.LIQUIDS | lexicon.SHAPELESS | lexicon.words("deed_objects")
-"""No things of a kind, but to be taken in the hand."""
+"""Words that are no props of their own but can be taken in the hand."""
 
 
 def suited(stage: Stage, clause: Clause, roles: Roles, motion: str) -> str | None:
-    """The motion a verb means with the words it has, or None where it cannot mean one of the body.
+    """Return the motion a verb means with its objects, or None if it cannot be a bodily motion here.
 
     Args:
         stage: The state before the clause.
-        clause: An active clause.
-        roles: Its people and things.
-        motion: What the verb usually means.
+        clause: A clause in the active voice.
+        roles: The people and things of the clause.
+        motion: The usual motion of the verb.
     """
     bare = not (clause.object or clause.recipient)
     if clause.verb in _BITING and motion in ("eat", "drink") and bare and not clause.places:
@@ -64,7 +64,7 @@ def suited(stage: Stage, clause: Clause, roles: Roles, motion: str) -> str | Non
 
 
 def _is_own_body(clause: Clause) -> bool:
-    """``holding hands``, ``holds his head high``: nothing is in the hand."""
+    """``holding hands``, ``holds his head high``: the object is a part of one's own body."""
     return bool(clause.object) and all(n.head in lexicon.BODY and n.owner is None for n in clause.object)
 
 
@@ -79,7 +79,7 @@ def _has_something(stage: Stage, clause: Clause, roles: Roles, motion: str) -> b
 
 
 def _is_solid(stage: Stage, clause: Clause, roles: Roles) -> bool:
-    """Whether what something is done to can be touched, or is somebody."""
+    """Whether the object of the clause is a person or a thing that can be touched."""
     if roles.people or roles.recipients:
         return True
     return any(_can_be_touched(stage, noun, roles.things) for noun in clause.object)
@@ -96,7 +96,7 @@ def _can_be_touched(stage: Stage, noun: NounPhrase, things: Collection[str]) -> 
 
 
 def _drives(stage: Stage, roles: Roles) -> bool:
-    """Whether somebody who reverses or parks has something to drive."""
+    """Whether a person who reverses or parks has a vehicle to drive."""
     if any(stage.inventory.head(thing) in lexicon.VEHICLES for thing in roles.things):
         return True
     supports = (stage.scene.posture.get(person.id, ("stand", None))[1] for person in roles.subjects)

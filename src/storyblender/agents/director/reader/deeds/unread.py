@@ -1,4 +1,4 @@
-"""Acts that the motion vocabulary lacks: their words are kept and flagged, and the nearest motion stands for them."""
+"""Acts that the motion vocabulary lacks: their words are kept and flagged, and the nearest motion is played instead."""
 
 from __future__ import annotations
 
@@ -35,18 +35,18 @@ _INWARD = (
         }
     )
 )
-"""What nobody sees."""
+"""Verbs of acts that cannot be seen."""
 _VOICES = frozenset({"talk", "whisper", "shout", "think"})
 _WORDS = 9
-"""Words of an act that a flag repeats."""
+"""Most words of an act repeated in a flag."""
 
 
 def nearest(clause: Clause, roles: Roles) -> str | None:
-    """The motion that looks most like a verb without one, or None where no motion is near.
+    """Return the motion that looks most like a verb without its own, or None if no motion is near.
 
     Args:
-        clause: A clause that tells of somebody.
-        roles: Its people and things.
+        clause: A clause with a person as subject.
+        roles: The people and things of the clause.
     """
     if not roles.subjects or clause.verb in _INWARD or clause.passive or clause.infinitive:
         return None
@@ -61,9 +61,9 @@ def note_unread(stage: Stage, clause: Clause, roles: Roles, shown: str | None) -
 
     Args:
         stage: Its unit takes the flag.
-        clause: Neither negated nor unreal, with somebody as subject.
-        roles: Its people and things.
-        shown: The motion that stands for it, if one is near.
+        clause: A clause that is neither negated nor hypothetical, with a person as subject.
+        roles: The people and things of the clause.
+        shown: The motion played instead, if one is near.
     """
     spoken = clause.verb in lexicon.SPEECH_VERBS or lexicon.MOTION_OF_VERB.get(clause.verb) in _VOICES
     unseen = clause.verb in _INWARD or clause.passive or clause.earlier or spoken
@@ -84,7 +84,7 @@ def note_unread(stage: Stage, clause: Clause, roles: Roles, shown: str | None) -
 
 
 def flag_unread(stage: Stage) -> None:
-    """Write the flags of the sentence that was just read: of a person who does nothing else in it, or is shown so."""
+    """Write the unread-act flags of the last sentence, for people with no other deed in it or with a nearest motion."""
     for act in stage.unread:
         if act.shown or not any(deed.actor == act.person for deed in stage.unit.deeds):
             stage.flag("act", act.shown or "none", act.reason, act.start, act.end)
