@@ -47,7 +47,7 @@ class ScenePacker:
         self._props: dict[str, bpy.types.Object] = {}
         self._cast: dict[str, CastMember] = {}
         self.timing: list[PlayedCue] = []
-        """When everything was done, for who chooses the moment of a frame."""
+        """Actual timing of all cues, for choosing the moment of a still frame."""
 
     def build(self) -> tuple[Flaw, ...]:
         """Build everything and return what could not be staged."""

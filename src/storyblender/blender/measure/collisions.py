@@ -1,7 +1,7 @@
-"""Who is inside the furniture or another person, and how deep: skin against things, bones against bones.
+"""Collisions of people with objects and with each other: skin against meshes, bone capsules against capsules.
 
-The skin is posed with the motion solver's own body data, so the test needs no evaluated meshes. Hands are left out:
-they hold things.
+The skin is posed with the motion solver's own body data, so the test needs no evaluated meshes. Hands are left out
+because they hold props.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ TOLERANCE = 0.03
 STILL = 0.01
 """Metres: a body that moved less since it was tested is where it was."""
 _EMBRACED = 0.12
-"""Metres that two bodies are into each other at most when they embrace: flesh and cloth give way."""
+"""Largest penetration depth in metres that an embrace may have: flesh and cloth give way."""
 _NEAR = 1.8
-"""Metres between the middles of two bodies that may touch, lying ones too."""
+"""Largest distance in metres between the centres of two bodies, standing or lying, that can touch."""
 EVERY = 4
 """Every which skin vertex is tested."""
 _HANDS = ("hand.", "thumb.", "index1.", "index2.", "fingers1.", "fingers2.")
@@ -77,7 +77,7 @@ class _Person:
         self.stature = float(np.ptp(body.vertices[:, 2]))
 
     def limbs(self) -> tuple[Floats, Floats]:
-        """Return the (n, 2, 3) ends of the trunk's, the head's and the legs' bones in the world, and their radii."""
+        """Return the (n, 2, 3) ends of the trunk, head and leg bones in world space and their (n,) radii, metres."""
         bones = [bone for bone in self.rig.pose.bones if bone.name.split(".")[0] in THICK]
         ends = np.array([[(*bone.head, 1.0), (*bone.tail, 1.0)] for bone in bones])
         world = ends @ np.array(self.rig.matrix_world).T
@@ -95,13 +95,13 @@ class _Person:
 def find_collisions(
     scene: bpy.types.Scene, bodies: Mapping[str, Body], frames: Mapping[str, range], step: int = 8
 ) -> list[Collision]:
-    """Return the deepest collision of each person with each thing and each other person in each shot.
+    """Return the deepest collision of each person with each object and each other person in each shot.
 
     Args:
-        scene: The packed scene, in the window.
-        bodies: Person's asset id to body.
-        frames: Shot name to its timeline frames.
-        step: Frames between the tests; who has kept still since the last one is not tested again.
+        scene: The packed scene, active in Blender's window.
+        bodies: Asset id of each person to body.
+        frames: Shot name to the timeline frames of the shot.
+        step: Frames between two tests; a person who has not moved since the last one is skipped.
     """
     scene.frame_set(min((span.start for span in frames.values()), default=scene.frame_start))
     things = [_Thing(obj) for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None]
@@ -132,7 +132,7 @@ def _note(worst: dict[tuple[str, str, str], Collision], collision: Collision) ->
 
 
 def _between(shot: str, frame: int, people: list[_Person]) -> Iterator[Collision]:
-    """Who is in whom: bones within reach of each other, pair by pair."""
+    """Yield the collisions between people, pair by pair."""
     posed = [(person.asset_id, *person.limbs()) for person in people]
     for (one, ends, radii), (other, others, widths) in itertools.combinations(posed, 2):
         apart = np.abs(ends.mean(axis=(0, 1)) - others.mean(axis=(0, 1))).max()

@@ -45,15 +45,15 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Sighting:
-    """One look to take.
+    """One view to measure.
 
     Attributes:
         pose: Camera.
         frame: Timeline frame; None stays where the scene is.
         sensor_width: mm.
-        focus_ids: node_ids the shot is about.
+        focus_ids: node_ids of the subjects of the shot.
         hidden: node_ids left out of the picture.
-        other_ids: node_ids that are measured and are not what the shot is about.
+        other_ids: node_ids that are measured as well but are not subjects of the shot.
     """
 
     pose: CameraPose

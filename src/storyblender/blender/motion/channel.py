@@ -91,7 +91,7 @@ class Channel:
         self.keys = [key for key in self.keys if key.start < start - 1e-6] or self.keys[:1]
 
     def as_planned(self) -> Channel:
-        """Return a copy of what is planned so far; keys that are set later do not change it."""
+        """Return a copy with the keys set so far; later keys do not change it."""
         copy = Channel(0.0, self.mix)
         copy.keys = list(self.keys)
         return copy

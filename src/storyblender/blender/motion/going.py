@@ -1,4 +1,4 @@
-"""Animals that go: a thing of the catalog turns into its way, bobs along it, and turns to where it looks."""
+"""Locomotion of animal props: turn into the path, bob along it, and turn to the final facing."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from storyblender.blender.motion.puppets import PropPuppet, facing_yaw, standing
 from storyblender.memory.shot_context import Mark
 
 TURNING = 0.22
-"""Share of the time in which it turns into its way, and out of it."""
+"""Share of the duration spent turning at the start, and again at the end."""
 STRIDE, BOB = 0.7, 0.05
-"""Length of a step and height of its bob, for each metre of the animal."""
+"""Step length and bob height, per metre of the animal's length."""
 
 
 def send(puppet: PropPuppet, start: float, seconds: float, mark: Mark) -> None:
-    """Let an animal go to a mark.
+    """Move an animal to a mark.
 
     Args:
         puppet: The animal.
-        start: Second of the shot at which it begins.
-        seconds: How long it takes.
-        mark: Where it ends, and where it looks then.
+        start: Second of the shot at which it starts.
+        seconds: Duration.
+        mark: Final position and facing.
     """
     first = puppet.evaluate(start)
     here, goal = first.translation.copy(), Vector(mark.location)
@@ -46,5 +46,5 @@ def send(puppet: PropPuppet, start: float, seconds: float, mark: Mark) -> None:
 
 
 def _turned(start: float, end: float, share: float) -> float:
-    """Return the yaw between two, the shorter way round."""
+    """Return the yaw at ``share`` (0 to 1) between two yaws in radians, along the shorter arc."""
     return start + ((end - start + math.pi) % math.tau - math.pi) * share

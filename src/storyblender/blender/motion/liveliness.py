@@ -1,4 +1,4 @@
-"""What keeps people alive between their cues: when eyes blink, glance and shift, and where a look goes."""
+"""Idle life between cues: times of blinks, glances and weight shifts, and gaze angles."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from storyblender.blender.motion.channel import clamp
 
 HORIZON = 180.0
-"""Seconds of blinks and glances made up in advance; no shot is longer."""
+"""Seconds of blinks and glances generated in advance; no shot is longer."""
 
 
 def angles_of(vector: Vector) -> tuple[float, float]:
-    """Return yaw and pitch in degrees of a direction, seen by somebody who faces -Y.
+    """Return yaw and pitch in degrees of a direction, relative to a person who faces -Y.
 
     The yaw fades out towards the zenith, where it would spin.
     """
@@ -25,13 +25,13 @@ def angles_of(vector: Vector) -> tuple[float, float]:
 
 
 def moments_of(rng: np.random.Generator, first: float, shortest: float, longest: float) -> list[float]:
-    """Return seconds at which something happens again and again.
+    """Return the times in seconds of a recurring event with random gaps.
 
     Args:
-        rng: For the gaps.
-        first: Second.
-        shortest: Gap in seconds.
-        longest: Gap in seconds.
+        rng: Random generator for the gaps.
+        first: Second of the first event.
+        shortest: Shortest gap in seconds.
+        longest: Longest gap in seconds.
     """
     gaps: NDArray[np.float64] = rng.uniform(shortest, longest, int(HORIZON / shortest))
     return [first, *(first + np.cumsum(gaps)).tolist()]

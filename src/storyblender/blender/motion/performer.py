@@ -51,11 +51,11 @@ class Performer:
         self.breathing = self.rng.uniform(0, 2 * math.pi)
         self.root = Channel((0, 0, 0))
         self.level = Channel(0.0)
-        """Height of what they stand on; feet are measured from it."""
+        """Height of the ground under the person in metres; feet are relative to it."""
         self.ground = 0.0
-        """The same, at the end of everything planned so far."""
+        """Value of ``level`` at the end of everything planned so far."""
         self.engaged: set[str] = set()
-        """Hands that something lasting keeps busy."""
+        """Hands that a lasting motion keeps busy."""
         self.hips = Channel((0, 0, self.standing_height, 0, 0, 0))
         """dx, dy and height of the mid hip joint in the root's frame; rotation x, y, z."""
         self.pinned = Channel(0.0)
@@ -69,7 +69,7 @@ class Performer:
         self.gaze = Channel(self.ahead)
         self.eyes = Channel(self.ahead)
         self.expression = "neutral"
-        """Their face in this shot where nothing else is shown."""
+        """Base expression of the person in this shot."""
         self.face = Channel(values_of({}))
         self.life = Channel(1.0)
         """Amount of idle sway."""
@@ -111,7 +111,7 @@ class Performer:
         return self.m.hip_height - 0.006 * self.m.k
 
     def put(self, x: float, y: float, yaw: float, level: float = 0.0) -> None:
-        """Stand at a place, at a height, from the beginning of time."""
+        """Place the person at a position and ground height for the whole time before the first cue."""
         self.level, self.ground = Channel(level), level
         self.position, self.yaw = Vector((x, y)), yaw
         self.root = Channel((x, y, yaw))
@@ -175,7 +175,7 @@ class Performer:
         return Vector(ankle[:3]) + flat @ pivot - tilted @ pivot
 
     def is_free(self, side: str) -> bool:
-        """Tell whether a hand holds nothing and nothing lasting keeps it busy."""
+        """Return whether a hand is empty and not busy with a lasting motion."""
         return side not in self.held and side not in self.engaged
 
     def look_freely(self, t: float) -> None:
@@ -287,7 +287,7 @@ class Performer:
         return need * (1 - float(self.pinned(t)))
 
     def _on_level(self, foot: Floats) -> Vector:
-        """Return the ankle of a foot target in armature space, at the moment being posed."""
+        """Return the ankle position of a foot target in armature space, at the current time."""
         return self.to_body(Vector((foot[0], foot[1], foot[2] + self.place.z)))
 
     def pose_legs(self, t: float) -> None:
@@ -377,7 +377,7 @@ class Performer:
         bones.update("jaw", "eye.L", "eye.R")
 
     def face_at(self, t: float) -> Floats:
-        """Return the values of ``FACE``; lids fall with blinks, and the mouth moves with speech."""
+        """Return the ``FACE`` values at a time in seconds, with blinks and the mouth movement of speech."""
         values = np.array(self.face(t), float)
         for start in self.blinks:
             if start <= t < start + 0.17:

@@ -161,9 +161,9 @@ class Performance:
         frames: (N,) sampled frames from the shot's start; the first is 0, the last the shot's last frame.
         people: By asset id.
         props: (N, 4, 4) world matrices by asset id.
-        problems: What could not be done.
+        problems: Cues that could not be performed as planned.
         ends: Second by which each person has finished all cues.
-        played: Seconds at which cues began and were over, by person, clip and the cue's frame.
+        played: Start and end of cues in seconds, by person, clip and the cue's frame.
         grasps: Second at which a hand moves a door or lid, by person and the cue's frame.
     """
 

@@ -75,7 +75,7 @@ class PropPuppet:
         self.asset_id, self.node_id = asset_id, prop.node_id
         self.size = Vector(prop.dimensions)
         self.both = False
-        """Held with both hands because the script says so."""
+        """Whether the script asks for both hands."""
         self.anchors = {a.name or a.kind: a for a in prop.anchors if a.kind in ("grip", "handle")}
         self.matrix = Matrix(prop.world.tolist())
         if prop.state is not None and prop.state.location is not None:

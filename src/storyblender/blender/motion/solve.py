@@ -29,9 +29,9 @@ from storyblender.memory.vocabulary import Posture
 LONG_BEFORE = -30.0
 """Seconds: what is already so when the shot begins was done back then."""
 SETTLED = 2.0
-"""Seconds before the shot at which what is lasting was begun."""
+"""Seconds before the shot at which a lasting motion starts."""
 LEVEL = 0.02
-"""Metres of height that are not worth a move."""
+"""Metres of height difference that are ignored."""
 MISSED = 0.06
 """Metres a hand may miss what it reaches for before it is reported."""
 ASTRAY = 0.30
@@ -41,7 +41,7 @@ TAKEN: dict[Posture, Play] = {
     "kneel": kneel, "crouch": crouch, "lean": lean, "hang": hang, "upside_down": upside_down, "float": float_,
     "ride": ride, "crawl": on_all_fours,
 }  # fmt: skip
-"""Postures and the clips that lead to them."""
+"""Posture to the clip that leads to it."""
 
 
 def solve_shot(plan: StagePlan, fps: int, step: int = 1) -> Performance:
@@ -148,15 +148,17 @@ def _perform(stage: Stage, cue: Cue, index: int) -> float | None:
 
 
 def _change_level(who: Performer, start: float, end: float, level: float) -> None:
-    """Bring somebody to the height of a mark on the way there."""
+    """Bring a person to the height of a mark while moving there."""
     if abs(level - who.ground) > LEVEL:
         who.level.set(start, max(0.3, end - start), level)
         who.ground = level
 
 
 def _go_on(stage: Stage, who: Performer, cue: Cue, beat: Beat) -> float:
-    """Do something lasting: it has begun before the shot if it is done from its first frame on, and keeps no part
-    of the body from other cues; hands that another cue takes come back to it.
+    """Play a lasting motion.
+
+    A motion from the first frame on starts before the shot. It blocks no part of the body for other cues; hands
+    that another cue uses return to it.
     """
     clip = CLIPS[cue.clip]
     start = -SETTLED if cue.start == 0 else max([beat.start, *(who.free[part] for part in clip.parts(beat.side))])

@@ -73,7 +73,7 @@ class Beat:
         side: The hand, L or R.
         mark: Where it ends.
         mood: How.
-        expression: What the face shows from now on.
+        expression: Facial expression from this cue on.
         frame: The cue's frame, for problems.
         seed: For gestures.
     """
@@ -110,7 +110,7 @@ class Stage:
         self.grasps: dict[tuple[str, int], float] = {}
         """Seconds at which doors and lids are moved, by person and the cue's frame."""
         self.played: dict[tuple[str, str, int], tuple[float, float]] = {}
-        """Seconds at which cues began and were over, by person, clip and the cue's frame."""
+        """Start and end of cues in seconds, by person, clip and the cue's frame."""
         self.problems: list[Problem] = []
         for who in self.people.values():
             who.home = {side: at_ease(who, side) for side in SIDES}

@@ -108,7 +108,7 @@ SETS: Catalog[SetKit] = Catalog(
     )
     + kits_from_files(),
 )  # fmt: skip
-"""Indoor kits first, each group from the most general to the most particular; then those of the kit files."""
+"""Indoor kits first, each group from the most general to the most specific; then those of the kit files."""
 
 
 def plan_of(environment: Environment) -> SetPlan:

@@ -1,4 +1,4 @@
-"""Kit files become set kits: the head is read when the catalog loads, the tables when the place is first drawn."""
+"""Loads kit files as set kits: the head when the catalog loads, the tables when the kit is first drawn."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _FIRST_TABLE = re.compile(r"^\[", re.MULTILINE)
 
 @cache
 def kits_from_files() -> tuple[SetKit, ...]:
-    """Return the kits of the folder ``kits``, in the order of their names. Raises InputError for a damaged file."""
+    """Return the kits of the folder ``kits``, sorted by name. Raises InputError for an invalid file."""
     folder = files(__name__.rpartition(".")[0]) / "kits"
     found = (item for item in folder.iterdir() if item.name.endswith(".toml"))
     return tuple(read_kit(item) for item in sorted(found, key=lambda item: item.name))
@@ -35,7 +35,7 @@ def read_kit(file: Traversable) -> SetKit:
     """Return the kit of a file; its tables are read and checked when it first draws.
 
     Raises:
-        InputError: It is no kit file; the message says what is wrong where.
+        InputError: The file is not a valid kit file; the message says what is wrong and where.
     """
     try:
         text = file.read_text(encoding="utf-8")

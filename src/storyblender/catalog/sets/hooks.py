@@ -1,4 +1,4 @@
-"""Code that kit files may call by name, for what lists do not say: ``hook = [{ name = "row_of_houses" }]``."""
+"""Functions that kit files call by name for what tables cannot express: ``hook = [{ name = "row_of_houses" }]``."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ def row_of_houses(drawing: Drawing, given: Mapping[str, ParamValue]) -> None:
     """Close one side of a street with houses.
 
     Args:
-        drawing: Of the kit.
-        given: ``y`` of the fronts, ``yaw`` (0 looks to -Y), least and most storeys ``low`` and ``high``, ``shops``,
-            and where the row ends: ``start`` and ``end``.
+        drawing: Drawing of the kit.
+        given: ``y`` of the fronts, ``yaw`` (0 faces -Y), fewest and most storeys ``low`` and ``high``, ``shops``,
+            and the ends of the row: ``start`` and ``end``.
     """
     low, high = int(given.get("low", 3)), int(given.get("high", 5))
     row_of_facades(

@@ -31,23 +31,23 @@ class SetKit:
 
     Args:
         key: snake_case key of the kit.
-        name: Name for people.
-        tags: Words of headings that mean this place, the strongest first.
-        indoor: False where the sky is the ceiling.
-        draw: The kit's plan as a pure function of its parameters and a seeded generator.
+        name: Display name.
+        tags: Words in scene headings that mean this place, the strongest first.
+        indoor: Whether the place is indoors.
+        draw: Pure function from parameters and a seeded generator to the kit's plan.
         width: Span in x.
         depth: Span in y.
         height: Span of the ceiling; ignored outdoors.
         period: When the place is usually set.
         options: The kit's own parameters and their defaults.
-        means: What plain words mean here, prop for prop: a bed in a ward is a hospital bed.
-        has: Words for what its pieces are already, such as the mirror of a car: nothing else is put there for them.
-        seated: Everybody who is found here sits unless the script says otherwise.
-        on_foot: Trades that stand here all the same: the steward of a cabin.
-        description: What is to be seen there, in a sentence or two.
-        counterpart: The kit for EXT. of this indoor place, or for INT. of this outdoor one; empty for the usual.
-        told_by: Things and trades that tell this place where no word of the heading does, with their points.
-        option_words: Words of the place that turn an option on.
+        means: Local meaning of props: a bed in a ward is a hospital bed.
+        has: Words for objects that its pieces include already, such as the mirror of a car: no prop is added for them.
+        seated: Whether characters already here sit unless the script says otherwise.
+        on_foot: Occupations that stand here nevertheless: the steward of a cabin.
+        description: Visible contents in a sentence or two.
+        counterpart: The kit for EXT. of this indoor place, or for INT. of this outdoor one; empty for the default.
+        told_by: Objects and occupations that suggest this place if no word of the heading does, with their scores.
+        option_words: Words in the place name that turn an option on.
     """
 
     key: str

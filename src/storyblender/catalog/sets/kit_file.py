@@ -1,4 +1,4 @@
-"""What a kit file may say: one TOML file in ``kits/`` is one kind of place. ``docs/add-a-set.md`` explains it."""
+"""Schema of kit files: one TOML file in ``kits/`` per kind of place. See ``docs/add-a-set.md``."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from storyblender.memory.base import Frozen, Identifier
 
 Backdrop = Literal["skyline", "treeline", "hills", "sea", "facades", "stars", "deep"]
 Limits = tuple[float, float, float]
-"""Least, usual and most metres."""
+"""Minimum, default and maximum in metres."""
 
 
 def _known_prop(key: str) -> str:
@@ -44,7 +44,7 @@ Skin = Annotated[str, AfterValidator(_known_finish)]
 
 
 class KitHead(Frozen):
-    """The lines above the first table: what finds the kit, without drawing it."""
+    """Top-level keys above the first table: what the catalog needs to find the kit without drawing it."""
 
     name: str
     description: str
@@ -65,7 +65,7 @@ class KitHead(Frozen):
 
 
 class Row(Frozen):
-    """Several places at equal distances: ``count`` of them, or one ``every`` so many metres at most."""
+    """Evenly spaced places: ``count`` of them, or spaced at most ``every`` metres."""
 
     start: Term = Field(alias="from")
     end: Term = Field(alias="to")
@@ -83,16 +83,16 @@ Place = Term | Row
 
 
 class Conditional(Frozen):
-    """Something that may belong to some periods or options only."""
+    """A table that may be limited to some periods or options."""
 
     when: tuple[str, ...] = ()
-    """Periods and options of which one must hold; none: always."""
+    """Periods and options of which at least one must apply; empty means always."""
     unless: tuple[str, ...] = ()
-    """Periods and options of which none may hold."""
+    """Periods and options of which none may apply."""
 
 
 class _Shell(Frozen):
-    """What a room is made of; ``past``, ``classic`` and ``modern`` replace single entries in their period."""
+    """Surfaces of a room; ``past``, ``classic`` and ``modern`` override single entries in their period."""
 
     wall: Skin | None = None
     floor: Skin | None = None
@@ -104,7 +104,7 @@ class _Shell(Frozen):
 
 
 class ShellTable(_Shell):
-    """``[shell]``: indoors."""
+    """``[shell]``: walls, floor and ceiling of an indoor set."""
 
     view: View = "facades"
     thickness: float = 0.15
@@ -115,7 +115,7 @@ class ShellTable(_Shell):
 
 
 class GroundTable(Frozen):
-    """``[ground]``: outdoors."""
+    """``[ground]``: ground of an outdoor set."""
 
     material: Skin
     wet: bool = False
@@ -123,12 +123,12 @@ class GroundTable(Frozen):
     rise: float = 0.0
     flat: Term | None = None
     extent: tuple[Term, Term, Term, Term] | None = None
-    """x and y of two corners where level ground ends: at a quay, at a cliff."""
+    """x and y of two opposite corners of the level ground, which ends at a quay or a cliff."""
     entrances: tuple[Literal["left", "right", "back"], ...] = ("left", "right", "back")
 
 
 class DoorTable(Conditional):
-    """``door``."""
+    """``door``: a door in a wall."""
 
     side: Side
     at: Term = 0.0
@@ -141,7 +141,7 @@ class DoorTable(Conditional):
 
 
 class WindowTable(Conditional):
-    """``window``."""
+    """``window``: a window in a wall."""
 
     side: Side
     at: Place = 0.0
@@ -153,7 +153,7 @@ class WindowTable(Conditional):
 
 
 class PutTable(Conditional):
-    """``put``: a prop, or a piece of the set, once or in rows, free, against a side, or on or by another."""
+    """``put``: a prop or set piece, single or in rows; free-standing, against a side, or on or by another."""
 
     prop: Prop | tuple[Prop, ...] = ()
     piece: Identifier | tuple[Identifier, ...] = ()
@@ -174,9 +174,9 @@ class PutTable(Conditional):
     required: bool = False
     scale: float = 1.0
     wild: bool = False
-    """A piece that may be taken away for a shot which it blocks."""
+    """Whether the piece is wild: it may be removed for a shot that it blocks."""
     footprint: tuple[Term, ...] = Field(default=(), max_length=3)
-    """Width and depth of a piece that people walk around, and its height if it is no wall."""
+    """Width and depth in metres of a piece that people walk around, and its height if it is not a wall."""
     give: dict[str, ParamValue | tuple[ParamValue, ...]] = Field(default={}, alias="with")
 
     @model_validator(mode="after")
@@ -191,7 +191,7 @@ class PutTable(Conditional):
 
 
 class SlabTable(Conditional):
-    """``slab``: a rectangle of another ground, a road, a rug of tiles, a stage."""
+    """``slab``: a rectangle of another ground: a road, a tiled area, a stage."""
 
     role: Literal["floor", "ground", "ceiling", "patch", "block"] = "patch"
     box: tuple[Term, Term, Term, Term]
@@ -202,7 +202,7 @@ class SlabTable(Conditional):
 
 
 class ScatterTable(Conditional):
-    """``scatter``: planting."""
+    """``scatter``: randomly scattered pieces such as plants."""
 
     pieces: tuple[Identifier, ...]
     count: int
@@ -220,7 +220,7 @@ class ScatterTable(Conditional):
 
 
 class BackdropTable(Conditional):
-    """``backdrop``: what closes the horizon, all around or between two azimuths; 0 is +Y, counter-clockwise."""
+    """``backdrop``: scenery on the horizon, all around or between two azimuths; 0 is +Y, counter-clockwise."""
 
     kind: Backdrop
     radius: float = 70.0
@@ -231,7 +231,7 @@ class BackdropTable(Conditional):
 
 
 class LampTable(Conditional):
-    """``lamp``: light without a prop."""
+    """``lamp``: a light source without a prop."""
 
     name: Identifier = "lamp"
     x: Place = 0.0
@@ -248,7 +248,7 @@ class LampTable(Conditional):
 
 
 class MarkTable(Conditional):
-    """``mark``: where somebody enters, stands or waits."""
+    """``mark``: a named place where a character enters, stands or waits."""
 
     name: Identifier
     x: Term = 0.0
@@ -258,14 +258,14 @@ class MarkTable(Conditional):
 
 
 class HookTable(Conditional):
-    """``hook``: code of ``hooks.py`` draws what no table says."""
+    """``hook``: a function of ``hooks.py`` that draws what no table can express."""
 
     name: Annotated[str, AfterValidator(_known_hook)]
     give: dict[str, ParamValue] = Field(default={}, alias="with")
 
 
 class PlanTable(Frozen):
-    """``[plan]``: lists of what is there, a line each."""
+    """``[plan]``: lists of the contents of the set, one line each."""
 
     door: tuple[DoorTable, ...] = ()
     window: tuple[WindowTable, ...] = ()
@@ -289,7 +289,7 @@ class PlanTable(Frozen):
 
 
 class KitBody(Frozen):
-    """The tables of a kit file."""
+    """All tables of a kit file."""
 
     shell: ShellTable | None = None
     ground: GroundTable | None = None

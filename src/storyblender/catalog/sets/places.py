@@ -130,7 +130,7 @@ _PARTS = re.compile(r",\s*|\s+[-–—]+\s+")
 
 
 def kit_of(setup: SceneSetup) -> str:
-    """Return the key of a scene's kit: as chosen, by its heading, by who and what is there, or by its description."""
+    """Return the key of a scene's kit: as chosen, or by its heading, its characters and props, or its description."""
     if setup.kit in SETS:
         return setup.kit
     key = _hall_of(setup) or find_kit(setup.place_kind, setup.place, setup.scene_type)
@@ -163,7 +163,7 @@ def _names(words: str, key: str) -> bool:
 
 
 def is_told(place_kind: str, words: str, scene_type: SceneType) -> bool:
-    """Return whether the words of a place name a kit, so that it is no mere fallback.
+    """Return whether the words of a place name a kit, as opposed to the fallback.
 
     Args:
         place_kind: The Director's key of the place, or empty.

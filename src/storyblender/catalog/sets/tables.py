@@ -1,4 +1,4 @@
-"""Draws the tables of a kit file: shell or ground first, then what stands in it, in the order of the file."""
+"""Draws the tables of a kit file: shell or ground first, then the contents in the order of the file."""
 
 from __future__ import annotations
 
@@ -33,15 +33,15 @@ from storyblender.memory.base import Color, Vec3
 
 _COLORS: dict[str, Color] = {"warm": WARM, "candle": CANDLE, "cool": COOL, "sodium": SODIUM}
 _CLEAR_OF_WALL = 0.04
-"""Metres between a wall and what stands against it."""
+"""Metres between a wall and an object against it."""
 
 
 def drawn(kit: str, body: KitBody, params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Return the plan of a kit file.
 
     Args:
-        kit: Its key.
-        body: Its tables.
+        kit: Key of the kit.
+        body: Tables of the kit file.
         params: Size, period and options.
         rng: The seeded source of variation.
 
@@ -80,14 +80,14 @@ class _Tables:
     """One drawing in progress.
 
     Args:
-        drawing: Receives everything.
+        drawing: Drawing that receives all parts.
         params: Size, period and options.
     """
 
     drawing: Room | Ground
     params: SetParams
     placed: dict[str, list[_Spot]] = field(default_factory=dict)
-    """Where the things with an id are."""
+    """Positions of the placed objects, by id."""
 
     def draw(self, body: KitBody) -> SetPlan:
         """Draw all tables and return the plan."""
@@ -120,7 +120,7 @@ class _Tables:
         return value_of(term, {"x": self.drawing.half_x, "y": self.drawing.half_y, "h": height, "n": float(copy)})
 
     def _values(self, place: Place) -> list[float]:
-        """Return the positions that a term or a row stands for."""
+        """Return the coordinates that a term or a row evaluates to."""
         if not isinstance(place, Row):
             return [self._value(place)]
         start, end = self._value(place.start), self._value(place.end)
@@ -219,7 +219,7 @@ class _Tables:
                 yield spot
 
     def _depth(self, key: str, table: PutTable) -> float:
-        """Return how far a thing reaches from front to back; a piece of the set has its back at its origin."""
+        """Return the depth of a prop in metres, front to back; set pieces have their back at their origin."""
         depth = table.give.get("depth")
         if not table.prop:
             return -2 * _CLEAR_OF_WALL
@@ -235,7 +235,7 @@ class _Tables:
 
 @dataclass(frozen=True)
 class _Spot:
-    """Where something stands: metres and degrees, and how high its top is above its foot."""
+    """Position in metres and yaw in degrees of an object, and the height of its top above its base."""
 
     x: float
     y: float
@@ -247,15 +247,15 @@ class _Spot:
         yield from (self.x, self.y, self.z, self.yaw)
 
     def beside(self, x: float, y: float, z: float, yaw: float) -> _Spot:
-        """Return a spot given in the frame of this one."""
+        """Return a spot given in the local frame of this one."""
         turn = math.radians(self.yaw)
         dx, dy = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
         return _Spot(round(self.x + dx, 4), round(self.y + dy, 4), round(self.z + z, 4), self.yaw + yaw)
 
     def lifted(self, height: float) -> _Spot:
-        """Return the spot on ground of that height."""
+        """Return the spot raised by the height of the ground."""
         return _Spot(self.x, self.y, round(self.z + height, 4), self.yaw)
 
     def topped(self, top: float) -> _Spot:
-        """Return the spot with what stands there."""
+        """Return the spot with the top height of the object on it."""
         return _Spot(self.x, self.y, self.z, self.yaw, top)

@@ -16,18 +16,18 @@ _OPERATORS: Mapping[type[ast.AST], Callable[[float, float], float]] = {
     ast.Div: operator.truediv,
 }
 NAMES = ("x", "y", "h", "n")
-"""Half the width, half the depth, the height of the ceiling, and the number of the copy, from 0."""
+"""Variables: half the width, half the depth, the ceiling height, and the index of the copy, from 0."""
 
 
 def value_of(term: float | str, names: Mapping[str, float]) -> float:
-    """Return the number that a term stands for.
+    """Evaluate a term.
 
     Args:
-        term: A number, or a sum with + - * / and brackets.
-        names: What its letters stand for.
+        term: A number, or an expression with + - * / and brackets.
+        names: Values of the variables.
 
     Raises:
-        ValueError: It is no such sum.
+        ValueError: The term is not a valid expression.
     """
     if not isinstance(term, str):
         return float(term)

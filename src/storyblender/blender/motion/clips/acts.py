@@ -1,4 +1,4 @@
-"""Plays the acts of the catalogue: rows of key poses become keys on the channels of a person."""
+"""Plays the acts of the catalogue: turns rows of key poses into keys on the channels of a person."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from storyblender.catalog.acts import ACTS
 from storyblender.catalog.acts.entry import HOME_SECONDS, Act, FootPose, Gaze, HandPose, Key, Triple
 
 AT_HAND = 1.3
-"""Metres from which a thing is picked up for an act; what is farther off is in hand already."""
+"""Largest distance in metres at which a prop is picked up for an act; farther props start in the hand."""
 WITHIN, BEFORE_SITTER = 0.62, 0.20
-"""Metres of somebody of 1.7 m from the edge of a seat: what its sitter reaches, and where they work on a table."""
+"""Metres at a stature of 1.7 m: the reach of a seated person, and how far in front of them they work on a table."""
 OVER_WORK = 0.12
-"""Metres of somebody of 1.7 m that hands work above a surface."""
+"""Metres between working hands and the surface, at a stature of 1.7 m."""
 STEP_LIFT = 0.03
-"""Metres of somebody of 1.7 m."""
+"""Metres that a foot is lifted in a step, at a stature of 1.7 m."""
 
 
 def _uses(act: Act) -> tuple[str, ...]:
@@ -49,13 +49,13 @@ def _play_of(act: Act) -> Play:
 
 
 class _Playing:
-    """One act being performed.
+    """Performance of one act.
 
     Args:
-        stage: Where.
-        who: The one who acts.
-        beat: When, with what, to whom.
-        act: What.
+        stage: The stage.
+        who: The actor.
+        beat: Time, prop and target.
+        act: The act to perform.
     """
 
     def __init__(self, stage: Stage, who: Performer, beat: Beat, act: Act) -> None:
@@ -65,7 +65,7 @@ class _Playing:
         self.spot = Vector((0, 0, 0))
 
     def run(self) -> float:
-        """Set all keys and return the end."""
+        """Set all keys and return the end in seconds."""
         who, act = self.who, self.act
         t = self._tool_in_hand(self.beat.start)
         if self.partner is not None and act.reach == "person":
@@ -91,7 +91,7 @@ class _Playing:
         return now + HOME_SECONDS
 
     def _worked_on(self, place: Vector) -> Vector:
-        """Return where the hands work: the place, or, where who sits cannot reach it, on the top before them."""
+        """Return where the hands work: at ``place``, or on the table top if a seated actor cannot reach it."""
         who, k = self.who, self.who.m.k
         subject = self.beat.target or self.beat.prop
         in_hand = isinstance(subject, PropPuppet) and subject.holder is who
@@ -102,7 +102,7 @@ class _Playing:
         return Vector((*ahead, table_height(self.stage, who)))
 
     def react(self, t: float) -> None:
-        """Play what the act does to the other person."""
+        """Play the partner's reaction to the act."""
         keep(self.who, SIDES, t, t + sum(key.seconds + key.stay for key in self.act.partner))
         for key in self.act.partner:
             self._key(key, t)
@@ -110,7 +110,7 @@ class _Playing:
         self._home(t, list(self.act.partner))
 
     def _keys(self, t: float, end: float) -> float:
-        """Set the keys, those that are repeated until the end; return when the last is over."""
+        """Set all keys and the repetitions until ``end``; return the second at which the last is over."""
         index, keys = 0, self.act.keys
         while index < len(keys):
             key = keys[index]
@@ -146,7 +146,7 @@ class _Playing:
             self._look(key.gaze, t, key.seconds)
 
     def _home(self, t: float, keys: list[Key] | None = None) -> None:
-        """Bring back what the keys moved."""
+        """Return the body parts that the keys moved to their rest pose."""
         who, keys = self.who, list(self.act.keys) if keys is None else keys
         for side, moved in (
             (self.lead, any(key.lead for key in keys)),
@@ -175,7 +175,7 @@ class _Playing:
     # --- hands ----------------------------------------------------------------------------------------------------
 
     def _acting_hand(self) -> str:
-        """Return the hand that acts: the beat's, or the other one where that holds what is not needed."""
+        """Return the acting hand: the beat's, or the other one if that hand holds an unrelated prop."""
         side, prop = self.beat.side, prop_of(self.beat)
         held = self.who.held.get(side)
         wanted = prop is not None and held == prop.asset_id
@@ -185,13 +185,13 @@ class _Playing:
         return other(side)
 
     def _may_move(self, side: str) -> bool:
-        """Tell whether a hand may leave where it is: it is empty, or what it holds goes along."""
+        """Return whether a hand is free to move: it is empty, or holds the prop of the act."""
         held = self.who.held.get(side)
         prop = prop_of(self.beat)
         return held is None or side == self.lead or (prop is not None and held == prop.asset_id)
 
     def _tool_in_hand(self, t: float) -> float:
-        """Have what the act is done with in hand; return when."""
+        """Take the tool of the act in hand; return the second at which it is held."""
         prop = prop_of(self.beat)
         if prop is None or prop.holder is self.who or not self.act.hands or prop is self.beat.target:
             return t
@@ -202,7 +202,7 @@ class _Playing:
         return t
 
     def _steady_tool(self, t: float, end: float) -> None:
-        """Let the other hand hold the tool as well."""
+        """Make the other hand hold the tool as well."""
         far, prop = other(self.lead), self.stage.props.get(self.who.held.get(self.lead, ""))
         if self.act.second is None or prop is None or self.who.held.get(far, prop.asset_id) != prop.asset_id:
             return
@@ -232,7 +232,7 @@ class _Playing:
         return target
 
     def _frame(self, side: str, pose: HandPose) -> tuple[Vector, Matrix, float]:
-        """Return where a hand pose is measured from, its axes, and the length of its unit, at the moment posed."""
+        """Return the origin, the axes and the unit length in metres of a hand pose, at the current time."""
         who, k = self.who, self.who.m.k
         match pose.frame:
             case "chest":
@@ -252,7 +252,7 @@ class _Playing:
                 return self._of_partner(side, pose.frame), who.facing, k
 
     def _of_partner(self, side: str, part: str) -> Vector:
-        """Return a place on the other person; a place before one's own face or breast where there is none."""
+        """Return a place on the partner; without a partner, a place in front of the actor's face or chest."""
         them = self.partner
         if them is None:
             ahead = 0.45 if part == "their_hand" else 0.6
@@ -309,7 +309,7 @@ class _Playing:
 
 
 def _wielding(grip: Grip, place: Vector, axes: list[Vector], elbow: Vector) -> Floats:
-    """Return the hand at a place that holds a thing with its top and its front in two directions."""
+    """Return the hand target at a place for a tool whose top and front point along ``axes``."""
     up, front = axes[0].normalized(), axes[1]
     back = -(front - up * front.dot(up)).normalized()
     turn = Matrix((back.cross(up), back, up)).transposed()
@@ -319,7 +319,7 @@ def _wielding(grip: Grip, place: Vector, axes: list[Vector], elbow: Vector) -> F
 
 
 def _along(prop: PropPuppet, side: str, metres: float) -> Grip:
-    """Return the grip of a hand some metres along a tool, towards its top, or its front if it lies."""
+    """Return the grip of a hand moved ``metres`` along a tool, towards its top, or its front if it lies flat."""
     grip = prop.grip(side)
     axis = Vector((0, 0, 1)) if prop.size.z >= prop.size.y else Vector((0, -1, 0))
     place = grip.palm + axis * metres

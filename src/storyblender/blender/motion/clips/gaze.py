@@ -23,12 +23,12 @@ def look_at(who: Performer, t: float, point: Target, duration: float = 0.4) -> f
 
 
 def show(who: Performer, t: float, duration: float, **units: float) -> None:
-    """Put on a face made of units of ``FACE``; none is the face that the person has in this shot."""
+    """Set a facial expression from units of ``FACE``; no units restore the person's expression in this shot."""
     who.face.set(t, duration, values_of(units or EXPRESSIONS[who.expression]))
 
 
 def mood(who: Performer, t: float, name: str, duration: float = 0.3) -> None:
-    """Put on the face of a mood or an expression; ``neutral`` is the face that the person has in this shot."""
+    """Show a mood or an expression; ``neutral`` restores the person's expression in this shot."""
     expression = next((face for each, face in OF_MOOD.items() if each == name), name)
     show(who, t, duration, **EXPRESSIONS[expression])
 
@@ -51,7 +51,7 @@ def idle(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("face")
 def face(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Put on a face for the rest of the shot: others come and go, this one comes back."""
+    """Set the base expression for the rest of the shot; the face returns to it after other expressions."""
     who.expression = beat.expression
     mood(who, beat.start, "neutral")
     return beat.start + 0.3
@@ -59,7 +59,7 @@ def face(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("look")
 def look(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Look at the target, or at the point of the mark; the trunk follows what is far aside."""
+    """Look at the target, or at the point of the mark; the trunk turns along for targets far to the side."""
     mood(who, beat.start, beat.mood)
     if beat.target is None and beat.mark is not None:
         return look_at(who, beat.start, beat.mark.location)

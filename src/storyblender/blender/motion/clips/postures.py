@@ -1,4 +1,4 @@
-"""Postures off the floor, or on all fours: hanging, head down, floating, riding, crawling."""
+"""Postures without the feet on the floor: hanging, upside down, floating, riding, on all fours."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import Beat, Stage
 
 CLEAR = 0.35
-"""Metres of somebody of 1.7 m that feet are above the floor where the script names no height."""
+"""Default height of the feet above the floor in metres, at a stature of 1.7 m."""
 BACK, SADDLE = (0.66, 0.07), (0.82, 0.15)
-"""Where one sits on what is ridden and has no seat of its own: share of its height, and of its length behind its
-middle; on an animal's back, and behind handlebars."""
+"""Seat position on a mount without a seat anchor, on an animal's back and behind handlebars: share of its height,
+and share of its length behind its centre."""
 GRIP = (58.0, 64.0, 24.0)
 
 
@@ -48,7 +48,7 @@ def hang(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("upside_down", "body", "hands")
 def upside_down(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Hang by the feet, head down, arms dangling."""
+    """Hang upside down by the feet, arms dangling."""
     t, m, k = to_mark(stage, who, beat), who.m, who.m.k
     height = 1.42 * k
     _held_up(who, t, "upside_down")
@@ -66,7 +66,7 @@ def upside_down(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("float", "body", "hands")
 def float_(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Drift: the body tilted forward, legs trailing, arms spread."""
+    """Float with the body tilted forward, legs trailing, arms spread."""
     t, m, k = to_mark(stage, who, beat), who.m, who.m.k
     _raise(who, t, CLEAR)
     _held_up(who, t, "float")
@@ -85,7 +85,7 @@ def float_(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("ride", "body", "hands")
 def ride(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Sit astride what the mark or the target names: thighs apart, feet at its sides, hands before one."""
+    """Ride the mark's or the target's object: sit astride, feet at its sides, hands in front."""
     t, m, k = beat.start, who.m, who.m.k
     mount = stage.subject(beat.mark.support_id if beat.mark else None) or beat.target
     height, place, yaw = _saddle(who, mount)
@@ -121,7 +121,7 @@ def ride(stage: Stage, who: Performer, beat: Beat) -> float:
 
 @clip("on_all_fours", "body", "hands")
 def on_all_fours(stage: Stage, who: Performer, beat: Beat) -> float:
-    """Be on hands and knees."""
+    """Get down on hands and knees."""
     t = to_mark(stage, who, beat)
     x, y = who.position
     ahead = who.position + who.forward * 0.01
@@ -132,7 +132,7 @@ def on_all_fours(stage: Stage, who: Performer, beat: Beat) -> float:
 
 
 def _saddle(who: Performer, mount: object) -> tuple[float, Vector, float]:
-    """Return the height of what one sits on astride, and where and how it stands; the floor where there is none."""
+    """Return height, position and yaw of the seat of a mount, in metres and radians; a default without a mount."""
     if not isinstance(mount, StageFurniture | PropPuppet):
         return who.ground + 0.55 * who.m.hip_height, who.position.copy(), who.yaw
     furniture = isinstance(mount, StageFurniture)
@@ -147,7 +147,7 @@ def _saddle(who: Performer, mount: object) -> tuple[float, Vector, float]:
 
 
 def _handlebars(mount: object) -> dict[str, Vector]:
-    """Return where the handlebars of a thing are, by hand; nothing where it has none."""
+    """Return the world positions of the handlebar grips by hand; empty without handlebars."""
     if isinstance(mount, StageFurniture):
         world, anchors = Matrix(mount.world.tolist()), [each for each in mount.anchors if each.kind == "grip"]
     elif isinstance(mount, PropPuppet):
@@ -161,14 +161,14 @@ def _handlebars(mount: object) -> dict[str, Vector]:
 
 
 def _raise(who: Performer, t: float, height: float) -> None:
-    """Lift the whole body off the floor, unless the script has said at which height it is."""
+    """Lift the whole body off the floor, unless the script gives its height."""
     if who.ground <= 0.05:
         who.ground = height * who.m.k
         who.level.set(t if t >= 0 else LONG_AGO, 0.6, who.ground)
 
 
 def _held_up(who: Performer, t: float, posture: str) -> None:
-    """No floor carries the body."""
+    """Hold the body up without contact to the floor, in a posture."""
     who.pinned.set(t, 0.3, 1.0)
     who.life.set(t, 0.3, 0.2)
     who.lean_after.set(t, 0, 0.0)

@@ -22,7 +22,7 @@ from storyblender.geometry.paths import BEFORE_SEAT
 from storyblender.memory.shot_context import Mark
 
 OFF_THE_FLOOR = ("hang", "upside_down", "float", "ride", "crawl")
-"""Postures in which the feet do not carry the body."""
+"""Postures in which the feet carry no weight."""
 ASIDE = 0.12
 """Metres; who stands farther from the spot before a seat comes to it, or leaves it, sideways."""
 FLOOR_SEAT = 0.30
@@ -190,7 +190,7 @@ def _leave_seat(stage: Stage, who: Performer, t: float, place: Vector) -> float:
 
 
 def _straighten(stage: Stage, who: Performer, t: float) -> float:
-    """From kneeling, crouching, leaning, from all fours, or down from where one hung or rode."""
+    """Stand up from kneeling, crouching, leaning or all fours, or get down from hanging or riding."""
     k, x, y = who.m.k, *who.position
     whole = 0.9 * math.sqrt(k)
     low = who.hips(t)[2] < 0.75 * who.standing_height
