@@ -1,4 +1,4 @@
-"""An animal that acts like a person: its head, coat and tail on the figure and the rig of a person."""
+"""Anthropomorphic animals: an animal's head, coat and tail on a person's body and rig."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Floats = NDArray[np.float64]
 _PUPIL, _WHITE, _GLINT = (0.005, 0.005, 0.005), (0.72, 0.70, 0.66), (1.0, 1.0, 1.0)
 _FRAME = (0.012, 0.010, 0.009)
 _SMALL = 1.0
-"""Metres below which an animal has the proportions of a child."""
+"""Height in metres below which an animal gets the proportions of a child."""
 
 
 class Animal:
@@ -40,10 +40,10 @@ class Animal:
         pack: The body data.
         species: Which animal.
         look: Casting words.
-        seed: Makes two of a kind different.
+        seed: Seed of the variation between individuals.
 
     Attributes:
-        figure: Its body for the tailor, with a skull instead of a person's head.
+        figure: Body for the tailor, with an animal skull instead of a person's head.
         joints: Positions of all joints of the rig, metres.
     """
 
@@ -68,7 +68,7 @@ class Animal:
         self.joints = self._joints()
 
     def _joints(self) -> dict[str, Floats]:
-        """The joints of the body, with eyes, mouth and chin where the animal has them."""
+        """Return the joint positions in metres, with eyes, mouth and chin moved to the animal's."""
         joints = {name: self.figure.joint(name) for bone in SKELETON for name in (bone.head, bone.tail)}
         skull = self.head.skull
         for side, eye in animal_heads.eye_centers(self.head).items():
@@ -80,12 +80,12 @@ class Animal:
         return joints
 
     def build(self, armature: bpy.types.Object, wardrobe: Sequence[Worn], *, glasses: bool) -> list[bpy.types.Object]:
-        """Return the objects of the animal without its clothes.
+        """Return the mesh objects of the animal without its clothes.
 
         Args:
-            armature: What they hang on.
-            wardrobe: What covers the coat.
-            glasses: Whether it wears glasses.
+            armature: Armature that deforms the objects.
+            wardrobe: Garments that cover the coat.
+            glasses: Whether to add glasses.
         """
         group = f"{armature.name}_skin"
         painted = [Paint(self.coat, "hair", vertex_colors=True)]
@@ -114,7 +114,7 @@ class Animal:
         return build_object(f"{armature.name}_eyes", sheet, paints, armature, surface=Surface.EYE, ink_group=group)
 
     def _glasses(self, armature: bpy.types.Object) -> bpy.types.Object:
-        """Round glasses before the eyes, with arms to the ears."""
+        """Return round glasses in front of the eyes, with temples to the ears."""
         skull, thick = self.head.skull, 0.022 * self.radius
         turns = np.linspace(0, 2 * np.pi, 25)[:-1]
         x, y, z = skull.eyes
@@ -134,6 +134,6 @@ class Animal:
 
 
 def worn_by_animals(look: CharacterLook) -> tuple[Garment, ...]:
-    """Return what an animal wears from the inside out: only what the script tells, for it has its coat."""
+    """Return the garments of an animal, innermost first: only those in the script, because it has a coat."""
     chosen = [garment for garment in look.garments if garment.key in GARMENTS]
     return tuple(sorted(chosen, key=lambda garment: GARMENTS[garment.key].layer))

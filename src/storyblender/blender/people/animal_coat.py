@@ -1,4 +1,4 @@
-"""The coat of an animal on a person's body: soft fur without a person's muscles, paws, a belly, and a tail."""
+"""The coat of an animal on a person's body: smooth fur without muscle relief, paws, belly and tail."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from storyblender.memory.base import Color
 
 Floats = NDArray[np.float64]
 _FUR = 0.012
-"""Metres that the coat of an animal of 1.70 m stands off its body."""
+"""Thickness of the coat in metres, on an animal of 1.70 m."""
 _BIRDS = ("cone", "flat", "hook")
 
 _Path = tuple[tuple[float, float, float], ...]
@@ -43,17 +43,17 @@ TAILS: dict[str, tuple[_Path, tuple[float, ...]]] = {
     "thick": (((0, 0, 0), (0.04, 0.2, -0.12), (0.14, 0.36, -0.26), (0.28, 0.5, -0.32), (0.42, 0.58, -0.3)),
               (0.095, 0.085, 0.065, 0.04, 0.01)),
 }  # fmt: skip
-"""Path from the root (to the left, back, up) and radii along it, metres for an animal of 1.70 m."""
+"""Tail shapes: path from the root (left, back, up) and radii along it, in metres on an animal of 1.70 m."""
 
 
 def build_coat(figure: Figure, species: Species, coat: Color, wardrobe: Sequence[Worn]) -> tuple[Sheet, Floats]:
     """Return the visible fur with the hands, and its vertex colours.
 
     Args:
-        figure: Whose body.
+        figure: Body of the animal.
         species: Which animal.
         coat: Colour of its coat.
-        wardrobe: What it wears; nothing is built below it.
+        wardrobe: Garments; no fur is built below them.
     """
     fur, hands = figure.part("tights"), figure.part("skin")
     hidden = tailor.covered_skin(figure, fur, wardrobe)
@@ -134,7 +134,7 @@ def build_tail(figure: Figure, species: Species, coat: Color) -> tuple[Sheet, Fl
 
 
 def _root(figure: Figure) -> Floats:
-    """Return where a tail begins: on the back, at the height of the pelvis."""
+    """Return the root of the tail in metres: on the back, at the height of the pelvis."""
     skin = figure.part("skin").points
     height = float(figure.joint("pelvis")[2]) + 0.01 * figure.k
     near = (np.abs(skin[:, 2] - height) < 0.03 * figure.k) & (np.abs(skin[:, 0]) < 0.06 * figure.k)

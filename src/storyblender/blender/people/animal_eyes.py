@@ -1,4 +1,4 @@
-"""The eyes of an animal: large balls that look with the eyes' bones, lids that close, brows that speak."""
+"""The eyes of an animal: large eyeballs on the eye bones, and lids with shape keys."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from storyblender.blender.people.sheet import Sheet, join, rigid
 
 Floats = NDArray[np.float64]
 _RINGS = ((0.0, 0), (0.3, 0), (0.31, 1), (0.62, 1), (0.63, 2), (0.7, 2), (0.71, 3), (1.0, 3), (1.5, 3), (2.0, 3))
-"""Angle from the axis of the eye and the slot of the band that ends there: pupil, iris, rim, white."""
+"""Rings of the eyeball: angle from its axis (radians) and material slot: pupil, iris, rim, white."""
 _AROUND = 20
 _UPPER, _LOWER = (155.0, 56.0, -28.0), (-155.0, -60.0, -30.0)
-"""Degrees of a lid over the eye: where it begins, its edge when open, its edge when shut; 0 is straight ahead."""
+"""Angles of a lid in degrees: its root, its edge when open, its edge when shut; 0 is straight ahead."""
 LID_KEYS: dict[str, tuple[float, float]] = {
     "blink": (1.0, 1.0), "squint": (0.42, 0.8), "wide": (-0.3, -0.4), "smile": (0.0, 0.45), "brow_down": (0.22, 0.0),
     "worry": (0.1, 0.0), "grin": (0.1, 0.5),
 }  # fmt: skip
-"""How far each shape key shuts the upper and the lower lid."""
+"""Share by which each shape key closes the upper and the lower lid."""
 
 
 def eyeballs(centers: dict[str, Floats], radius: float) -> Sheet:
     """Return both eyeballs; slots: 0 pupil, 1 iris, 2 rim, 3 white, 4 glint.
 
     Args:
-        centers: Of the eye of each side, metres.
-        radius: Metres.
+        centers: Eye centre of each side, metres.
+        radius: Radius of the eyeballs, metres.
     """
     return join([_ball(centers[side], radius, side) for side in "LR"])
 
@@ -61,8 +61,8 @@ def lids(center: Floats, radius: float) -> tuple[Sheet, dict[str, Floats]]:
     """Return the lids of one eye and the offsets (V, 3) of their shape keys.
 
     Args:
-        center: Of the eyeball, metres.
-        radius: Of the eyeball.
+        center: Centre of the eyeball, metres.
+        radius: Radius of the eyeball, metres.
     """
     sheets, moves = [], []
     for number, lid in enumerate((_UPPER, _LOWER)):

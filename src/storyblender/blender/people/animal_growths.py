@@ -1,4 +1,4 @@
-"""What grows on the head of an animal: ears, nose, horns, antlers, comb, mane, spines, whiskers, teeth."""
+"""Growths on the head of an animal: ears, nose, horns, antlers, comb, mane, spines, whiskers, teeth."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _PINK, _RED = "#c99a8e", "#b3262a"
 
 
 def grow(head: Head) -> None:
-    """Add to a head what its species is known by."""
+    """Add the growths of its species to a head."""
     _ears(head)
     _nose(head)
     for mark in head.species.marks:
@@ -23,7 +23,7 @@ def grow(head: Head) -> None:
 
 
 def _both(points: list[Point]) -> list[list[Point]]:
-    """Return a path on the animal's left, and the same on its right."""
+    """Return a path on the animal's left, and its mirror image on the right."""
     return [points, [(-x, y, z) for x, y, z in points]]
 
 
@@ -122,13 +122,13 @@ def _tusks(head: Head) -> None:
 
 
 def _ivory(head: Head) -> None:
-    """The tusks beside a trunk."""
+    """Add the tusks beside a trunk."""
     for points in _both([(0.42, -0.7, -0.5), (0.56, -1.1, -0.85), (0.5, -1.55, -0.75)]):
         head.bar(_IVORY, points, [0.11, 0.09, 0.01])
 
 
 def _mane(head: Head) -> None:
-    """A ring of locks about the face and down the neck."""
+    """Add a ring of locks around the face and down the neck."""
     for row, (y, reach, count) in enumerate(((-0.28, 1.28, 20), (0.05, 1.42, 20), (0.4, 1.38, 18), (0.75, 1.1, 12))):
         for step in range(count):
             turn = 2 * np.pi * (step + 0.5 * (row % 2)) / count
@@ -179,7 +179,7 @@ def _antlers(head: Head) -> None:
 
 
 def _palms(head: Head) -> None:
-    """The flat, broad antlers of a moose."""
+    """Add the flat, broad antlers of a moose."""
     ends = (((1.3, 1.25), (1.1, 1.8)), ((1.5, 1.4), (1.4, 2.1)), ((1.7, 1.55), (1.8, 2.3)), ((1.75, 1.45), (2.3, 1.95)),
             ((1.65, 1.25), (2.2, 1.4)))  # fmt: skip
     for points in _both([(0.4, 0.1, 0.75), (0.85, 0.15, 1.0), (1.2, 0.15, 1.15)]):
@@ -208,7 +208,7 @@ def _knobs(head: Head) -> None:
 
 
 def _crest(head: Head) -> None:
-    """A mane along the top of the head and down the neck, with a forelock."""
+    """Add a mane along the top of the head and down the neck, with a forelock."""
     color = head.species.tip or "#241a14"
     for step in range(11):
         turn = -0.45 + 0.27 * step
@@ -247,4 +247,4 @@ GROWTHS: dict[str, Callable[[Head], None]] = {
     "curls": _curls, "onehorn": _onehorn, "nosehorn": _nosehorn, "knobs": _knobs, "teeth": _teeth, "fangs": _fangs,
     "tusks": _tusks, "ivory": _ivory,
 }  # fmt: skip
-"""What grows on a head; markings that are painted are in ``animal_skull``."""
+"""Builder of each growth on the head; painted markings are in ``animal_skull``."""

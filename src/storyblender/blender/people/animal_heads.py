@@ -1,4 +1,4 @@
-"""Heads of animals on people's bodies: a badger in a waistcoat has a badger's head, which looks, speaks and smiles."""
+"""Animal heads on people's bodies, with moving eyes, jaw and facial expressions."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from storyblender.memory.base import Color
 Floats = NDArray[np.float64]
 Point = tuple[float, float, float]
 SKULL = 0.155
-"""Metres from the middle of the head to its side, on a grown-up of 1.70 m with a head of size 1."""
+"""Radius of the head in metres, on an adult of 1.70 m with head size 1."""
 STEP = 0.055
-"""Edge of a face of the head, in radii."""
+"""Edge length of the mesh faces of the head, in head radii."""
 _OPEN = 20.0
-"""Degrees that the jaw opens."""
+"""Largest opening of the jaw in degrees."""
 _HEAD_LINE, _NECK_LINE = 6.75, 6.2
-"""Decimetres on the base mesh: above the first a person's head becomes the skull of the animal, below the second it
-stays as it is."""
+"""Heights on the base mesh in decimetres: above the first the person's head becomes the animal's skull; below the
+second it is unchanged."""
 
 
 @dataclass
@@ -40,10 +40,10 @@ class Head:
 
     Attributes:
         species: Which animal.
-        skull: Its form and colours.
-        center: Middle of the skull, metres.
-        radius: Metres.
-        sheets: What is built.
+        skull: Shape and colours of the skull.
+        center: Centre of the skull, metres.
+        radius: Radius of the skull, metres.
+        sheets: Mesh sheets built so far.
         colors: Vertex colours (V, 3) of each sheet.
         keys: Offsets (V, 3) of the shape keys of each sheet.
     """
@@ -57,16 +57,16 @@ class Head:
     keys: list[Mapping[str, Floats]] = field(default_factory=list)
 
     def place(self, points: ArrayLike) -> Floats:
-        """Return metres of points of the head."""
+        """Return points of the head converted from head radii to metres."""
         return self.center + np.asarray(points, float) * self.radius
 
     def add(self, sheet: Sheet, color: str | Floats, keys: Mapping[str, Floats] | None = None) -> None:
         """Add a sheet.
 
         Args:
-            sheet: In metres.
+            sheet: The sheet, in metres.
             color: ``main`` for the coat, ``pale``, ``dark``, a hex code, or the colour of each vertex.
-            keys: Offsets of its shape keys, metres.
+            keys: Offsets (V, 3) of its shape keys, metres.
         """
         if isinstance(color, str):
             named = {"main": self.skull.coat, "pale": self.skull.pale, "dark": self.skull.coat * 0.42}
@@ -80,11 +80,11 @@ class Head:
         self.add(ball(self.place(at), np.array(half) * self.radius, bone_weights("head"), rotation=turn), color)
 
     def bar(self, color: str, points: Sequence[Point], radii: Sequence[float]) -> None:
-        """Add a bar of changing thickness."""
+        """Add a round bar of varying thickness along a path."""
         self.add(bar(self.place(points), [each * self.radius for each in radii], bone_weights("head")), color)
 
     def body(self, form: Field) -> tuple[Sheet, Floats]:
-        """Return the surface of a form, and its vertices in radii."""
+        """Return the mesh of a distance field, and its vertices in head radii."""
         points, faces = surface(form, *self.skull.bounds(form), STEP)
         return rigid(self.place(points), faces.tolist(), bone_weights("head")), points
 
@@ -101,13 +101,13 @@ class Head:
 
 
 def head_place(points: Floats, joints: Mapping[str, Floats], species: Species, scale: float) -> tuple[Floats, float]:
-    """Return the middle of an animal's skull and its radius, metres.
+    """Return the centre and the radius of an animal's skull, metres.
 
     Args:
-        points: (V, 3) of the person's body.
+        points: (V, 3) vertices of the person's body, metres.
         joints: Positions of the joints ``neck`` and ``l-eye``.
         species: Which animal.
-        scale: Size of the person's head against a grown-up's.
+        scale: Size of the person's head relative to an adult's.
     """
     radius = SKULL * scale * species.head
     crown = float(points[PARTS["skin"], 2].max())
@@ -116,13 +116,13 @@ def head_place(points: Floats, joints: Mapping[str, Floats], species: Species, s
 
 
 def with_skull(base: Floats, points: Floats, center: Floats, radius: float) -> Floats:
-    """Return the body whose head has become the round skull of the animal: hats and the camera go by it.
+    """Return the body with its head replaced by the animal's round skull, for hats and the camera.
 
     Args:
-        base: (V, 3) of the base mesh, decimetres.
-        points: (V, 3) of the body, metres.
-        center: Middle of the skull.
-        radius: Of the skull.
+        base: (V, 3) vertices of the base mesh, decimetres.
+        points: (V, 3) vertices of the body, metres.
+        center: Centre of the skull, metres.
+        radius: Radius of the skull, metres.
     """
     skin = PARTS["skin"]
     share = np.clip((base[skin, 1] - _NECK_LINE) / (_HEAD_LINE - _NECK_LINE), 0, 1)[:, None]
@@ -138,11 +138,11 @@ def build_head(figure: Figure, species: Species, coat: Color, center: Floats, ra
     """Return the head of an animal without its eyeballs, with a neck down into the collar.
 
     Args:
-        figure: Whose.
+        figure: Body that carries the head.
         species: Which animal.
         coat: Colour of its coat.
-        center: Middle of its skull, metres.
-        radius: Of its skull.
+        center: Centre of its skull, metres.
+        radius: Radius of its skull, metres.
     """
     head = Head(species, Skull(species, coat), center, radius)
     _skull(head)
@@ -153,7 +153,7 @@ def build_head(figure: Figure, species: Species, coat: Color, center: Floats, ra
 
 
 def eye_centers(head: Head) -> dict[str, Floats]:
-    """Return the middle of each eyeball, metres."""
+    """Return the centre of each eyeball by side, metres."""
     return {side: head.place(head.skull.eyes * (sign, 1, 1)) for side, sign in (("L", 1), ("R", -1))}
 
 
@@ -162,7 +162,7 @@ def _skull(head: Head) -> None:
     sheet, points = head.body(skull.form)
     colors = skull.paint(points)
     mouth = np.array(hex_color("#3a1416"))
-    if skull.jaw is not None:  # what the jaw hides until it opens
+    if skull.jaw is not None:  # inside of the mouth, visible when the jaw opens
         colors[(skull.jaw(points) < 0.0) & (points[:, 1] < -0.6)] = mouth
     head.add(sheet, colors)
     if skull.beak is not None:
@@ -188,7 +188,7 @@ _JAW_KEYS = {"mouth_open": 1.0, "wail": 0.7, "snarl": 0.4, "grin": 0.25}
 
 
 def _opened(points: Floats, share: float) -> Floats:
-    """Return how points of the jaw move when it opens."""
+    """Return the offsets of jaw points when the jaw opens by ``share`` (0 to 1) of its range."""
     turn = np.radians(_OPEN * share)
     away = points - HINGE
     y = away[:, 1] * np.cos(turn) - away[:, 2] * np.sin(turn)
@@ -197,7 +197,7 @@ def _opened(points: Floats, share: float) -> Floats:
 
 
 def _neck(head: Head, figure: Figure) -> None:
-    """Add a neck from inside the skull to below the collar; it bends with the person's."""
+    """Add a neck from inside the skull to below the collar; it bends with the person's neck."""
     base, top = figure.joint("neck"), head.center
     thick = min(0.6, 0.5 / head.species.head + 0.06) * head.radius
     path = [base - (0, 0, 0.03 * figure.k), base + 0.3 * (top - base), base + 0.65 * (top - base), top]
@@ -222,7 +222,7 @@ def _eyelids(head: Head) -> None:
 
 
 def _brow(head: Head, sign: int) -> None:
-    """Add a brow over one eye: the coat's dark, or light on a dark coat."""
+    """Add an eyebrow: darker than the coat, or lighter on a dark coat."""
     skull = head.skull
     eye, x = skull.eyes, np.linspace(-0.85, 0.95, 7)
     line = []
@@ -248,7 +248,7 @@ _CORNERS = {"smile": 0.17, "grin": 0.15, "frown": -0.15, "wail": -0.16, "wrinkle
 
 
 def _lips(head: Head) -> None:
-    """Add the line of the mouth around the snout; its corners smile and frown."""
+    """Add the mouth line around the snout, with shape keys for smiling and frowning."""
     skull = head.skull
     if head.species.mouth not in ("snout", "wide"):
         return
@@ -283,15 +283,15 @@ def cup(
     colors: tuple[str, str],
     thin: float = 0.2,
 ) -> None:
-    """Add an ear: a hollow leaf along a path.
+    """Add an ear: a hollow leaf shape along a path.
 
     Args:
-        head: Where.
+        head: Head that receives the ear.
         path: From its root to its tip.
         widths: Half its width along the path.
-        facing: Where its hollow looks.
-        colors: Of its back and of its hollow.
-        thin: Thickness for its width.
+        facing: Direction that its hollow faces.
+        colors: Colours of its back and its hollow.
+        thin: Ratio of thickness to width.
     """
     spine = np.array(
         [np.interp(np.linspace(0, 1, 11), np.linspace(0, 1, len(path)), axis) for axis in np.array(path).T]

@@ -1,6 +1,6 @@
 """The skull of an animal: its rounded form with cheeks and mouth, its jaw, and the markings painted on it.
 
-All lengths are in radii of the head: x to the animal's left, y back, z up, the middle of the skull at the origin.
+All lengths are in head radii: x to the animal's left, y back, z up, the centre of the skull at the origin.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from storyblender.memory.base import Color
 Floats = NDArray[np.float64]
 DARK, WHITE = "#17171a", "#f2efe8"
 MOUTH_HEIGHT = -0.2
-"""Where the mouth leaves the skull."""
+"""Height of the mouth on the skull."""
 HINGE: Floats = np.array((0.0, -0.1, -0.35))
-"""About which the jaw opens."""
+"""Pivot of the jaw."""
 _BEAKS = ("cone", "flat", "hook")
 
 
 class Skull:
-    """The form and the colours of a head.
+    """Shape and colours of an animal head.
 
     Args:
         species: Which animal.
@@ -132,17 +132,17 @@ class Skull:
                 return rod((0, -0.4, -0.6), (0, -0.95, -0.72), (0.36, 0.2))
 
     def bounds(self, field: Field) -> tuple[Floats, Floats]:
-        """Return two corners of a box that holds all of a field of this head."""
+        """Return two opposite corners of a box that contains a field of this head."""
         coarse = np.stack(np.meshgrid(np.arange(-2, 2.01, 0.1), np.arange(-3.4, 1.6, 0.1), np.arange(-2.3, 2, 0.1)), -1)
         inside = coarse.reshape(-1, 3)[field(coarse.reshape(-1, 3)) < 0.08]
         return inside.min(0) - 0.12, inside.max(0) + 0.12
 
     def reach(self, x: float, z: float) -> float:
-        """Return where the front of the head is at a place, seen from before it."""
+        """Return the y coordinate of the front surface of the head at ``x`` and ``z``."""
         return float(self.cast((x, -3.2, z), (0, 1, 0))[1])
 
     def cast(self, start: ArrayLike, way: ArrayLike) -> Floats:
-        """Return where a ray first meets the head, or else where it passes it most closely."""
+        """Return the first point of a ray on the head, or the point of the ray closest to the head if it misses."""
         at, step = np.array(start, float), np.asarray(way, float)
         nearest, least = at, np.inf
         for _ in range(60):
@@ -173,7 +173,7 @@ class Skull:
 
 
 def _soft(value: Floats, width: float) -> Floats:
-    """Return 0 to 1 where a value passes zero."""
+    """Return a smooth step from 0 to 1 across ``width`` where ``value`` crosses zero."""
     share = np.clip(value / width + 0.5, 0, 1)
     return share * share * (3 - 2 * share)
 
@@ -187,7 +187,7 @@ def _tint(code: str) -> Floats:
 
 
 def _stripes(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """A white face with a dark band through each eye from nose to ear."""
+    """Paint a white face with a dark band through each eye from nose to ear."""
     _blend(colors, _soft(0.2 - y, 0.2), skull.pale)
     middle = np.interp(-y, (-0.4, 0.5, 1.0, 1.4), (0.5, 0.42, 0.34, 0.2))
     wide = np.interp(-y, (-0.4, 0.6, 1.0, 1.4), (0.2, 0.19, 0.15, 0.05))
@@ -195,7 +195,7 @@ def _stripes(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> N
 
 
 def _mask(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """White brows and muzzle, and a dark mask around the eyes down to the cheeks."""
+    """Paint white brows and muzzle, and a dark mask around the eyes down to the cheeks."""
     front = _soft(0.1 - y, 0.25)
     _blend(colors, front * _soft(0.42 - np.abs(z - 0.36) - 0.12 * x, 0.12), skull.pale)
     line = 0.22 - 0.42 * np.clip(x - 0.4, 0, 1)
@@ -208,13 +208,13 @@ def _mask(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None
 
 
 def _cheeks(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """Pale cheeks up to below the eyes."""
+    """Paint pale cheeks up to just below the eyes."""
     _blend(colors, _soft(-0.02 - z - 0.12 * x, 0.14) * _soft(0.05 - y, 0.2) * _soft(x - 0.06, 0.1), skull.pale)
     _blend(colors, _soft(-0.45 - z, 0.15) * _soft(0.05 - y, 0.2), skull.pale)
 
 
 def _bands(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """Dark stripes over the brow and the cheeks."""
+    """Paint dark stripes over the brow and the cheeks."""
     dark = _tint("#1d1a18") if skull.species.words[0] != "cat" else skull.coat * 0.32
     brow = _soft(np.sin(7.5 * (x + 0.25 * z) + 1.2) - 0.35, 0.4) * _soft(z - 0.5, 0.15)
     side = _soft(np.sin(10 * z + 3 * x) - 0.4, 0.4) * _soft(x - 0.62, 0.12) * _soft(0.75 - np.abs(z), 0.2)
@@ -225,13 +225,13 @@ def _bands(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> Non
 
 
 def _patches(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """Dark patches around the eyes."""
+    """Paint dark patches around the eyes."""
     away = np.hypot((x - 0.44 - 0.2 * (0.2 - z)) / 0.27, (z - 0.18) / 0.36)
     _blend(colors, _soft(1.0 - away, 0.2) * _soft(-0.3 - y, 0.1), _tint("#17171a"))
 
 
 def _face(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """A face in the pale colour, the shape of a heart; a penguin's is its belly's."""
+    """Paint a heart-shaped pale face; a penguin's has the colour of its belly."""
     color = skull.pale if skull.species.mouth == "snout" else _tint(skull.species.belly)
     away = np.hypot(x - 0.3, (z - 0.14) / 1.1)
     heart = np.maximum(_soft(0.42 - away, 0.1), _soft(0.66 - np.hypot(x, z + 0.4), 0.1))
@@ -239,25 +239,25 @@ def _face(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None
 
 
 def _hood(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """The white head of an eagle."""
+    """Paint the white head of an eagle."""
     _blend(colors, _soft(z + 0.75, 0.2), _tint("#efeae0"))
 
 
 def _blaze(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """A white stripe down the middle of the face."""
+    """Paint a white stripe down the middle of the face."""
     wide = np.interp(z, (-0.8, 0.3, 0.9), (0.12, 0.17, 0.1))
     _blend(colors, _soft(wide - x, 0.07) * _soft(z + 0.75, 0.2) * _soft(0.9 - y, 0.3), _tint(WHITE))
 
 
 def _blotches(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """Large dark patches at the side of the head."""
+    """Paint large dark patches on the sides of the head."""
     dark = _tint("#2a2523") if skull.species.words[0] == "cow" else _tint("#7a4a24")
     spots = np.sin(4.1 * x + 1.0) * np.cos(3.2 * z - 0.4) + 0.6 * np.sin(3.7 * y + 0.6)
     _blend(colors, _soft(spots - 0.2, 0.12) * _soft(x - 0.2, 0.1) * _soft(y + 0.95, 0.1), dark)
 
 
 def _discs(skull: Skull, colors: Floats, x: Floats, y: Floats, z: Floats) -> None:
-    """The pale round face of an owl, dark at its rim."""
+    """Paint the pale facial disc of an owl, dark at its rim."""
     away = np.hypot(x - 0.4, z - 0.22)
     front = _soft(-0.25 - y, 0.1)
     _blend(colors, front * _soft(0.58 - away, 0.06), skull.coat * 0.4)
@@ -268,4 +268,4 @@ PAINTS: dict[str, Callable[[Skull, Floats, Floats, Floats, Floats], None]] = {
     "stripes": _stripes, "mask": _mask, "cheeks": _cheeks, "bands": _bands, "patches": _patches, "face": _face,
     "hood": _hood, "blaze": _blaze, "blotches": _blotches, "discs": _discs,
 }  # fmt: skip
-"""Markings that are painted on the head."""
+"""Painter of each marking of the head."""

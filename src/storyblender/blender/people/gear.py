@@ -1,4 +1,4 @@
-"""What is worn on the body: cloths of the head, packs, chains, capes, wings."""
+"""Accessories worn on the body: head cloths, backpacks, necklaces, capes, wings."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 BUCKLE, DARK = "#8a8d92", "#1b1b1e"
 
 
-# ---------------------------------------------------------------------- cloths of the head
+# ---------------------------------------------------------------------- head cloths
 
 
 def _face(base: Floats, width: float, low: float, high: float) -> Floats:
@@ -32,7 +32,7 @@ def _face(base: Floats, width: float, low: float, high: float) -> Floats:
 
 
 def build_head_cloth(cut: HeadCloth, figure: Figure, under: Under) -> list[Bolt]:
-    """Cut a cloth from the skin of the head and stand it off."""
+    """Cut a cloth from the skin of the head and offset it outwards."""
     del under
     sheet = figure.part("skin")
     base = sheet.base
@@ -60,7 +60,7 @@ def build_head_cloth(cut: HeadCloth, figure: Figure, under: Under) -> list[Bolt]
 
 
 def build_gear(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
-    """Build a solid thing that is worn, outside all the clothes below it."""
+    """Build a solid accessory, outside all the clothes below it."""
     return {
         "backpack": _backpack,
         "tank": _tank,
@@ -124,7 +124,7 @@ def _tank(cut: Gear, figure: Figure, under: Under) -> list[Bolt]:
 
 
 def _around_neck(figure: Figure, under: Under, low: float, half: float) -> list[Floats]:
-    """Return a loop about the neck that hangs to ``low`` metres under its base in front."""
+    """Return a loop around the neck that hangs to ``low`` metres below the base of the neck in front."""
     k = figure.k
     neck = figure.joint("neck")
     loop = []

@@ -58,7 +58,7 @@ BRIMS: dict[str, tuple[float, float]] = {
     "fedora": (0.062, 0.020), "straw": (0.075, 0.020), "cowboy": (0.095, 0.062), "sombrero": (0.19, 0.045),
     "top": (0.048, 0.016), "bowler": (0.042, 0.02), "witch": (0.1, 0.0),
 }  # fmt: skip
-"""Width of the brim and how far it rises at the sides, metres."""
+"""Width of the brim and its rise at the sides, metres."""
 VISORS: dict[str, float] = {"peaked": 0.058, "flat": 0.045, "baseball": 0.075, "hard": 0.045}
 
 
@@ -118,7 +118,7 @@ class _Head:
         return rigid(np.array(points), faces, bone_weights("head"))
 
     def crown(self) -> Sheet:
-        """Return a king's crown: a hoop whose upper edge is cut into points, both faces."""
+        """Return a king's crown: a two-sided hoop whose upper edge is cut into points."""
         points, faces = [], []
         for out, row in ((1.03, 0), (1.05, 1), (1.0, 1), (0.99, 0)):
             for step in range(2 * SEGMENTS):
@@ -132,7 +132,7 @@ class _Head:
         return rigid(np.array(points), faces, bone_weights("head"))
 
     def globe(self, cut: Hat) -> list[Bolt]:
-        """Return a round helmet about the whole head, open before the face, with a rim about the opening."""
+        """Return a round helmet around the head, open in front of the face, with a rim around the opening."""
         middle, radius = self.center - (0, 0, 0.045 * self.scale), 0.185 * self.scale
         rings, rim = [], []
         for turn in np.linspace(0, 2 * math.pi, 33)[:-1]:

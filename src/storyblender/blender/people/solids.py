@@ -1,4 +1,4 @@
-"""Solid parts that are worn or that make the head of an animal: balls, bars and skins over rings, as sheets."""
+"""Solid primitives for accessories and animal heads: ellipsoids, bars and lofted skins, as sheets."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ Floats = NDArray[np.float64]
 
 
 def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -> Sheet:
-    """Return a sheet over cross-sections with the same number of points.
+    """Return a lofted sheet over cross-sections with the same number of points.
 
     Args:
         rings: k arrays of (n, 3) points, metres.
-        weights: Of one bone (35,), or of each point.
-        caps: Close both ends.
+        weights: Bone weights, (35,) for the whole sheet or one row per point.
+        caps: Whether to close both ends.
     """
     stack = np.asarray([np.asarray(ring, float) for ring in rings])
     count, around = stack.shape[:2]
@@ -35,14 +35,14 @@ def skinned(rings: Sequence[ArrayLike], weights: Floats, *, caps: bool = True) -
 def ball(
     center: ArrayLike, half: ArrayLike, weights: Floats, *, softness: float = 1.0, rotation: ArrayLike = (0, 0, 0)
 ) -> Sheet:
-    """Return a superellipsoid with semi-axes ``half``: 1 is an ellipsoid, 0.3 a cushion; turned by degrees."""
+    """Return a superellipsoid with semi-axes ``half``: softness 1 is an ellipsoid, 0.3 a cushion; turned by degrees."""
     matrix = solids.transform(center, rotation, 1.0)
     rings = solids.superellipsoid_rings(np.asarray(half, float), softness, 18, 10)
     return skinned([ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings], weights)
 
 
 def bar(points: ArrayLike, radius: float | Sequence[float], weights: Floats, *, closed: bool = False) -> Sheet:
-    """Return a round bar along a path; ``radius`` may be one for each point."""
+    """Return a round bar along a path; ``radius`` in metres is one value, or one per point."""
     rings = solids.tube_rings(np.asarray(points, float), radius, 8, closed)
     if not closed:
         return skinned(rings, weights)

@@ -15,7 +15,7 @@ DARK = "plastic_black"
 
 
 def _fuselage(b: MeshBuilder, material: MaterialRef, stations: list[tuple[float, float, float, float]]) -> None:
-    """Add a round body; stations are y, half width, half height, z of the middle."""
+    """Add a rounded fuselage; stations are (y, half width, half height, z of the centre) in metres."""
     turn = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     b.loft(material, [np.c_[w * np.sin(turn), np.full(24, y), z + h * np.cos(turn)] for y, w, h, z in stations])
 
@@ -28,7 +28,7 @@ def _blade(
     chord: tuple[float, float],
     thick: float,
 ) -> None:
-    """Add a flat wing from ``at`` to ``end``, leading edges at those points, chord along +Y."""
+    """Add a flat wing whose leading edge runs from ``at`` to ``end``, chord along +Y."""
     rings = [
         [(x, y, z), (x, y + c * 0.4, z + thick), (x, y + c, z), (x, y + c * 0.4, z - thick)]
         for (x, y, z), c in ((at, chord[0]), (end, chord[1]))

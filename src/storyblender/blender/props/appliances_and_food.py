@@ -1,4 +1,4 @@
-"""Appliances of kitchen and house, things to eat, a glass case and a house. Their front is -Y."""
+"""Household appliances, food, a glass case and a house. Their front is -Y."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ DARK = "plastic_black"
 
 @prop("washing_machine")
 def washing_machine(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a washing machine; its door can stand ``open``."""
+    """Build a washing machine; its door may be ``open``."""
     (w, d, h), body = spec.size, spec.material("body")
     b.rounded_box(body, (0, 0, h / 2), (w, d, h), 0.02)
     b.lathe(
@@ -93,7 +93,7 @@ def clothes_iron(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("kitchen_timer")
 def kitchen_timer(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a timer to wind up."""
+    """Build a wind-up kitchen timer."""
     b.lathe(spec.material("body"), bent([(0.028, 0), (0.04, 0.02), (0.036, 0.045), (0.02, 0.062)]), segments=26)
     b.lathe("porcelain", [(0.032, 0), (0.03, 0.006)], origin=(0, -0.034, 0.034), axis=(0, -1, 0.15), segments=24)
     b.box("fabric_red", (0.004, -0.043, 0.042), (0.004, 0.003, 0.018), rotation=(0, 25, 0))
@@ -123,7 +123,7 @@ def hourglass(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("glass_case")
 def glass_case(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a show case on its foot: a frame whose panes are left out, so that what lies in it is seen."""
+    """Build a display case on a base; its panes are left out so that the contents are visible."""
     (w, d, h), wood = spec.size, spec.material("frame")
     foot = h * 0.62
     b.box(wood, (0, 0, foot / 2), (w, d, foot), bevel=0.015)
@@ -139,7 +139,7 @@ def glass_case(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("sandwich")
 def sandwich(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a sandwich cut across."""
+    """Build a sandwich cut in half."""
     for x, turn in ((-0.035, 4.0), (0.035, 176.0)):
         with b.at((x, 0, 0), (0, 0, turn)):
             half = [(-0.05, -0.055), (0.05, -0.055), (0.05, 0.055)]
@@ -240,7 +240,7 @@ def pie(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("house")
 def house(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a small house with a gable roof, a door and windows; a barn or a shed is one too."""
+    """Build a small house with a gable roof, a door and windows; also used for barns and sheds."""
     (w, d, h), wall = spec.size, spec.material("wall")
     eaves = h * 0.6
     b.box(wall, (0, 0, eaves / 2), (w, d, eaves))

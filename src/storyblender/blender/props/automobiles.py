@@ -1,6 +1,6 @@
-"""Cars that people sit in: a hollow body with doors that can stand open, seats, dashboard and wheel. Their front is -Y.
+"""Cars with an interior: a hollow body with doors that can open, seats, dashboard and wheel. Their front is -Y.
 
-Window panes are left out, so that whoever sits inside is seen. The driver's side is +X, the car's own left.
+Window panes are left out so that the people inside are visible. The driver's side is +X, the car's own left.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from storyblender.memory.asset_sheet import Anchor
 
 DARK = "plastic_black"
 SILL, FLOOR, SIT = 0.27, 0.3, 0.47
-"""Heights in metres of the lower edge of a door, of the floor and of the seats."""
+"""Heights in metres of the lower door edge, the floor and the seats."""
 PANEL = 0.07
-"""Metres that a door is thick."""
+"""Thickness of a door in metres."""
 AJAR = 62.0
-"""Degrees that an open door stands out."""
+"""Opening angle of an open door in degrees."""
 ASIDE = 0.55
-"""Metres beside the body where one stands to get in."""
+"""Distance from the body in metres of the point where a person stands to get in."""
 
 
 @dataclass(frozen=True)
 class Style:
-    """The measures of a kind of car, in metres from its ends.
+    """Dimensions of a car type, in metres.
 
     Attributes:
         nose: From the front end to the windscreen's foot.
@@ -38,8 +38,8 @@ class Style:
         belt: Height of the lower edge of the windows.
         rows: Rows of seats, 1 or 2.
         rake: How far the windscreen and the rear window lean in.
-        roof: Whether it has one.
-        rear: What is behind the cabin.
+        roof: Whether it has a roof.
+        rear: Type of the part behind the cabin.
         wheel: Radius of a wheel.
     """
 
@@ -70,7 +70,7 @@ def automobile(b: MeshBuilder, spec: PropSpec, style: Style) -> Anchors:
         b: The builder.
         spec: ``open`` names the doors that stand open: driver, passenger, rear_left, rear_right or all; roles are
             body, trim, tyre, chrome and lamp.
-        style: Its measures.
+        style: Dimensions of the car type.
 
     Returns:
         Seats (driver, passenger, rear_left, rear_right), the points beside its doors, and their handles.
@@ -109,7 +109,7 @@ def _places(x: int, name: str, half: float, start: float, end: float, style: Sty
 
 
 def _block(b: MeshBuilder, paint: MaterialRef, sections: list[tuple[float, float, float]]) -> None:
-    """Add a closed part of the body; sections are y, half width and upper z."""
+    """Add a closed part of the body; sections are (y, half width, upper z) in metres."""
     rings = []
     for y, half, high in sections:
         outline = [(0.93, SILL - 0.04), (1.0, SILL + 0.2), (0.98, high - 0.13), (0.9, high - 0.03), (0.6, high)]
@@ -119,7 +119,7 @@ def _block(b: MeshBuilder, paint: MaterialRef, sections: list[tuple[float, float
 
 
 def _ends(b: MeshBuilder, spec: PropSpec, style: Style, front: float, back: float) -> None:
-    """Add what is before and behind the cabin: bonnet, boot or bed, lamps, bumpers and plates."""
+    """Add the parts in front of and behind the cabin: bonnet, boot or bed, lamps, bumpers and plates."""
     (w, d, h), paint = spec.size, spec.material("body")
     half, f, r = w / 2, -d / 2, d / 2
     hood = [(f, half * 0.84, style.bonnet - 0.12), (f + 0.12, half * 0.94, style.bonnet)]
@@ -276,7 +276,7 @@ def taxi(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 
 def style_span(length: float, step: int) -> float:
-    """Return the place of a square of a taxi's band, metres from the front end."""
+    """Return the position of a square of a taxi's checker band, in metres from the front end."""
     return SEDAN.nose + 0.12 + step * (length - SEDAN.nose - SEDAN.tail - 0.24) / 15
 
 
@@ -294,7 +294,7 @@ def police_car(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("convertible")
 def convertible(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build an open car: a windscreen, the folded top behind the seats."""
+    """Build a convertible with a windscreen and its folded top behind the seats."""
     half = spec.size[0] / 2
     anchors = automobile(b, spec, OPEN_CAR)
     front, back = -spec.size[1] / 2 + OPEN_CAR.nose, spec.size[1] / 2 - OPEN_CAR.tail
@@ -306,7 +306,7 @@ def convertible(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("jeep")
 def jeep(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a car for rough ground with its spare wheel behind."""
+    """Build an off-road car with a spare wheel on its rear."""
     return automobile(b, spec, OFF_ROAD)
 
 

@@ -1,4 +1,4 @@
-"""Birds from one plan: body, neck, head, beak, tail and legs by a few measures. They look to -Y."""
+"""Birds from one parametric plan: body, neck, head, beak, tail and legs. They face -Y."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from storyblender.blender.props.tableware import around
 
 @dataclass(frozen=True)
 class Bird:
-    """The measures of a bird, in metres.
+    """Dimensions of a bird, in metres.
 
     Attributes:
         body: Half the length of the body, and its radius.
-        leg: Height of the belly over the ground.
-        neck: How far the head is before the middle of the body, and how far above it.
-        throat: Radius of the neck in its middle.
+        leg: Height of the belly above the ground.
+        neck: Offset of the head from the centre of the body: forward, and up.
+        throat: Radius of the neck at its middle.
         head: Radius of the head.
         beak: Length and radius at its root.
         bill: ``cone``, ``hook`` or ``flat``.
-        tail: Length, width and how far it rises in degrees.
-        upright: Degrees that the body leans back.
+        tail: Length, width, and rise in degrees.
+        upright: Backward tilt of the body in degrees.
         webbed: Whether the feet are webbed.
     """
 
@@ -46,12 +46,12 @@ class Bird:
 
     @property
     def middle(self) -> float:
-        """Height of the middle of the body."""
+        """Height of the centre of the body in metres."""
         return self.leg + self.body[1]
 
 
 def bird_of(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
-    """Add a standing bird, or one in flight with spread wings; its roles are coat, wing and beak."""
+    """Add a standing bird, or one in flight with spread wings; material roles are coat, wing and beak."""
     coat, beak = spec.material("coat"), spec.material("beak")
     wing = coat if spec.entry.materials["wing"] == spec.entry.materials["coat"] else spec.material("wing")
     (long, thick), z = plan.body, plan.middle
@@ -179,7 +179,7 @@ def _plumes(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
 
 
 def _owl(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
-    """Add an owl's discs, great eyes and ear tufts."""
+    """Add an owl's facial discs, large eyes and ear tufts."""
     y, z, r = -plan.neck[0], plan.middle + plan.neck[1], plan.head
     for x in (-1, 1):
         b.lathe(
@@ -200,7 +200,7 @@ def _owl(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
 
 
 def _belly(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
-    """Add a white front."""
+    """Add a white breast and belly."""
     (long, thick), z = plan.body, plan.middle
     with b.at((0, 0, z), (-plan.upright, 0, 0)):
         b.sphere(
@@ -214,7 +214,7 @@ def _belly(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
 
 
 def _train(b: MeshBuilder, spec: PropSpec, plan: Bird) -> None:
-    """Add a peacock's fan."""
+    """Add a peacock's tail fan."""
     z = plan.middle
     for k in range(15):
         turn = np.radians(-78 + 156 * k / 14)

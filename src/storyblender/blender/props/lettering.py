@@ -1,4 +1,4 @@
-"""Words on things: flat letters in Blender's own font, laid on the side of a built prop that is read."""
+"""Lettering on props: flat letters in Blender's built-in font, laid on the lettered side of a built prop."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from storyblender.catalog.writing import MOST, Writing
 Floats = NDArray[np.float64]
 LINES = 7
 LIFT = 0.0025
-"""Metres that the plate stands off the surface, and the letters off the plate, on a thing of half a metre."""
+"""Offset in metres of the plate from the surface, and of the letters from the plate, on a prop of half a metre."""
 MOST_PROUD = 0.05
-"""Metres: what stands out farther is no lettering that the plate covers."""
+"""Largest relief in metres that the plate covers; farther parts are not old lettering."""
 BOLD = 0.018
-"""How much the strokes are thickened, of the height of a letter."""
+"""Thickening of the strokes, as a share of the letter height."""
 
 
 def write_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing, text: str) -> bool:
-    """Add words to a builder, where they are read on the mesh it has made so far.
+    """Add text to a builder, on the text area of the mesh built so far.
 
     Args:
         b: The builder of ``mesh``.
-        mesh: What it has built.
-        place: Where the words go.
-        text: At most ``MOST`` letters are shown.
+        mesh: The mesh built so far.
+        place: Text area of the prop.
+        text: Text to write; at most ``MOST`` characters are shown.
 
     Returns:
         Whether there was a surface to write on.
@@ -54,8 +54,8 @@ def write_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing, text: str) ->
 
 
 def _frame(mesh: bpy.types.Mesh, place: Writing) -> tuple[Floats, Floats, Floats, Floats, float, float, float] | None:
-    """Return middle, right, up and normal of the written surface, width and height of the field, and how far what is
-    in front of it there stands out: all in metres."""
+    """Return centre, right, up and normal of the text surface, width and height of the text area, and the relief
+    in front of it, in metres; None without a surface."""
     cloud = np.empty(len(mesh.vertices) * 3, np.float32)
     mesh.vertices.foreach_get("co", cloud)
     points = cloud.reshape(-1, 3).astype(float)
@@ -92,7 +92,7 @@ def _frame(mesh: bpy.types.Mesh, place: Writing) -> tuple[Floats, Floats, Floats
 def _fitted(
     text: str, place: Writing, frame: tuple[Floats, Floats, Floats, Floats, float, float, float] | None
 ) -> tuple[Floats, list[tuple[int, ...]], tuple[float, float]]:
-    """Return the letters broken into the number of lines at which they are largest, and their width and height."""
+    """Return vertices, faces, width and height of the text, with the line breaks that give the largest letters."""
     if frame is None or not text:
         return np.zeros((0, 2)), [], (1.0, 1.0)
     best: tuple[float, str] = (0.0, text)
@@ -109,7 +109,7 @@ def _fitted(
 
 
 def _letters(text: str) -> tuple[Floats, list[tuple[int, ...]]]:
-    """Return the flat vertices and faces of centred text, one unit high."""
+    """Return vertices and faces of flat, centred text, one unit high."""
     curve = bpy.data.curves.new("writing", "FONT")
     curve.body, curve.align_x, curve.align_y = text, "CENTER", "CENTER"
     curve.resolution_u, curve.offset = 3, BOLD

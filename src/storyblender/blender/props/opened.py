@@ -1,11 +1,11 @@
-"""Boxes, cases and fridges that stand open, so that what is inside is seen."""
+"""Open boxes, suitcases and fridges with a visible interior."""
 
 from __future__ import annotations
 
 from storyblender.blender.mesh_builder import MaterialRef, MeshBuilder
 
 WALL = 0.014
-"""Metres that a side is thick."""
+"""Thickness of a side in metres."""
 
 
 def tray(b: MeshBuilder, skin: MaterialRef, lining: MaterialRef, size: tuple[float, float, float]) -> None:
@@ -22,7 +22,7 @@ def tray(b: MeshBuilder, skin: MaterialRef, lining: MaterialRef, size: tuple[flo
 
 
 def open_carton(b: MeshBuilder, skin: MaterialRef, size: tuple[float, float, float]) -> None:
-    """Add a carton: two flaps stand out, two up, so that it is no wider than a closed one."""
+    """Add an open carton with two flaps out and two up, no wider than a closed one."""
     w, d, h = size
     tray(b, skin, skin, size)
     for y in (-1, 1):
@@ -36,7 +36,7 @@ def open_carton(b: MeshBuilder, skin: MaterialRef, size: tuple[float, float, flo
 def open_case(
     b: MeshBuilder, skin: MaterialRef, metal: MaterialRef, lining: MaterialRef, size: tuple[float, float, float]
 ) -> None:
-    """Add a suitcase that lies on its back with its lid up; ``size`` is that of the standing one."""
+    """Add a suitcase that lies on its back with its lid up; ``size`` in metres is that of the standing one."""
     w, d, h = size
     tray(b, skin, lining, (w, h, d * 0.6))
     with b.at((0, h / 2, d * 0.6), (-102, 0, 0)), b.at((0, -h / 2, d * 0.35), (180, 0, 0)):
@@ -57,7 +57,7 @@ def open_case(
 
 
 def open_fridge(b: MeshBuilder, skin: MaterialRef, metal: MaterialRef, size: tuple[float, float, float]) -> None:
-    """Add a fridge whose door stands open on lit shelves with food."""
+    """Add a fridge with its door open and lit shelves with food."""
     w, d, h = size
     wall = 0.05
     b.box(skin, (0, d / 2 - wall, h / 2), (w, 2 * wall, h - 0.04))

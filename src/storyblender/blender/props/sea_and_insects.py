@@ -1,4 +1,4 @@
-"""Insects, sea creatures and a dinosaur. They look to -Y."""
+"""Insects, sea creatures and a dinosaur. They face -Y."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _insect_legs(b: MeshBuilder, reach: float, height: float, pairs: int) -> Non
 
 @prop("bee")
 def bee(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a bee; a wasp is one too."""
+    """Build a bee; also used for wasps."""
     with b.at(scale=scaled(spec)):
         for k, (y, r) in enumerate(((0.012, 0.011), (0.02, 0.0125), (0.028, 0.012), (0.036, 0.009), (0.043, 0.005))):
             b.sphere(DARK if k % 2 else spec.material("coat"), (0, y, 0.018), r, segments=14, rings=9)
@@ -93,7 +93,7 @@ def spider(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("snail")
 def snail(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a snail with its house."""
+    """Build a snail with its shell."""
     skin, shell = spec.material("skin"), spec.material("shell")
     with b.at(scale=scaled(spec)):
         limb(
@@ -183,7 +183,7 @@ def whale(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("dolphin")
 def dolphin(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a dolphin; a seal is much like one."""
+    """Build a dolphin; also used for seals."""
     skin = spec.material("skin")
     with b.at(scale=scaled(spec)):
         limb(
@@ -235,7 +235,7 @@ def octopus(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("crab")
 def crab(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a crab; a lobster stands in as one."""
+    """Build a crab; also used for lobsters."""
     skin = spec.material("skin")
     with b.at(scale=scaled(spec)):
         b.sphere(skin, (0, 0, 0.05), 0.07, scale=(1.25, 0.9, 0.5), segments=18, rings=10)

@@ -1,4 +1,4 @@
-"""Things that are there to be read: placard, banner, poster, boards and plates. Their front is -Y."""
+"""Signs: placard, banner, poster, boards and plates. Their front is -Y."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from storyblender.blender.props.registry import Anchors, PropSpec, prop, two_han
 
 @prop("placard")
 def placard(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a board on a stick, to be held up."""
+    """Build a protest placard: a board on a stick."""
     w, _, h = spec.size
     b.box(spec.material("board"), (0, 0, h * 0.77), (w, 0.012, h * 0.46), bevel=0.003)
     b.box(spec.material("stick"), (0, 0.016, h * 0.42), (0.032, 0.02, h * 0.84), bevel=0.004)
@@ -19,7 +19,7 @@ def placard(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("banner")
 def banner(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a cloth between two poles."""
+    """Build a cloth banner between two poles."""
     w, _, h = spec.size
     for x in (-1, 1):
         b.cylinder(spec.material("pole"), (x * w / 2, 0, 0), (x * w / 2, 0, h), 0.022, segments=10)
@@ -43,7 +43,7 @@ def banner(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("poster")
 def poster(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a sheet on a wall."""
+    """Build a poster on a wall."""
     w, d, h = spec.size
     b.box(spec.material("paper"), (0, 0, h / 2), (w, d, h))
     return ()
@@ -51,7 +51,7 @@ def poster(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("sign_board")
 def sign_board(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a board on two posts: a town's sign, one before a house for sale."""
+    """Build a sign board on two posts: a town sign, a for-sale sign."""
     w, d, h = spec.size
     for x in (-1, 1):
         b.box(spec.material("post"), (x * w * 0.38, d * 0.2, h / 2), (0.08, 0.08, h), bevel=0.01)
@@ -61,7 +61,7 @@ def sign_board(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("wall_sign")
 def wall_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a plate with two screws: on a door, at a gate."""
+    """Build a wall plate with two screws, for a door or a gate."""
     w, d, h = spec.size
     b.box(spec.material("plate"), (0, 0, h / 2), (w, d, h), bevel=min(d / 3, 0.004))
     for x in (-1, 1):
@@ -77,7 +77,7 @@ def wall_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("shop_sign")
 def shop_sign(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build the long board of a shop, high on two posts."""
+    """Build a long shop sign, high on two posts."""
     w, d, h = spec.size
     for x in (-1, 1):
         b.cylinder("iron", (x * w * 0.42, 0.03, 0), (x * w * 0.42, 0.03, h), 0.045, segments=10)

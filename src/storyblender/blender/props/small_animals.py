@@ -1,4 +1,4 @@
-"""Small and odd animals of the land: squirrel, frog, tortoise, monkey, crocodile, lizard, bat. They look to -Y."""
+"""Small and exotic land animals: squirrel, frog, tortoise, monkey, crocodile, lizard, bat. They face -Y."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LIZARD = Plan(
 
 
 def eyes(b: MeshBuilder, x: float, y: float, z: float, radius: float, white: bool = False) -> None:
-    """Add two eyes at ``x`` to either side; ``white`` ones stand out."""
+    """Add two eyes at ``x`` metres to either side; ``white`` adds a protruding eyeball."""
     for side in (-1, 1):
         if white:
             b.sphere(WHITE, (side * x, y + radius * 0.5, z), radius * 1.5, segments=12, rings=8)

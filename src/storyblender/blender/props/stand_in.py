@@ -1,4 +1,4 @@
-"""Builds a stand-in: the plain shape of a class of things that nothing in the catalog is like."""
+"""Builds stand-ins: the plain shape of a class of objects that no catalog prop resembles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tools, toys, sporting things and instruments that ordinary pages name. Held ones look along -Y."""
+"""Tools, toys, sports equipment and musical instruments. Hand props point along -Y."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from storyblender.blender.props.tableware import around
 
 DARK = "plastic_black"
 STAFF = ((0.25, -1.0, 0.0), (1.0, 0.2, 0.0), (0.85, 0.85, 0.6))
-"""Fingers, palm and curl of a hand about an upright handle."""
+"""Finger direction, palm direction and curl of a hand on an upright handle."""
 
 
 def _upright(height: float, radius: float = 0.02) -> Anchors:
@@ -93,7 +93,7 @@ def rake(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("pitchfork")
 def pitchfork(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a fork for hay, tines up."""
+    """Build a pitchfork, tines up."""
     h = spec.size[2]
     b.cylinder(spec.material("handle"), (0, 0, 0), (0, 0, h * 0.76), 0.016, segments=8)
     for x in (-0.09, 0.0, 0.09):
@@ -310,7 +310,7 @@ def climbing_rope(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("puddle")
 def puddle(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build what is spilled: a flat pool with drops about it."""
+    """Build a spilled liquid: a flat puddle with drops around it."""
     skin, rng = spec.material("liquid"), spec.rng
     turn = np.linspace(0, 2 * np.pi, 40)[:-1]
     reach = 0.4 + 0.06 * np.sin(3 * turn + rng.uniform(0, 6)) + 0.04 * np.sin(5 * turn + rng.uniform(0, 6))
@@ -343,7 +343,7 @@ def shards(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("flames")
 def flames(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a fire without logs: what burns is elsewhere."""
+    """Build flames without logs, for setting another object on fire."""
     w, d, h = spec.size
     for k in range(11):
         angle, reach = 2.39996 * k, 0.4 * np.sqrt(k / 11)

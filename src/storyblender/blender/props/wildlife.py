@@ -1,4 +1,4 @@
-"""More beasts on four legs of the common plan: badger, hedgehog, donkey, zebra, giraffe and others. They look to -Y."""
+"""More four-legged animals on the shared plan: badger, hedgehog, donkey, zebra, giraffe. They face -Y."""
 
 from __future__ import annotations
 
@@ -145,7 +145,7 @@ Extra = Callable[[MeshBuilder, PropSpec, Plan], None]
 
 
 def _badger(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
-    """Add the white face with its two black bands, and dark legs' fur below."""
+    """Add a badger's white face with two black bands, and dark fur on the legs."""
     (y, z), r, (long, nose) = plan.skull, plan.head, plan.snout
     tip = y - r * 0.7 - long
     for x, width, skin, out in (
@@ -168,7 +168,7 @@ def _badger(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
 
 
 def _hedgehog(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
-    """Add the coat of spines."""
+    """Add a hedgehog's spines."""
     z = plan.middle + 0.008
     for k in range(190):
         along, turn = 1 - 2 * (k + 0.5) / 190, 2.39996 * k
@@ -181,7 +181,7 @@ def _hedgehog(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
 
 
 def _stripes(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
-    """Add a zebra's bands and its mane."""
+    """Add a zebra's stripes and mane."""
     for k in range(10):
         y = -0.5 * plan.trunk + plan.trunk * k / 9
         angle = np.linspace(-2.0, 2.0, 13)
@@ -202,7 +202,7 @@ def _stripes(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
 
 
 def _giraffe(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
-    """Add spots, horns."""
+    """Add a giraffe's spots and horns."""
     for k in range(46):
         along, turn = 1 - 2 * (k + 0.5) / 46, 2.39996 * k
         across = np.sqrt(1 - along**2)
@@ -230,7 +230,7 @@ def _giraffe(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
 
 
 def _hump(b: MeshBuilder, spec: PropSpec, plan: Plan) -> None:
-    """Add two humps."""
+    """Add a camel's two humps."""
     for y in (-0.28, 0.3):
         b.cushion(spec.material("coat"), (0, y, plan.middle + plan.chest), (0.42, 0.5, 0.62), softness=0.9)
 

@@ -1,4 +1,4 @@
-"""Building sites and fairs: concrete frames, scaffolds, diggers, cranes, great wheels, roundabouts, lamp strings."""
+"""Building sites and fairs: concrete frames, scaffolds, diggers, cranes, Ferris wheels, carousels, string lights."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 
 @piece("concrete_frame")
 def concrete_frame(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the raw frame of a house that is being built, its front at y = 0. Parameters: width, floors."""
+    """Build the concrete frame of a house under construction, its front at y = 0. Parameters: width, floors."""
     width, floors, skin = spec.number("width", 16), int(spec.number("floors", 4)), finish("concrete_light")
     for floor in range(floors):
         z = 3.2 * (floor + 1)
@@ -109,7 +109,7 @@ def heap(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("site_cabin")
 def site_cabin(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a cabin in a container that faces -Y. Parameters: color."""
+    """Build a site office container that faces -Y. Parameters: color."""
     skin = spec.paint("color", "#3f6a8a")
     builder.box(skin, (0, 0, 1.4), (6.0, 2.4, 2.6), bevel=0.03)
     for x in np.arange(-2.9, 3.0, 0.25):
@@ -123,7 +123,7 @@ def site_cabin(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("ferris_wheel")
 def ferris_wheel(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a great wheel with gondolas, its face to -Y. Parameters: radius."""
+    """Build a Ferris wheel with gondolas, its face to -Y. Parameters: radius."""
     radius, metal = spec.number("radius", 9), finish("paint_white")
     hub = radius + 2.2
     for y in (-0.9, 0.9):
@@ -146,7 +146,7 @@ def ferris_wheel(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("carousel")
 def carousel(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a roundabout with a striped roof, lamps and gallopers. Parameters: radius."""
+    """Build a carousel with a striped roof, lamps and horses. Parameters: radius."""
     radius = spec.number("radius", 3.6)
     builder.lathe(painted("#7a2a2a"), [(radius, 0), (radius, 0.3), (0.3, 0.32)], segments=28, caps=False)
     builder.cylinder(painted("#c9a227"), (0, 0, 0.3), (0, 0, 4.4), 0.5, segments=16)
@@ -193,7 +193,7 @@ def striped_tent(builder: MeshBuilder, spec: PieceSpec) -> None:
     edges = np.linspace(0, 2 * math.pi, 25)
     for index in range(24):
         p, q = ((radius * math.cos(t), radius * math.sin(t)) for t in edges[index : index + 2])
-        if not 17 <= index <= 18:  # the way in, at -Y
+        if not 17 <= index <= 18:  # leave the entrance at -Y open
             builder.quad(skins[index % 2], (*p, 0), (*q, 0), (*q, height), (*p, height))
         builder.polygon(
             skins[index % 2],

@@ -1,4 +1,4 @@
-"""What sickrooms and offices are known by: couches, charts, curtains on rails, cabinets of medicine, copiers."""
+"""Clinic and office pieces: exam couches, wall charts, bed curtains, medicine cabinets, copiers."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def exam_couch(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("eye_chart")
 def eye_chart(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang a chart of letters on a wall at y = 0, lower edge at z = 0."""
+    """Hang an eye chart on a wall at y = 0, lower edge at z = 0."""
     builder.box(finish("paint_white"), (0, -0.012, 0.45), (0.6, 0.024, 0.9))
     for row in range(7):
         size = 0.13 * 0.76**row
@@ -48,7 +48,7 @@ def eye_chart(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("anatomy_chart")
 def anatomy_chart(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang a chart of the body on a wall at y = 0, lower edge at z = 0."""
+    """Hang an anatomy chart on a wall at y = 0, lower edge at z = 0."""
     builder.box(finish("paint_cream"), (0, -0.012, 0.55), (0.7, 0.024, 1.1))
     red, bone = painted("#a8473c"), painted("#d8c8a8")
     builder.sphere(red, (0, -0.02, 0.93), 0.055, scale=(1, 0.2, 1.25), segments=12, rings=7)
@@ -121,7 +121,7 @@ def head_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("tyre_stack")
 def tyre_stack(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Pile tyres. Parameters: count."""
+    """Build a stack of tyres. Parameters: count."""
     ring = [(0.2, 0.02), (0.3, 0.0), (0.33, 0.05), (0.33, 0.15), (0.3, 0.2), (0.2, 0.18), (0.2, 0.02)]
     for index in range(int(spec.number("count", 4))):
         x, y = (float(value) for value in spec.rng.uniform(-0.025, 0.025, 2))

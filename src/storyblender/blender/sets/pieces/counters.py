@@ -1,4 +1,4 @@
-"""What shops and cafes are known by: boards with prices, glass counters of goods, machines, shelves behind the bar."""
+"""Shop and cafe pieces: menu boards, glass counters, espresso machines, serving walls, jukeboxes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _GOODS: dict[str, tuple[str, ...]] = {
 
 @piece("menu_board")
 def menu_board(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang boards with lines and prices on a wall at y = 0, lower edge at z = 0. Parameters: width, height, boards,
+    """Hang menu boards with prices on a wall at y = 0, lower edge at z = 0. Parameters: width, height, boards,
     color."""
     width, height, boards = spec.number("width", 2.4), spec.number("height", 0.9), int(spec.number("boards", 3))
     each = width / boards
@@ -37,7 +37,7 @@ def menu_board(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("display_counter")
 def display_counter(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a counter along x with goods under glass, the customer at -Y. Parameters: length, goods, color, seed."""
+    """Build a glass display counter along x, the customer side at -Y. Parameters: length, goods, color, seed."""
     length, goods = spec.number("length", 2.0), _GOODS[spec.word("goods", "cakes")]
     body = spec.paint("color", "#5d3a22")
     builder.box(body, (0, 0.05, 0.22), (length, 0.6, 0.44))
@@ -122,7 +122,7 @@ def jukebox(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("teller_counter")
 def teller_counter(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a bank's counter along x with glass and windows, the customer at -Y. Parameters: length, windows."""
+    """Build a bank counter along x with teller windows, the customer side at -Y. Parameters: length, windows."""
     length, count = spec.number("length", 5.0), int(spec.number("windows", 3))
     builder.box(finish("wood_dark"), (0, 0, 0.54), (length, 0.6, 1.08))
     builder.box(finish("marble"), (0, -0.04, 1.1), (length + 0.06, 0.76, 0.06), bevel=0.01)

@@ -1,4 +1,4 @@
-"""Inside of craft, and what waits outside the gate: flight panels, periscopes, valves, rows of seats, a parked jet."""
+"""Interiors of aircraft and submarines, and airport gates: instrument panels, periscopes, valves, seats, a jet."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from storyblender.blender.tags import Surface
 
 @piece("seat_row")
 def seat_row(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a row of joined seats of an airport along x that face -Y. Parameters: count."""
+    """Build a row of joined airport seats along x that face -Y. Parameters: count."""
     count, steel, pad = int(spec.number("count", 4)), finish("steel"), spec.paint("color", "#2b3440")
     length = 0.6 * count
     builder.box(steel, (0, 0.05, 0.3), (length, 0.08, 0.06))
@@ -32,7 +32,7 @@ def seat_row(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("gate_desk")
 def gate_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the desk of an airport gate with its sign above, the passenger at -Y."""
+    """Build an airport gate desk with its sign above, the passenger side at -Y."""
     builder.box(finish("paint_grey"), (0, 0, 0.55), (2.2, 0.6, 1.1), bevel=0.02)
     builder.box(finish("paint_blue"), (0, -0.31, 0.6), (2.0, 0.02, 0.7))
     builder.box(finish("steel"), (0, -0.05, 1.12), (2.3, 0.75, 0.04), bevel=0.01)
@@ -189,7 +189,7 @@ def overhead_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("wave_rings", Surface.NO_INK)
 def wave_rings(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Lay rings of small waves around a boat about the origin."""
+    """Lay rings of small waves around a boat at the origin."""
     for radius in (2.6, 3.3, 4.3):
         ring = [(radius * 1.25 * math.cos(t), radius * 0.7 * math.sin(t), 0.0) for t in np.linspace(0, 6.28, 40)[:-1]]
         builder.tube(painted("#5a7f8a"), ring, 0.025, segments=4, closed=True)

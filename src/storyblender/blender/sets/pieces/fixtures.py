@@ -156,7 +156,7 @@ def column_post(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("door_number")
 def door_number(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a brass plate with three figures on a wall at y = 0. Parameters: seed."""
+    """Build a brass room number of three digits on a wall at y = 0. Parameters: seed."""
     builder.box(finish("brass"), (0, -0.012, 0), (0.2, 0.015, 0.11), bevel=0.004)
     for x in (-0.055, 0.0, 0.055):
         tall = float(spec.rng.uniform(0.05, 0.066))

@@ -1,4 +1,4 @@
-"""What flats and garages are known by: kitchen units along a wall, boards of tools, sectional doors."""
+"""Apartment and garage pieces: kitchen units, tool walls, sectional doors."""
 
 from __future__ import annotations
 

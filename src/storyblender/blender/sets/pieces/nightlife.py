@@ -1,4 +1,4 @@
-"""Dance halls and stages: mirror balls, lit floors, desks of disc jockeys, bridges of lamps, amplifiers."""
+"""Nightclub and stage pieces: mirror balls, lit dance floors, DJ booths, lighting trusses, amplifiers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _LIGHTS = ("#ff3b8a", "#3b8aff", "#8a3bff", "#2ad0b0", "#ffb02a")
 
 @piece("mirror_ball")
 def mirror_ball(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang a ball of mirrors from z = 0. Parameters: length of its rod."""
+    """Hang a mirror ball from z = 0. Parameters: length of its rod."""
     length = spec.number("length", 0.6)
     builder.cylinder(finish("iron"), (0, 0, 0), (0, 0, -length), 0.012, segments=6)
     for ring in range(8):
@@ -31,7 +31,7 @@ def mirror_ball(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("dance_floor")
 def dance_floor(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Lay a floor of lit squares about the origin. Parameters: width, depth."""
+    """Lay a dance floor of lit squares, centred on the origin. Parameters: width, depth."""
     width, depth = spec.number("width", 4.2), spec.number("depth", 4.2)
     columns, rows = max(3, round(width / 0.7)), max(3, round(depth / 0.7))
     glow = [painted(code) for code in ("#5c1f6b", "#1f3f7a", "#7a1f4a", "#1f5a5f")]
@@ -46,7 +46,7 @@ def dance_floor(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("dj_booth")
 def dj_booth(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a disc jockey's desk with two decks and a lit front, the crowd at -Y. Parameters: length."""
+    """Build a DJ booth with two decks and a lit front, the audience side at -Y. Parameters: length."""
     length = spec.number("length", 2.4)
     builder.box(finish("plastic_black"), (0, 0, 0.55), (length, 0.7, 1.1), bevel=0.02)
     for index, x in enumerate(np.linspace(-length * 0.4, length * 0.4, 7)):
@@ -78,7 +78,7 @@ def speaker_stack(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("light_truss")
 def light_truss(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang a lattice girder of coloured lamps along x, its top at z = 0. Parameters: length, plain (white lamps)."""
+    """Hang a lighting truss with coloured lamps along x, its top at z = 0. Parameters: length, plain (white lamps)."""
     length, metal = spec.number("length", 5.0), finish("metal_grey")
     for y in (-0.14, 0.14):
         for z in (-0.04, -0.3):
@@ -104,7 +104,7 @@ def light_truss(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("amplifier")
 def amplifier(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build an amplifier for a guitar that faces -Y. Parameters: width, height."""
+    """Build a guitar amplifier that faces -Y. Parameters: width, height."""
     width, height = spec.number("width", 0.66), spec.number("height", 0.6)
     builder.box(finish("plastic_black"), (0, 0, height / 2), (width, 0.3, height), bevel=0.02)
     builder.box(finish("cloth_cream"), (0, -0.152, height * 0.42), (width - 0.08, 0.01, height * 0.68))

@@ -77,7 +77,7 @@ def round_tower(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("ruin_arch")
 def ruin_arch(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a broken arch of stone across x. Parameters: width, height, seed."""
+    """Build a broken stone arch across x. Parameters: width, height, seed."""
     width, height, rng = spec.number("width", 3.4), spec.number("height", 4.4), spec.rng
     stone, radius = finish("stone_light"), spec.number("width", 3.4) / 2
     for side, tall in ((-1, height - radius), (1, height - radius)):
@@ -212,7 +212,7 @@ def silo(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("windmill")
 def windmill(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a tower mill with four sails that faces -Y."""
+    """Build a windmill with four sails that faces -Y."""
     builder.lathe(finish("limewash"), [(2.9, 0), (2.0, 8.0)], segments=20)
     builder.lathe(finish("wood_dark"), [(2.2, 8.0), (2.1, 8.6), (1.2, 9.8), (0.05, 10.2)], segments=20)
     builder.box(finish("wood_dark"), (0, -2.78, 1.05), (1.0, 0.2, 2.1))
@@ -230,7 +230,7 @@ def windmill(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("awning_stall")
 def awning_stall(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a market stall under a striped cloth that faces -Y. Parameters: width, color, goods, seed."""
+    """Build a market stall with a striped awning that faces -Y. Parameters: width, color, goods, seed."""
     width, post = spec.number("width", 2.6), finish("wood_gray")
     stripes = spec.paint("color", "#8a2f2a"), finish("paint_cream")
     for x in (-width / 2, width / 2):
@@ -294,7 +294,7 @@ def stone_steps(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("station_house")
 def station_house(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a small wooden station that faces -Y with a roof over the platform. Parameters: width."""
+    """Build a small wooden railway station that faces -Y with a roof over the platform. Parameters: width."""
     width, trim = spec.number("width", 10), finish("paint_green")
     builder.box(finish("wall_planks"), (0, 2.4, 1.7), (width, 4.8, 3.4))
     builder.box(finish("brick_red"), (0, 2.38, 0.4), (width + 0.06, 4.84, 0.8))
@@ -335,7 +335,7 @@ def name_board(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("rail_signal")
 def rail_signal(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a railway signal with its arm out."""
+    """Build a semaphore railway signal."""
     builder.box(finish("paint_white"), (0, 0, 2.9), (0.2, 0.2, 5.8))
     builder.box(finish("paint_red"), (0.7, -0.12, 5.4), (1.3, 0.05, 0.26))
     builder.box(finish("paint_white"), (1.1, -0.15, 5.4), (0.14, 0.02, 0.26))
@@ -354,7 +354,7 @@ def quay_kerb(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("glass_rail")
 def glass_rail(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a rail of thin bars on posts along x, as on a modern roof. Parameters: length."""
+    """Build a railing of thin bars on posts along x, as on a modern roof. Parameters: length."""
     length, metal = spec.number("length", 10), finish("steel")
     for x in np.linspace(-length / 2, length / 2, max(2, round(length / 1.4) + 1)):
         builder.box(metal, (float(x), 0, 0.55), (0.05, 0.05, 1.1))

@@ -1,4 +1,4 @@
-"""Places for cars: marked bays, low stores behind car parks, petrol pumps and the roof over them."""
+"""Roadside pieces: parking bays, stores, petrol pumps, canopies, road signs, telegraph poles."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 
 @piece("parking_bays")
 def parking_bays(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Paint bays side by side along x. Parameters: length, depth of a bay, width of a bay."""
+    """Paint parking bays side by side along x. Parameters: length, depth of a bay, width of a bay."""
     length, depth, width = spec.number("length", 40), spec.number("depth", 5), spec.number("width", 2.6)
     white = finish("paint_cream")
     for x in np.arange(-length / 2, length / 2 + 0.01, width):
@@ -74,8 +74,8 @@ def petrol_pump(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("canopy_roof")
 def canopy_roof(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the flat lit roof of a filling station about the origin on four posts. Parameters: width, depth, height,
-    color."""
+    """Build the lit canopy of a filling station on four posts, centred on the origin. Parameters: width, depth,
+    height, color."""
     width, depth, height = spec.number("width", 10), spec.number("depth", 6), spec.number("height", 4.6)
     builder.box(finish("paint_white"), (0, 0, height + 0.3), (width, depth, 0.6), bevel=0.03)
     for y in (-depth / 2, depth / 2):
@@ -136,7 +136,7 @@ def pole_line(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("road_board")
 def road_board(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a large green sign with white lines that faces -Y. Parameters: width, color."""
+    """Build a large green road sign with white lines that faces -Y. Parameters: width, color."""
     width, white = spec.number("width", 3.4), finish("paint_white")
     for x in (-width * 0.32, width * 0.32):
         builder.box(finish("metal_grey"), (x, 0.08, 1.7), (0.1, 0.1, 3.4))
@@ -148,7 +148,7 @@ def road_board(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("billboard")
 def billboard(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a hoarding on posts that faces -Y. Parameters: width, height."""
+    """Build a billboard on posts that faces -Y. Parameters: width, height."""
     width, height = spec.number("width", 9.0), spec.number("height", 3.6)
     for x in (-width * 0.36, 0.0, width * 0.36):
         builder.box(finish("metal_grey"), (x, 0.2, 2.2), (0.24, 0.24, 4.4))

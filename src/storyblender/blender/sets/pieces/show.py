@@ -1,4 +1,4 @@
-"""Rings and halls: boxing rings, punching bags, the circus, grand stairs, stalls, round doors, roots."""
+"""Boxing rings, circus pieces, grand stairs, horse stalls, round doors, roots."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 
 @piece("boxing_ring")
 def boxing_ring(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build posts and ropes around the origin on a canvas. Parameters: size."""
+    """Build a boxing ring centred on the origin: posts, ropes and canvas. Parameters: size."""
     half = spec.number("size", 5.0) / 2
     builder.box(painted("#b8b4a4"), (0, 0, 0.012), (2 * half + 0.5, 2 * half + 0.5, 0.024))
     builder.lathe(painted("#33506b"), [(0.75, 0.026), (0.001, 0.026)], segments=24, caps=False)
@@ -71,7 +71,7 @@ def horse_stall(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("grand_stairs")
 def grand_stairs(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a broad flight that rises towards +Y from y = 0 with a carpet and balustrades. Parameters: width, height,
+    """Build broad stairs that rise towards +Y from y = 0, with a carpet and balustrades. Parameters: width, height,
     run."""
     width, height, run = spec.number("width", 3.2), spec.number("height", 2.4), spec.number("run", 3.2)
     count = max(4, round(height / 0.17))
@@ -106,7 +106,7 @@ def round_door(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("root_tangle")
 def root_tangle(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang roots down from z = 0 about the origin. Parameters: reach, seed."""
+    """Hang roots down from z = 0 around the origin. Parameters: reach, seed."""
     reach = spec.number("reach", 1.2)
     for _ in range(12):
         x, y, long = (float(v) for v in (*spec.rng.uniform(-reach, reach, 2), spec.rng.uniform(0.25, 0.9)))
@@ -138,7 +138,7 @@ def ring_fence(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("circus_seats")
 def circus_seats(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build rows of benches in a half circle about the origin with a crowd on them. Parameters: radius, rows."""
+    """Build rows of benches with an audience in a half circle around the origin. Parameters: radius, rows."""
     radius, rows = spec.number("radius", 6), int(spec.number("rows", 4))
     coats = [painted(code) for code in ("#5a3a3a", "#3a4a5f", "#6b5a3a", "#44553f", "#7a6a6a", "#2f2f38")]
     faces = [painted(code) for code in ("#c99a7a", "#8a5a40", "#dcb294", "#a87454")]
@@ -154,7 +154,7 @@ def circus_seats(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("tent_roof")
 def tent_roof(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang the striped roof of a big tent over the origin, from ``height`` up to its king poles. Parameters: radius,
+    """Hang the striped roof of a circus tent over the origin, from ``height`` up to its king poles. Parameters: radius,
     height, peak."""
     radius, height, peak = spec.number("radius", 9), spec.number("height", 4), spec.number("peak", 7)
     edges = np.linspace(0, 2 * math.pi, 33)
@@ -178,7 +178,7 @@ def trapeze(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("striped_stand")
 def striped_stand(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a round painted stand for an animal of the circus."""
+    """Build a round painted pedestal for a circus animal."""
     for index, t in enumerate(np.linspace(0, 2 * math.pi, 13)[:-1]):
         a, b = t, t + 2 * math.pi / 12
         skin = painted(("#a3241d", "#c9a227")[index % 2])
@@ -190,7 +190,7 @@ def striped_stand(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("great_idol")
 def great_idol(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a great seated figure of stone on a plinth that faces -Y."""
+    """Build a large seated stone statue on a plinth that faces -Y."""
     stone, gold = finish("stone_light"), finish("gold")
     builder.box(finish("stone_sand"), (0, 0, 0.45), (2.1, 1.7, 0.9), bevel=0.04)
     builder.box(finish("stone_light"), (0, 0, 0.95), (2.3, 1.9, 0.12), bevel=0.02)
@@ -212,7 +212,7 @@ def great_idol(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("earth_wall")
 def earth_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a lumpy wall of earth along x with stones in it, its back at y = 0. Parameters: length, height."""
+    """Build an uneven wall of earth and stones along x, its back at y = 0. Parameters: length, height."""
     length, height = spec.number("length", 6), spec.number("height", 2.4)
     xs, zs = np.linspace(-length / 2, length / 2, int(length * 5)), np.linspace(0, height, 11)
     rows = []

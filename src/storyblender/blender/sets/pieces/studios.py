@@ -1,4 +1,4 @@
-"""Studios, machine rooms and craft: sound desks, foam, servers, canvases, paint, printing presses."""
+"""Studio and workshop pieces: mixing desks, acoustic foam, servers, canvases, paint, printing presses."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 
 @piece("mixing_desk")
 def mixing_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a sound desk with faders, screens and loudspeakers along x, the engineer at -Y. Parameters: length."""
+    """Build a mixing desk with faders, screens and speakers along x, the engineer's side at -Y. Parameters: length."""
     length = spec.number("length", 2.6)
     builder.box(finish("wood"), (0, 0, 0.36), (length, 0.7, 0.72), bevel=0.02)
     builder.box(finish("paint_black"), (0, -0.08, 0.79), (length - 0.1, 0.66, 0.1), rotation=(9, 0, 0), bevel=0.01)
@@ -48,7 +48,7 @@ def mixing_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("foam_panel")
 def foam_panel(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a field of acoustic wedges on a wall at y = 0, lower edge at z = 0. Parameters: width, height, color."""
+    """Build a panel of acoustic foam on a wall at y = 0, lower edge at z = 0. Parameters: width, height, color."""
     width, height, skin = spec.number("width", 1.8), spec.number("height", 1.2), spec.paint("color", "#3b3f44")
     count = max(4, round(width / 0.12))
     builder.box(skin, (0, -0.015, height / 2), (width, 0.03, height))
@@ -122,7 +122,7 @@ def canvas_stack(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("paint_spots")
 def paint_spots(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Spatter a floor with paint about the origin. Parameters: reach."""
+    """Spatter the floor with paint around the origin. Parameters: reach."""
     reach = spec.number("reach", 1.6)
     for _ in range(34):
         x, y, r = (float(v) for v in (*spec.rng.uniform(-reach, reach, 2), spec.rng.uniform(0.02, 0.09)))
@@ -156,7 +156,7 @@ def printing_press(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("news_desk")
 def news_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a curved desk of a television studio with a lit edge, the camera at -Y."""
+    """Build a curved TV news desk with a lit edge, the camera side at -Y."""
     t = np.linspace(math.pi * 1.2, math.pi * 1.8, 13)
     outer = np.c_[2.6 * np.cos(t), 2.2 + 2.6 * np.sin(t)]
     inner = np.c_[2.0 * np.cos(t), 2.2 + 2.0 * np.sin(t)]
@@ -172,7 +172,7 @@ def news_desk(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("drying_line")
 def drying_line(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Stretch a line along x at z = 0 with printed sheets hung over it. Parameters: length."""
+    """Stretch a drying line along x at z = 0 with printed sheets on it. Parameters: length."""
     length = spec.number("length", 5)
     builder.cylinder(finish("canvas"), (-length / 2, 0, 0), (length / 2, 0, 0), 0.008, segments=4)
     for x in np.arange(-length / 2 + 0.3, length / 2 - 0.2, 0.42):

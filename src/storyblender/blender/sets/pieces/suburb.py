@@ -1,4 +1,4 @@
-"""Detached houses and what lies around them: fences, post boxes, swings, slides and climbing frames."""
+"""Detached houses, fences, playground equipment, bus shelters and washing lines."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _window(builder: MeshBuilder, spec: PieceSpec, x: float, sill: float, trim: 
 
 @piece("picket_fence")
 def picket_fence(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a fence of pointed pickets along x. Parameters: length, height, color."""
+    """Build a picket fence along x. Parameters: length, height, color."""
     length, height, skin = spec.number("length", 6.0), spec.number("height", 1.0), spec.paint("color", "#d9d5ca")
     for z in (0.28, height - 0.25):
         builder.box(skin, (0, 0.03, z), (length, 0.04, 0.08))
@@ -117,7 +117,7 @@ def board_fence(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("chain_fence")
 def chain_fence(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a fence of wire mesh along x on posts. Parameters: length, height."""
+    """Build a chain-link fence along x on posts. Parameters: length, height."""
     length, height, metal = spec.number("length", 10.0), spec.number("height", 2.0), finish("metal_grey")
     for x in np.arange(-length / 2, length / 2 + 0.1, 2.5):
         builder.cylinder(metal, (float(x), 0, 0), (float(x), 0, height + 0.05), 0.035, segments=8)
@@ -205,7 +205,7 @@ def bus_shelter(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("washing_line")
 def washing_line(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Stretch a line along x between two posts, with washing on it. Parameters: length, seed."""
+    """Stretch a washing line along x between two posts. Parameters: length, seed."""
     length = spec.number("length", 4.5)
     for x in (-length / 2, length / 2):
         builder.cylinder(finish("wood_gray"), (x, 0, 0), (x, 0, 2.0), 0.05, segments=8)
@@ -229,7 +229,7 @@ def washing_line(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("court_lines")
 def court_lines(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Paint the lines of a ball game about the origin. Parameters: width, depth."""
+    """Paint the lines of a sports court, centred on the origin. Parameters: width, depth."""
     half, deep, white = spec.number("width", 9) / 2, spec.number("depth", 6) / 2, finish("paint_cream")
     for a, b in (((-half, -deep), (half, -deep)), ((-half, deep), (half, deep)), ((-half, -deep), (-half, deep)),
                  ((half, -deep), (half, deep)), ((0.0, -deep), (0.0, deep))):  # fmt: skip

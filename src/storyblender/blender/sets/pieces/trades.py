@@ -1,4 +1,4 @@
-"""What shops are known by: stocked shelves, places at the barber's, washing machines, post boxes."""
+"""Shop and trade pieces: stocked shelves, barber stations, washing machines, post boxes, vault doors, ovens."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def stock_shelf(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("barber_station")
 def barber_station(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a barber's place on a wall at y = 0: mirror, lamps, shelf with bottles, drawers."""
+    """Build a barber station on a wall at y = 0: mirror, lamps, shelf with bottles, drawers."""
     builder.box(finish("wood_dark"), (0, -0.02, 1.55), (1.15, 0.04, 1.25), bevel=0.01)
     builder.box(finish("frosted"), (0, -0.045, 1.55), (0.98, 0.01, 1.08))
     builder.box(finish("marble"), (0, -0.2, 0.88), (1.2, 0.4, 0.05), bevel=0.008)
@@ -97,8 +97,8 @@ def barber_chair(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("washer_row")
 def washer_row(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a row of washing machines along x that face -Y, backs at y = 0; two high as dryers. Parameters: length,
-    stacked."""
+    """Build a row of washing machines along x that face -Y, backs at y = 0; Parameters:
+    length, stacked (two machines high, as dryers)."""
     length, high = spec.number("length", 4.2), 2 if spec.flag("stacked") else 1
     count = max(1, round(length / 0.7))
     for index in range(count):
@@ -149,7 +149,7 @@ def vault_door(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("writing_stand")
 def writing_stand(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a sloping stand to write at, with pens on chains, its back to +Y."""
+    """Build a sloping writing stand with pens on chains, its back to +Y."""
     builder.box(finish("wood_dark"), (0, 0.1, 0.55), (1.3, 0.3, 1.1))
     builder.box(finish("wood"), (0, 0, 1.13), (1.4, 0.56, 0.05), rotation=(12, 0, 0), bevel=0.01)
     for x in (-0.4, 0.1, 0.45):
@@ -178,7 +178,7 @@ def barber_pole(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("brick_oven")
 def brick_oven(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a baker's brick oven with a lit mouth, its back at y = 0."""
+    """Build a bakery brick oven with a lit opening, its back at y = 0."""
     brick = finish("brick_red")
     builder.box(brick, (0, -0.45, 0.45), (1.9, 0.9, 0.9))
     builder.box(finish("stone_light"), (0, -0.5, 0.93), (2.0, 1.0, 0.08), bevel=0.01)
@@ -198,7 +198,7 @@ def brick_oven(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("dress_form")
 def dress_form(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a dress form on a stand in a half-made coat that faces -Y. Parameters: color."""
+    """Build a dress form on a stand with a half-finished coat, facing -Y. Parameters: color."""
     coat = spec.paint("color", "#2f3a4a")
     builder.lathe(finish("wood_dark"), [(0.22, 0), (0.2, 0.04), (0.03, 0.07), (0.025, 0.8)], segments=14)
     sections = (
@@ -219,7 +219,7 @@ def dress_form(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("vet_table")
 def vet_table(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a steel table to examine animals on, with its lamp above."""
+    """Build a steel veterinary examination table with a lamp above."""
     steel = finish("steel")
     builder.box(steel, (0, 0, 0.88), (1.4, 0.65, 0.05), bevel=0.01)
     builder.box(steel, (0, 0, 0.45), (0.3, 0.3, 0.84))
@@ -249,7 +249,7 @@ def cage_wall(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("shackles")
 def shackles(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Hang two chains with iron cuffs on a wall at y = 0, from z = 0 down."""
+    """Hang two chains with shackles on a wall at y = 0, from z = 0 down."""
     iron = finish("iron")
     for x in (-0.35, 0.35):
         builder.cylinder(iron, (x, 0, 0), (x, -0.06, 0), 0.07, segments=10)

@@ -1,4 +1,4 @@
-"""What grows and lies in wild places: great leaves, lianas, lily pads, grain, ice, craters, coral and weed."""
+"""Nature pieces: jungle plants, lily pads, grain, ice, snow, craters, coral, seaweed, wrecks, cliffs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from storyblender.blender.tags import Surface
 
 @piece("jungle_tree", Surface.FOLIAGE)
 def jungle_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a tall tree with roots like walls, its crown high up. Parameters: variant."""
+    """Build a tall jungle tree with buttress roots and a high crown. Parameters: variant."""
     plants.broad_tree(builder, finish("bark"), (finish("leaf"), finish("pine")), (9.0, 17.0), spec.rng)
     for turn in np.arange(0, 2 * math.pi, 1.25):
         a, wide = float(turn + spec.rng.uniform(-0.3, 0.3)), float(spec.rng.uniform(0.9, 1.5))
@@ -38,7 +38,7 @@ def jungle_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("great_leaf", Surface.NO_INK)
 def great_leaf(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a plant of broad arching leaves, about two metres high. Parameters: variant."""
+    """Build a broad-leaved plant, about two metres high. Parameters: variant."""
     skins = finish("leaf"), finish("hedge"), finish("pine")
     for index in range(8):
         a = index * 2.4 + float(spec.rng.uniform(-0.3, 0.3))
@@ -59,7 +59,7 @@ def great_leaf(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("lily_pads", Surface.NO_INK)
 def lily_pads(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Lay lily pads and a few blooms on water about the origin. Parameters: variant."""
+    """Lay lily pads and a few flowers on water around the origin. Parameters: variant."""
     for _ in range(9):
         x, y, r = (
             float(v) for v in (spec.rng.uniform(-1, 1), spec.rng.uniform(-0.8, 0.8), spec.rng.uniform(0.1, 0.24))
@@ -115,7 +115,7 @@ def _corn(builder: MeshBuilder, at: tuple[float, float], rng: np.random.Generato
 
 @piece("ice_cracks")
 def ice_cracks(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Draw cracks and drifts of snow on ice about the origin. Parameters: reach, seed."""
+    """Draw cracks and snow drifts on ice around the origin. Parameters: reach, seed."""
     reach, rng = spec.number("reach", 12), spec.rng
     for _ in range(14):
         x, y = (float(v) for v in rng.uniform(-reach, reach, 2))
@@ -164,7 +164,7 @@ def coral(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("seaweed", Surface.NO_INK)
 def seaweed(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a stand of long waving weed. Parameters: variant."""
+    """Build a clump of long seaweed. Parameters: variant."""
     skins = painted("#3f5a2c"), painted("#54702f"), painted("#2f4a33")
     for index in range(9):
         x, y = (float(v) for v in spec.rng.uniform(-0.35, 0.35, 2))
@@ -180,7 +180,7 @@ def seaweed(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("lander")
 def lander(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a landing craft on four legs with a ladder at -Y."""
+    """Build a space lander on four legs with a ladder at -Y."""
     foil, white, metal = finish("brass"), finish("paint_white"), finish("metal_grey")
     ring = [(1.9 * math.cos(t), 1.9 * math.sin(t)) for t in np.linspace(0, 2 * math.pi, 9)[:-1] + math.pi / 8]
     with builder.at((0, 0, 1.2)):
@@ -268,7 +268,7 @@ def bare_tree(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("ice_hole")
 def ice_hole(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a hole that is cut in ice, with the slush around it."""
+    """Build a fishing hole in the ice with slush around it."""
     builder.lathe(finish("water_deep"), [(0.36, 0.006), (0.001, 0.006)], segments=18, caps=False)
     builder.lathe(finish("snow"), [(0.34, 0.0), (0.38, 0.07), (0.5, 0.05), (0.62, 0.0)], segments=18, caps=False)
 
@@ -311,7 +311,7 @@ def bank_edge(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("cliff_edge")
 def cliff_edge(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the broken brink of a cliff along x and the rock under it; the drop lies at +Y. Parameters: length."""
+    """Build the edge of a cliff along x and the rock face below it; the drop lies at +Y. Parameters: length."""
     half = spec.number("length", 90) / 2
     xs, rows = np.linspace(-half, half, int(half * 2)), []
     for depth, out in ((0.012, 0.0), (-0.35, 0.5), (-1.6, 0.7), (-4.0, 1.6), (-9.0, 2.4), (-26.0, 4.0)):
@@ -323,7 +323,7 @@ def cliff_edge(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("jetty_posts")
 def jetty_posts(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build the posts and the edge beams of a jetty along y about the origin. Parameters: length, width."""
+    """Build the posts and edge beams of a jetty along y, centred on the origin. Parameters: length, width."""
     half, wide, wood = spec.number("length", 6) / 2, spec.number("width", 1.5) / 2, finish("wood_gray")
     for x in (-wide, wide):
         builder.box(wood, (x, 0, -0.03), (0.1, 2 * half, 0.16))
