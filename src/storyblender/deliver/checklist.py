@@ -59,7 +59,7 @@ UNTOLD: dict[str, str] = {
     "nothing": "wider", "person_small": "tighter", "flat": "tighter", "void": "tighter", "dark": "tighter",
     "person_hidden": "above", "face_hidden": "above", "face_away": "above", "foreground": "above",
 }  # fmt: skip
-"""The Frame Critic's word, and what may mend it."""
+"""The Frame Critic's findings, and what may fix them."""
 
 
 @dataclass(frozen=True)
@@ -78,13 +78,13 @@ class Check:
 
 
 def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterable[Flaw], folder: str) -> list[Check]:
-    """Return what to look at, shot by shot in story order, nothing twice.
+    """Return the things to check, shot by shot in story order, without duplicates.
 
     Args:
         graph: The story; its cameras hold their own flaws.
-        staged: What could not be staged, of all packs.
-        poor: What the Frame Critic minds in frames that do not tell their lines.
-        folder: The project folder as a command names it.
+        staged: Failures of the staging, of all packs.
+        poor: The Frame Critic's findings in frames that do not tell their lines.
+        folder: The project folder, as written in a command.
     """
     names = names_of(graph)
     flaws: dict[str, list[Flaw]] = {}
@@ -167,7 +167,7 @@ def _pictured(panel: Panel, folder: str, names: Mapping[str, str]) -> Iterator[C
 
 
 def _untold(panel: Panel, flaws: Iterable[Flaw], folder: str, names: Mapping[str, str]) -> Iterator[Check]:
-    """What a frame does not show of its lines; staging and readings have lines of their own."""
+    """Yield the checks for what a frame does not show of its lines; staging and reading have checks of their own."""
     told = {flaw.subject for flaw in picture_flaws(panel.shot)}
     for flaw in flaws:
         if flaw.kind in UNTOLD and (flaw.subject not in told or not flaw.subject):

@@ -18,24 +18,24 @@ _TIGHTER: Final = ("person_small", "flat", "void", "dark")
 _AROUND: Final = ("person_hidden", "face_hidden", "face_away", "foreground")
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN: Final = 0.5
-"""Points by which a retake must be better than the take before it."""
+"""Least gain in score for which a retake replaces the take before it."""
 _RETAKES: Final = 2
 """Most retakes of one shot."""
 
 
 def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
-    """Judge frames, and take those again that another camera may mend; written and decided cameras stay.
+    """Judge frames, and retake those that another camera may fix; cameras set by the script or the user stay.
 
     Args:
-        run: With all frames drawn.
-        shots: Those to judge.
+        run: The run, with all frames drawn.
+        shots: The shots to judge.
 
     Returns:
-        Shot name to the review of the take that was kept.
+        The review of the kept take, by shot name.
     """
     keys = [(shot.scene_id, shot.shot_id) for shot in shots]
     reviews = review_frames(run, [run.graph.shot(*key) for key in keys])
-    # In another look, or after an undo, a project is drawn as it is.
+    # In another look, or after an undo, the project is drawn without retakes.
     may_retake = run.settings.look == run.made_in_look and not run.project.has_undone
     for attempt in range(_RETAKES if may_retake else 0):
         present = [run.graph.shot(*key) for key in keys]
@@ -52,7 +52,7 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
 def _taken_again(
     run: Run, again: Mapping[str, tuple[ShotContext, CameraDecision]], before: Mapping[str, FrameReview]
 ) -> dict[str, FrameReview]:
-    """Take shots again, and bring those back that did not get better; return the reviews of the takes that are kept."""
+    """Retake shots, and restore the takes that did not get better; return the reviews of the kept takes."""
     former = [shot for shot, _ in again.values()]
     told = ", ".join(f"{name}: {choice.words}" for name, (_, choice) in again.items())
     run.commit("frame_critic", f"taken again: {told}", *(_with_camera(shot, choice) for shot, choice in again.values()))
@@ -84,12 +84,12 @@ def _with_camera(shot: ShotContext, choice: CameraDecision) -> ShotContext:
 
 
 def _another_camera(shot: ShotContext, review: FrameReview, attempt: int) -> CameraDecision | None:
-    """Return the camera that may mend a frame's worst fault; None where it passes, or is not the crew's to change.
+    """Return a camera that may fix a frame's worst fault; None if the frame passes, or its camera must not change.
 
     Args:
-        shot: As it was taken last.
-        review: Of that take.
-        attempt: Retakes so far.
+        shot: The shot as last taken.
+        review: The review of that take.
+        attempt: Number of retakes so far.
     """
     instruction = shot.camera_instruction
     fixed = shot.camera_decision is not None or "camera" in shot.locked
@@ -100,7 +100,7 @@ def _another_camera(shot: ShotContext, review: FrameReview, attempt: int) -> Cam
     if worst in _AROUND and attempt == 0 and instruction.angle == "eye-level":
         return CameraDecision(angle="high angle")
     if instruction.explicit:
-        # The size was ordered: what it does not hold is seen from elsewhere within it, or not at all.
+        # An ordered size stays: what does not fit in it may be seen from another side, or not at all.
         from_above = attempt == 0 and instruction.angle == "eye-level" and worst in _UNSEEN
         return CameraDecision(angle="high angle") if from_above else None
     step = (1 + attempt) * (1 if worst in _TIGHTER else -1)

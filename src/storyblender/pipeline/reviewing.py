@@ -1,4 +1,4 @@
-"""The Frame Critic at work: every drawn frame is judged against its lines, and the judgement is kept beside it."""
+"""Runs the Frame Critic: every drawn frame is judged against its lines, and the review is kept next to it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
 from storyblender.reflection import Critique, Fault
 
 CRITIC_VERSION = 2
-"""Raised when the critic judges otherwise: kept reviews are then made anew."""
+"""Raised with every change of the critic's rules: kept reviews are then redone."""
 
 
 class FrameReview(Frozen):
@@ -29,9 +29,9 @@ class FrameReview(Frozen):
 
     shot: str
     judged: Digest
-    """Hash of what was judged."""
+    """Hash of the judged inputs."""
     score: float
-    """1 to 10."""
+    """Score from 1 to 10."""
     faults: tuple[Fault, ...] = ()
 
     @property
@@ -41,14 +41,14 @@ class FrameReview(Frozen):
 
 
 def review_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
-    """Judge the frames of some shots; what was judged as it is now is not judged again.
+    """Judge the frames of some shots; unchanged frames keep their reviews.
 
     Args:
-        run: With packs and frames.
-        shots: With a camera, drawn.
+        run: The run, with packs and frames.
+        shots: Drawn shots with a camera.
 
     Returns:
-        Shot name to review, in the order of the shots.
+        The reviews by shot name, in the order of the shots.
     """
     found: dict[str, FrameReview] = {}
     waiting: dict[int, list[ShotContext]] = {}
@@ -80,10 +80,10 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
     """Judge one drawn frame.
 
     Args:
-        run: With the story and its pictures.
-        shot: The shot.
-        sight: What its camera sees.
-        collisions: People inside things in this shot.
+        run: The run, with the story and its pictures.
+        shot: The shot to judge.
+        sight: The measured view of its camera.
+        collisions: Overlaps of people with things in this shot.
     """
     name = shot_name(shot.scene_id, shot.shot_id)
     assets = {asset.asset_id: asset for asset in run.graph.assets}
@@ -107,7 +107,7 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
 
 
 def kept_reviews(run: Run, shots: Collection[ShotContext]) -> Mapping[str, FrameReview]:
-    """Return the reviews there are of the frames as they are now, by shot name."""
+    """Return the kept reviews of the current frames, by shot name."""
     known = (run.outputs.read(_record(run, shot), FrameReview.model_validate_json) for shot in shots)
     return {review.shot: review for review in known if review is not None}
 

@@ -74,7 +74,7 @@ def _commit_lights(run: Run, shots: Sequence[ShotContext]) -> None:
 
 
 def drawn_shots(run: Run) -> list[ShotContext]:
-    """Return the shots whose picture is drawn as they are now."""
+    """Return the shots whose current version is drawn."""
     return [shot for shot in run.graph.shots if run.outputs.whole(frame_picture(run, shot))]
 
 
@@ -134,7 +134,7 @@ def prune(run: Run, shots: Collection[ShotContext]) -> None:
 
 
 def frame_picture(run: Run, shot: ShotContext) -> str:
-    """Return the name of the picture of a shot as it is now, drawn or not."""
+    """Return the picture name of a shot's current version, drawn or not."""
     return _frame_job(run, shot, run.settings.look).out
 
 

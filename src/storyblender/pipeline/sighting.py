@@ -1,4 +1,4 @@
-"""What every camera of a scene sees at the moment that the board shows, and where the people are."""
+"""What every camera of a scene sees at the shot's story moment, and where the people are."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ class ShotSight(Frozen):
 
 
 class Sighting:
-    """What the cameras of a scene see, asked for and not yet answered.
+    """A pending request for what the cameras of a scene see.
 
     Args:
         graph: The story; shots without a camera are left out.
-        engine: Looks.
-        pack: The scene.
-        only: Shot ids to look at; None looks at all.
+        engine: The engine that looks through the cameras.
+        pack: The scene pack.
+        only: Ids of the shots to look at; None for all.
     """
 
     def __init__(
@@ -53,7 +53,7 @@ class Sighting:
 
 
 def nodes_of(graph: ContinuityMemoryGraph, scene_id: int) -> dict[str, tuple[str, ...]]:
-    """Return the node ids that show each asset of a scene; what is not in the layout is its own node."""
+    """Return the node_ids that show each asset of a scene; an asset outside the layout is its own node."""
     nodes: dict[str, tuple[str, ...]] = {}
     layout = next((scene.layout for scene in graph.scenes if scene.scene_id == scene_id), None)
     for item in layout.objects if layout is not None else ():

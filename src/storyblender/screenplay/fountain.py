@@ -117,9 +117,9 @@ class _Reader:
         self.elements: list[Element] = []
         self.at = 0
         self.labelled = not any(is_heading(line.words) for line in self.lines)
-        """No heading begins with INT or EXT, so that ``Scene 2`` is one."""
+        """Whether no heading begins with INT or EXT, so that ``Scene 2`` counts as a heading."""
         self.series = False
-        """Inside a series of shots."""
+        """Whether the current line is inside a series of shots."""
         self.pictures = 0
         self.picture: int | None = None
 
@@ -204,7 +204,7 @@ class _Reader:
         return "cue" if before and not after and looks_like_cue(words) else "action"
 
     def _ends_shot(self, index: int) -> bool:
-        """Whether a line is a cut, so that a heading may stand right below it."""
+        """Return whether a line is a cut, so that a heading may follow without a blank line."""
         return _TRANSITION.fullmatch(self.lines[index].words) is not None
 
     def _follow_series(self, kind: ElementKind, words: str) -> None:

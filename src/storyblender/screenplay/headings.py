@@ -1,4 +1,4 @@
-"""The first words of a scene heading, in five languages: inside or outside, and a number."""
+"""Parses the start of a scene heading, in five languages: inside or outside, and a scene number."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _PREFIX = re.compile(rf"(?P<side>{_SIDES})(?P<mark>\s*[.:]|\s*[-–—](?=\s)|(?
 _NUMBER = re.compile(
     rf"\(?(?P<number>[A-Z]{{0,2}}\d{{1,4}}(?:/\d{{1,3}})?[A-Z]{{0,2}})[.):]?\s*[-–—]?\s+(?={_SIDES})", re.IGNORECASE
 )
-"""A shooting script numbers its scenes before the heading, and mostly once more behind it."""
+"""Scene number before the heading, and usually once more after it, as in shooting scripts."""
 _WORDED = (
     r"ONE|TWO|THREE|FOUR|FIVE|SIX|SEVEN|EIGHT|NINE|TEN|ELEVEN|TWELVE|FIRST|SECOND|THIRD|FOURTH|LAST|FINAL|[IVX]{1,5}"
     r"|\d{1,4}[A-Z]{0,2}"
@@ -34,16 +34,16 @@ LEADING_WORDS = re.compile(
     r"(?:BEGIN |START )?(?:FLASH[ -]?(?:BACK|FORWARD)|DREAM|FANTASY|MEMORY|MONTAGE|INTERCUT)(?: SEQUENCE)?"
     rf"(?: TO)?\s*[-–—:.]+\s*(?={_SIDES})"
 )
-"""What may stand before ``INT.`` in a heading: it belongs to the heading."""
+"""Words that may precede ``INT.`` and are part of the heading."""
 
 
 class HeadingWords(NamedTuple):
-    """The parts of a heading that are told by form alone."""
+    """The parts of a heading that its form alone determines."""
 
     side: Side
     number: str
     place: str
-    """What is left: place and time as written."""
+    """The rest: place and time as written."""
 
 
 def is_heading(line: str) -> bool:
@@ -76,7 +76,7 @@ def place_label(line: str) -> re.Match[str] | None:
 
 
 def split_number(heading: str) -> tuple[str, int]:
-    """Return the number before ``INT`` and where the heading goes on; empty and 0 where it has none."""
+    """Return the number before ``INT`` and the offset after it; empty and 0 if there is none."""
     match = _NUMBER.match(heading)
     return (match["number"], match.end()) if match else ("", 0)
 

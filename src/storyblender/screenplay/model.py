@@ -9,7 +9,7 @@ from storyblender.memory.base import Frozen
 ScriptFormat = Literal["fountain", "fdx", "prose", "script"]
 """``script``: a play, a comic or a commercial, or a screenplay in its writer's own layout."""
 PageKind = Literal["screenplay", "play", "comic", "columns", "picture_book", "outline", "chat", "prose"]
-"""How a page tells its story: cues and headings, panels, picture and sound side by side, one picture a page, numbered
+"""The form of a page: cues and headings, panels, picture and sound side by side, one picture a page, numbered
 cards, messages with their senders, or paragraphs."""
 ElementKind = Literal[
     "heading", "action", "cue", "parenthetical", "dialogue", "lyric", "transition", "shot", "centered",

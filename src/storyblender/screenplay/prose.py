@@ -24,7 +24,7 @@ _REMARK = re.compile(
     r"|ende\.?|\*+",
     re.IGNORECASE | re.DOTALL,
 )
-"""What is said of the story and not told in it."""
+"""Remarks about the story that are not part of it."""
 _LETTER = re.compile(
     r"(?:my )?(?:dear|dearest|darling)(?: [^.!?\n]{1,40})?[,:—-]{0,2}"
     r"|(?:(?:mon|tues|wednes|thurs|fri|satur|sun)day,? )?(?:the )?\d{1,2}(?:st|nd|rd"
@@ -37,9 +37,9 @@ _LETTER = re.compile(
 """The date, the address and the greeting of a letter."""
 _SIGNED = re.compile(r"[—–-]?\s*[A-Z][\w.'’]*(?: [A-Z][\w.'’]*){0,2}")
 _FRONT = 8
-"""Paragraphs among which a title, a byline and remarks may stand."""
+"""Most paragraphs at the start that may be a title, a byline or remarks."""
 _HEADED = 100
-"""Characters of a line that is a heading whole; of a longer one the first sentence is."""
+"""Most characters of a line that is a heading as a whole; of a longer line only the first sentence is."""
 _LONG_LINE = 100
 """A line this long (characters) is a whole paragraph: the file does not wrap by hand."""
 
@@ -86,9 +86,9 @@ def parse(text: str, path: str = "") -> Screenplay:
 
 
 def _begins(text: str, paragraphs: list[tuple[int, int, int]]) -> int:
-    """Index of the paragraph with which the story begins: behind the title, the byline and remarks about it.
+    """Return the index of the first paragraph of the story: after the title, the byline and remarks about it.
 
-    Where scenes are numbered or headed, everything before the first is no story.
+    If scenes are numbered or headed, everything before the first heading is front matter.
     """
     first = next((i for i, (start, end, _) in enumerate(paragraphs) if _is_scene(text[start:end])), None)
     numbered = sum(scene_label(text[start:end]) is not None for start, end, _ in paragraphs) > 1
@@ -107,7 +107,7 @@ def _begins(text: str, paragraphs: list[tuple[int, int, int]]) -> int:
 
 
 def _is_title(words: str) -> bool:
-    """Whether a paragraph is a title, with or without lines below it that close with no full stop."""
+    """Return whether a paragraph is a title, with or without more lines that do not end in a full stop."""
     lines = [line.strip() for line in words.split("\n")]
     closed = re.search(r"[.!?,;\"”'’…]$", lines[-1]) and not re.fullmatch(r"[\"“'‘][^\"”]*[\"”'’]", lines[-1])
     dated = _LETTER.fullmatch(lines[0]) is not None
@@ -116,7 +116,7 @@ def _is_title(words: str) -> bool:
 
 
 def _titled(words: str, known: list[tuple[str, str]]) -> list[tuple[str, str]]:
-    """What a paragraph before the story gives to the title page."""
+    """Return the title page entries of a paragraph before the story."""
     keys = {key for key, _ in known}
     if byline := _BYLINE.fullmatch(words):
         return [("Credit", byline["credit"]), ("Author", byline["author"].strip())]
@@ -128,12 +128,12 @@ def _titled(words: str, known: list[tuple[str, str]]) -> list[tuple[str, str]]:
 
 
 def _is_scene(words: str) -> bool:
-    """Whether a paragraph begins with a heading: ``INT. MILL``, ``Scene 2``."""
+    """Return whether a paragraph begins with a heading: ``INT. MILL``, ``Scene 2``."""
     return is_heading(words) or scene_label(words) is not None
 
 
 def _classify(words: str) -> tuple[ElementKind, str, int]:
-    """Return what a paragraph is, what it says, and how many characters at its end are told under it as action."""
+    """Return the kind of a paragraph, its text, and how many characters at its end are action below it."""
     if _BREAK.fullmatch(words):
         return "section", words, 0
     if title := _MARKDOWN_TITLE.fullmatch(words):

@@ -1,4 +1,4 @@
-"""Series of shots: where one begins and ends, and the mark before each of its items."""
+"""Series of shots: the lines that begin and end one, and the mark before each of its items."""
 
 from __future__ import annotations
 

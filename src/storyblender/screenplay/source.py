@@ -18,7 +18,7 @@ MAX_BYTES: Final = 20_000_000
 """A feature script is about 0.3 MB; anything beyond this is not a script."""
 
 _ENOUGH_CUES: Final = 3
-"""Names on lines of their own: with so many, a name before a colon is no cue."""
+"""Number of names on lines of their own from which a name before a colon is no cue."""
 _EXPORT: Final = "export the script as Fountain (.fountain) or Final Draft (.fdx)"
 _MAGIC: Final[tuple[tuple[bytes, str], ...]] = (
     (b"%PDF", "this is a PDF, which keeps pages but loses the script's structure"),
@@ -89,7 +89,7 @@ def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Scree
 
 
 def _parse(text: str, format: ScriptFormat, path: str) -> Screenplay:
-    """Read a page in the layout that it has; a file called Fountain is Fountain unless it plainly has another."""
+    """Read a page in its own layout; a file called Fountain is Fountain unless it clearly has another layout."""
     for recognised, parse in (
         (columns.is_columns, columns.parse),
         (comic.is_comic, comic.parse),

@@ -61,9 +61,9 @@ class Thing(Facts):
     handled: bool = False
     first: int = 0
     writing: str = ""
-    """Words that can be read on it: a sign, a letter, a screen."""
+    """Text that can be read on it: a sign, a letter, a screen."""
     part_of: str | None = None
-    """The thing that this is a part of: the lid of a box."""
+    """Id of the thing it is a part of: the box of a lid."""
 
 
 @dataclass
@@ -99,7 +99,7 @@ class CameraNote(Facts):
     """POV and OTS: whose."""
     roll: float = 0.0
     through: str = ""
-    """POV: what it looks through: ``binoculars``, ``keyhole``."""
+    """POV: the device it looks through: ``binoculars``, ``keyhole``."""
 
 
 @dataclass
@@ -116,9 +116,9 @@ class StateChange(Facts):
 
 @dataclass
 class Unit(Facts):
-    """A sentence of action or one speech: the smallest thing a shot can cover.
+    """A sentence of action or one speech: the smallest piece of script that a shot can cover.
 
-    Words on the screen (``title``), a labelled noise or music (``sound``) and what the writer says to the reader
+    On-screen text (``title``), a labelled sound or music (``sound``) and remarks of the writer to the reader
     (``aside``) get no shot of their own: they go with the shot before or after them.
     """
 
@@ -147,19 +147,19 @@ class Unit(Facts):
     changes: list[StateChange] = field(default_factory=list)
     sounds: list[str] = field(default_factory=list)
     expressions: dict[str, str] = field(default_factory=dict)
-    """Person -> what their face does, after the unit: one of the sixteen expressions, or the script's own words."""
+    """Person -> facial expression after the unit: one of the sixteen expressions, or the script's own words."""
     gaze: dict[str, str] = field(default_factory=dict)
-    """Person -> whom or what they look at, or ``left``, ``right``, ``up``, ``down``, ``camera``, ``closed``."""
+    """Person -> id of what they look at, or ``left``, ``right``, ``up``, ``down``, ``camera``, ``closed``."""
     grips: dict[str, dict[str, Grip]] = field(default_factory=dict)
-    """Person -> thing -> how they carry it; until they no longer hold it."""
+    """Person -> thing -> grip on it, until they no longer hold it."""
     activities: dict[str, str] = field(default_factory=dict)
-    """Person -> motion that goes on until it is changed; an empty word ends it."""
+    """Person -> lasting motion, until it changes; an empty string ends it."""
     spots: dict[str, Spot] = field(default_factory=dict)
-    """Person or thing -> where they are after the unit, until they move."""
+    """Person or thing -> spot after the unit, until they move."""
     absent: list[str] = field(default_factory=list)
-    """Things of the scene that are not in the set during this unit: not there yet, or gone."""
+    """Things of the scene that are not in the set during this unit: not there yet, or removed."""
     tethers: list[Tether] = field(default_factory=list)
-    """Who leads or ties whom during this unit."""
+    """Who is led or tied, and by whom or to what, during this unit."""
     moment: Moment | None = None
     """The moment of the unit that a panel shows; None lets the crew choose."""
     panel: int | None = None
@@ -173,7 +173,7 @@ class Unit(Facts):
     """V.O., O.S., O.C. or not on stage."""
     dual: bool = False
     picture: int | None = None
-    """Panel, item of a series of shots, row of two columns: units with one number share one shot, and no other."""
+    """Number of its panel, series item or two-column row: units with the same number share exactly one shot."""
 
 
 @dataclass
@@ -195,7 +195,7 @@ class SceneReading(Facts):
     start: int = 0
     end: int = 0
     kit: str = ""
-    """Key of the set kit, where it is chosen by name."""
+    """Key of the set kit, if it was chosen by name."""
     furniture: list[str] = field(default_factory=list)
     """Things of this scene that belong to the set, as mentioned."""
 

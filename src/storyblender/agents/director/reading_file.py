@@ -34,7 +34,7 @@ _CAMERA_WORDS: dict[str, frozenset[str]] = {
     "movement": frozenset(get_args(Movement)),
     "direction": frozenset(get_args(CameraDirection)),
 }
-"""Fields of a camera direction that take one of some words."""
+"""Fields of a camera direction with a fixed set of values."""
 _WORD = re.compile(r"\w+")
 
 
@@ -131,12 +131,12 @@ def _digest(screenplay: Screenplay) -> str:
 
 
 def _is_of(file: ReadingFile, screenplay: Screenplay) -> bool:
-    """Whether a file is a reading of these words; early versions counted the format in."""
+    """Whether a file is a reading of this text; early versions included the format in the hash."""
     return file.script in (_digest(screenplay), content_hash(screenplay.text, screenplay.format))
 
 
 def _element_at(start: int, screenplay: Screenplay) -> int:
-    """Return the index of the element that a character belongs to: a later version may cut the page otherwise."""
+    """Return the index of the element that contains a character; a later version may split the page differently."""
     return max(bisect_right(screenplay.elements, start, key=lambda element: element.start) - 1, 0)
 
 
@@ -231,14 +231,14 @@ def _people_of(unit: Unit) -> list[str]:
 
 
 def _things_of(unit: Unit) -> list[str]:
-    """Return every id of a unit that may be a thing's or a person's."""
+    """Return every id in a unit that may be a thing's or a person's."""
     gripped = (thing for grips in unit.grips.values() for thing in grips)
     tied = (each for tether in unit.tethers for each in (tether.holder, tether.held))
     return [*unit.things, *unit.absent, *unit.spots, *gripped, *tied]
 
 
 def _refuse_camera_words(camera: CameraNote | None, where: str, path: Path) -> None:
-    """Refuse a word of a camera direction that no camera knows."""
+    """Raise an error for an unknown value of a camera direction."""
     for field, words in _CAMERA_WORDS.items():
         said = getattr(camera, field, "")
         if said and said not in words:

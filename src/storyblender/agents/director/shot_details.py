@@ -143,13 +143,13 @@ class ShotDetails:
         return [person for person in unique(shown) if person in on_stage and person != draft.pov]
 
     def _thing_spots(self, units: Sequence[Unit]) -> dict[str, Spot]:
-        """Where things, and animals that are no cast, are by the end of these units."""
+        """Return the spots of things, and of animals outside the cast, at the end of these units."""
         told = {each: spot for unit in units for each, spot in unit.spots.items()}
         placed = self.company.assets - self.company.actors
         return {each: self.staging.known_spot(spot) for each, spot in told.items() if each in placed}
 
     def _absent(self, units: Sequence[Unit]) -> tuple[str, ...]:
-        """Things that are missing in all of these units: what comes or goes meanwhile is seen."""
+        """Return the things missing in all of these units; a thing that comes or goes in between is shown."""
         missing = [{*unit.absent} for unit in units]
         return tuple(sorted(set[str].intersection(*missing) & self.company.assets)) if missing else ()
 
@@ -229,7 +229,7 @@ class ShotDetails:
         return actions
 
     def _unread(self, draft: ShotDraft, busy: set[str]) -> list[CharacterAction]:
-        """What the words of a unit tell of the one person in it of whom the reader found no deed."""
+        """Return an action with the unit's own words for its only person, if the reader found no deed of theirs."""
         found: list[CharacterAction] = []
         for index, beat in enumerate(draft.beats):
             unit = beat.unit

@@ -33,14 +33,14 @@ class _Body:
 
 
 class Staging:
-    """The bodies of one scene, carried from shot to shot.
+    """The body states of one scene, carried from shot to shot.
 
     Args:
         units: The scene's units.
-        assets: Ids on the asset sheet; nothing else can support, be held or be looked at.
+        assets: Ids on the asset sheet; only these can support, be held or be looked at.
         fixtures: Ids of parts of the set: people can be beside them.
-        seated: The place is one where everybody sits unless they come in: a car.
-        on_foot: Trades that do not sit there.
+        seated: Everyone in the place sits unless they walk in: a car.
+        on_foot: Trades that stand in such a place.
     """
 
     def __init__(
@@ -88,9 +88,9 @@ class Staging:
         return deed in posed
 
     def states(self, draft: ShotDraft) -> tuple[tuple[BodyState, ...], tuple[BodyState, ...]]:
-        """Return the bodies as the shot begins, and at its end those that its words have changed.
+        """Return the body states at the start of the shot, and those that its text has changed at its end.
 
-        What no deed of the shot brings about is so from its first frame on: a posture, a face, a thing in the hand.
+        A posture, an expression or a held thing that no deed of the shot brings about holds from its first frame.
         """
         for person in draft.on_stage:
             if person not in self.bodies:
@@ -108,7 +108,7 @@ class Staging:
         return states, changed
 
     def _set_scene(self, units: Sequence[Unit]) -> None:
-        """Bring bodies into what the units tell of them without a deed that leads there."""
+        """Put bodies into the postures and places that the units state without a deed that leads there."""
         deeds = [deed for unit in units for deed in unit.deeds]
         movers = {deed.actor for deed in deeds if deed.motion in TRAVEL}
         posing = movers | {deed.actor for deed in deeds if deed.motion in POSING}
@@ -125,7 +125,7 @@ class Staging:
                 body.held += [t for t in things if t not in body.held and (person, t) not in got]
 
     def _set_faces(self, unit: Unit) -> None:
-        """Bring faces, eyes, lasting activities and grips into what a unit says."""
+        """Apply the expressions, gaze, lasting activities and grips of a unit."""
         for person, words in unit.expressions.items():
             self._body(person).expression = expression_of(words)
         if unit.kind == "dialogue" and unit.speaker and unit.parenthetical and unit.speaker not in unit.expressions:
@@ -142,7 +142,7 @@ class Staging:
             self._body(person).grips.update(grips)
 
     def known_spot(self, spot: Spot) -> Spot:
-        """Return a spot without what is neither on the sheet nor a part of the set."""
+        """Return a spot with only those references that are on the asset sheet or parts of the set."""
         facing = spot.facing if spot.facing in {*self.places, "away", "camera"} else None
         anchor = spot.anchor_id if spot.anchor_id in self.places else None
         return spot.model_copy(update={"anchor_id": anchor, "facing": facing})

@@ -67,7 +67,7 @@ def mood_of(words: str) -> Mood:
 
 
 def expression_of(words: str) -> Expression:
-    """Return the expression that words for a face mean: one of the sixteen by its name, else by the words' stems."""
+    """Return the expression that a description of a face means: one of the sixteen by name, else by word stems."""
     plain = words.lower().strip()
     for expression in get_args(Expression):
         if plain == expression:
@@ -79,7 +79,7 @@ def expression_of(words: str) -> Expression:
 
 
 def mood_of_expression(expression: Expression) -> Mood:
-    """Return the mood in which somebody with this face speaks and acts."""
+    """Return the mood in which a person with this expression speaks and acts."""
     return _MOOD_OF_EXPRESSION.get(expression, "neutral")
 
 

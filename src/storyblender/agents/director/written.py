@@ -17,15 +17,15 @@ _WRITTEN: Final = re.compile(
     rf"|^[^.!?\n\"“”,;]{{0,30}}?(?::|—|--)\s*(?:{_SAID}|{_BIG})"
 )
 _REACH: Final = 170
-"""Characters after a thing's name in which its words stand."""
+"""Characters after a thing's name that are searched for its writing."""
 
 
 def writing_on(name: str, first: int, text: str) -> str:
-    """Return the words that a script says are on a thing where it first names it; empty if it says none.
+    """Return the words that the script puts on a thing at its first mention, or an empty string.
 
     Args:
-        name: Of the thing, as written.
-        first: Where it is first named.
+        name: The name of the thing, as written.
+        first: Offset of its first mention.
         text: The script.
     """
     at = text.find(name.split()[-1], first) if name.split() else -1

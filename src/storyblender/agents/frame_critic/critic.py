@@ -1,7 +1,7 @@
-"""Judges a finished frame as a director would: is what the lines are about in it, large enough, and not hidden?
+"""Judges a finished frame as a director would: is the subject of the lines in it, large enough, and not hidden?
 
-The camera's critic asks whether a view is well framed; this one asks whether the frame tells its lines.
-Severities are points of ten; a frame passes from eight on, and is to be made again below five.
+The camera critic asks whether a view is well framed; this critic asks whether the frame tells its lines.
+Severities are points out of ten; a frame passes from 8.0, and is retaken below 5.0.
 """
 
 from __future__ import annotations
@@ -16,35 +16,35 @@ from storyblender.reflection import Critique, Fault
 
 Verdict = Literal["pass", "fix", "reject"]
 PASS, REJECT = 8.0, 5.0
-"""Least score of a frame that passes, and below which it is to be made again."""
+"""Least score of a frame that passes, and the score below which it is retaken."""
 
 _LEAST_PERSON: dict[ShotSize, float] = {
     "EWS": 0.0004, "WS": 0.002, "FS": 0.008, "MWS": 0.02, "MS": 0.03, "MCU": 0.04, "CU": 0.05, "ECU": 0.05,
 }  # fmt: skip
-"""Least share of the frame for whom a shot of a size is about."""
+"""Least share of the frame that a person must fill, by shot size."""
 _LEAST_THING = 0.0003
 _LEAST_INSERT = 0.012
 _LEAST_EXTENT = {"ECU": 0.3, "CU": 0.22, "MCU": 0.16}
-"""Least width or height, in those of the picture, of the first thing that an insert is about."""
+"""Least width or height, as a share of the picture's, of the first thing of an insert."""
 _LEAST_WIDE = {"WS": 0.25, "EWS": 0.16}
-"""Least height of somebody, in heights of the picture, whom a wide shot is about, where the frame does not cut them."""
+"""Least height, as a share of the picture's, of the subject of a wide shot that the frame does not crop."""
 _FACES_FROM: ShotSize = "FS"
-"""The widest size in which a face is read."""
+"""The widest shot size in which faces must be readable."""
 _PROFILE = 100.0
-"""Degrees from the camera up to which a face is still read."""
+"""Most degrees between the face and the camera at which a face is readable."""
 _STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.8, "crossing": 1.5, "late": 0.8}
-"""Points for what could not be staged."""
+"""Points lost for each kind of failed staging."""
 _TOUCHES, _INSIDE = 0.03, 0.10
-"""Metres one body may be in another, and from which it is plainly seen."""
+"""Metres of overlap between bodies: the least that counts, and the least that is plainly visible."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
 _DARK = 0.08
 
 
 class FrameCritic:
-    """R of a finished frame."""
+    """The critic of finished frames."""
 
     def judge(self, draft: FrameView) -> Critique:
-        """Score one frame; every fault says what is missing and of whom."""
+        """Score one frame; every fault says what is missing, and for which person or thing."""
         faults = (
             *_people(draft),
             *_faces(draft),
@@ -56,7 +56,7 @@ class FrameCritic:
 
 
 def verdict_of(score: float) -> Verdict:
-    """Return what a score means for the board."""
+    """Return the board's verdict for a score."""
     return "pass" if score >= PASS else "fix" if score >= REJECT else "reject"
 
 
@@ -65,7 +65,7 @@ def _fault(kind: str, subject: str, severity: float, message: str) -> Fault:
 
 
 def _people(view: FrameView) -> list[Fault]:
-    """Those whom the lines are about are in the picture, large enough and not hidden; the others are seen."""
+    """Check that the subjects are in the picture, large enough and not hidden, and that the others are visible."""
     shot, instruction = view.shot, view.shot.camera_instruction
     if instruction.kind == "insert":
         return []
@@ -95,7 +95,7 @@ def _people(view: FrameView) -> list[Fault]:
 
 
 def _tiny(subject: SubjectView, size: ShotSize) -> bool:
-    """Return whether somebody whom a wide shot is about is too small in it to be somebody."""
+    """Return whether the subject of a wide shot is too small to be recognised."""
     if subject.box is None or size not in _LEAST_WIDE or subject.head_height <= 0:
         return False
     _, top, _, bottom = subject.box
@@ -103,7 +103,7 @@ def _tiny(subject: SubjectView, size: ShotSize) -> bool:
 
 
 def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
-    """Return whether the first thing of an insert is too small in it."""
+    """Return whether the first thing of an insert is too small in the picture."""
     if subject is None or subject.box is None or subject.node_id not in instruction.focus_on_ids[:1]:
         return False
     left, top, right, bottom = subject.box
@@ -115,7 +115,7 @@ def _hidden(subject: SubjectView) -> float:
 
 
 def _faces(view: FrameView) -> list[Fault]:
-    """Of those who speak or react the face is read, unless the camera looks over their shoulder or from far away."""
+    """Check that the faces of speakers and reacting people are readable, except over the shoulder or from far away."""
     shot, instruction = view.shot, view.shot.camera_instruction
     far = SHOT_SIZES.index(instruction.size) < SHOT_SIZES.index(_FACES_FROM)
     if far or instruction.kind in ("insert", "establishing", "pov"):
@@ -138,7 +138,7 @@ def _faces(view: FrameView) -> list[Fault]:
 
 
 def _things(view: FrameView) -> list[Fault]:
-    """What is used is in the picture; what the picture is about is large in it, and is no stand-in."""
+    """Check that used things are in the picture, and that its main thing is large and no stand-in."""
     shot, instruction = view.shot, view.shot.camera_instruction
     tight = SHOT_SIZES.index(instruction.size) >= SHOT_SIZES.index("MCU")
     found: list[Fault] = []
@@ -161,7 +161,7 @@ def _things(view: FrameView) -> list[Fault]:
 
 
 def _staging(view: FrameView) -> list[Fault]:
-    """What the script says and the staging could not do, and bodies inside each other."""
+    """Report what the staging could not do of the script, and bodies that overlap."""
     found = [
         _fault(f"not_staged_{flag.topic}", flag.choice, 2.5, flag.reason)
         for flag in view.shot.flags
@@ -179,7 +179,7 @@ def _staging(view: FrameView) -> list[Fault]:
 
 
 def _picture(view: FrameView) -> list[Fault]:
-    """No void, no picture of one wall, nothing large before the subject, no darkness."""
+    """Report an empty picture, a picture of one bare wall, a large thing before the subject, and darkness."""
     seen, picture, kind = view.seen, view.picture, view.shot.camera_instruction.kind
     found: list[Fault] = []
     if seen.void > _MOST_VOID:

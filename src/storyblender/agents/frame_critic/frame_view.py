@@ -1,4 +1,4 @@
-"""What the Frame Critic knows of one finished frame: its projection of the graph, and what was measured of it."""
+"""The Frame Critic's view of one finished frame: its part of the graph, and the measurements of its picture."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from storyblender.memory.measure import CameraView, Collision, SubjectView
 from storyblender.memory.shot_context import CharacterAction, Flaw, ShotContext
 
 _WAITING = ("idle", "listen")
-"""Motions of people who do nothing that has to be seen."""
+"""Motions that do not have to be visible."""
 _SPEAKING = ("talk", "whisper", "shout", "sing")
 
 
@@ -21,15 +21,15 @@ class FrameView:
     """One frame.
 
     Attributes:
-        shot: As it was drawn.
-        seen: The ID mask at the moment that is drawn.
-        people: node_ids of everybody with a face.
-        picture: Measures of the pixels.
-        assets: By asset id, of the whole story.
-        nodes: asset id to the node_ids that show it in the scene.
-        staged: What could not be staged in the shot.
-        collisions: People inside things or each other in the shot.
-        built: Assets that no object shows because the set itself does, as its own pool.
+        shot: The shot as drawn.
+        seen: Measurements of the ID mask at the drawn moment.
+        people: node_ids of all characters with a face.
+        picture: Measurements of the pixels.
+        assets: Assets of the whole story by asset id.
+        nodes: Asset id to the node_ids that show it in the scene.
+        staged: Flaws of the staging in the shot.
+        collisions: Overlaps of people with things or each other in the shot.
+        built: Assets that the set itself shows instead of an object, such as its own pool.
     """
 
     shot: ShotContext
@@ -44,29 +44,29 @@ class FrameView:
 
     @property
     def subjects(self) -> dict[str, SubjectView]:
-        """What was measured, by node id."""
+        """The measured subjects by node_id."""
         return {subject.node_id: subject for subject in self.seen.subjects}
 
     def subject(self, asset_id: str) -> SubjectView | None:
-        """Return the best seen of the nodes that show an asset; None where none is in the mask."""
+        """Return the best visible node that shows an asset; None if the mask has none."""
         subjects = self.subjects
         shown = [subjects[node] for node in self.nodes.get(asset_id, (asset_id,)) if node in subjects]
         return max(shown, key=lambda subject: subject.pixels, default=None)
 
 
 def actions_to_see(shot: ShotContext) -> list[CharacterAction]:
-    """Return what people do in a shot and has to be seen: neither waiting nor mere talk."""
+    """Return the actions of a shot that must be visible: neither waiting nor mere talk."""
     return [action for action in shot.character_actions if clip_of(action.motion).key not in (*_WAITING, *_SPEAKING)]
 
 
 def speakers(shot: ShotContext) -> list[str]:
-    """Return who is heard and on stage in a shot."""
+    """Return the speakers of a shot who are on stage."""
     said = (action.asset_id for action in shot.character_actions if action.motion in _SPEAKING)
     return list(dict.fromkeys(said))
 
 
 def things_to_see(shot: ShotContext) -> list[str]:
-    """Return the asset ids of the things that a shot's actions are done with or to, and of those in the hands."""
+    """Return the asset ids of the things that the actions of a shot use, and of things in hands."""
     used = (id_ for action in actions_to_see(shot) for id_ in (action.prop_id, action.target_id))
     return _each_once([*used, *shot.camera_instruction.focus_on_ids], without=set(shot.on_stage))
 

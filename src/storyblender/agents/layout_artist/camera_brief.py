@@ -31,7 +31,7 @@ _OVER_THEM, _TALLER = 1.0, 0.5
 """Metres from somebody who kneels or sits, and metres higher, of a head that belongs in a picture of the whole of
 them."""
 _SHOULDERS = 1.8
-"""Metres from the first person of a tight shot to the others whose faces it may hold as well."""
+"""Metres from the first person of a tight shot within which it also holds the faces of others."""
 _BY_IT = 1.0
 """Metres from a thing within which a close picture of it shows another one."""
 TALKS = 80.0
@@ -134,7 +134,7 @@ class CameraBrief:
         return tuple(node for node in nodes if node == lead or node not in faces)
 
     def _shoulders(self, nodes: Sequence[str]) -> bool:
-        """Return whether a tight shot was ordered of several people who stand so near that it holds all their faces."""
+        """Return whether a tight shot of several people can hold all their faces, since they stand close together."""
         people = [figure for node in nodes if (figure := self.drawn.figure(node)) is not None]
         near = all(math.dist(each.base[:2], people[0].base[:2]) < _SHOULDERS for each in people[1:])
         return self.instruction.explicit and self.instruction.kind != "insert" and len(people) > 1 and near
@@ -191,7 +191,7 @@ class CameraBrief:
 
     @cached_property
     def walker(self) -> str:
-        """node_id of the first of the focus who is there from start to end; empty where the shot is about things."""
+        """node_id of the first focused person present from start to end; empty if the shot is about things."""
         first, last = self.moments[0], self.moments[-1]
         there = (node for node in self.focus if first.figure(node) is not None and last.figure(node) is not None)
         return next(there, "")

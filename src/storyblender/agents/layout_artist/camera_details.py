@@ -15,7 +15,7 @@ from storyblender.memory.vocabulary import Hand
 _HAND = 0.2
 """Metres: a hand and what is in it."""
 _SMALL, _AT_HAND = 1.0, 0.9
-"""Metres: the largest that a thing is, and the farthest from somebody, that is shown with them."""
+"""Metres: the largest thing, and its farthest distance from a person, that is framed with the person."""
 _AHEAD = 0.25
 """Metres that a hand counts as further ahead of the hips, when it is asked from where it is seen."""
 _FEET = (0.5, 0.3)
@@ -47,7 +47,7 @@ def held_at(figure: Figure, hand: Hand | None, size: Vec3) -> Box:
 
 
 def at_hand(brief: CameraBrief) -> tuple[Box, ...]:
-    """Return the boxes of the focus things that are small and by the first person, so that one picture holds both."""
+    """Return the boxes of small focus things near the first person, so that one picture holds both."""
     if not brief.people or brief.detail is not None:
         return ()
     x, y, _ = brief.people[0].base

@@ -21,7 +21,7 @@ _NEARER, _TAKES, _WORTH = 0.7, 0.015, 0.05
 """Share of the way to the people up to which a thing stands before them; shares of the picture that one such thing
 takes, and all of them, before anything is moved."""
 _ABOVE = 0.4
-"""Metres over a thing within which what is above it hides it: a table top, not a lamp at the ceiling."""
+"""Metres above a thing within which an object hides it: a table top, not a lamp at the ceiling."""
 _FURNITURE = 0.3
 """Cubic metres from which a thing has a back."""
 
@@ -51,7 +51,7 @@ def in_the_way(brief: CameraBrief, camera: Orbit) -> list[str]:
 
 
 def covers(brief: CameraBrief) -> list[str]:
-    """Return the node_ids of what a thing of an insert is in or under: the drawer's desk, the cup on the letter."""
+    """Return the node_ids that contain or cover the thing of an insert: the drawer's desk, the cup on the letter."""
     if brief.instruction.kind != "insert" or brief.detail is not None:
         return []
     found: list[str] = []

@@ -24,19 +24,19 @@ from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
 _REST = 0.55
-"""Share of a shot in which nothing happens at which it is drawn."""
+"""Share of its length at which a shot without action is drawn."""
 _FPS = 24
-"""Frames a second that motions are reckoned with; other rates are near enough to it."""
+"""Frames per second assumed for motions; other rates are near enough."""
 _OPENING = 2
-"""Frames after which a shot has begun."""
+"""First frame that is past the opening of a shot."""
 _ARRIVAL = 0.95
-"""Share of a way to somebody at which it is drawn: where it leads, the face turned to them."""
+"""Share of a walk to a person at which it is drawn: near the goal, the face turned to them."""
 _BENT = ("pick_up", "put_down")
-"""Clips whose telling moment is when a face shows again; an insert of the hand at work is drawn before."""
+"""Clips that bend the body: drawn when the face shows again, or earlier in an insert of the hand."""
 _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
 _TAKES = ("pick_up", "take", "catch")
-"""Clips after which a thing is in somebody's hand."""
+"""Clips after which a thing is in the hand."""
 _AT_REST = ("idle", "look", "listen", "turn")
 """Clips that tell nothing by themselves."""
 _ANSWERS = ("single", "reaction", "ots")
@@ -47,13 +47,13 @@ Moments = Callable[[ShotContext], Sequence[Moment]]
 
 
 def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
-    """Return the frame that tells the shot: when the last of the strongest things that its people do has landed.
+    """Return the frame that tells the shot: when the last of its strongest actions has reached its key pose.
 
-    The script or a person may name the moment instead.
+    The script or the user may name the moment instead.
 
     Args:
-        shot: With its cues.
-        played: When the engine has really played them; else they are taken at their word.
+        shot: The shot with its cues.
+        played: The cues as the engine played them; if empty, the cues' own times are used.
     """
     focus = set(shot.camera_instruction.focus_on_ids)
     last = max(0, shot.duration - 1)
@@ -73,7 +73,7 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
 
 
 def _span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue]) -> tuple[int, int]:
-    """Return the frame at which a cue begins and how many it takes, without the steps and turns before it."""
+    """Return the start frame and the length in frames of a cue, without the steps and turns before it."""
     length = _length(cue, shot)
     name = (cue.asset_id, cue.clip, cue.start)
     real = next((each for each in played if (each.asset_id, each.clip, each.start) == name), None)
@@ -85,7 +85,7 @@ def _span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue]) -> tuple[int
 
 
 def _length(cue: Cue, shot: ShotContext) -> int:
-    """Return how many frames a cue takes: as it says, else until the same person does something else."""
+    """Return the length of a cue in frames: its own, else until the same person's next cue."""
     if cue.duration is not None:
         return cue.duration
     after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
@@ -95,7 +95,7 @@ def _length(cue: Cue, shot: ShotContext) -> int:
 
 
 def _is_prelude(cue: Cue, cues: Sequence[Cue]) -> bool:
-    """Tell whether a thing is only taken up by a cue because the same person then uses it."""
+    """Tell whether a cue only takes up a thing that the same person then uses."""
     used = (each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start)
     return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in used)
 
@@ -206,7 +206,7 @@ def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:
 
 
 def _handlings(shot: ShotContext, frame: int) -> list[Cue]:
-    """Return what is done with things up to a frame, the last of each thing that has not been laid down again."""
+    """Return the cues that handle things up to a frame: the last for each thing not put down again."""
     last: dict[str, Cue] = {}
     for cue in sorted(shot.cues, key=lambda cue: cue.start):
         if cue.prop_id is None or cue.start > frame:

@@ -44,9 +44,9 @@ _SHOULDER_IN = 0.3
 LEAST_OVER = 0.2
 """Share of the picture's height from which that head is one that we look past, and not somebody in the background."""
 _UNSEEN = 0.5
-"""Points for a thing in the picture of somebody that a body hides: a face matters more."""
+"""Points lost if a body hides a thing in a picture of a person: a face matters more."""
 _SIDE = 55.0
-"""Degrees from its front from which a thing is seen from its side."""
+"""Degrees off its front at which a thing counts as seen from the side."""
 _MARGIN = 0.03
 _SHOULDER = 0.17
 """Metres from the middle of a body to its side."""
@@ -208,7 +208,7 @@ def _things(brief: CameraBrief, take: Take) -> float:
 
 
 def _wrong_side(brief: CameraBrief, camera: Orbit) -> float:
-    """Weigh an insert that shows the side or the back of its thing, as of a screen or a clock."""
+    """Score an insert that shows the side or the back of its thing, such as a screen or a clock."""
     if brief.instruction.kind != "insert" or brief.detail is not None or not brief.things:
         return 0.0
     around = abs(math.remainder(camera.azimuth - math.degrees(brief.things[0].yaw), 360.0))

@@ -30,10 +30,10 @@ _SHORT, _TALL = 0.26, 0.4
 _HELD = 0.8
 """Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
 _FILL_LARGE = {"MWS": 0.8, "FS": 0.7, "WS": 0.5, "EWS": 0.25}
-"""How much of the picture a thing of ``_LARGE`` metres fills in wide sizes: a wide shot of a truck is of the truck."""
+"""Share of the picture that a thing of at least ``_LARGE`` metres fills in wide sizes, as in a wide shot of a truck."""
 _LARGE = 1.2
 _COMPANY = 6.0
-"""Metres from a large thing within which people belong into a wide picture of it."""
+"""Metres from a large thing within which people belong in a wide picture of it."""
 _EYES = 50.0
 """mm: eyes see no narrower than this, unless a longer lens is asked for."""
 _SQUATS = 0.6
@@ -42,8 +42,8 @@ _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
 """Degrees to go round to where two are beside each other, and no longer one before the other's shoulder; sooner where
 one of them walks off: they are far apart."""
 _HELD_SPAN, _FARTHER, _RIM = 0.86, 1.3, 0.05
-"""Share of the picture that faces and the things they have may take; how many times as far the camera may go for
-that, twice; what stays free at the rim."""
+"""Largest share of the picture for faces and held things; largest factor on the camera distance for that,
+applied twice; margin that stays free at the edge."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
 F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
@@ -182,7 +182,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
 
 
 def _with_things(brief: CameraBrief, camera: Orbit) -> Orbit:
-    """Return the camera panned, and taken back a little, until the things that its people have are in the picture."""
+    """Return the camera panned, and moved back a little, until the things that its people hold are in the picture."""
     things = np.concatenate([corners(box) for box in at_hand(brief)])
     heads = [point for each in brief.people for point in (each.crown, each.face)]
     points = np.concatenate([np.asarray(heads, float), things])
@@ -244,7 +244,7 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
 
 
 def _by_things(brief: CameraBrief) -> bool:
-    """Return whether people of the picture are near the things that it is about, so that one view holds them all."""
+    """Return whether people are near the things of the picture, so that one view holds them all."""
     people = [figure for figure in brief.drawn.figures if figure.node_id in brief.in_frame]
     near = (distance_to_point(box, *figure.base[:2]) < _COMPANY for figure in people for box in brief.things)
     return bool(people) and any(near)

@@ -1,4 +1,4 @@
-"""Where a crowd is: on free seats where the place has them, else in twos and threes around those it is not about."""
+"""Places a crowd: on free seats if the place has them, else in small groups around the principals."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from storyblender.geometry.stations import cheated
 from storyblender.memory.base import Vec2
 
 CROWD = 4
-"""Members from which a group is a crowd."""
+"""Number of members from which a group is a crowd."""
 _SIZES = (3, 2, 4, 2, 3)
-"""People that stand together, in turn."""
+"""Sizes of the small groups, in turn."""
 _RADIUS = {1: 0.0, 2: 0.5, 3: 0.6, 4: 0.75}
-"""Metres from the middle of such a group to its members."""
+"""Metres from the middle of a small group to its members, by group size."""
 _NEAR, _FAR = 1.9, 5.5
-"""Metres from the principals within which no crowd stands, and beyond which it is hardly seen."""
+"""Metres from the principals: no crowd closer than the first, hardly visible beyond the second."""
 _LANE = 1.1
-"""Metres to either side of the line from a principal to the audience that a crowd leaves open."""
+"""Metres that a crowd leaves open on either side of the line from a principal to the audience."""
 _SITTING = 0.6
-"""Share of a crowd that sits where there are seats."""
+"""Share of a crowd that sits if there are seats."""
 _GRID = 0.35
 _SEATS = kin_of("chair") | kin_of("bench") | kin_of("sofa") | kin_of("armchair") | {"bar_stool"}
-"""Props on which anybody sits down."""
+"""Props that any member of a crowd may sit on."""
 
 
 def crowds_of(people: Sequence[str]) -> list[list[str]]:
-    """Return the groups of many among people: ``guest_1`` to ``guest_12``."""
+    """Return the large groups among people: ``guest_1`` to ``guest_12``."""
     stems: dict[str, list[str]] = {}
     for person in people:
         stem, _, number = person.rpartition("_")
@@ -46,8 +46,8 @@ def place_crowd(stage: Stage, members: Sequence[str]) -> None:
     """Place the members of a crowd who have no place of their own.
 
     Args:
-        stage: With the principals in their places; changed.
-        members: The crowd, in order.
+        stage: The stage with the principals in their places; changed.
+        members: Asset ids of the crowd, in order.
     """
     waiting = [member for member in members if member not in stage.things]
     principals = [thing for thing in stage.things.values() if thing.walks]
@@ -69,17 +69,17 @@ def place_crowd(stage: Stage, members: Sequence[str]) -> None:
 
 
 def _for_anybody(stage: Stage, name: str) -> bool:
-    """Return whether a seat is no place of honour or of work: nobody of a crowd sits on the throne."""
+    """Return whether a seat is open to a crowd: not a throne or a place of work."""
     return stage.brief.props.get(stage.assets[name]) in _SEATS
 
 
 def _open(point: Vec2, principals: Sequence[Vec2]) -> bool:
-    """Return whether a place hides no principal from the audience."""
+    """Return whether a point leaves the audience's view of the principals free."""
     return all(abs(point[0] - x) > _LANE or point[1] > y - 0.3 for x, y in principals)
 
 
 def _stand_together(stage: Stage, group: Sequence[str], principals: Sequence[Vec2], turn: int) -> None:
-    """Stand a few people in a ring where there is room: near the principals, but not among or before them."""
+    """Stand a small group in a ring with enough room: near the principals, but not among or in front of them."""
     radius = _RADIUS[len(group)]
     x0, y0, x1, y1 = stage.room.x_min, stage.room.y_min, stage.room.x_max, stage.room.y_max
     xs, ys = np.arange(x0 + 0.4, x1 - 0.4, _GRID), np.arange(y0 + 0.4, y1 - 0.4, _GRID)
@@ -91,7 +91,7 @@ def _stand_together(stage: Stage, group: Sequence[str], principals: Sequence[Vec
     for x, y in principals:
         before = (np.abs(points[:, 0] - x) < _LANE + radius) & (points[:, 1] < y - 0.2)
         cost += 2.5 * before
-    cost += 0.3 * np.abs(np.sin(1.7 * turn + 2.1 * points[:, 0]))  # not in one heap
+    cost += 0.3 * np.abs(np.sin(1.7 * turn + 2.1 * points[:, 0]))  # spreads the groups
     x, y = (float(value) for value in points[int(np.argmin(np.round(cost, 4)))])
     first = 0.9 * turn
     for index, member in enumerate(group):

@@ -24,25 +24,25 @@ class LayoutBrief:
     """The Spatial Planner's view of one scene.
 
     Attributes:
-        scene_id: Of the scene.
-        setup: Who and what is in it, and how they relate.
+        scene_id: Number of the scene.
+        setup: The scene's people and things, and their relations.
         measures: By asset id, for everything that may be placed.
         plan: The set.
-        dressed: What the Set Dresser stood already.
+        dressed: Furniture that the Set Dresser has already placed.
         pending: Asset ids of the things that need a place.
-        states: Postures of whoever is on stage when the scene begins.
-        groups: People who talk with each other, those who talk most first.
-        targets: Asset ids that somebody walks to, sits on or handles later: they stay reachable.
+        states: Postures of the people on stage when the scene begins.
+        groups: Groups of people in conversation, the most talkative first.
+        targets: Asset ids of things that people walk to, sit on or handle later: they stay reachable.
         reference: The layout of an earlier scene in the same place.
-        seed: For the solver.
+        seed: Random seed of the solver.
         placements: ``floor``, ``surface``, ``wall`` or ``ceiling`` by asset id, where the catalog knows it.
-        handlers: Who takes a thing into their hands, in their order, by the thing's asset id.
-        company: Who stands with whom as the scene begins: companion to the one the script places.
-        found: Postures of whom a later shot finds in their place without their having come: jurors, guests, guards.
-        stations: What somebody is found at who does nothing there: the dock, the door.
-        props: Keys of the catalog by asset id: what things are.
-        told: Where the script says that things are, by asset id.
-        deeds: What everybody does on the spot in the first shot they are in: motions, and the prop of each.
+        handlers: People who take a thing into their hands, in order, by the thing's asset id.
+        company: Who stands with whom as the scene begins: companion -> the person the script places.
+        found: Postures of people whom a later shot finds in place without an entrance: jurors, guests, guards.
+        stations: Where people without an action are found: the dock, the door.
+        props: Catalog keys by asset id.
+        told: Spots of things in the script, by asset id.
+        deeds: Motions that each person does on the spot in their first shot, with the prop of each.
     """
 
     scene_id: int
@@ -151,7 +151,7 @@ def layout_brief(
 
 
 def props_of(assets: Iterable[Asset]) -> dict[str, str]:
-    """Return what things are, by asset id: the key of the prop they became."""
+    """Return the catalog key of each asset's prop, by asset id."""
     made = ((asset.asset_id, asset.canonical) for asset in assets)
     return {asset_id: each.key for asset_id, each in made if each is not None and each.source == "catalog"}
 
@@ -180,7 +180,7 @@ def _stations(shots: Sequence[ShotContext]) -> dict[str, str]:
 
 
 def _deeds(shots: Sequence[ShotContext], props: Mapping[str, str]) -> dict[str, tuple[tuple[str, str | None], ...]]:
-    """Return what everybody does before they go anywhere in the first shot that shows them."""
+    """Return each person's actions before they go anywhere, in the first shot that shows them."""
     deeds: dict[str, tuple[tuple[str, str | None], ...]] = {}
     for shot in shots:
         done: dict[str, list[tuple[str, str | None]]] = {person: [] for person in shot.on_stage}

@@ -23,9 +23,9 @@ _GRID = 0.2
 """Metres between the places tried."""
 _MASS_OF_BULK = 6.0
 _SEEN, _BEHIND = 0.55, 5.5
-"""Metres: what is higher than this is seen behind people, and from no farther than that."""
+"""Metres: things higher than the first are visible behind people, up to the second distance behind them."""
 _RAYS = np.linspace(-28.0, 28.0, 9)
-"""Degrees to either side of straight ahead, from the audience, where the picture's background is."""
+"""Degrees to either side of the audience's viewing direction in which the background is sampled."""
 _EDGE = 0.3
 """Metres kept from the border of the playing area."""
 
@@ -107,7 +107,7 @@ class Stage:
         return min(shown, key=lambda thing: math.dist((thing.box.x, thing.box.y), near), default=None)
 
     def anchor(self, asset_id: str | None, near: tuple[float, float] | None = None) -> Thing | None:
-        """Return what a name means to who is at it: the thing, one that stands for it, or a part of the set."""
+        """Return the thing that an anchor id stands for: the thing, a substitute for it, or a part of the set."""
         near = near or self.middle
         thing = self.find(asset_id, near)
         if thing is not None or asset_id is None or asset_id in self.brief.pending:
@@ -121,7 +121,7 @@ class Stage:
         return Thing(fixture.name, fixture.box, fixed=True, floats=True) if fixture is not None else None
 
     def fixture(self, name: str | None, near: tuple[float, float] | None = None) -> Fixture | None:
-        """Return the part of the set that a name means: the nearest of those that are meant equally."""
+        """Return the part of the set that a name means; the nearest one if several match equally."""
         found = fixtures_called(self.brief.plan, name)
         near = near or self.middle
         sure = [fixture for fixture in found if fixture.kind == found[0].kind and fixture.tags == found[0].tags]
@@ -156,10 +156,10 @@ class Stage:
         return float(x), float(y)
 
     def backdrop(self, x: float, y: float) -> float:
-        """Return what share of the view behind a place, from the audience, something of the set fills: 0 a bare wall.
+        """Return the share of the view behind a place, from the audience, that the set fills: 0 for a bare wall.
 
-        Args:
-            x: Metres.
+        x: Metres, across the set.
+            y: Metres, into the depth of the set.
             y: Metres.
         """
         if self._dressed is None:

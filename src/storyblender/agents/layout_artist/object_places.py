@@ -27,7 +27,7 @@ _ACTING = 1.6
 _BESIDE = 0.12
 """Metres between things that are next to each other."""
 _CAR, _PARKED = 1.1, 1.4
-"""Metres: what is wider than this both ways stands so far from its like, as cars do, so that one can get out."""
+"""Metres: things wider and deeper than the first are vehicles and are spaced by the second, so that doors can open."""
 _LUGGAGE = 0.42
 """Metres: what people carry and is higher than this stands on the floor, not on a table."""
 _LONG_SEAT = 1.0
@@ -61,7 +61,7 @@ def place_objects(stage: Stage, beside_people: bool = False) -> None:
 
 
 def _by_people(stage: Stage, asset_id: str, told: dict[str, Spot], depth: int = 0) -> bool:
-    """Return whether a thing is where somebody is, or by another that is: people have their places before it."""
+    """Return whether a thing's spot depends on a person, directly or through another thing; people are placed first."""
     spot = told.get(asset_id)
     if spot is None or depth > len(told):
         return _handled(stage, asset_id)
@@ -71,7 +71,7 @@ def _by_people(stage: Stage, asset_id: str, told: dict[str, Spot], depth: int = 
 
 
 def _told(stage: Stage) -> dict[str, Spot]:
-    """Return where things are told to be; what stands by somebody who comes later is where they will be."""
+    """Return the spots of things in the script; a thing beside a person who comes later goes where they will be."""
     stated = reversed(stage.brief.setup.relations)
     told = {each.asset_id: Spot(relation=each.kind, anchor_id=each.anchor_asset_id) for each in stated}
     told.update(stage.brief.told)
@@ -96,7 +96,7 @@ def _bulk(stage: Stage, asset_id: str) -> float:
 
 
 def _relate(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
-    """Place a thing where it is told; False where the anchor has no room for it."""
+    """Place a thing at its spot; False if the anchor has no room for it."""
     kind = "in" if spot.relation == "inside" else "over" if spot.relation == "above" else spot.relation
     base, part = anchor.box, anchor.name not in stage.things
     if anchor.walks or part:
@@ -120,14 +120,14 @@ def _relate(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
 
 
 def _at_wall(stage: Stage, asset_id: str, spot: Spot, near: Vec2) -> bool:
-    """Hang a thing that is told to be up on a wall, or stand it with its back to one; tell whether it could."""
+    """Hang a thing up on a wall or stand it with its back to one, as its spot says; return whether it was possible."""
     if spot.height is not None:
         return hang(stage, asset_id, near=near)
     return spot.relation in ("against", "at") and stand_against(stage, asset_id, near=near)
 
 
 def _second(stage: Stage, asset_id: str) -> Thing | None:
-    """Return the other of the two things that something is between."""
+    """Return the second of the two things that something is between."""
     stated = (each for each in stage.brief.setup.relations if each.asset_id == asset_id)
     return stage.find(next((each.second_anchor_asset_id for each in stated), None))
 
@@ -186,10 +186,10 @@ def _lain_on(stage: Stage, anchor: Thing) -> list[Taken]:
 
 
 def angles_of(kind: str, anchor: Box, told: str | None = None) -> list[float]:
-    """Return the bearings in radians at which a relation lets something stand, the likeliest first.
+    """Return the bearings in radians that a relation allows for a thing, the likeliest first.
 
     ``behind`` and ``in_front_of`` mean the anchor's own back and front (behind the bar), left and right the picture's.
-    A side that is told is the anchor's own.
+    A side given by the script is the anchor's own.
     """
     front = math.atan2(anchor.forward[1], anchor.forward[0])
     if told in TURNS and kind not in ("left_of", "right_of"):
@@ -208,7 +208,7 @@ def angles_of(kind: str, anchor: Box, told: str | None = None) -> list[float]:
 
 
 def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> None:
-    """Stand on the side with most room of those that are told; touching for ``against``, a seat facing its table."""
+    """Stand a thing on the roomiest of the allowed sides; touching for ``against``, a seat facing its table."""
     kind = spot.relation
     width, depth, _ = size_of(stage.measure(asset_id))
     usual = _PARKED if min(width, depth) > _CAR and min(anchor.box.width, anchor.box.depth) > _CAR else _BESIDE
@@ -248,12 +248,12 @@ def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float
 
 
 def _stand_alone(stage: Stage, asset_id: str, near: Vec2 | None = None) -> None:
-    """Place a thing that nothing is said about: on the wall, at hand, on a table, along the walls, or in free floor.
+    """Place a thing without a spot: on the wall, at hand, on a table, along the walls, or on the free floor.
 
     Args:
         stage: Changed.
         asset_id: The thing.
-        near: Where it was told to be, and found no room.
+        near: The wanted floor point, if there was no room at it.
     """
     width, depth, height = size_of(stage.measure(asset_id))
     placement = stage.brief.placements.get(asset_id)
@@ -289,7 +289,7 @@ def _stand_alone(stage: Stage, asset_id: str, near: Vec2 | None = None) -> None:
 
 
 def _spots(stage: Stage) -> list[Spot]:
-    """Return everything that the script says of where people and things are."""
+    """Return all spots of people and things in the script."""
     states = (*stage.brief.states, *stage.brief.found)
     return [*_told(stage).values(), *(state.spot for state in states if state.spot is not None)]
 
@@ -311,9 +311,9 @@ def _ceiling(stage: Stage) -> float | None:
 
 
 def _on_nearest_table(stage: Stage, asset_id: str, user: Thing | None, told: Vec2 | None) -> bool:
-    """Stand a small thing on the table nearest to who takes it, else to the middle; beside a sitter on a long seat.
+    """Put a small thing on the table nearest to its user, else to the middle; beside the sitter on a long seat.
 
-    Nothing but pots and pans is put on a stove.
+    Only pots and pans are put on a stove.
     """
     near = told or ((user.box.x, user.box.y) if user is not None else stage.middle)
     cooks = stage.brief.props.get(asset_id) in _COOKED_IN

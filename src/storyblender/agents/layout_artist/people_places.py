@@ -20,7 +20,7 @@ TALK = 1.15
 _CHEAT = math.radians(16)
 """How far a talker turns towards the audience."""
 _BARE = 1.4
-"""Metres that people go not to act before a bare wall."""
+"""Penalty, in metres, for acting in front of a bare wall."""
 _ALONE = 1.5
 """Metres between a person and a group they do not belong to."""
 _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, -20.0)}
@@ -51,10 +51,10 @@ def place_people(stage: Stage) -> None:
 
 
 def _stand(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
-    """Stand at the thing or the part of the set that is told, at one's work, at the mark of one's trade."""
+    """Stand a person at the thing or part of the set they belong to, at their work, or at the mark of their trade."""
     leaned_on = state.support_id if state.posture == "lean" else None
     carried = wanted is not None and stage.brief.placements.get(leaned_on or "") == "surface"
-    anchor = stage.anchor(None if carried else leaned_on)  # who leans on a stick by the boat is by the boat
+    anchor = stage.anchor(None if carried else leaned_on)  # a person who leans on a stick by the boat is by the boat
     anchor = anchor or (stage.anchor(wanted.anchor) if wanted is not None else None)
     anchor = anchor or work_place(stage, state)
     if anchor is not None and not anchor.walks and in_reach(stage, anchor):
@@ -64,7 +64,7 @@ def _stand(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
 
 
 def _stand_with(stage: Stage, member: str, wanted: Wanted | None, companion: str) -> None:
-    """Stand where the script says beside, behind or before somebody who stands already, else with a companion."""
+    """Stand a person relative to another one as the script says, else next to their companion."""
     told = stage.things.get(wanted.anchor or "") if wanted is not None else None
     if wanted is not None and told is not None and told.walks:
         if member not in stage.things:
@@ -107,7 +107,7 @@ def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
 
 
 def _sit(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
-    """Take the seat that is meant; by one's trade where none is told; without any, stand."""
+    """Seat a person on the seat that is meant; by their trade if none is named; let them stand if there is none."""
     told = wanted.anchor if wanted is not None and wanted.relation not in ("facing", "in_front_of") else None
     own = _mark_of(stage, state.asset_id, state.support_id or told)
     sit(stage, state, wanted, own.location[:2] if own is not None else None)
@@ -191,7 +191,7 @@ def _shoulder(other: Thing, x: float, y: float) -> float:
 
 
 def _bareness(stage: Stage, x: float, y: float) -> float:
-    """Dislike a place behind which the audience sees nothing of what the set is."""
+    """Return the penalty in metres for a place with nothing of the set visible behind it."""
     return _BARE * (1.0 - stage.backdrop(x, y))
 
 

@@ -1,4 +1,4 @@
-"""Where somebody sits or lies as a scene begins: on what they are told to, at the table, on any free seat near it."""
+"""Seats people as a scene begins: on the seat the script names, at the table, or on any free seat nearby."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ from storyblender.memory.base import Vec2
 from storyblender.memory.shot_context import BodyState
 
 SEATED = ("sit", "lie", "asleep")
-"""Postures of who is on a seat or a bed, where there is one."""
+"""Postures on a seat or a bed, if there is one."""
 _SEAT_FOOT = 0.32
-"""Metres: what begins higher lies on something, and nobody sits on it."""
+"""Metres: a seat with a higher lower edge lies on something else, and is not for sitting."""
 _OPPOSITE, _ACROSS = ("facing", "in_front_of"), 1.6
-"""Relations of who sits opposite somebody, and how many metres ahead of them that is."""
+"""Relations of a person who sits opposite another one, and the distance ahead of that one in metres."""
 _DRAWN_UP = 0.75
-"""Metres from a table to the front edge of a seat that stands at it."""
+"""Most metres from a table to the front edge of a seat that stands at it."""
 _TAKEN = 0.45
-"""Metres from a seat's edge within which somebody takes it."""
+"""Metres from a seat's edge within which a person occupies it."""
 
 Seat = tuple[str, Anchor]
 """Name of the furniture, and the seat on it."""
 
 
 def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None) -> bool:
-    """Seat somebody on the free seat that is meant, else nearest to it; False where there is none.
+    """Seat a person on the free seat that is meant, else on the nearest one; False if there is none.
 
     Args:
         stage: Changed.
         state: Posture and support.
-        wanted: What the script says of their place.
-        near: Where they have their work, if they have.
+        wanted: The place that the script gives them.
+        near: Floor point of their work, if they have any.
     """
     kinds = ("bed", "seat") if state.posture in ("lie", "asleep") else ("seat",)
     support = stage.find(state.support_id) or (None if near else stage.anchor(state.support_id))
@@ -66,12 +66,12 @@ def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None
 
 
 def free_seats(stage: Stage) -> list[Seat]:
-    """Return every seat of the set that nobody and nothing is on."""
+    """Return every seat of the set that is free of people and things."""
     return _free(stage, _seats(stage, list(stage.things), ("seat",), asked=False))
 
 
 def take(stage: Stage, person: str, seat: Seat) -> None:
-    """Seat somebody."""
+    """Seat a person on a free seat."""
     name, anchor = seat
     base = stage.things[name].box
     x, y = base.to_world(*anchor.location[:2])
@@ -81,7 +81,7 @@ def take(stage: Stage, person: str, seat: Seat) -> None:
 
 
 def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bool) -> list[Seat]:
-    """Return the beds or seats of things, also the edge of what the script sits people on."""
+    """Return the beds or seats of things, also the edge of a thing that the script seats people on."""
     found: list[Seat] = []
     for name in (name for name in names if not stage.things[name].walks):
         measure = stage.measure(stage.assets[name])
@@ -93,7 +93,7 @@ def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bo
 
 
 def _free(stage: Stage, seats: Iterable[Seat]) -> list[Seat]:
-    """Return the seats that nobody and nothing is on."""
+    """Return those of the seats that are free of people and things."""
     return [
         seat
         for seat in seats
@@ -110,7 +110,7 @@ def _place(stage: Stage, seat: Seat) -> Vec2:
 
 
 def _drawn_up(stage: Stage, table: Thing) -> list[Seat]:
-    """Return the seats that stand at a thing with a top and no seat of its own, and look at it."""
+    """Return the seats that face a table without a seat of its own."""
     own = stage.measure(stage.assets[table.name])
     if any(anchor.kind in ("seat", "bed") for anchor in own.anchors) or not anchors_of(own, "top"):
         return []

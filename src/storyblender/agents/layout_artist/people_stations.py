@@ -1,4 +1,4 @@
-"""Where somebody stands who is at, behind or beside something: the station that the room allows."""
+"""Stations of people who stand at, behind or beside something, chosen by the room around them."""
 
 from __future__ import annotations
 
@@ -16,30 +16,30 @@ from storyblender.geometry.stations import Sort, Station, cheated, stations
 from storyblender.memory.shot_context import BodyState
 
 _STANDING = 0.15
-"""Metres from the middle of somebody who stands to the next thing, at least."""
+"""Least metres from the middle of a standing person to the next thing."""
 _ELBOW = 0.28
-"""The same with room for the elbows; more is no better."""
+"""Metres with room for the elbows; more room gives no bonus."""
 _TIGHT = 8.0
-"""Dislike, in metres, of a metre less room than that."""
+"""Penalty, in metres, for each metre less room than that."""
 _AFAR = 2.5
 """Metres from the playing area beyond which a thing is scenery."""
 _APART = 0.7
-"""Metres between two who stand at the same thing."""
+"""Metres between two people at the same thing."""
 _FACES = ("at", "facing", "in_front_of", "behind")
-"""Relations in which one looks at what one is at."""
+"""Relations in which a person faces the anchor."""
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """What the script says of somebody's place.
+    """The place that the script gives a person.
 
     Attributes:
         relation: A ``RelationKind``.
-        anchor: Asset id of what they are at, or a part of the set.
-        side: Of the anchor, from its own point of view.
+        anchor: Asset id of the thing they are at, or a part of the set.
+        side: Side of the anchor, from its own point of view.
         distance: Metres from its edge, or from the middle of a person.
         facing: An id, ``away`` from the anchor, or ``camera``.
-        sure: It is this person's own place, and not read from a relation that others may share.
+        sure: Whether it is this person's own place, not derived from a relation that others may share.
     """
 
     relation: str = "at"
@@ -51,7 +51,7 @@ class Wanted:
 
 
 def wanted_by(stage: Stage) -> dict[str, Wanted]:
-    """Return what the script says of everybody's place as the scene begins, or when they are found in it."""
+    """Return each person's place in the script as the scene begins, or when they are first found in it."""
     states = (*stage.brief.states, *stage.brief.found)
     people = {state.asset_id for state in states}
     stated = [relation for relation in reversed(stage.brief.setup.relations) if relation.asset_id in people]
@@ -62,7 +62,7 @@ def wanted_by(stage: Stage) -> dict[str, Wanted]:
 
 
 def work_place(stage: Stage, state: BodyState) -> Thing | None:
-    """Return the thing at which somebody does what they do as the scene begins, where the script names none."""
+    """Return the thing for a person's action as the scene begins, if the script names none."""
     for motion, prop in stage.brief.deeds.get(state.asset_id, ()):
         for wanted in workplaces_of(motion, prop):
             found = [t for name, t in stage.things.items() if stage.brief.props.get(stage.assets[name]) == wanted]
@@ -72,7 +72,7 @@ def work_place(stage: Stage, state: BodyState) -> Thing | None:
 
 
 def sort_of(stage: Stage, anchor: Thing) -> Sort:
-    """Return what sort of thing an anchor is to who stands at it."""
+    """Return the sort of an anchor, for a person who stands at it."""
     if anchor.walks:
         return "person"
     if anchor.name in stage.things:
@@ -83,20 +83,20 @@ def sort_of(stage: Stage, anchor: Thing) -> Sort:
 
 
 def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None:
-    """Stand at, behind, before or beside something, on the side that has room.
+    """Stand a person at, behind, in front of or beside something, on the side that has room.
 
     Args:
         stage: Changed.
-        asset_id: The person.
+        asset_id: Asset id of the person.
         anchor: The thing, the person or the part of the set.
-        wanted: How they are to it.
+        wanted: Their relation to the anchor.
     """
     sort, relation = sort_of(stage, anchor), wanted.relation
     options = stations(anchor.box, sort, relation, wanted.side, wanted.distance)
     if relation == "at" and wanted.side is None and sort == "thing" and _has_its_own_seat(stage, anchor):
         options = [*stations(anchor.box, sort, relation, "left"), *stations(anchor.box, sort, relation, "right")]
     best, room = _best(stage, options)
-    if room < _STANDING and sort == "thing":  # nobody stands behind what is against a wall
+    if room < _STANDING and sort == "thing":  # no room behind a thing that stands against a wall
         best, _ = _best(stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")])
     box = stage.box(asset_id, best.x, best.y, 0.0, best.yaw)
     turned_to(stage, box, wanted.facing, anchor.box)
@@ -111,7 +111,7 @@ def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None
 
 
 def in_reach(stage: Stage, anchor: Thing) -> bool:
-    """Return whether people of the scene can be at a thing: not at what is only seen from afar, as a far plane."""
+    """Return whether people of the scene can get to a thing: not to distant scenery such as a plane in the sky."""
     room, box = stage.room, anchor.box
     dx = max(room.x_min - box.x, box.x - room.x_max, 0.0) - box.reach((1.0, 0.0))
     dy = max(room.y_min - box.y, box.y - room.y_max, 0.0) - box.reach((0.0, 1.0))
@@ -123,7 +123,7 @@ def _looks_at(box: Box, other: Box) -> bool:
 
 
 def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
-    """Return the station that is least disliked where it is, and how much room it has."""
+    """Return the station with the lowest penalty, and how much room it has in metres."""
     points = np.array([(each.x, each.y) for each in options])
     x_min, x_max, y_min, y_max = stage.room
     inside = (points > (x_min, y_min)).all(axis=1) & (points < (x_max, y_max)).all(axis=1)
@@ -141,13 +141,13 @@ def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
 
 
 def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:
-    """Return whether a seat before a thing faces it, as a piano's stool does: who does not play stands at its ends."""
+    """Return whether a seat faces a thing, such as a piano's stool: people who do not play stand at its ends."""
     seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
     return any(seat.direction[1] > 0.5 for seat in seats)
 
 
 def turned_to(stage: Stage, box: Box, wanted: str | None, anchor: Box | None) -> None:
-    """Turn somebody to what the script says they face: an id, ``away`` from the anchor, or ``camera``."""
+    """Turn a person to what the script says they face: an id, ``away`` from the anchor, or ``camera``."""
     if wanted == "camera":
         box.turn_to(0.0)
     elif wanted == "away" and anchor is not None:

@@ -1,4 +1,4 @@
-"""What the script tells of where things are before anybody moves them."""
+"""Spots of things in the script before anyone moves them."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from storyblender.memory.shot_context import ShotContext
 
 
 def told_places(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Spot]:
-    """Return where things are told to be when they are first seen, by asset id.
+    """Return the spots of things when they are first seen, by asset id.
 
-    What somebody has in hand, handles or brings before is where they leave it, and not told here.
+    A thing that a person holds, handles or brings before that stays where they leave it, and is left out.
 
     Args:
-        setup: With the relations as the scene opens.
-        shots: Of the scene, in order.
+        setup: The setup, with the relations as the scene opens.
+        shots: The shots of the scene, in order.
     """
     told = {
         each.asset_id: Spot(relation=each.kind, anchor_id=each.anchor_asset_id) for each in reversed(setup.relations)
@@ -33,7 +33,7 @@ def told_places(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Sp
 
 
 def told_relations(setup: SceneSetup, shots: Sequence[ShotContext]) -> tuple[Relation, ...]:
-    """Return the same as relations, people's included: what the Set Dresser needs to know of them."""
+    """Return the spots as relations, including people's, for the Set Dresser."""
     own = {asset_id: relation for relation in reversed(setup.relations) for asset_id in (relation.asset_id,)}
     people = {state.asset_id: state.spot for shot in reversed(shots) for state in shot.states if state.spot is not None}
     for asset_id, spot in {**people, **told_places(setup, shots)}.items():

@@ -25,9 +25,9 @@ from storyblender.memory.vocabulary import Posture
 WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
 """What is done with somebody instead of something."""
 ASIDE = frozenset({"look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "check_watch"})
-"""Looks that are not at anybody before one: nobody turns for them."""
+"""Looks in a direction, not at a person or thing: the body does not turn."""
 HANDSET = 0.12
-"""Metres of the second largest extent: a telephone that is larger stays where it stands."""
+"""Metres of the second largest extent: a larger telephone stays where it stands."""
 LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
@@ -40,9 +40,9 @@ class Actions:
     """Writes the actions of one shot.
 
     Args:
-        company: People and props.
-        sheet: Where the cues go.
-        ends: How the script has people at the end of the shot, by asset id.
+        company: The people and props of the scene.
+        sheet: The cue sheet that takes the cues.
+        ends: Each person's state at the end of the shot, by asset id.
     """
 
     def __init__(self, company: Company, sheet: CueSheet, ends: Mapping[str, BodyState] | None = None) -> None:
@@ -125,7 +125,7 @@ class Actions:
         self.sheet.done(person, start, end)
 
     def _told_end(self, person: Person) -> Station | None:
-        """Return where the script has somebody on their feet when the shot ends."""
+        """Return the station of a standing person at the end of the shot, if the script gives one."""
         state = self.ends.get(person.asset_id)
         if state is None or state.spot is None or state.posture in SEATED:
             return None
@@ -316,7 +316,7 @@ class Actions:
         self.sheet.done(person, start, end)
 
     def _worked_on(self, action: CharacterAction, motion: Motion, person: Person, prop: str) -> bool:
-        """Tell whether a thing is worked on where it lies, and is no tool: bread that is cut, a pot that is stirred."""
+        """Tell whether a thing is worked on where it lies, and is no tool: cut bread, a stirred pot."""
         size = self.company.size_of(prop)
         desk_set = motion.key == "phone" and size is not None and size[1] > HANDSET
         patient = action.prop_id in (None, action.target_id) and motion.reach == "thing" and motion.key in ACTS

@@ -16,10 +16,10 @@ from storyblender.reflection import Critique, Fault
 INSIDE = 0.6
 """Share of a body's disc that must be free of furniture."""
 TOGETHER = 0.40
-"""Metres: two people nearer than this are in each other, unless they embrace."""
+"""Metres: two people closer than this overlap, unless they embrace."""
 EMBRACES = frozenset({"hug", "kiss", "lift", "dance"})
 NO_WAY = ("put_down", "look")
-"""Clips whose mark is nothing that anybody goes to."""
+"""Clips whose mark is not a walking goal."""
 LEAPS = frozenset({"jump", "climb"})
 SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
 

@@ -1,4 +1,4 @@
-"""How people bear themselves while they do what they do: their face, their eyes, and what they are busy with. Pure."""
+"""Bearing of people during their actions: facial expression, gaze, and lasting activities. Pure."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ from storyblender.memory.shot_context import BodyState, Cue, Mark, ShotContext
 from storyblender.memory.vocabulary import GazeDirection, Hand
 
 QUIET = frozenset({"talk", "whisper", "shout", "listen", "look", "idle", "face", "nod", "shake_head", "laugh"})
-"""What leaves the hands where they are."""
+"""Motions that leave the hands free."""
 CARRIED_ON = frozenset({"phone", "drive", "row"})
-"""What nobody ends by saying something: it goes on in the next shot."""
+"""Activities that speech does not end: they continue in the next shot."""
 SIDES: tuple[Hand, ...] = ("R", "L")
 GLANCE = 12
-"""Frames of a look."""
+"""Frames of a glance."""
 FAR, BEFORE = 6.0, 1.8
-"""Metres: how far aside something off screen is, and how much nearer to the audience."""
+"""Metres: how far to the side something off screen is, and how much nearer to the audience."""
 EYES = {"up": 3.2, "down": 0.1}
-"""Metres above the floor of what is looked up and down to; others are at the height of the eyes."""
+"""Metres above the floor of a point looked up or down at; other points are at eye height."""
 EYE_LEVEL = 1.55
 
 
 class Bearing:
-    """Writes what the script tells of faces, eyes and lasting activities, beside the deeds of a shot.
+    """Writes the cues of expressions, gaze and lasting activities, in addition to the actions of a shot.
 
     Args:
-        company: People and props.
-        sheet: Where the cues go.
+        company: The people and props of the scene.
+        sheet: The cue sheet that takes the cues.
     """
 
     def __init__(self, company: Company, sheet: CueSheet) -> None:
         self.company, self.sheet = company, sheet
 
     def bear(self, shot: ShotContext) -> None:
-        """Put the bearing of everybody on stage before their deeds."""
+        """Add the bearing of everyone on stage, before their actions."""
         cues: list[Cue] = []
         for state in shot.states:
             person = self.company.people.get(state.asset_id)
@@ -60,7 +60,7 @@ class Bearing:
         return found
 
     def _off_screen(self, person: Person, gaze: GazeDirection) -> Mark:
-        """Return the point that somebody looks at, as the audience before the set sees it."""
+        """Return the point of a person's gaze, in left and right as the audience sees it."""
         x, y = person.place
         aside = {"left": -FAR, "right": FAR}.get(gaze, 0.0)
         height = EYES.get(gaze, EYE_LEVEL * person.k)
@@ -68,7 +68,7 @@ class Bearing:
         return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
 
     def _activity(self, person: Person, state: BodyState) -> str:
-        """Return the clip of what somebody is busy with; nothing where their own deeds are that, or end it."""
+        """Return the clip of a person's lasting activity; empty if their own actions are or end it."""
         if state.activity or person.told:
             person.activity = state.activity
         person.told = state.activity
@@ -79,7 +79,7 @@ class Bearing:
         return clip
 
     def _going_on(self, person: Person, state: BodyState, clip: str) -> Cue:
-        """Return the cue of a lasting activity, with what is in hand for it and where it is done."""
+        """Return the cue of a lasting activity, with its prop in hand and its place."""
         motion = MOTIONS[clip]
         hand: Hand | None = next((side for side in SIDES if side in person.held), None)
         prop = person.held[hand] if hand is not None else None
@@ -97,11 +97,11 @@ class Bearing:
 
 
 def lasting(cues: Sequence[Cue], frames: int) -> list[Cue]:
-    """Return the cues of a shot; what is kept up goes on until the same person's hands do something else.
+    """Return the cues of a shot; a lasting cue continues until another cue needs the same person's hands.
 
     Args:
-        cues: In the order they were written.
-        frames: Length of the shot.
+        cues: The cues in the order they were written.
+        frames: Length of the shot in frames.
     """
     return [_kept_up(cue, cues, frames) for cue in cues]
 

@@ -32,23 +32,23 @@ HAND_SIZE = 0.6
 
 
 class Company:
-    """Everybody and everything that moves in a scene.
+    """Everyone and everything that moves in a scene.
 
     Args:
-        floor: Where things are.
+        floor: Positions of things on the floor.
         assets: Characters with their statures, objects with their sizes.
         objects: The layout, for the people's first places.
 
     Attributes:
-        people: By asset id.
-        seats: Which seat somebody takes.
-        places: Where the script's spots are.
-        told_things: Where the script tells things to be.
-        lying: Where every prop lies that nobody holds.
+        people: People by asset id.
+        seats: Chooses people's seats.
+        places: Finds the places of the script's spots.
+        told_things: Moves things to the spots in the script.
+        lying: Positions of all props that are not held.
         touched: Props that left their places, in order.
-        jumps: Places people are cut to before the next shot, because nobody can walk there.
-        aside: What people put aside because they needed their hands; it stays there until somebody takes it.
-        players: Who holds an instrument from the first frame on, and which.
+        jumps: Places people are cut to before the next shot, because there is no walkable way.
+        aside: Things people put aside to free their hands; they stay there until taken again.
+        players: People who hold an instrument from the first frame on, and the instrument.
     """
 
     def __init__(self, floor: Floor, assets: Sequence[Asset], objects: Sequence[LayoutObject]) -> None:
@@ -232,11 +232,11 @@ class Company:
         return [p.place for p in self.people.values() if p.present and p is not person]
 
     def seat_for(self, person: Person, name: str | None, beside: Person | None = None) -> SeatPlace | None:
-        """Return the seat somebody takes on or at a thing, with ``beside``, or anywhere."""
+        """Return a person's seat on or at a thing, next to ``beside``, or anywhere."""
         return self.seats.choose(person, name, beside)
 
     def _in_the_way_of_sitting(self) -> list[Vec3]:
-        """Return where things lie on which nobody sits down."""
+        """Return the positions of things that block a seat."""
         return [place for prop, place in self.lying.items() if self._carriable(prop)]
 
     def take_seat(self, person: Person, seat: SeatPlace) -> None:
@@ -387,7 +387,7 @@ class Company:
             holder = self.holder(prop)
             place = self.lying.get(prop)
             if place is None and prop in inserted and (holder is None or holder.asset_id not in shot.on_stage):
-                continue  # a picture of a thing shows it: where the scene has it
+                continue  # a picture shows the thing: it stays where the scene has it
             if holder is not None:
                 seen = holder.asset_id in shot.on_stage
                 hand = holder.hand_of(prop)

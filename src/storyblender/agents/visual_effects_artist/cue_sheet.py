@@ -171,7 +171,7 @@ class CueSheet:
         return end
 
     def lifted(self, person: Person, height: float, t: float) -> float:
-        """Let the last way of a person end at a height in metres: on the steps, on the stage; return the end."""
+        """End a person's last walk at a height in metres, such as on steps or a stage; return its end time."""
         person.z = height
         for index in range(len(self.cues) - 1, -1, -1):
             mark = self.cues[index].mark

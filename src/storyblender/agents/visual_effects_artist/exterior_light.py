@@ -41,11 +41,11 @@ _AIRLIGHT = 0.7
 _BY_DAY = 0.03
 """Share of the wanted level that lamps give by day."""
 _AFTER_DARK = 0.95
-"""Share of the lamps that burn from which it is dark."""
+"""Share of the lamps that makes it count as dark when that many burn."""
 _NIGHT_SHARE, _WALLS = 0.5, 0.26
-"""Share of the wanted level that comes from all sides after dark; what an average wall throws back."""
+"""Share of the wanted light level that is ambient after dark; reflectance of an average wall."""
 _MOONLIGHT: Color = (0.72, 0.94, 1.5)
-"""Of luminance one."""
+"""Moonlight colour, of luminance one."""
 _FOG_BLUE: Color = (0.72, 0.88, 1.0)
 """Lit fog at night: grey with a little of the sky's blue."""
 
@@ -98,7 +98,7 @@ def exterior(view: LightingView) -> Lighting:
 
 
 def _moonlit(ambient: Color, level: float) -> Color:
-    """Return the light from all sides after dark: enough to read the place by between its lamps, as film has it."""
+    """Return the ambient light after dark: enough to make out the place between its lamps, as in films."""
     wanted = _NIGHT_SHARE * level / _WALLS
     here = float(luminance(np.asarray(ambient, np.float32)))
     return (

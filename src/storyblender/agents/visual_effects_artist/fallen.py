@@ -1,4 +1,4 @@
-"""Things that are tipped over, spilled or broken: from the shot that tells it on they lie on their side. Pure."""
+"""Things that are tipped over, spilled or broken: from the shot that says so on, they lie on their side. Pure."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
 
 LYING = frozenset({"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"})
-"""States in which a thing lies."""
+"""States in which a thing lies on its side."""
 UPRIGHT = frozenset({"upright", "standing", "righted"})
 _FLAT = 0.35
-"""Height for its breadth under which a thing has nothing to fall over with."""
+"""Ratio of height to width below which a thing is too flat to fall over."""
 
 
 class Fallen:
-    """What lies on its side, from shot to shot.
+    """Things lying on their side, carried from shot to shot.
 
     Args:
-        assets: Of the scene, with their sizes.
-        objects: The layout, for where things stand that nobody has moved.
+        assets: Assets of the scene, with their sizes.
+        objects: The layout, for the positions of things that have not been moved.
     """
 
     def __init__(self, assets: Sequence[Asset], objects: Sequence[LayoutObject]) -> None:
@@ -34,12 +34,12 @@ class Fallen:
         self._down: dict[str, None] = {}
 
     def lay(self, shot: ShotContext, states: tuple[PropState, ...], lying: Mapping[str, Vec3]) -> tuple[PropState, ...]:
-        """Return where things are in a shot, with what has fallen on its side.
+        """Return the prop states of a shot, including fallen things on their side.
 
         Args:
-            shot: Its changes are taken over first.
-            states: Of everything that has left its place.
-            lying: Where things lie that nobody holds.
+            shot: The shot; its state changes are applied first.
+            states: States of everything that has left its place.
+            lying: Positions of things that are not held.
         """
         for change in shot.asset_modifications:
             if change.state in LYING and self._can_fall(change.asset_id):

@@ -167,8 +167,8 @@ class Floor:
         return placed or opening or self._alike(name)
 
     def _alike(self, name: str) -> Thing | None:
-        """Return what stands for a large thing of the script that has no place of its own: ``counter`` is the bar."""
-        if name in self.cast:  # Ivy is no plant
+        """Return the thing that stands for a large thing without a place of its own: ``counter`` means the bar."""
+        if name in self.cast:  # Ivy may be a character
             return None
         key = self.kinds.get(name)
         kin = kin_of(key) if key is not None else meant_by(name)

@@ -1,4 +1,4 @@
-"""Animals on their own feet: where they stand, whom they turn to and where they go, carried from shot to shot. Pure."""
+"""Animals on their own feet: where they stand, what they turn to and where they go, from shot to shot. Pure."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import CharacterAction, Cue, Mark, PropState, ShotContext
 
 BESIDE = 0.5
-"""Metres that an animal stays from the side of whom or what it goes to."""
+"""Metres between an animal and the side of its goal."""
 AHEAD = 2.4
-"""Metres it goes where nobody says how far, and from which it comes in."""
+"""Metres an animal goes if the script gives no goal, and from which it enters."""
 PACE = 1.1
-"""Seconds for each root of its length in a walk: small ones make small steps."""
+"""Seconds per step for each square root of its length in metres: small animals make small steps."""
 AT_ONCE = 0.3
-"""Seconds after which the first does something."""
+"""Seconds before the first animal acts."""
 WORTH = math.radians(15)
-"""A smaller turn is not made."""
+"""Least turn in radians that is played."""
 _FLIGHT = ("flies", "flew", "flying", "fly ", "soars", "swoops", "flutters", "hovers", "takes off")
 _HEIGHT = 1.6
-"""Metres at which a bird flies."""
+"""Metres above the floor at which a bird flies."""
 
 
 @dataclass
@@ -39,15 +39,15 @@ class _Beast:
     seen: bool = False
     moved: bool = False
     home: Vec2 | None = None
-    """Where it goes that comes in."""
+    """Floor point to which an entering animal goes."""
 
 
 class Menagerie:
-    """The animals of a scene that are things of the catalog, and move.
+    """The animals of a scene that are catalog props and move.
 
     Args:
-        company: The people of the scene, whom they go to.
-        assets: Of the scene.
+        company: The people of the scene, as goals of the animals.
+        assets: Assets of the scene.
         objects: The layout, for the animals' first places.
     """
 
@@ -65,12 +65,12 @@ class Menagerie:
         }
 
     def play(self, shot: ShotContext, fps: int, frames: int) -> tuple[tuple[Cue, ...], tuple[PropState, ...]]:
-        """Return what the animals do in a shot, and where those that have moved are when it begins.
+        """Return the animals' cues of a shot, and the states of those that have moved when it begins.
 
         Args:
-            shot: Its actions.
+            shot: The shot with its actions.
             fps: Frames per second.
-            frames: Its length.
+            frames: Length of the shot in frames.
         """
         cues: list[Cue] = []
         states: list[PropState] = []
@@ -90,7 +90,7 @@ class Menagerie:
         return tuple(cues), tuple(states)
 
     def _comes_in(self, beast: _Beast) -> None:
-        """Begin some steps from its place, on the side of where people come in, and end there."""
+        """Start an animal some steps from its place, on the side where people enter, and end at its place."""
         doors = self.company.enter_marks()
         home = (beast.place[0], beast.place[1])
         door = min(doors, key=lambda spot: math.dist(spot, home)) if doors else (home[0] - AHEAD, home[1])
@@ -124,7 +124,7 @@ class Menagerie:
         )
 
     def _goal(self, beast: _Beast, action: CharacterAction, target: Vec2 | None) -> Vec2:
-        """Return where a way leads: beside its target, to its place in the set, or some steps ahead."""
+        """Return the end of a walk: beside its target, at its place in the set, or some steps ahead."""
         here, floor = (beast.place[0], beast.place[1]), self.company.floor
         people = [person.place for person in self.company.people.values() if person.present]
         if target is not None:
@@ -137,7 +137,7 @@ class Menagerie:
         return floor.free_near(wish, 0.5, people)
 
     def _where(self, name: str | None) -> Vec2 | None:
-        """Return where somebody or something is now."""
+        """Return the current floor point of a person or thing."""
         person = self.company.people.get(name or "")
         if person is not None and person.present:
             return person.place
@@ -149,7 +149,7 @@ class Menagerie:
 
 
 def _towards(start: Vec2, goal: Vec2, length: float) -> Vec2:
-    """Return the point so many metres from ``start`` on the way to ``goal``."""
+    """Return the point ``length`` metres from ``start`` on the way to ``goal``."""
     share = length / max(math.dist(start, goal), 1e-6)
     return (start[0] + share * (goal[0] - start[0]), start[1] + share * (goal[1] - start[1]))
 

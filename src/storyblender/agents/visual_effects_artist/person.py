@@ -39,11 +39,11 @@ class Person:
     z: float = 0.0
     """Height of the feet above the floor, metres."""
     spot: Spot | None = None
-    """The place of the script that they were last brought to."""
+    """The spot of the script that they were last brought to."""
     activity: str = ""
-    """Motion that goes on, from shot to shot, until it is changed."""
+    """Lasting motion, kept from shot to shot until it changes."""
     told: str = ""
-    """The activity that the script told last."""
+    """The last activity in the script."""
     opened: str = ""
     """What they have opened in this shot without taking it in hand."""
 
@@ -70,7 +70,7 @@ class Person:
         return next((hand for hand, held in self.held.items() if held == prop), None)
 
     def hold_as(self, prop: str, grip: Grip | None) -> None:
-        """Hold what is in hand as the script says: in that hand, in both, or in none where it is worn."""
+        """Hold a thing as the script says: in one hand, in both, or in none if it is worn."""
         kept: dict[Hand, str] = {hand: held for hand, held in self.held.items() if held != prop}
         wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R"), "worn": ()}
         hands = wish.get(grip or "")

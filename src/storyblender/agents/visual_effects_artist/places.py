@@ -1,4 +1,4 @@
-"""Where the script's spots are on the floor: at the sink, behind the bar, in the doorway, beside somebody. Pure."""
+"""Floor places of the script's spots: at the sink, behind the bar, in the doorway, beside a person. Pure."""
 
 from __future__ import annotations
 
@@ -20,37 +20,37 @@ from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
 
 WITHIN = frozenset({"in", "inside", "on", "above", "under", "over"})
-"""Relations of who is where the thing itself is: nothing else has to be free there."""
+"""Relations in which a person is at the thing's own place, so that no other place has to be free."""
 _TIGHT, _CROWDED, _FAR = 8.0, 5.0, 0.1
-"""Dislike, in metres, of a metre less room than a body needs, of a metre nearer to others, of a metre to go."""
+"""Penalties in metres: per metre less room than a body needs, per metre closer to others, per metre to go."""
 _APART = 0.6
 """Metres between two people at one place."""
 _TOO_NEAR = 0.42
-"""Metres from somebody within which nobody else is told to be."""
+"""Metres around a person within which no other person is placed."""
 _DOOR_NEAR = 0.9
-"""Metres to the side of a vehicle's middle from which a door counts as one of that side."""
+"""Metres along a vehicle within which a door counts as one of that side."""
 _LIE = ("lie", "asleep")
 _IN_THE_AIR: tuple[Posture, ...] = ("hang", "float", "upside_down")
 _CLIMBED, _FOOTING = 1.3, 0.3
-"""Metres: what is higher, or narrower, nobody stands on where no height is told."""
+"""Metres: people do not stand on higher or narrower things, unless the script gives a height."""
 _ON_BACK = (0.22, 0.62)
-"""Metres behind and above the place of somebody, times their stature over 1.7, of who rides on their back."""
+"""Metres behind and above the carrier's place for a rider on their back, times the carrier's stature over 1.7."""
 
 
 class Places:
-    """The places that the script tells, on the floor of one scene.
+    """The floor places of the script's spots, in one scene.
 
     Args:
-        floor: Where things are.
-        people: Everybody of the scene, as of now.
-        seats: Which seat somebody takes.
+        floor: Positions of things on the floor.
+        people: The current state of everyone in the scene.
+        seats: Chooses people's seats.
     """
 
     def __init__(self, floor: Floor, people: Mapping[str, Person], seats: Seats) -> None:
         self.floor, self.people, self.seats = floor, people, seats
 
     def settle(self, person: Person, state: BodyState) -> bool:
-        """Bring a person by a cut to where the script says they are, unless they have been brought there before.
+        """Cut a person to the place that the script gives them, unless they have been brought there before.
 
         Returns:
             Whether they have been moved.
@@ -77,7 +77,7 @@ class Places:
         return True
 
     def _mount(self, person: Person, state: BodyState) -> bool:
-        """Bring somebody onto what they ride: an animal, a bicycle, the back of another; tell whether there is one."""
+        """Put a person on their mount: an animal, a bicycle, another's back; return whether there is one."""
         name = state.support_id or (state.spot.anchor_id if state.spot is not None else None)
         carrier, thing = self.people.get(name or ""), self.floor.thing(name)
         if carrier is not None and carrier is not person and carrier.present:
@@ -92,7 +92,7 @@ class Places:
         return True
 
     def seat(self, person: Person, state: BodyState) -> SeatPlace | None:
-        """Return the seat that a spot means to who sits, or to who is in a vehicle; None where it means none."""
+        """Return the seat that a spot means for a sitting person or one in a vehicle; None if it means none."""
         spot = state.spot
         if spot is None or state.posture in _LIE or (state.posture != "sit" and not self._is_boarded(spot)):
             return None
@@ -103,7 +103,7 @@ class Places:
         return self.seats.choose(person, thing.node_id, side=spot.side, on_it=on_it)
 
     def _before_seat(self, person: Person, state: BodyState) -> Station | None:
-        """Return where somebody stands who is on their feet and told to be on a seat or a bed: about to sit or lie."""
+        """Return the place of a standing person whose spot is a seat or a bed: about to sit or lie."""
         spot = state.spot
         thing = self.floor.thing(spot.anchor_id) if spot is not None and spot.relation == "on" else None
         if spot is None or thing is None or spot.height is not None or not thing.of_kind("seat", "bed"):
@@ -118,7 +118,7 @@ class Places:
         return thing is not None and spot.relation in ("in", "inside") and bool(thing.of_kind("seat"))
 
     def station(self, person: Person, spot: Spot, posture: Posture = "stand") -> Station | None:
-        """Return the place that a spot means to somebody in a posture: of all it may be, the one with room."""
+        """Return the place that a spot means for a person in a posture: the roomiest of all candidates."""
         found = self.anchor(spot.anchor_id, person)
         if found is None:
             return self._turned(person, spot, Station(*person.place, person.yaw), None) if spot.facing else None
@@ -134,21 +134,21 @@ class Places:
         return self._turned(person, spot, best, box)
 
     def _clear(self, person: Person, station: Station) -> Station:
-        """Return a station, or the free place nearest to it where somebody is there already."""
+        """Return the station, or the nearest free place if another person is there."""
         point = (station.x, station.y)
         others = [each.place for each in self.people.values() if each.present and each is not person]
-        reached = self.floor.inside(point, -self.floor.beyond)  # what is only seen from afar is gone towards
+        reached = self.floor.inside(point, -self.floor.beyond)  # walk towards things that are only seen in the distance
         if reached and all(math.dist(point, other) > _TOO_NEAR for other in others):
             return station
         x, y = self.floor.free_near(point, person.k, others, apart=_APART)
         return replace(station, x=x, y=y)
 
     def anchor(self, name: str | None, person: Person | None = None) -> tuple[Box, Sort, Thing | None] | None:
-        """Return what a spot is told by: its extent, what it is, and the thing if it is one.
+        """Return the anchor of a spot: its box, its sort, and the thing if it is one.
 
         Args:
-            name: Of the anchor.
-            person: Who is told to be there; nobody is at themselves.
+            name: Id of the anchor.
+            person: The person at the spot; people are never their own anchor.
         """
         other = self.people.get(name or "")
         if other is not None and other is not person:
@@ -168,7 +168,7 @@ class Places:
         return fixture.box, sorts.get(fixture.kind, "thing"), None
 
     def _at_door(self, thing: Thing | None, spot: Spot) -> list[Station]:
-        """Return the places at the doors of a vehicle on the side that is told."""
+        """Return the places at the doors of a vehicle, on the side that the spot gives."""
         doors = thing.of_kind("door") if thing is not None else []
         if thing is None or not doors or spot.side is None or spot.relation not in ("at", "next_to", "in_front_of"):
             return []
@@ -192,7 +192,7 @@ class Places:
         return round(cost + _TIGHT * max(0.0, BODY * person.k + 0.02 - room), 4)
 
     def _turned(self, person: Person, spot: Spot, station: Station, anchor: Box | None) -> Station:
-        """Return a station with the facing and the height that the script tells."""
+        """Return a station with the facing and the height that the script gives."""
         yaw, here = station.yaw, (station.x, station.y)
         if spot.facing == "camera":
             yaw = 0.0
@@ -205,7 +205,7 @@ class Places:
 
 
 def _on_the_floor(spot: Spot, posture: Posture, box: Box, sort: Sort) -> Spot:
-    """Return a spot, on the floor by its anchor where nobody can be on or above it and no height is told."""
+    """Return a spot moved to the floor by its anchor, if a body cannot be on or above that and no height is given."""
     if spot.height is not None or spot.relation not in ("on", "above", "over") or posture in _IN_THE_AIR:
         return spot
     flat = (

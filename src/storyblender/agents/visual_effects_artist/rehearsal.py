@@ -21,7 +21,7 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, PropState, ShotContext
 
 AT_ONCE = 0.15
-"""Seconds after one member of a group begins that the next one does."""
+"""Delay in seconds between one member of a group and the next."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class Rehearsal:
 
 
 def _same_deed(action: CharacterAction, before: CharacterAction) -> bool:
-    """Tell whether two members of a group do the same: they do it at once, not one after the other."""
+    """Tell whether two members of a group do the same thing: they do it together, not one after the other."""
     stems = {each.asset_id.rpartition("_")[0] for each in (action, before)}
     same = (action.motion, action.action_description) == (before.motion, before.action_description)
     return same and action.asset_id != before.asset_id and len(stems) == 1 and stems != {""}

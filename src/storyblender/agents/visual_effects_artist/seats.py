@@ -1,4 +1,4 @@
-"""Which seat somebody takes: their own in the layout, one of what they are told to sit on, one at the table. Pure."""
+"""Seats of people: their own in the layout, one on the thing the script names, or one at the table. Pure."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import BodyState
 
 NEAR_HOME = 2.0
-"""Metres from their place in the layout within which somebody takes the seat that they have there."""
+"""Metres from their place in the layout within which people take their own seat."""
 DRAWN_UP = 0.75
-"""Metres from a table to the front edge of a seat that stands at it."""
+"""Most metres from a table to the front edge of a seat that stands at it."""
 
 
 class Seats:
     """The seats of a scene.
 
     Args:
-        floor: Where things are.
-        people: Everybody of the scene by asset id.
+        floor: Positions of things on the floor.
+        people: Everyone in the scene by asset id.
         objects: The layout, for the people's own seats.
-        things: Returns where things lie that nobody sits down on.
+        things: Returns the positions of things that block a seat.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class Seats:
         }
 
     def own(self, person: Person, state: BodyState) -> SeatPlace | None:
-        """Return the seat on which the layout has somebody who is still there."""
+        """Return a person's seat in the layout, if they are still there."""
         node, home = self.seated_on.get(person.asset_id), self.home.get(person.asset_id, (0.0, 0.0))
         support = self.floor.thing(state.support_id)
         told = support is None or node in (support.node_id, *(seat.node_id for seat in self.at(support.node_id)))
@@ -57,7 +57,7 @@ class Seats:
         return min(seats, key=lambda seat: math.dist(seat.edge, home), default=None)
 
     def as_laid_out(self, person: Person, state: BodyState) -> BodyState:
-        """Return the state of one of a crowd, of whom nothing is told, sitting where the layout has seated them."""
+        """Return the state of a crowd member without a state of their own, sitting if the layout has seated them."""
         node = self.seated_on.get(person.asset_id)
         told = state.posture != "stand" or state.spot is not None or person.posture != "stand"
         if node is None or told or math.dist(self.home[person.asset_id], person.place) > NEAR_HOME:
@@ -72,14 +72,14 @@ class Seats:
         side: str | None = None,
         on_it: bool = False,
     ) -> SeatPlace | None:
-        """Return the nearest free seat of what ``beside`` sits on, of or at a thing, else of the whole set.
+        """Return the nearest free seat: of the thing ``beside`` sits on, of or at a named thing, else of the whole set.
 
         Args:
-            person: Who sits down.
-            name: What the script says they sit on or at.
-            beside: With whom.
+            person: The person who sits down.
+            name: Id of the thing they sit on or at, from the script.
+            beside: The person they sit next to.
             side: Of a vehicle, ``driver`` ...
-            on_it: They sit on the thing itself, though chairs stand at it.
+            on_it: Whether they sit on the thing itself, even if chairs stand at it.
         """
         next_to = beside.support if beside is not None else None
         if beside is not None and next_to and (free := self.floor.free_seats(next_to, self._others(person))):
@@ -93,7 +93,7 @@ class Seats:
         return self._best(free or self.floor.free_seats(None, taken), person.place, person)
 
     def at(self, name: str | None) -> list[SeatPlace]:
-        """Return the seats drawn up to a thing that has none of its own: the chairs of a table, the stools of a bar."""
+        """Return the seats drawn up to a thing without its own seat: the chairs of a table, the stools of a bar."""
         table = self.floor.thing(name)
         if table is None or table.of_kind("seat", "bed") or not table.of_kind("top"):
             return []
@@ -111,7 +111,7 @@ class Seats:
         return [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
 
     def _ahead(self, seat: SeatPlace) -> Vec2:
-        """Return where a seat is in its vehicle: to its own left, and to its front."""
+        """Return the position of a seat in its vehicle: to its own left, and to its front."""
         x, y = self.floor.things[seat.node_id].local(seat.edge)
         return x, -y
 
@@ -119,7 +119,7 @@ class Seats:
         return [p.place for p in self.people.values() if p.present and p is not person]
 
     def _best(self, seats: Sequence[SeatPlace], near: Vec2, person: Person) -> SeatPlace | None:
-        """Return the nearest seat that is free of things and people, and of those who are in it in a later shot."""
+        """Return the nearest seat that is free of things and people, and not another person's seat in a later shot."""
         absent = [place for name, place in self.home.items() if not self.people[name].present]
 
         def unfit(seat: SeatPlace) -> bool:

@@ -35,9 +35,9 @@ _STAGE: Vec2 = (0.0, 0.8)
 """Where the script's things want to be: the middle, a little away from the audience."""
 
 _TOGETHER = 1.8
-"""Metres from a thing of the script to a furnishing whose place another one takes that is told to be by it."""
+"""Metres from a thing of the script to the furnishing that is replaced by another thing beside it."""
 _VEHICLES = kin_of("car")
-"""The script's own vehicles replace all of the kit's."""
+"""Vehicles: those in the script replace all vehicles of the kit."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
 """Of these a place has one, whatever the script calls it: she walks to the bar and puts her glass on the counter."""
 

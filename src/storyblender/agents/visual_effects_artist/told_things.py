@@ -1,4 +1,4 @@
-"""Things that the script tells to be elsewhere now, or not there at all: the tray is by the door, the car has gone."""
+"""Things that the script moves or removes between shots: the tray is by the door, the car has gone. Pure."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from storyblender.memory.shot_context import PropState, ShotContext
 _ON = ("on", "in", "inside")
 _UNDER = ("under", "around")
 _GAP = 0.12
-"""Metres from a thing to what it is told to be beside, where no distance is told."""
+"""Metres between a thing and its anchor beside it, if the script gives no distance."""
 
 
 class ToldThings:
-    """Where the script tells things to be, from shot to shot.
+    """Positions of things in the script, from shot to shot.
 
     Args:
-        places: Finds what the spots mean.
-        lying: Where every prop lies that nobody holds; changed.
+        places: Finds the places of spots.
+        lying: Positions of all props that are not held; changed.
         sizes: Width and depth of things in metres, by asset id.
     """
 
@@ -31,12 +31,12 @@ class ToldThings:
         self._told: dict[str, Spot] = {}
 
     def settle(self, shot: ShotContext, held: set[str], touched: Mapping[str, None]) -> list[str]:
-        """Lay things where a shot tells them to be without a deed that brings them there; return which.
+        """Move things to the spots a shot gives them without a deed that brings them there; return their ids.
 
         Args:
-            shot: With its ``thing_spots``.
-            held: What is in hands.
-            touched: What has left its place in the layout before.
+            shot: The shot, with its ``thing_spots``.
+            held: Asset ids of held things.
+            touched: Asset ids of things that have left their places in the layout.
         """
         handled = {name for action in shot.character_actions for name in (action.prop_id, action.target_id)}
         moved: list[str] = []
@@ -78,7 +78,7 @@ class ToldThings:
 
 
 def without_absent(states: tuple[PropState, ...], shot: ShotContext) -> tuple[PropState, ...]:
-    """Return where things are in a shot, with those hidden that are not in the set, unless somebody holds them."""
+    """Return the prop states of a shot, with absent things hidden, unless a person holds them."""
     by_thing = {state.asset_id: state for state in states}
     for thing in shot.absent:
         if thing not in by_thing or by_thing[thing].held_by is None:

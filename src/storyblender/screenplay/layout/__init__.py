@@ -1,1 +1,1 @@
-"""Pages in their writer's own layout: what kind of page it is, and its lines as the elements of a screenplay."""
+"""Pages in their writer's own layout: detects the kind of page, and turns its lines into screenplay elements."""

@@ -1,4 +1,4 @@
-"""Messages of a group as a telephone exports them: who writes, and what; the hours and numbers are left out."""
+"""Group chats as exported by a phone: keeps sender and message; leaves out times and numbers."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ _OMITTED = re.compile(r"<[^>]*omitted>|<attached:[^>]*>|This message was deleted
 
 
 def is_chat(text: str) -> bool:
-    """Return whether most lines of a page are messages with an hour and a sender."""
+    """Return whether most lines of a page are messages with a time and a sender."""
     lines = [line.words for line in lines_of(text) if line.words]
     messages = sum(_MESSAGE.match(line) is not None for line in lines)
     return messages >= 4 and messages * 2 >= len(lines)
 
 
 def parse(text: str, path: str = "") -> Screenplay:
-    """Read messages: each is told by its sender.
+    """Read messages; each becomes a line of its sender.
 
     Args:
         text: The page, newlines as ``\\n``.
-        path: Kept for display.
+        path: File path, for display only.
     """
     page = Page(text)
     open_start = open_end = -1

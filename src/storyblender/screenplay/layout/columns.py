@@ -1,4 +1,4 @@
-"""Commercials in two columns, picture and sound: each row is one shot, laid out below each other for reading."""
+"""Commercials in two columns, picture and sound: each row is one shot; the cells are stacked for reading."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
     Args:
         text: The script, newlines as ``\\n``.
-        path: Kept for display.
+        path: File path, for display only.
     """
     lines = text.split("\n")
     head = next((i for i, line in enumerate(lines) if _HEADER.fullmatch(line.strip())), None)
@@ -100,7 +100,7 @@ def _cells(line: str, column: int) -> tuple[str, str]:
 
 
 def _stacked(lines: list[str]) -> list[tuple[list[str], list[str]]]:
-    """``VIDEO: ..`` over ``AUDIO: ..``: each picture opens a row."""
+    """``VIDEO: ..`` above ``AUDIO: ..``: return one row for each picture."""
     rows: list[tuple[list[str], list[str]]] = []
     side: int | None = None
     cells: tuple[list[str], list[str]] = ([], [])
@@ -119,7 +119,7 @@ def _stacked(lines: list[str]) -> list[tuple[list[str], list[str]]]:
 
 
 def _items(lines: list[str]) -> list[str]:
-    """The lines of a cell joined, a new item at each label."""
+    """Return the lines of a cell joined into items; a label begins a new item."""
     items: list[str] = []
     for line in lines:
         if not items or _LABEL.match(line):

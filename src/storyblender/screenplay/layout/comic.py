@@ -1,4 +1,4 @@
-"""Comic scripts: pages and panels; the words of a panel are one picture with its balloons, captions and noises."""
+"""Comic scripts: pages and panels; each panel is one picture with its balloons, captions and sound effects."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
     Args:
         text: The script, newlines as ``\\n``.
-        path: Kept for display.
+        path: File path, for display only.
     """
     reader = _Reader(text)
     reader.read()
@@ -81,7 +81,7 @@ class _Reader:
         self.speakers = self._speakers()
 
     def _speakers(self) -> frozenset[str]:
-        """Who has a balloon: names in capitals before a colon, or alone on a line over what they say."""
+        """Return the speakers of balloons: names in capitals before a colon, or alone on a line above their words."""
         found: set[str] = set()
         for line, following in zip(self.lines, [*self.lines[1:], Line(0, 0, "", 0)], strict=True):
             match = _BALLOON.match(line.words)
@@ -106,7 +106,7 @@ class _Reader:
         return bool(line.words and (_PAGE.fullmatch(line.words) or _PANEL.match(line.words)))
 
     def _front(self, lines: list[Line]) -> None:
-        """A title and remarks to the artist, who may be told there what somebody looks like."""
+        """Read a title and notes to the artist, which may describe characters."""
         for line in lines:
             if not line.words:
                 continue
@@ -167,7 +167,7 @@ class _Reader:
         self.page.add("action", start, self._run())
 
     def _run(self) -> int:
-        """The offset at which what began on the line before ends; goes on behind it."""
+        """Return the end offset of the text that began on the line before, and move past it."""
         while self.at < len(self.lines):
             line = self.lines[self.at]
             divides = self._marked(line) or self._panel(line.words) or self._balloon(line)

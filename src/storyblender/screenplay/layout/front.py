@@ -1,4 +1,4 @@
-"""What stands before the story: title, byline, list of people, remarks to the crew."""
+"""Front matter of a script: title, byline, cast list, notes to the crew."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ _LONG = 100
 
 
 def read_front(page: Page, lines: Sequence[Line]) -> frozenset[str]:
-    """Read the lines before the story into the page: a title and an author, entries of the cast, the rest as sections.
+    """Read the front matter into the page: title and author, cast entries, and the rest as sections.
 
     Args:
         page: Takes the elements.
-        lines: Those before the story begins.
+        lines: The lines before the story begins.
 
     Returns:
-        The names of the list of people, in capitals.
+        The names of the cast list, in capitals.
     """
     names: set[str] = set()
     listing = False
@@ -57,11 +57,11 @@ def read_front(page: Page, lines: Sequence[Line]) -> frozenset[str]:
 def titled(
     title_page: tuple[tuple[str, str], ...], elements: Sequence[Element]
 ) -> tuple[tuple[tuple[str, str], ...], list[Element]]:
-    """Take a title, a byline and the like out of what stands before the first heading of a script.
+    """Move a title, a byline and the like from the lines before the first heading to the title page.
 
     Args:
         title_page: As read from its keys; empty where it has none.
-        elements: Of the whole script.
+        elements: The elements of the whole script.
 
     Returns:
         The title page, and the elements with those lines as sections.
@@ -100,12 +100,12 @@ def titled(
 
 
 def cast_list(lines: Sequence[Line]) -> int | None:
-    """Return the index of the line that heads a list of people, within the first lines of a page."""
+    """Return the index of the heading of a cast list, within the first lines of a page, or None."""
     return next((i for i, line in enumerate(lines[:60]) if line.words and _CAST.fullmatch(line.words)), None)
 
 
 def ends_cast(line: Line) -> bool:
-    """Return whether a line cannot belong to a list of people: the play begins."""
+    """Return whether a line cannot belong to a cast list: the play begins."""
     return _STARTS.match(line.words) is not None or len(line.words) > _LONG
 
 
@@ -124,6 +124,6 @@ def _titled(page: Page, line: Line) -> None:
 
 
 def _entry(words: str) -> str:
-    """The name of an entry: what stands before a comma, a dash, dots or a bracket."""
+    """Return the name in an entry: the text before a comma, a dash, dots or a bracket."""
     name = re.split(r",|\s[-–—]+\s|\.{2,}|\(|:|\s{3,}|[-–—]{2}", plain(words), maxsplit=1)[0]
     return re.sub(r"^(?:A|AN|THE)\s+", "", name.strip(" .*_-").upper())

@@ -1,4 +1,4 @@
-"""Labels that begin a line: who speaks (``Baker:``, ``BAKER.``), what is read or heard (``SUPER:``, ``SFX:``)."""
+"""Labels at the start of a line: a speaker (``Baker:``, ``BAKER.``), text or sound (``SUPER:``, ``SFX:``)."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _TAB = re.compile(
     rf"|[ ]{{3,}})(?=\S)"
 )
 FORMS: Final = {"colon": _COLON, "stop": _STOP, "dash": _DASH, "tab": _TAB}
-"""How a name and its speech share a line."""
+"""Separators between a name and its speech on one line."""
 _READ = re.compile(
     r"(?:(?:ON[- ]SCREEN )?(?:SUPER(?:IMPOSE[DS]?|TITLES?)?|TITLES?(?: CARD)?|CHYRON|SUBTITLES?|INTERTITLES?|(?:END "
     r"|TITLE |INTER)?CARD"
@@ -67,15 +67,15 @@ _NOBODY = {
     "black", "oh", "ah", "well", "so", "mr", "mrs", "dr", "ms", "st", "prof", "jr", "sr", "vol", "fig", "ltd", "p",
     "pp", "no.", "etc",
 }  # fmt: skip
-"""What stands before a colon or a full stop and is nobody's name."""
+"""Words before a colon or a full stop that are no name."""
 
 
 class Label(NamedTuple):
-    """A line that begins with who speaks."""
+    """A line that begins with its speaker."""
 
     name: str
     bracket: str
-    """What stood in brackets behind the name, without them."""
+    """Text of the bracket after the name, without the brackets."""
     start: int
     """Offsets of the name with its bracket."""
     end: int
@@ -89,11 +89,11 @@ class Convention(NamedTuple):
     form: str
     """Key of ``FORMS``."""
     names: frozenset[str]
-    """Everybody who speaks so, in capitals."""
+    """Names of everyone who speaks in this form, in capitals."""
 
 
 def spoken_line(line: Line, convention: Convention) -> Label | None:
-    """Return who speaks on a line, or None where it is told otherwise."""
+    """Return the speaker's label of a line, or None if it has none."""
     match = FORMS[convention.form].match(line.words)
     if match is None or key_of_name(match["name"]) not in convention.names:
         return None
@@ -108,11 +108,11 @@ def spoken_line(line: Line, convention: Convention) -> Label | None:
 
 
 def find_convention(lines: Sequence[Line], known: frozenset[str] = frozenset()) -> Convention | None:
-    """Return how this page marks who speaks, where three lines or more do it in one way and a name comes back.
+    """Return how this page marks speakers, if at least three lines share one form and a name recurs.
 
     Args:
-        lines: Of the page.
-        known: Names of its list of people, in capitals.
+        lines: The lines of the page.
+        known: Names of its cast list, in capitals.
     """
     best: tuple[int, Convention] | None = None
     for form, pattern in FORMS.items():
@@ -126,7 +126,7 @@ def find_convention(lines: Sequence[Line], known: frozenset[str] = frozenset()) 
         loud = sum(names.values())
         if spoken < 3 or (form == "stop" and len(kept) < 2):
             continue
-        # Where the mark is the page's own, a name that speaks once is a name as well.
+        # In the page's own form, a name that speaks only once counts as well.
         everyone = kept if form == "dash" else {*names}
         if loud > 3 * spoken:
             everyone = kept
@@ -136,18 +136,18 @@ def find_convention(lines: Sequence[Line], known: frozenset[str] = frozenset()) 
 
 
 def key_of_name(name: str) -> str:
-    """Return a name as it is compared: capitals, no marks."""
+    """Return a name normalised for comparison: capitals, no punctuation."""
     return plain_name(name).upper()
 
 
 def plain_name(name: str) -> str:
-    """Return a name without the marks of emphasis and the full stop after it."""
+    """Return a name without emphasis marks and the full stop after it."""
     bare = " ".join(re.sub(r"[*_]", "", name).split())
     return bare[:-1] if bare.endswith(".") and not re.search(r"\b(?:[A-Z]|MR|MRS|DR|JR|SR|ST)\.$", bare, re.I) else bare
 
 
 def element_of_label(words: str) -> tuple[ElementKind, int] | None:
-    """Return what a labelled line is and where its words begin: read on screen, heard, or a note to the crew."""
+    """Return the kind of a labelled line and the offset of its words: on-screen text, sound, or a note to the crew."""
     if match := _READ.match(words):
         return "title", match.end()
     if match := _HEARD.match(words):
@@ -163,7 +163,7 @@ def _may_speak(match: re.Match[str], line: Line, form: str, known: frozenset[str
     if is_heading(line.words) or scene_label(line.words) or place_label(line.words) or element_of_label(line.words):
         return False
     loud = name == name.upper()
-    if form in ("stop", "dash"):  # ``Well. He goes.`` is no speech; only capitals are a name before a full stop
+    if form in ("stop", "dash"):  # ``Well. He goes.`` is no speech; before a full stop only capitals are a name
         listed = name.upper() in known or _like(name.upper(), known)
         marked = loud or listed or (form == "stop" and match[0][:1] in "_*")
         return marked and len(name) > 1 and not re.fullmatch(r"[IVXLC]+|[A-Z]", name)
@@ -171,5 +171,5 @@ def _may_speak(match: re.Match[str], line: Line, form: str, known: frozenset[str
 
 
 def _like(name: str, known: frozenset[str]) -> bool:
-    """Whether a name is a part of one in the list of people: CHIEF of CHIEF BABALOLA."""
+    """Return whether a name is a part of one in the cast list: CHIEF of CHIEF BABALOLA."""
     return any(name in other.split() for other in known)

@@ -1,4 +1,4 @@
-"""The lines of a page, and the elements that are laid over them with their characters."""
+"""The lines of a page, and the elements built from them by character offsets."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ class Line(NamedTuple):
 
     number: int
     start: int
-    """Offset of its first character that is no space."""
+    """Offset of its first non-space character."""
     words: str
     indent: int
-    """Spaces before it; a tab counts four."""
+    """Number of spaces before it; a tab counts as four."""
 
     @property
     def end(self) -> int:
-        """Offset after its last character that is no space."""
+        """Return the offset after its last non-space character."""
         return self.start + len(self.words)
 
 
@@ -51,7 +51,7 @@ def blocks_of(lines: list[Line]) -> list[list[Line]]:
 
 
 def plain(words: str) -> str:
-    """Return words without the marks of emphasis and on one line."""
+    """Return the words without emphasis marks, on one line."""
     return " ".join(_EMPHASIS.sub(r"\2", words).split())
 
 
@@ -67,7 +67,7 @@ class Page:
         self.elements: list[Element] = []
         self.title_page: list[tuple[str, str]] = []
         self.picture: int | None = None
-        """The panel, row or card that is being read."""
+        """Number of the current panel, row or card."""
         self.pictures = 0
         self._starts = [line.start for line in lines_of(text)]
 
@@ -79,15 +79,15 @@ class Page:
     def add(
         self, kind: ElementKind, start: int, end: int, *, name: str = "", extension: str = "", number: str = ""
     ) -> None:
-        """Add what stands between two offsets; nothing where there are no words.
+        """Add the text between two offsets as an element; nothing if it has no words.
 
         Args:
-            kind: Of the element.
-            start: First character; space there is passed over.
-            end: After the last character.
-            name: Of a cue.
-            extension: Of a cue: what stood in brackets.
-            number: Of a scene.
+            kind: Kind of the element.
+            start: Offset of the first character; leading spaces are skipped.
+            end: Offset after the last character.
+            name: Speaker of a cue.
+            extension: Bracket text of a cue.
+            number: Number of a scene.
         """
         words = self.text[start:end]
         start, end = start + len(words) - len(words.lstrip()), start + len(words.rstrip())

@@ -16,7 +16,7 @@ _ART = re.compile(r"[\[(]?\s*(?:illustration|art|illo|picture|image|art note|ill
 
 
 def is_picture_book(text: str) -> bool:
-    """Return whether a page is numbered by pages that hold a few lines each."""
+    """Return whether a text is divided into numbered pages of a few lines each."""
     lines = [line.words for line in lines_of(text) if line.words]
     pages = sum(_PAGE.match(line) is not None for line in lines)
     return pages >= 4 and pages * 14 >= len(lines) and any(_PAGE.fullmatch(line) for line in lines)
@@ -27,7 +27,7 @@ def parse(text: str, path: str = "") -> Screenplay:
 
     Args:
         text: The book, newlines as ``\\n``.
-        path: Kept for display.
+        path: File path, for display only.
     """
     page = Page(text)
     lines = lines_of(text)
@@ -66,7 +66,7 @@ def _front(page: Page, lines: list[Line]) -> None:
 
 
 def _paragraph(page: Page, start: int, end: int) -> None:
-    """A paragraph of the story, or what stands in brackets: how it is drawn."""
+    """Add a paragraph of the story; text in brackets is an illustration note."""
     words = page.text[start:end]
     art = _ART.match(words)
     if art:

@@ -1,4 +1,4 @@
-"""Plays, sitcoms and short films whose speeches stand behind a name: ``BAKER. Not today.``, ``Baker: ..``."""
+"""Plays, sitcoms and short films with speeches after a name: ``BAKER. Not today.``, ``Baker: ..``."""
 
 from __future__ import annotations
 
@@ -54,34 +54,34 @@ _REST = re.compile(r"(?:a )?(?:long |short |slight )?(?:pause|beat|silence|no di
 _MANNER = re.compile(r"\\?[(\[][^()\[\]]{1,120}[)\]]")
 _INTRODUCED = re.compile(r"\b([^\W\d_a-z][\w'’-]+(?: [^\W\d_a-z][\w'’-]+)?)\s*,?\s*\(\d{1,2}\b")
 _TITLE_LINES = 12
-"""Lines before the first heading that may be a title and a byline, where none of them is a sentence."""
+"""Lines before the first heading that may be a title and a byline, if none of them is a sentence."""
 _DEEP = 40
-"""Lines that a bracket may go over."""
+"""Most lines that one bracket may span."""
 
 
 def parse(text: str, path: str = "") -> Screenplay:
-    """Read a script whose speeches are marked by names, in whatever way this page marks them.
+    """Read a script whose speeches are marked by names, in whatever form this page uses.
 
     Args:
         text: The script, newlines as ``\\n``.
-        path: Kept for display.
+        path: File path, for display only.
     """
     return _Reader(text).read(path)
 
 
 def names_speakers(text: str) -> bool:
-    """Return whether the speeches of a page stand behind names."""
+    """Return whether the speeches of a page follow names on the same line."""
     lines = lines_of(text)
     return find_convention(lines, _listed(lines)) is not None
 
 
 def has_own_layout(text: str) -> bool:
-    """Return whether the names over the speeches of a page are not where Fountain would look for them."""
+    """Return whether the cues of a page are placed where Fountain would not recognise them."""
     return is_out_of_place(lines_of(text))
 
 
 def _listed(lines: Sequence[Line]) -> frozenset[str]:
-    """The names of the list of people, in capitals."""
+    """Return the names of the cast list, in capitals."""
     head = cast_list(lines)
     if head is None:
         return frozenset()
@@ -99,7 +99,7 @@ class _Reader:
         self.at = 0
         self.speaking = False
         self.bracketed = sum(line.words[:1] in ("(", "[") for line in self.lines) >= 3
-        """Whether this page puts what is done in brackets, so that a plain paragraph is a speech that goes on."""
+        """Whether this page puts action in brackets, so that a plain paragraph continues a speech."""
         self.headed = False
 
     def read(self, path: str) -> Screenplay:
@@ -118,7 +118,7 @@ class _Reader:
         )
 
     def _body(self) -> int:
-        """The line at which the story begins."""
+        """Return the index of the line at which the story begins."""
         first = next((i for i, line in enumerate(self.lines[:_TITLE_LINES]) if is_heading(line.words)), None)
         if first is not None and not any(line.words.endswith((".", "!")) for line in self.lines[:first]):
             return first
@@ -180,7 +180,7 @@ class _Reader:
             self.page.add("action", line.start, self._run(self.at))
 
     def _structure(self, line: Line) -> bool:
-        """Read a line that divides the script, is read or heard; False where it tells or speaks."""
+        """Read a structural line, on-screen text or a sound; False if it is action or speech."""
         words = line.words
         if is_heading(words) or is_side_alone(words):
             self._heading(line)
@@ -207,7 +207,7 @@ class _Reader:
         self.at += 1
 
     def _heading(self, line: Line) -> None:
-        """A heading on one line, or ``INT.`` on one and the place on the next."""
+        """Read a heading on one line, or ``INT.`` on one and the place on the next."""
         self.at += 1
         last = line
         if is_side_alone(line.words) and self.at < len(self.lines) and self.lines[self.at].words:
@@ -219,7 +219,7 @@ class _Reader:
         self.page.add("heading", line.start + start, last.end, number=number)
 
     def _place(self, start: int) -> None:
-        """``SETTING: A mill at night. A wheel turns.``: the first sentence is the heading, the rest is told."""
+        """``SETTING: A mill at night. A wheel turns.``: the first sentence is the heading, the rest is action."""
         end = self._run(self.at)
         words = self.page.text[start:end]
         labels = [match for match in (scene_label(words), place_label(words)) if match]
@@ -240,7 +240,7 @@ class _Reader:
         self.page.add("action", start + head, end)
 
     def _bracket(self, line: Line) -> None:
-        """A direction in brackets, over several lines or not; what follows it on its line goes on as before."""
+        """Read a stage direction in brackets, on one or more lines; text after it on its line continues as before."""
         text = self.page.text
         last = min(self.at + _DEEP, len(self.lines) - 1)
         opening = line.start + line.words.index("(" if "(" in line.words[:2] else "[")
@@ -270,7 +270,7 @@ class _Reader:
             self.page.add("action", start, end)
 
     def _is_cue(self, index: int) -> bool:
-        """A name in capitals over a line of other words; one that comes back, wherever it stands."""
+        """Return whether a line is a cue: capitals above a line of other words, or a recurring name anywhere."""
         line = self.lines[index]
         if (name := standing_name(line)) and name in self.names:
             return True
@@ -280,7 +280,7 @@ class _Reader:
         return bool(following) and following != following.upper() and looks_like_cue(line.words)
 
     def _speech(self, start: int, begun: bool) -> None:
-        """Read a speech that begins at an offset; not begun, its words are on the lines below."""
+        """Read a speech from an offset; if not ``begun``, its words are on the lines below."""
         if not begun:
             ahead = self.at
             while ahead < len(self.lines) and not self.lines[ahead].words:
@@ -301,11 +301,11 @@ class _Reader:
         return self.lines[index + 1] if index + 1 < len(self.lines) else Line(0, 0, "", 0)
 
     def _run(self, index: int, *, inside: bool = False) -> int:
-        """Return the offset at which the paragraph at a line ends, and go on behind it.
+        """Return the offset at which the paragraph at a line ends, and move past it.
 
         Args:
-            index: Of its first line.
-            inside: The line belongs to what was begun on the line before.
+            index: Index of its first line.
+            inside: The line belongs to the text begun on the line before.
         """
         first = index
         while index < len(self.lines) and self.lines[index].words:

@@ -1,4 +1,4 @@
-"""A speech on the page: its words, and what stands in brackets between them."""
+"""A speech on the page: its words, and the brackets between them."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ _OFF = re.compile(
     re.IGNORECASE,
 )
 _ACTED = 8
-"""Words in brackets from which on they are a direction of their own."""
+"""Number of words from which a bracket is a direction of its own."""
 
 
 def is_extension(words: str) -> bool:
-    """Return whether a bracket says where a voice comes from: ``V.O.``, ``off``, ``on the phone``."""
+    """Return whether a bracket gives the source of a voice: ``V.O.``, ``off``, ``on the phone``."""
     return _OFF.match(words.strip()) is not None
 
 
 def add_cue(page: Page, start: int, end: int, name: str, bracket: str) -> None:
-    """Add who speaks; a bracket behind the name is where the voice comes from, or how it is said.
+    """Add a cue; a bracket after the name is the source of the voice, or the manner of speaking.
 
     Args:
         page: Takes the elements.
         start: Offset of the name.
-        end: After the name, or after its bracket.
+        end: Offset after the name, or after its bracket.
         name: The name alone.
-        bracket: What stands in brackets behind it, or empty.
+        bracket: Text of the bracket after it, or empty.
     """
     spoken_off = bool(bracket) and is_extension(bracket)
     at = page.text.find(bracket, start, end) if bracket and not spoken_off else -1
@@ -43,12 +43,12 @@ def add_cue(page: Page, start: int, end: int, name: str, bracket: str) -> None:
 
 
 def add_speech(page: Page, start: int, end: int) -> None:
-    """Add the words of a speech; a bracket before words says how, a long one or one at the end is action.
+    """Add the words of a speech; a bracket before words is a parenthetical, a long or final one is action.
 
     Args:
         page: Takes the elements.
         start: Offset of the speech.
-        end: After its last word.
+        end: Offset after its last word.
     """
     at = start
     for match in _BRACKET.finditer(page.text, start, end):

@@ -1,4 +1,4 @@
-"""Names that stand on lines of their own over what is said, with or without blank lines around them."""
+"""Cue names on lines of their own above their speeches, with or without blank lines around them."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.layout.lines import Line, plain
 
 _BROKEN = 2
-"""Names that are not where Fountain has them, from which on a page has a layout of its own."""
+"""Number of cues in places Fountain does not accept from which a page has a layout of its own."""
 _SHARE = 0.25
-"""Of all the names on lines of their own."""
+"""Least share of those among all names on lines of their own."""
 
 
 def standing_names(lines: Sequence[Line]) -> frozenset[str]:
-    """Return the names in capitals that stand alone on two lines or more."""
+    """Return the names in capitals that stand alone on two or more lines."""
     counts = Counter(name for line in lines if (name := standing_name(line)))
     return frozenset(name for name, count in counts.items() if count > 1)
 
 
 def standing_name(line: Line) -> str:
-    """Return the name that a line is, without what stands in brackets; empty where it is something else."""
+    """Return the name that a line consists of, without its brackets; empty if it is something else."""
     words = line.words
     if not words or len(words) > 50 or not looks_like_cue(words) or kind_of_words(words) or element_of_label(words):
         return ""
@@ -31,7 +31,7 @@ def standing_name(line: Line) -> str:
 
 
 def is_out_of_place(lines: Sequence[Line]) -> bool:
-    """Return whether many of the names of a page have no blank line above, or one below: no Fountain would see them."""
+    """Return whether many cues of a page lack the blank line above, or have one below, so that Fountain misses them."""
     names = standing_names(lines)
     padded = [Line(0, 0, "", 0), *lines, Line(0, 0, "", 0)]
     found = [i for i in range(1, len(padded) - 1) if standing_name(padded[i]) in names and padded[i].words]
@@ -40,12 +40,12 @@ def is_out_of_place(lines: Sequence[Line]) -> bool:
 
 
 def goes_on_as_action(line: Line, before: Line, names: frozenset[str]) -> bool:
-    """Return whether a line under a speech tells again: it begins with somebody's name, after a full stop.
+    """Return whether a line under a speech is action again: it begins with a character's name, after a full stop.
 
     Args:
         line: The line.
         before: The line above.
-        names: Of those who speak, in capitals.
+        names: Names of the speakers, in capitals.
     """
     if not re.search(r"[.!?…][\"”')]*$", before.words):
         return False

@@ -1,7 +1,7 @@
-"""Action in another language than English, by tables: who does what to what, where, and in which posture.
+"""Reads action in German, Spanish, French and Italian by word tables: subjects, motions, objects, places, postures.
 
-There is no grammar here. A clause is what stands between two links; its subject is the person or pronoun before its
-verb, else the person after it, else the subject before; what is done is told by the verb and the words it goes with.
+There is no grammar here. A clause is the text between two links; its subject is the person or pronoun before its
+verb, else the person after it, else the subject of the clause before; the verb and its companion words give the motion.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _POSTURES: dict[str, Posture] = {
 _RESTING = frozenset({"sit", "lie_down", "kneel", "stand", "lean", "sleep", "crouch"})
 _TAKING = frozenset({"take", "pick_up", "hold", "carry", "catch"})
 _SHORTEST = 3
-"""Letters of a noun that may end a longer one."""
+"""Least letters of a noun at the end of a compound."""
 _LEAVING = {
     "de": frozenset({"verlässt", "hinaus", "raus"}),
     "es": frozenset({"sale", "salen"}),
@@ -36,12 +36,12 @@ _CHANGES = {"open": "open", "close": "closed"}
 
 
 def read_foreign(stage: Stage, sentence: Sentence, tongue: Tongue) -> None:
-    """Read a sentence of action into the unit that was opened for it.
+    """Read a sentence of action into its unit, which is already open.
 
     Args:
-        stage: The state before.
-        sentence: With the names of the cast marked.
-        tongue: Its language.
+        stage: The state before the sentence.
+        sentence: The sentence, with the names of the cast marked.
+        tongue: The language of the sentence.
     """
     stage.sentence.words = sentence.words
     subjects = _carried(stage)
@@ -55,7 +55,7 @@ def _carried(stage: Stage) -> list[Person]:
 
 
 def _clauses(words: Sequence[Word], tongue: Tongue) -> list[list[Word]]:
-    """Cut at links; a piece without a verb belongs to the one before."""
+    """Split a sentence at links; a piece without a verb joins the clause before."""
     pieces: list[list[Word]] = [[]]
     for word in words:
         if word.low in tongue.links and not word.mention:
@@ -90,14 +90,14 @@ def _read_clause(stage: Stage, words: Sequence[Word], tongue: Tongue, before: li
 
 
 def _is_verb(words: Sequence[Word], at: int, tongue: Tongue) -> bool:
-    """Whether a word is a verb: ``en la cocina`` is none."""
+    """Whether a word is used as a verb: not in ``en la cocina``."""
     placed = at > 1 and words[at - 1].low in tongue.articles and words[at - 2].low in tongue.places
     noun = tongue.key == "de" and at > 0 and words[at].text[0].isupper()
     return words[at].mention is None and words[at].low in tongue.verbs and not (placed or noun)
 
 
 def _people(stage: Stage, words: Sequence[Word], at: int, word: Word, tongue: Tongue) -> list[Person]:
-    """Whom a word names; who stands after ``von``, ``de`` only owns."""
+    """Return the people a word names; a person after ``von``, ``de`` only owns something."""
     if at and words[at - 1].low in ("von", "de", "del", "di"):
         return []
     if word.mention is None:
@@ -117,7 +117,7 @@ def _thing(stage: Stage, word: Word, tongue: Tongue) -> str | None:
 
 
 def _english(word: Word, tongue: Tongue) -> str | None:
-    """What a noun is in English; of a German compound the last part: ``Schuppentür``."""
+    """Return the English noun for a noun; for a German compound by its last part: ``Schuppentür``."""
     if word.low in tongue.things or tongue.key != "de" or not word.text[0].isupper():
         return tongue.things.get(word.low)
     ends = [noun for noun in tongue.things if len(noun) >= _SHORTEST and word.low.endswith(noun)]
@@ -133,7 +133,7 @@ def _subjects(
     before: list[Person],
     tongue: Tongue,
 ) -> list[Person]:
-    """Before the verb, else after it where nothing else can be meant, else those of the clause before."""
+    """Return the people before the verb, else after it if unambiguous, else the subjects of the clause before."""
     leading = [person for at, person in named if at < verb and not _is_placed(words, at, tongue)]
     if leading:
         return leading
@@ -151,7 +151,7 @@ def _subjects(
 
 
 def _is_of_a_noun(words: Sequence[Word], tongue: Tongue) -> bool:
-    """``Das Licht``, ``El tubo``, ``Ihr Rad``: an article or possessive with a noun that is nobody of the cast."""
+    """``Das Licht``, ``El tubo``, ``Ihr Rad``: an article or possessive with a noun that is no member of the cast."""
     if len(words) < 2 or words[0].low not in tongue.articles:
         return False
     return not any(word.mention or word.low in tongue.people for word in words[:4])
@@ -176,7 +176,7 @@ def _pronoun(stage: Stage, gender: str, before: list[Person]) -> list[Person]:
 
 
 def _motion(words: Sequence[Word], verb: int, tongue: Tongue) -> str | None:
-    """The meaning of the verb with most of the words that stand with it."""
+    """Return the motion of the table row that matches most words near the verb."""
     around = {word.low for word in words}
     for others, motion in tongue.verbs[words[verb].low]:
         if all(other in around for other in others):
@@ -194,7 +194,7 @@ def _act(
     things: Sequence[tuple[int, str]],
     tongue: Tongue,
 ) -> None:
-    """Make the deeds of a clause, and what stays after them."""
+    """Add the deeds of a clause and the postures and places that result."""
     placed: list[tuple[str, RelationKind]] = [
         (thing, kind) for at, thing in things if (kind := _relation(words, at, tongue))
     ]
@@ -232,7 +232,7 @@ def _act(
 
 
 def _relation(words: Sequence[Word], at: int, tongue: Tongue) -> RelationKind | None:
-    """The relation told by a preposition at most three words before a thing."""
+    """Return the relation of a preposition at most three words before a thing."""
     for word in reversed(words[max(0, at - 3) : at]):
         if word.low in tongue.places:
             return tongue.places[word.low]

@@ -62,7 +62,7 @@ class Paragraph:
     dual: bool = False
     scene_number: str = ""
     picture: int | None = None
-    """Panel, item or row that it belongs to."""
+    """Number of its panel, series item or table row."""
     cameras: list[tuple[int, CameraNote]] = field(default_factory=list)
     """Camera directions with the offset they hold from."""
     body: str = ""
@@ -83,7 +83,7 @@ class Manuscript:
 
     @cached_property
     def tongue(self) -> Tongue | None:
-        """The language of its action, where that is another than English."""
+        """The language of the action, or None for English."""
         return tongue_of(" ".join(p.raw for p in self.paragraphs if p.kind == "action"))
 
     @property
@@ -103,7 +103,7 @@ def without_brackets(text: str) -> str:
 
 
 def without_asides(text: str) -> str:
-    """Text with everything in round and square brackets blanked."""
+    """Return the text with everything in round and square brackets blanked."""
     return blanked(_ASIDES, text)
 
 

@@ -31,7 +31,7 @@ _LIKENING = frozenset({"like", "unlike", "as", "than"})
 _IN_PLURAL = {"bar": "music"}
 """What is no thing in the plural: four bars, the bars of a cage."""
 _NOUN_PHRASE = 4
-"""Words before a noun that may belong to it."""
+"""Most words before a noun that belong to it."""
 _IDIOMS = frozenset(idiom.replace("_", " ") for idiom in lexicon.words("idioms"))
 _SHOWN = frozenset({"picture", "image"})
 _SCREENS = lexicon.words("screens")
@@ -98,7 +98,7 @@ def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhr
 
 
 def _is_likened(words: Sequence[Word], at: int) -> bool:
-    """``lights like a spaceship landed``, ``as flat as a mirror``: nothing of the kind is there."""
+    """``lights like a spaceship landed``, ``as flat as a mirror``: a comparison, so the thing is not there."""
     back = at - 1
     while back >= 0 and at - back <= _NOUN_PHRASE and words[back].text.isalpha():
         if words[back].low == "like":
@@ -114,7 +114,7 @@ def _is_likened(words: Sequence[Word], at: int) -> bool:
 
 
 def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
-    """``It's an oven in here``, ``Now it is a boat``: what something is said to be."""
+    """``It's an oven in here``, ``Now it is a boat``: a noun that describes something else."""
     if noun.determiner not in ("a", "an") or index < 2:
         return False
     verb, subject = phrases[index - 1], phrases[index - 2]
@@ -123,7 +123,7 @@ def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
 
 
 def _is_in_an_idiom(stage: Stage, noun: NounPhrase) -> bool:
-    """``in any case``, ``knows the ropes``, ``throws a tantrum``."""
+    """``in any case``, ``knows the ropes``, ``throws a tantrum``: the noun is part of an idiom."""
     text = f" {joined(stage.sentence.words)} "
     return any(noun.head in idiom and f" {idiom} " in text for idiom in _IDIOMS)
 

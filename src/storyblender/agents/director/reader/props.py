@@ -151,7 +151,7 @@ class Inventory:
             item.determined |= determined and how == "held"
 
     def forget(self, id: str) -> None:
-        """A thing that was seen or looked at is no thing: it is drawn on a wall, or films the scene."""
+        """Drop a thing that is not a physical prop: it is painted on a wall, or films the scene."""
         for how in ("seen", "met") if id in self._by_id else ():
             self._by_id[id].notices[how] = max(0, self._by_id[id].notices[how] - 1)
 

@@ -171,7 +171,7 @@ def _read_action(stage: Stage, sentence: Sentence) -> None:
 
 
 def _stay(stage: Stage, sentence: Sentence) -> None:
-    """Words that are read, heard or said to the reader: everybody is where they were."""
+    """Keep all people in place for on-screen text, sounds and asides."""
     unit = stage.unit
     if sentence.beside == "sound":
         unit.sounds = [" ".join(unit.text.split())]
@@ -179,7 +179,7 @@ def _stay(stage: Stage, sentence: Sentence) -> None:
 
 
 def _note_the_stage(stage: Stage) -> None:
-    """Write into the unit who is there now, how, and with what in hand."""
+    """Write into the unit the people present, their postures and the things in their hands."""
     unit = stage.unit
     unit.on_stage = list(stage.scene.on)
     unit.posture = dict(stage.scene.posture)

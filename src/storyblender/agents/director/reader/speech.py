@@ -43,7 +43,7 @@ _ON_THE_PHONE = re.compile(
     r"^\W*(?:tele|cell)?phone\W*$"
     r"|\b(?:on|into|over|in|by|to|answers|answering) (?:(?:the|his|her|a) )?(?:tele|cell)?phone\b"
 )
-"""``(on phone)``, ``(into the telephone)``; who picks up a phone may talk to somebody else."""
+"""``(on phone)``, ``(into the telephone)``: a person who picks up a phone may still talk to a person present."""
 _VOCATIVE = re.compile(
     r"(?:^|[,.!]\s*)(child|kid|boy|girl|son|sir|ma'am|madam|miss|officer|doctor|doc|sergeant|captain|king|mister|sheriff|"
     r"chief|commander|lieutenant|professor|mother|father|mom|dad|mama|mamma|papa|boss|skipper)\s*[,.!?]"

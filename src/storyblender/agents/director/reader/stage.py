@@ -23,7 +23,7 @@ _FADING = 0.45
 _SCENE_FADING = 0.3
 _FORGOTTEN = 0.001
 _CALLING = frozenset({"phone", "telephone", "radio", "cell", "mobile", "cellphone", "call", "intercom", "headset"})
-"""Who is on it stands beside it at most."""
+"""Phones and the like: ``on the phone`` means beside it at most."""
 _FLOORING = lexicon.words("flooring")
 """What is on it is on the floor."""
 
@@ -44,7 +44,7 @@ class Discourse:
     subjects: list[Person] = field(default_factory=list)
     """Subject of the last sentence."""
     moving: str | None = None
-    """The thing that the last sentence is about, where it moves: ``The coin drops. Rolls away``."""
+    """The moving thing of the last sentence: ``The coin drops. Rolls away``."""
     things: dict[str, float] = field(default_factory=dict)
     """Thing -> how present it is in the reader's mind, for ``it``."""
     recent_things: list[str] = field(default_factory=list)
@@ -101,9 +101,9 @@ class SceneState:
     held: dict[str, list[str]] = field(default_factory=dict)
     relations: list[tuple[int, Relation]] = field(default_factory=list)
     activities: dict[str, str] = field(default_factory=dict)
-    """Person -> motion that goes on."""
+    """Person -> lasting motion."""
     gaze: set[str] = field(default_factory=set)
-    """Whose eyes are closed, or go to where nothing is."""
+    """People with closed eyes, or a gaze into empty space."""
 
 
 @dataclass
@@ -124,7 +124,7 @@ class SentenceState:
     plural_thing: str | None = None
     subject_thing: str | None = None
     first_thing: str | None = None
-    """The subject of its first clause, where that is a thing."""
+    """The subject of the first clause of the sentence, if it is a thing."""
     object_thing: str | None = None
     """The last thing in object position."""
     pictured: bool = False
@@ -138,7 +138,7 @@ class UnreadAct:
 
     person: str
     shown: str
-    """The motion that stands for it, or an empty string."""
+    """The motion shown in its place, or an empty string."""
     reason: str
     start: int
     end: int
@@ -152,14 +152,14 @@ class Stage:
     inventory: Inventory
     reading: Reading
     tongue: Tongue | None = None
-    """The language of the script, where that is another than English."""
+    """The language of the script, or None for English."""
     discourse: Discourse = field(default_factory=Discourse)
     scene: SceneState = field(default_factory=SceneState)
     sentence: SentenceState = field(default_factory=SentenceState)
     scene_dressed: dict[str, int] = field(default_factory=dict)
-    """Person -> the scene in which their clothes were told first."""
+    """Person -> the first scene that describes their clothes."""
     unread: list[UnreadAct] = field(default_factory=list)
-    """Acts of the running sentence that have no motion of their own."""
+    """Acts of the current sentence that have no motion of their own."""
 
     @property
     def place(self) -> SceneReading:

@@ -46,7 +46,7 @@ def _names_a_thing(noun: str, word: str, after: str) -> bool:
     if (noun, following.group(1)) == ("crew", "cut") or _is_a_place(following.group(1)):
         return True
     if noun not in lexicon.ANIMALS:
-        return following.group(1) in lexicon.ANIMALS  # a hermit crab
+        return following.group(1) in lexicon.ANIMALS  # a hermit crab is an animal
     return following.group(1) in _THINGS or is_person_noun(singular(following.group(1)))
 
 

@@ -1,4 +1,4 @@
-"""Verbs of the large list, which are nouns more often, and unknown words that stand where a verb does."""
+"""Verbs of the large list that are more often nouns, and unknown words in a verb's position."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ _ANY_NOUNS = lexicon.PROPS | lexicon.SET_PIECES | lexicon.BODY | lexicon.WORN | 
 
 
 def rare_verb(word: Word, following: Word | None, row: Row) -> VerbForm | None:
-    """A verb of the large list, or an unknown word in -s or -ed right after a person: ``the train barrels``."""
+    """Return the form of a listed verb, or of an unknown word in -s or -ed after a person: ``the train barrels``."""
     left = row.neighbour()
     right = following.low if following else "."
     form = RARE_FORMS.get(word.low)

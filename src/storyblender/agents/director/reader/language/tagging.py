@@ -175,7 +175,7 @@ def _opens_sentence(form: VerbForm, word: Word, following: Word | None) -> bool:
 
 
 def _is_rather_a_noun(word: Word, right: str) -> bool:
-    """A plural of a body part, a garment or a thing without an object, or with a verb of its own right after it."""
+    """Whether a plural of a body part, garment or thing has no object, or a verb of its own right after it."""
     noun = singular(word.low)
     if noun in SELDOM_VERBS:
         return right not in OBJECTS

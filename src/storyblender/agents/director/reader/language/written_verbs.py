@@ -16,7 +16,7 @@ _RISING = frozenset({"as", "and", "from", "to", "when", "with", ".", ",", "up"})
 _ATTIRING = frozenset({"dress", "wrap", "swathe", "veil", "bundle", "cloak", "robe", "shroud"})
 """``a lady dressed in black``: she does nothing."""
 _SHAPING = frozenset({"build", "shape", "make", "dress", "cut", "carve", "draw", "paint"})
-"""``built like a barn``: she builds nothing."""
+"""``built like a barn``: verbs that describe a build here, not an action."""
 _NOUNS_OF = frozenset(
     {"bit", "cut", "set", "shot", "hit", "left", "felt", "found", "ground", "spoke", "rose", "lead", "bound"}
 )

@@ -1,4 +1,4 @@
-"""What the writer says to the reader: opinions, remarks and jokes that nobody can film."""
+"""Asides of the writer to the reader: opinions, remarks and jokes that cannot be filmed."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _TO_THE_ARTIST = re.compile(
     r"|feel free|go wild)\b",
     re.IGNORECASE,
 )
-"""How a comic script or a commercial speaks to whoever draws it."""
+"""Phrases by which a comic script or a commercial addresses the artist."""
 _SOMEBODY = ("male", "female", "plural")
 _QUESTION = re.compile(r"\?\W*$")
 
@@ -39,13 +39,13 @@ _QUESTION = re.compile(r"\?\W*$")
 def is_aside(sentence: Sentence, text: str, *, drawn: bool = False) -> bool:
     """Return whether a sentence of action only speaks to the reader.
 
-    Nobody who is in the story does anything in it that a camera could see; a question without a person in it is put
-    to the reader too.
+    No character does anything visible in such a sentence; a question without a character in it counts as an aside
+    too.
 
     Args:
-        sentence: Of action, in a screenplay.
+        sentence: A sentence of action in a screenplay.
         text: The script.
-        drawn: The page also speaks to whoever draws it.
+        drawn: The page also addresses an artist.
     """
     words = " ".join(without_brackets(text[sentence.start : sentence.end]).split())
     if sentence.speech or sentence.camera or not words:

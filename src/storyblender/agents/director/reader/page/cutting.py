@@ -1,4 +1,4 @@
-"""The page cut into scenes and sentences: by its headings, and where it has none by the places that its text tells."""
+"""Cuts a page into scenes and sentences: by its headings, and without headings by the places its text names."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import SceneReading
 
 _LOOKED_AT = 3
-"""Paragraphs under a heading without a place in which one is looked for."""
+"""Paragraphs searched for a place under a heading that names none."""
 _INSIDE = re.compile(r"\b(?:in|inside|into|int)\b", re.IGNORECASE)
 _PICTURED = frozenset({"comic", "columns"})
-"""Pages on which the first words of a picture tell where it is."""
+"""Kinds of pages on which the first words of a picture name its place."""
 
 
 def cut_page(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> list[Sentence]:
@@ -33,8 +33,8 @@ def cut_page(script: Manuscript, roster: Roster, scenes: list[SceneReading]) -> 
 
     Args:
         script: The page.
-        roster: Its people.
-        scenes: Filled on the way.
+        roster: The people of the page.
+        scenes: The scenes; filled here.
     """
     return _Cutter(script, roster, scenes).cut()
 
@@ -50,12 +50,12 @@ class _Cutter:
         self.cue: Paragraph | None = None
         self.picture: int | None = None
         self.read_ahead: int | None = None
-        """Index of the first heading, where words stand before it that belong to its scene."""
+        """Index of the first heading, if text before it belongs to its scene."""
         self.fresh = False
-        """A heading was just read."""
+        """Whether a heading was just read."""
         self.intercut: Intercut | None = None
         self.homes: dict[str, int] = {}
-        """Person -> index of the scene in which a picture showed them last."""
+        """Person -> index of the scene of the last picture that showed them."""
 
     def cut(self) -> list[Sentence]:
         for index, paragraph in enumerate(self.script.paragraphs):
@@ -80,7 +80,7 @@ class _Cutter:
         self.fresh, self.picture = True, paragraph.picture
 
     def _placed_by_text(self, index: int, scene: SceneReading) -> SceneReading:
-        """``Scene 4``: the place is in the words below it, else the story stays where it was."""
+        """``Scene 4``: take the place from the text below it, else stay at the last place."""
         below = self.script.paragraphs[index + 1 : index + 1 + _LOOKED_AT]
         side: ToldPlace | None = None
         for paragraph in below:
@@ -113,7 +113,7 @@ class _Cutter:
         )
 
     def _open(self, index: int, paragraph: Paragraph) -> None:
-        """The first words of a page that are no heading: they belong to the first heading, else tell the place."""
+        """Read text before the first heading: it belongs to the first heading's scene, else it names the place."""
         told = place_set_down(paragraph.raw, pictured=self.page in _PICTURED) if paragraph.kind == "action" else None
         ahead = next(
             (i for i in range(index, len(self.script.paragraphs)) if self.script.paragraphs[i].kind == "heading"), None
@@ -131,7 +131,7 @@ class _Cutter:
             self.scenes[-1].time = told.time
 
     def _searched(self, index: int) -> SceneReading | None:
-        """The place that the first paragraphs of a page tell, as a story does."""
+        """Return the scene of the place that the first paragraphs name, as in a story."""
         title = self.script.screenplay.title
         first = self.script.paragraphs[index]
         for paragraph in self.script.paragraphs[index : index + _LOOKED_AT]:
@@ -141,7 +141,7 @@ class _Cutter:
         return None
 
     def _scene_at(self, told: ToldPlace, paragraph: Paragraph, number: str) -> SceneReading | None:
-        """The scene that a told place opens; None where the story is there already."""
+        """Return the scene that a named place opens; None if it is the current scene's place."""
         last = self.scenes[-1] if self.scenes else None
         if last is None:
             return self._new(told, paragraph, number)
@@ -162,7 +162,7 @@ class _Cutter:
         return self._new(told, paragraph, number)
 
     def _other_side(self, told: ToldPlace) -> str:
-        """``Inside.``: the building that the last scene told of."""
+        """``Inside.``: return the building that the last scene named."""
         last = self.scenes[-1]
         if told.scene_type == "outdoor" or last.scene_type == "indoor":
             return last.place
@@ -188,7 +188,7 @@ class _Cutter:
         )
 
     def _home_of(self, paragraph: Paragraph, number: str) -> SceneReading | None:
-        """The place that a picture goes back to: where everybody in it was last, if that is elsewhere."""
+        """Return the scene a picture returns to: the last one of all its people, if that is another place."""
         named = self._people_in(paragraph)
         homes = {self.homes[person] for person in named if person in self.homes}
         last = self.scenes[-1]
@@ -200,13 +200,13 @@ class _Cutter:
         return self._new(ToldPlace(home.place, home.scene_type, None), paragraph, number)
 
     def _people_in(self, paragraph: Paragraph) -> list[str]:
-        """Ids of who is named in a paragraph of action by a name."""
+        """Return the ids of the people whose names occur in a paragraph of action."""
         told = action_sentences(paragraph, len(self.scenes) - 1, self.roster)
         mentions = [word.mention for sentence in told for word in sentence.words if word.mention]
         return [mention.candidates[0].id for mention in mentions if len(mention.candidates) == 1]
 
     def _changed(self, paragraph: Paragraph) -> SceneReading | None:
-        """The scene that a paragraph opens without a heading."""
+        """Return the scene that a paragraph opens without a heading, if it does."""
         number = self.scenes[-1].number
         if self.fresh:
             return None
@@ -269,7 +269,7 @@ class _Cutter:
         return told
 
     def _message(self, paragraph: Paragraph, scene: int) -> list[Sentence]:
-        """A message is told by its sender, who is heard and not seen; what it tells is what we see."""
+        """Read a message: its sender speaks off screen, and its content is shown."""
         assert self.cue is not None, "a message has a sender"
         sender = next(iter(self.roster.find(self.cue.name)), None)
         told = action_sentences(paragraph, scene, self.roster)

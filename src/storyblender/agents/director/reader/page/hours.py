@@ -1,4 +1,4 @@
-"""The hour, the weather and the passing of time in words of a heading, in five languages."""
+"""Time of day, weather and passing of time in the words of a heading, in five languages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _CLOCK_24 = re.compile(r"\b(\d{1,2})(?::|h)(\d\d)\b(?:\s*(?:UHR|H|HOURS))?|\b(\d
 _HOURS: tuple[tuple[int, TimeOfDay], ...] = (
     (5, "night"), (7, "dawn"), (12, "morning"), (13, "noon"), (17, "afternoon"), (20, "evening"), (24, "night"),
 )  # fmt: skip
-"""Until which hour it is what time of the day."""
+"""Hour at which each time of day ends, with its name."""
 _GOES_ON = re.compile(
     r"\(?(?:CONTINUOUS(?: ACTION)?|CONT(?:INUED|INUING|['’]?D|\.)|SAME(?: TIME| DAY| MOMENT)?|MEANWHILE"
     r"|SIMULTANEOUS(?:LY)?|INTERCUT"
@@ -34,18 +34,18 @@ _GOES_ON = re.compile(
     r"|(?:CIRCA )?[12]\d{3}(?:['’]?S)?)\)?\.?",
     re.IGNORECASE,
 )
-"""Words in a time's place that tell no hour: time goes on, a season, a year."""
+"""Words in the time slot of a heading that give no time of day: continuation, a season, a year."""
 _BRACKET = re.compile(r"\s*\([^)]*\)\s*$")
 
 
 def passes_time(text: str) -> bool:
-    """Return whether a part of a heading tells of time without an hour: ``CONTINUOUS``, ``WINTER``, ``1811``."""
+    """Return whether a part of a heading gives a time but no time of day: ``CONTINUOUS``, ``WINTER``, ``1811``."""
     bare = _BRACKET.sub("", text).strip(" .,")
     return bool(bare) and _GOES_ON.fullmatch(bare) is not None
 
 
 def heading_time(text: str) -> TimeOfDay | None:
-    """Return the hour that a part of a heading names, in English or another language; None where it names none."""
+    """Return the time of day that a part of a heading gives, in any of five languages, or None."""
     if clock := _CLOCK.search(text):
         return _at(int(clock[1]) % 12 + 12 * (clock[2].upper() == "P"))
     if (clock := _CLOCK_24.search(text)) and (hour := int(clock[1] or clock[3])) < 24:
@@ -56,7 +56,7 @@ def heading_time(text: str) -> TimeOfDay | None:
 
 
 def is_time(text: str) -> bool:
-    """Return whether a part of a heading is an hour and names no place: ``EARLY MORNING``, not ``NIGHT CLUB``."""
+    """Return whether a part of a heading is a time of day and no place: ``EARLY MORNING``, not ``NIGHT CLUB``."""
     if heading_time(text) is None:
         return False
     words = re.findall(r"[^\W\d_]+", text.lower())
@@ -64,7 +64,7 @@ def is_time(text: str) -> bool:
 
 
 def time_of(text: str) -> TimeOfDay | None:
-    """Return the first time of day a text names in English."""
+    """Return the first time of day in an English text."""
     low = " ".join(re.findall(r"[a-z]+", text.lower()))
     for phrase, time in lexicon.TIME_PHRASES.items():
         if re.search(rf"\b{phrase}\b", low):
@@ -74,7 +74,7 @@ def time_of(text: str) -> TimeOfDay | None:
 
 
 def weather_of(text: str) -> Weather:
-    """Return the weather a text names; clear where it names none."""
+    """Return the weather in a text; clear if it mentions none."""
     words = re.findall(r"[^\W\d_]+", text.lower())
     named: list[Weather] = [lexicon.WEATHER_WORDS[word] for word in words if word in lexicon.WEATHER_WORDS]
     return named[0] if named else "clear"

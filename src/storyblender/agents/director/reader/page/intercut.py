@@ -1,4 +1,4 @@
-"""Two places cut together: ``INTERCUT - OFFICE / STABLE``; each line is then told in the place of who does it."""
+"""Two places cut together: ``INTERCUT - OFFICE / STABLE``; each line then belongs to the place of its character."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _OFF = re.compile(r"O\.?S|V\.?O|SCREEN|PHONE|FILTER|RADIO|OFF", re.IGNORECASE)
 
 
 def intercut_places(text: str, scenes: Sequence[SceneReading]) -> list[SceneReading]:
-    """Return the places that a line orders to be cut together, as scenes to copy; empty where it orders nothing.
+    """Return the places that a line orders to be intercut, as scenes to copy; empty if it orders no intercut.
 
     Args:
         text: The paragraph.
-        scenes: Those before.
+        scenes: The scenes before.
     """
     match = _INTERCUT.match(text.strip())
     if match is None or not scenes:
@@ -60,11 +60,11 @@ def _place(name: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
 
 
 class Intercut:
-    """Tells the sentences of an intercut apart by place.
+    """Assigns the sentences of an intercut to its places.
 
     Args:
-        places: Two or more.
-        before: The sentences so far; who acts in the running scene is at home in its place.
+        places: Scenes of two or more places.
+        before: The sentences so far; characters of the current scene belong to its place.
         scenes: All scenes so far.
     """
 
@@ -79,12 +79,12 @@ class Intercut:
                 self._settle(sentence, home)
 
     def place(self, told: list[Sentence], scenes: list[SceneReading], cue: Paragraph | None) -> None:
-        """Give each sentence the scene of its place; a change of place opens a scene.
+        """Give each sentence the scene of its place; a change of place opens a new scene.
 
         Args:
             told: Sentences of one paragraph.
-            scenes: Takes the new scenes.
-            cue: Who speaks.
+            scenes: All scenes; new ones are appended.
+            cue: The cue of the speaker, if it is a speech.
         """
         for sentence in told:
             named = self._named(sentence)
@@ -112,7 +112,7 @@ class Intercut:
             scenes[-1].end = max(scenes[-1].end, sentence.end)
 
     def _named(self, sentence: Sentence) -> int | None:
-        """The place that a sentence begins with: ``In the stable, a tail``, ``STABLE: ..``."""
+        """Return the index of the place a sentence begins with: ``In the stable, a tail``, ``STABLE: ..``."""
         opening = sentence.paragraph.raw[sentence.start - sentence.paragraph.start :][:60].lower()
         match = re.match(
             r"\W*(?:back |then,? |meanwhile,? )*(?:in|at|on|inside|outside|from)?\s*(?:the |his "

@@ -36,17 +36,17 @@ _SMALL = frozenset({"the", "a", "of", "in", "at", "s"})
 
 
 class _Place(NamedTuple):
-    """A heading without its hour."""
+    """A heading without its time of day."""
 
     whole: str
     first: str
-    """What stands before the first dash: the building."""
+    """The part before the first dash: the building."""
     time: TimeOfDay
     written: str
 
 
 def read_heading(paragraph: Paragraph, scenes: list[SceneReading]) -> SceneReading:
-    """Read ``INT. MUSEUM - VAULT CORRIDOR - CONTINUOUS``, in any of the shapes that ``headings`` knows.
+    """Read ``INT. MUSEUM - VAULT CORRIDOR - CONTINUOUS``, or any other heading form of ``headings``.
 
     Args:
         paragraph: The heading.
@@ -110,7 +110,7 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
 
 
 def _hour_without_mark(place: str) -> tuple[list[str], TimeOfDay | None, list[str]]:
-    """``KITCHEN NIGHT``, and a heading that is nothing but an hour."""
+    """``KITCHEN NIGHT``: split a heading without dashes; it may be a time of day alone."""
     words = place.split()
     if is_time(place) and len(words) < 4:
         return [], heading_time(place), [place.upper()]
@@ -128,13 +128,13 @@ def _scene_type(side: Side, place: str) -> SceneType:
 
 
 def same_place(place: str, scene_type: SceneType, scenes: list[SceneReading], building: str = "") -> int | None:
-    """Id of the first scene in the same place, else of one whose place holds all its words, else of its building.
+    """Return the id of the first scene in the same place, else with all its words in its place, else in its building.
 
     Args:
-        place: As read.
+        place: The name of the place.
         scene_type: Inside or outside.
-        scenes: Those before.
-        building: What a heading names first: the pool of ``POOL - KIOSK``; only where both are one kind of place.
+        scenes: The scenes before.
+        building: The first part of the heading: the pool of ``POOL - KIOSK``; used only if both are one kind of place.
     """
     exact = next((s.id for s in scenes if place and s.place == place and s.scene_type == scene_type), None)
     if exact:

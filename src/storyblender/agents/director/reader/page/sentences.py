@@ -59,7 +59,7 @@ class Sentence:
     speech: Speech | None = None
     camera: CameraNote | None = None
     beside: Literal["title", "sound", "aside"] | None = None
-    """It is read, heard or said to the reader, and moves nobody."""
+    """Set for on-screen text, sounds and asides, which change no positions."""
     pictured: bool = False
     """What it tells is on a screen, in a photograph or a dream: nobody in it comes on stage."""
 

@@ -23,11 +23,11 @@ _SMALL = frozenset({"the", "a", "of", "in", "at"})
 def slug_of(text: str, scenes: Sequence[SceneReading]) -> ToldPlace | None:
     """Return the place that a paragraph begins with in capitals, or None.
 
-    It must be known as a place, or be among the words of a place that the script has been to.
+    It must be known as a place, or be part of the name of an earlier scene's place.
 
     Args:
         text: The paragraph.
-        scenes: Those before.
+        scenes: The scenes before.
     """
     match = _SLUG.match(LEADING_WORDS.sub("", text))
     if match is None or (match["mark"] != ":" and "\n" not in match["mark"] and match.end() < len(text)):
@@ -48,7 +48,7 @@ def slug_of(text: str, scenes: Sequence[SceneReading]) -> ToldPlace | None:
 
 
 def place_before(words: str, scenes: Sequence[SceneReading]) -> SceneReading | None:
-    """Return the last scene whose place holds all these words."""
+    """Return the last scene whose place contains all these words."""
     wanted = frozenset(re.findall(r"[^\W_]+", words.lower())) - _SMALL
     if not wanted:
         return None

@@ -1,4 +1,4 @@
-"""Inside or outside, where a scene has no place of its own: by what is told to be there; and who is afloat."""
+"""Decides inside or outside for scenes without a place of their own, by their things, and finds people in boats."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from storyblender.agents.director.reading import SceneReading
 
 _OUTSIDE, _INSIDE, _AFLOAT = lexicon.words("outdoor_sign"), lexicon.words("indoor_sign"), lexicon.words("afloat")
 _ENOUGH = 2
-"""Signs that turn a scene round."""
+"""Least number of signs that switch a scene between inside and outside."""
 _WATERS = frozenset({"sea", "ocean", "river", "lake", "bay", "water", "lagoon"})
 
 
 def settle_sides(text: str, scenes: Sequence[SceneReading], *, chat: bool = False) -> None:
-    """Turn scenes inside or outside, where nothing but their things tells it.
+    """Set scenes to inside or outside if only their things can decide it.
 
-    A scene without a place is where its things are; one that only inherits its place from the scene before goes out
-    where its things are all outside. People in a boat on the water are on its deck.
+    A scene without a place follows its things; one that only inherits its place from the scene before goes outside
+    if all of its things are outdoor things. People in a boat on the water are on its deck.
 
     Args:
         text: The script.
-        scenes: In order; changed here.
-        chat: The page is messages, whose senders are in many places.
+        scenes: The scenes in order; changed here.
+        chat: The page is a chat, whose senders are in different places.
     """
     for index, scene in enumerate(scenes):
         words = re.findall(r"[a-z]+", text[scene.start : scene.end].lower())
@@ -38,7 +38,7 @@ def settle_sides(text: str, scenes: Sequence[SceneReading], *, chat: bool = Fals
 
 
 def _go_out(scene: SceneReading, words: Sequence[str]) -> None:
-    """Put a scene before the door of the place that it inherits."""
+    """Move a scene outside the door of the place that it inherits."""
     places = lexicon.OUTDOOR - lexicon.INDOOR
     named = next((word for word in words if word in places and word in lexicon.PLACE_KINDS), "yard")
     scene.place, scene.place_kind = named, lexicon.place_kind(named)

@@ -1,4 +1,4 @@
-"""Places that a text tells by setting them down: ``Inside, the lamp room.``, ``A beach, low tide.``"""
+"""Places named by the text without a heading: ``Inside, the lamp room.``, ``A beach, low tide.``"""
 
 from __future__ import annotations
 
@@ -30,28 +30,28 @@ _SOMEWHERE = re.compile(
     r"|and|at|in|on|of|as|while|is|are|\w+ing|\w+s)\b)"
 )
 _FURTHEST = 3
-"""Sentences at the start of a paragraph that may set down its place."""
+"""Sentences at the start of a paragraph that may name its place."""
 _MOST_WORDS = 7
-"""Words of a phrase that sets down a place."""
+"""Most words of a phrase that names a place."""
 _NO_PLACES = lexicon.words("seldom_place")
-"""Place words that are as often something else: alone, without a determiner or preposition, they set down nothing."""
+"""Place words with other common meanings: without a determiner or preposition they name no place."""
 
 
 class ToldPlace(NamedTuple):
-    """Where a text goes."""
+    """A place named by the text."""
 
     place: str
-    """Empty where only the side or the hour is told."""
+    """Name of the place; empty if only inside or outside, or the time of day, is given."""
     scene_type: SceneType | None
     time: TimeOfDay | None
 
 
 def place_set_down(text: str, *, pictured: bool = False) -> ToldPlace | None:
-    """Return the place that the first sentences of a paragraph set down without a verb, or None.
+    """Return the place that the first sentences of a paragraph name without a verb, or None.
 
     Args:
-        text: As written; a camera direction before the place is passed over.
-        pictured: It describes one picture: ``Otto on the pier`` sets down the pier as well.
+        text: The paragraph as written; a camera direction before the place is skipped.
+        pictured: The text describes one picture: ``Otto on the pier`` names the pier as well.
     """
     time: TimeOfDay | None = None
     found: ToldPlace | None = None
@@ -75,7 +75,7 @@ def place_set_down(text: str, *, pictured: bool = False) -> ToldPlace | None:
 
 
 def _in_picture(words: str, *, directed: bool) -> ToldPlace | None:
-    """``Otto on the pier``, ``Wide. The whole street dark but for one house``: where a described picture is."""
+    """``Otto on the pier``, ``Wide. The whole street dark but for one house``: the place of a described picture."""
     low = words.lower().replace("’", "'")
     places = [_kind_at_end(match[1].split()) for match in _SOMEWHERE.finditer(low)]
     place = next((place for place in places if place and place not in _NO_PLACES), "")
@@ -115,7 +115,7 @@ def _headed(words: str) -> ToldPlace:
 
 
 def _named(segment: str, *, alone: bool) -> str:
-    """The place that a phrase is: ``inside the old lamp room`` -> lamp room; empty where it is something else."""
+    """Return the place a phrase names: ``inside the old lamp room`` -> lamp room; empty if it names none."""
     lead = _LEAD.match(segment)
     rest = segment[lead.end() :] if lead else segment
     led = bool(lead and lead[0].strip())
@@ -139,7 +139,7 @@ def _named(segment: str, *, alone: bool) -> str:
 
 
 def _kind_at_end(words: list[str]) -> str:
-    """The place that ends a row of words: two words where they are a kind of place."""
+    """Return the place at the end of a list of words: two words if they are a kind of place together."""
     if not words:
         return ""
     pair = " ".join(words[-2:])
@@ -153,11 +153,11 @@ def _kind_at_end(words: list[str]) -> str:
 
 
 def type_of_place(place: str, otherwise: SceneType = "outdoor") -> SceneType:
-    """Whether a place is indoors: by the lists of places, else by the kit that has it among its words.
+    """Return whether a place is indoors: by the lists of places, else by the kit with its name among its words.
 
     Args:
-        place: In small letters.
-        otherwise: For a place that neither knows.
+        place: The place in lower case.
+        otherwise: The result for an unknown place.
     """
     head = place.rpartition(" ")[2]
     if head in lexicon.PLACES:
@@ -168,7 +168,7 @@ def type_of_place(place: str, otherwise: SceneType = "outdoor") -> SceneType:
 
 @cache
 def place_words() -> dict[str, bool]:
-    """Every word or phrase that means a set kit -> whether that is indoors."""
+    """Return every word or phrase that means a set kit -> whether it is indoors."""
     found: dict[str, bool] = {}
     for kit in SETS.values():
         for tag in (kit.key.replace("_", " "), *kit.tags):
@@ -178,13 +178,13 @@ def place_words() -> dict[str, bool]:
 
 
 def noun_may_be_place(tag: str) -> bool:
-    """Whether a word of a kit names a place and no furniture, trade or quality."""
+    """Return whether a word of a kit names a place, and no furniture, trade or quality."""
     others = lexicon.PROPS | lexicon.SET_PIECES | lexicon.WORN | lexicon.ADJECTIVES | lexicon.ABSTRACT
     return " " in tag or tag not in others
 
 
 def _has_verb(low: str) -> bool:
-    """Whether a phrase in small letters says that somebody does something or something is."""
+    """Whether a phrase in lower case has a verb."""
     words = re.findall(r"[a-z']+", low)
     for before, word in zip(["", *words], words, strict=False):
         form = FORMS.get(word)

@@ -26,7 +26,7 @@ _OLDEST = 120
 
 
 def age_of(phrase: str) -> str:
-    """The age a part of a description tells, as casting reads it, or an empty string.
+    """Return the age in a part of a description, in the form casting reads, or an empty string.
 
     Args:
         phrase: A part without commas: ``mid-30s``, ``about nine years old``.

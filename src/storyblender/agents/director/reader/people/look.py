@@ -67,7 +67,7 @@ def describe(roster: Roster, person: Person, phrase: str) -> None:
 
 
 def _is_alive(part: str) -> bool:
-    """Whether a part of a description is about an animal, and not about a hot dog: ``a fox in a green coat``."""
+    """Whether a part of a description is about a live animal, not a hot dog: ``a fox in a green coat``."""
     words = part.lower().split()
     end = next(
         (i for i, word in enumerate(words) if i and word in lexicon.PREPOSITIONS | {"who", "wearing"}), len(words)

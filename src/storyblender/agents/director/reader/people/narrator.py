@@ -29,7 +29,7 @@ _INTRODUCED = re.compile(
 )
 """``"This is my friend, Dr. Watson"``, in a story that Dr. Watson tells."""
 _MINDFUL = frozenset({"think", "talk", "listen"})
-"""``I think``, ``I ask for a quiet panel``: that is how one writes to somebody, too."""
+"""``I think``, ``I ask for a quiet panel``: verbs that a writer also uses to address the reader."""
 _MY_SPOUSE = re.compile(rf"\b[Mm]y ({'|'.join(_SPOUSES)})\b")
 
 
@@ -58,7 +58,7 @@ def find_narrator(script: Manuscript, roster: Roster) -> None:
 
 
 def _takes_part(told: str) -> bool:
-    """Whether ``I`` does something in the story, who else only writes it: ``I should like to record``."""
+    """Whether ``I`` acts in the story, or only writes it: ``I should like to record``."""
     text = without_asides(told)
     for match in _I_DO.finditer(text):
         form = FORMS.get(match.group(1))

@@ -32,7 +32,7 @@ _SHUTTING = frozenset({"close", "shut", "lock", "slam", "bolt", "bar", "pull", "
 _HAVING = frozenset({"have", "keep", "trail", "drag", "tow"})
 """``has a plate in front of him``: before himself."""
 _ROLLING = lexicon.words("coming_to_rest") | lexicon.words("moving") | frozenset({"stop", "ring", "rattle", "hang"})
-"""What a thing goes on doing: ``The coin drops. Rolls away.``"""
+"""Motions that a thing continues: ``The coin drops. Rolls away.``"""
 _SIDES = frozenset({"left", "right", "side"})
 
 
