@@ -38,7 +38,7 @@ class Animal:
 
     Args:
         pack: The body data.
-        species: Which animal.
+        species: Species of the animal.
         look: Casting words.
         seed: Seed of the variation between individuals.
 

@@ -51,7 +51,7 @@ def build_coat(figure: Figure, species: Species, coat: Color, wardrobe: Sequence
 
     Args:
         figure: Body of the animal.
-        species: Which animal.
+        species: Species of the animal.
         coat: Colour of its coat.
         wardrobe: Garments; no fur is built below them.
     """

@@ -39,7 +39,7 @@ class Head:
     """A head being built; lengths are in its own radius: x to the animal's left, y back, z up.
 
     Attributes:
-        species: Which animal.
+        species: Species of the animal.
         skull: Shape and colours of the skull.
         center: Centre of the skull, metres.
         radius: Radius of the skull, metres.
@@ -106,7 +106,7 @@ def head_place(points: Floats, joints: Mapping[str, Floats], species: Species, s
     Args:
         points: (V, 3) vertices of the person's body, metres.
         joints: Positions of the joints ``neck`` and ``l-eye``.
-        species: Which animal.
+        species: Species of the animal.
         scale: Size of the person's head relative to an adult's.
     """
     radius = SKULL * scale * species.head
@@ -139,7 +139,7 @@ def build_head(figure: Figure, species: Species, coat: Color, center: Floats, ra
 
     Args:
         figure: Body that carries the head.
-        species: Which animal.
+        species: Species of the animal.
         coat: Colour of its coat.
         center: Centre of its skull, metres.
         radius: Radius of its skull, metres.

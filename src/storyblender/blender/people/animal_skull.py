@@ -29,7 +29,7 @@ class Skull:
     """Shape and colours of an animal head.
 
     Args:
-        species: Which animal.
+        species: Species of the animal.
         coat: Colour of its coat, scene-linear.
     """
 

@@ -326,7 +326,7 @@ def puddle(b: MeshBuilder, spec: PropSpec) -> Anchors:
 
 @prop("shards")
 def shards(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build the pieces of something broken."""
+    """Build the shards of a broken object."""
     skin, rng = spec.material("piece"), spec.rng
     w, d, h = spec.size
     for k in range(16):

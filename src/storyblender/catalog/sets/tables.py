@@ -46,7 +46,7 @@ def drawn(kit: str, body: KitBody, params: SetParams, rng: np.random.Generator) 
         rng: The seeded source of variation.
 
     Raises:
-        ValueError: A table asks for something that cannot be drawn.
+        ValueError: A table describes an object that cannot be drawn.
     """
     drawing = _room(kit, body.shell, params, rng) if body.shell else _ground(kit, body.ground, params, rng)
     return _Tables(drawing, params).draw(body)

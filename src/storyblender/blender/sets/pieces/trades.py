@@ -97,7 +97,7 @@ def barber_chair(builder: MeshBuilder, spec: PieceSpec) -> None:
 
 @piece("washer_row")
 def washer_row(builder: MeshBuilder, spec: PieceSpec) -> None:
-    """Build a row of washing machines along x that face -Y, backs at y = 0; Parameters:
+    """Build a row of washing machines along x that face -Y, backs at y = 0. Parameters:
     length, stacked (two machines high, as dryers)."""
     length, high = spec.number("length", 4.2), 2 if spec.flag("stacked") else 1
     count = max(1, round(length / 0.7))
