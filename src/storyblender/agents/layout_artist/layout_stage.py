@@ -158,9 +158,9 @@ class Stage:
     def backdrop(self, x: float, y: float) -> float:
         """Return the share of the view behind a place, from the audience, that the set fills: 0 for a bare wall.
 
-        x: Metres, across the set.
+        Args:
+            x: Metres, across the set.
             y: Metres, into the depth of the set.
-            y: Metres.
         """
         if self._dressed is None:
             solid = [thing.box for thing in self.things.values() if not thing.walks and thing.box.top > _SEEN]

@@ -20,7 +20,7 @@ TALK = 1.15
 _CHEAT = math.radians(16)
 """How far a talker turns towards the audience."""
 _BARE = 1.4
-"""Penalty, in metres, for acting in front of a bare wall."""
+"""Largest penalty, in metres, for a place in front of a bare wall."""
 _ALONE = 1.5
 """Metres between a person and a group they do not belong to."""
 _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, -20.0)}

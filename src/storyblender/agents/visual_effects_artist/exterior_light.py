@@ -41,7 +41,7 @@ _AIRLIGHT = 0.7
 _BY_DAY = 0.03
 """Share of the wanted level that lamps give by day."""
 _AFTER_DARK = 0.95
-"""Share of the lamps that makes it count as dark when that many burn."""
+"""Share of burning lamps above which it counts as dark."""
 _NIGHT_SHARE, _WALLS = 0.5, 0.26
 """Share of the wanted light level that is ambient after dark; reflectance of an average wall."""
 _MOONLIGHT: Color = (0.72, 0.94, 1.5)

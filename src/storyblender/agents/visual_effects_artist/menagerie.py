@@ -21,7 +21,7 @@ BESIDE = 0.5
 AHEAD = 2.4
 """Metres an animal goes if the script gives no goal, and from which it enters."""
 PACE = 1.1
-"""Seconds per step for each square root of its length in metres: small animals make small steps."""
+"""Seconds per metre of walk, divided by the square root of the animal's length in metres: small ones are slower."""
 AT_ONCE = 0.3
 """Seconds before the first animal acts."""
 WORTH = math.radians(15)

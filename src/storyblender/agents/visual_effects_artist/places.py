@@ -28,7 +28,7 @@ _APART = 0.6
 _TOO_NEAR = 0.42
 """Metres around a person within which no other person is placed."""
 _DOOR_NEAR = 0.9
-"""Metres along a vehicle within which a door counts as one of that side."""
+"""Least metres from a vehicle's centre line at which a door counts as one of that side."""
 _LIE = ("lie", "asleep")
 _IN_THE_AIR: tuple[Posture, ...] = ("hang", "float", "upside_down")
 _CLIMBED, _FOOTING = 1.3, 0.3
