@@ -191,7 +191,7 @@ class _Economy:
         return [each for each in draft.focus if each in self.people]
 
     def _join(self, a: ShotDraft, b: ShotDraft) -> None:
-        """Merge shot ``b`` into ``a``: wide enough for both, focused on both groups, with either's camera note."""
+        """Merge shot ``b`` into ``a``: keep the framing of the one the script orders, else widen to hold both."""
         if b.explicit and not a.explicit:
             ordered = replace(b, beats=a.beats + b.beats, on_stage=list(dict.fromkeys([*a.on_stage, *b.on_stage])))
             vars(a).update(vars(ordered))
