@@ -62,15 +62,23 @@ def plan(folder: Path) -> ContinuityMemoryGraph:
 class Stage:
     """A planned project that is drawn without Blender.
 
+    The stand-in sees nothing in its frames, so none of them tells its lines.
+
+    Args:
+        folder: The project.
+        monkeypatch: Puts the stand-in for Blender in place.
+        retakes: Most retakes of a shot.
+
     Attributes:
         folder: The project.
         engine: Of the last run.
     """
 
-    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch, retakes: int = 0) -> None:
         self.folder, self.engine = folder, StandInEngine(folder)
         self.told: list[str] = []
         monkeypatch.setattr("storyblender.studio.BlenderEngine", self._engine)
+        monkeypatch.setattr("storyblender.pipeline.retaking._RETAKES", retakes)
         plan(folder)
 
     def render(self, *shots: str, wide: int = 160) -> Counter[str]:

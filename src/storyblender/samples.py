@@ -31,7 +31,10 @@ _THINGS: dict[str, str] = {
     "sit": "chair", "lie_down": "bed", "lean": "bar counter", "climb": "ladder", "open": "wardrobe",
     "close": "wardrobe", "knock": "wardrobe", "push": "crate", "pull": "crate", "kick": "ball", "catch": "ball",
     "press": "radio", "work": "workbench", "search": "chest", "wipe": "round table",
-    "pick_up": "suitcase", "take": "suitcase",
+    "pick_up": "suitcase", "take": "suitcase", "listen_close": "wardrobe", "lean_over": "round table",
+    "stir": "pot", "cut": "crate", "wash": "plate", "knead": "round table", "iron": "round table",
+    "hammer": "crate", "saw": "crate", "fix": "radio", "knock_over": "vase", "slam": "round table", "fold": "letter",
+    "tie": "rope", "lock": "wardrobe",
 }  # fmt: skip
 """What a motion is done to in its picture."""
 _HELD: dict[str, str] = {
@@ -141,6 +144,7 @@ def _story(kit: str, shot: ShotContext, *assets: Asset) -> ContinuityMemoryGraph
     setup = SceneSetup(
         place=SETS[kit].name,
         place_kind=kit,
+        kit=kit,
         scene_type="indoor" if SETS[kit].indoor else "outdoor",
         asset_ids=tuple(asset.asset_id for asset in assets),
     )

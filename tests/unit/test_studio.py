@@ -33,6 +33,7 @@ def test_the_film_has_every_shot_moving_also_where_one_is_named(monkeypatch: pyt
     filmed: list[ShotContext] = []
     monkeypatch.setattr("storyblender.studio.damaged_frames", lambda run, others: [])
     monkeypatch.setattr("storyblender.studio.shoot_frames", lambda run, shots: {})
+    monkeypatch.setattr("storyblender.studio.retake_poor_frames", lambda run, shots: {})
     monkeypatch.setattr("storyblender.studio.Compilation", lambda run: None)
     monkeypatch.setattr("storyblender.studio.shoot_motion", lambda run, shots: filmed.extend(shots) or {})
     monkeypatch.setattr("storyblender.pipeline.delivery.deliver", lambda run, clips, story: [])

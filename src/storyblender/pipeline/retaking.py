@@ -26,6 +26,9 @@ _RETAKES: Final = 2
 def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
     """Judge frames, and retake those that another camera may fix; cameras set by the script or the user stay.
 
+    A shot is tried once: it keeps what was changed, nothing where its first take was the best, and a later run leaves
+    it as it is.
+
     Args:
         run: The run, with all frames drawn.
         shots: The shots to judge.
@@ -37,8 +40,9 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
     reviews = review_frames(run, [run.graph.shot(*key) for key in keys])
     # In another look, or after an undo, the project is drawn without retakes.
     may_retake = run.settings.look == run.made_in_look and not run.project.has_undone
+    untried = [key for key in keys if run.graph.shot(*key).camera_retake is None]
     for attempt in range(_RETAKES if may_retake else 0):
-        present = [run.graph.shot(*key) for key in keys]
+        present = [run.graph.shot(*key) for key in untried]
         again = {
             shot_name(shot.scene_id, shot.shot_id): (shot, choice)
             for shot in present
@@ -59,7 +63,11 @@ def _taken_again(
     film(run)
     shoot_frames(run, _present(run, former))
     after = review_frames(run, _present(run, former))
-    worse = [shot for name, (shot, _) in again.items() if after[name].score < before[name].score + _GAIN]
+    worse = [
+        shot.model_copy(update={"camera_retake": shot.camera_retake or CameraDecision()})
+        for name, (shot, _) in again.items()
+        if after[name].score < before[name].score + _GAIN
+    ]
     if worse:
         names = [shot_name(shot.scene_id, shot.shot_id) for shot in worse]
         run.commit("frame_critic", f"the take before is better: {', '.join(names)}", *worse)

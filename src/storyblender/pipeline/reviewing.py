@@ -122,5 +122,5 @@ def _record(run: Run, shot: ShotContext) -> str:
 
 
 def _judged(run: Run, shot: ShotContext) -> str:
-    told = shot.model_dump(mode="json", exclude={"lights", "blocking", "cues", "camera"})
+    told = shot.model_dump(mode="json", exclude={"lights", "blocking", "cues", "camera", "camera_retake"})
     return content_hash(CRITIC_VERSION, told, frame_picture(run, shot))

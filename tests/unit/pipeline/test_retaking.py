@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+from tests.stage import Stage
 
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, ShotContext
 from storyblender.pipeline.retaking import _another_camera, _with_camera
@@ -53,3 +56,10 @@ def test_an_ordered_size_is_kept_and_the_angle_is_the_crews() -> None:
     assert _another_camera(_shot(explicit=True, angle="low angle"), _review("person_hidden"), 0) is None
     assert _another_camera(_shot(explicit=True), _review("flat"), 0) is None, "only another size would mend that"
     assert _another_camera(_shot(explicit=True), _review("person_missing"), 1) is None
+
+
+def test_a_shot_is_tried_once_and_a_later_run_leaves_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stage = Stage(tmp_path / "p", monkeypatch, retakes=2)
+    first = stage.render()
+    assert first["render_frame"] > 3, "every shot is poor, and at least one was taken again"
+    assert not stage.render(), "nothing is left to do"

@@ -265,7 +265,7 @@ def test_a_night_with_its_lamps_lit_can_be_read(kit: str, words: str) -> None:
 def test_fog_glows_at_night() -> None:
     fog, clear = (RulesLightingArranger().propose(lighting_of("airfield", "night", air)) for air in ("fog", "clear"))
     assert fog.fog and fog.fog.color[2] > fog.fog.color[0] > 0.07
-    assert fog.ambient[2] > 3 * clear.ambient[2]
+    assert fog.ambient[2] > 1.15 * clear.ambient[2], "a clear night is lit enough to be read, and fog more"
 
 
 def test_a_dim_room_is_darker() -> None:

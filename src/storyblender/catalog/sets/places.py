@@ -163,7 +163,7 @@ def _names(words: str, key: str) -> bool:
 
 
 def is_told(place_kind: str, words: str, scene_type: SceneType) -> bool:
-    """Return whether the words of a place name a kit, as opposed to the fallback.
+    """Return whether the words of a place name a kit, as opposed to the fallback; ``ROOM`` names the plain room.
 
     Args:
         place_kind: The Director's key of the place, or empty.
@@ -171,6 +171,8 @@ def is_told(place_kind: str, words: str, scene_type: SceneType) -> bool:
         scene_type: INT or EXT.
     """
     key = find_kit(place_kind, words, scene_type)
+    if key == FALLBACK[scene_type] and _VAGUE.issuperset(_tokens(words)):
+        return True  # ``ROOM`` means no more than a plain room
     return key != FALLBACK[scene_type] or _names(words, key) or _names(place_kind.replace("_", " "), key)
 
 
