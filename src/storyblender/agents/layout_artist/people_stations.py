@@ -23,6 +23,8 @@ _TIGHT = 8.0
 """Penalty, in metres, for each metre less room than that."""
 _AFAR = 2.5
 """Metres from the playing area beyond which a thing is scenery."""
+_ROOMY = 0.6
+"""Metres kept free around a person who stands by a thing outside the playing area."""
 _APART = 0.7
 """Metres between two people at the same thing."""
 _FACES = ("at", "facing", "in_front_of", "behind")
@@ -97,7 +99,9 @@ def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None
         options = [*stations(anchor.box, sort, relation, "left"), *stations(anchor.box, sort, relation, "right")]
     best, room = _best(stage, options)
     if room < _STANDING and sort == "thing":  # no room behind a thing that stands against a wall
-        best, _ = _best(stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")])
+        best, room = _best(stage, [*options, *stations(anchor.box, sort, "at"), *stations(anchor.box, sort, "next_to")])
+    if room < 0 and sort == "thing":
+        best = _nearest_in_room(stage, anchor.box, best)
     box = stage.box(asset_id, best.x, best.y, 0.0, best.yaw)
     turned_to(stage, box, wanted.facing, anchor.box)
     thing = Thing(asset_id, box, walks=True)
@@ -123,7 +127,7 @@ def _looks_at(box: Box, other: Box) -> bool:
 
 
 def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
-    """Return the station with the lowest penalty, and how much room it has in metres."""
+    """Return the station with the lowest penalty, and how much room it has in metres: -1 outside the playing area."""
     points = np.array([(each.x, each.y) for each in options])
     x_min, x_max, y_min, y_max = stage.room
     inside = (points > (x_min, y_min)).all(axis=1) & (points < (x_max, y_max)).all(axis=1)
@@ -138,6 +142,15 @@ def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
 
     best = min(range(len(options)), key=lambda index: (cost(index), index))
     return options[best], float(room[best])
+
+
+def _nearest_in_room(stage: Stage, anchor: Box, wish: Station) -> Station:
+    """Return the place of the playing area nearest to a thing outside it: by the plane on the runway."""
+    across, along = anchor.to_local(*stage.middle)
+    half = anchor.width / 2, anchor.depth / 2
+    edge = anchor.to_world(max(-half[0], min(half[0], across)), max(-half[1], min(half[1], along)))
+    x, y = stage.free_spot(edge, _ROOMY)
+    return Station(x, y, wish.yaw)
 
 
 def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:

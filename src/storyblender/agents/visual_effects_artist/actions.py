@@ -300,7 +300,7 @@ class Actions:
     def _at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
         """Go to a door, a window, a table and work there."""
         start = self.sheet.start_of(person)
-        t, thing = start, self.company.floor.thing(action.target_id)
+        t, thing = start, self.company.floor.thing(action.target_id, person.place)
         if thing is not None and person.upright:
             point = thing.rim(person.place)
             handle = next(iter(thing.of_kind("handle")), None)
@@ -326,7 +326,7 @@ class Actions:
         """Looks, gestures and everything one does on the spot."""
         start = self.sheet.start_of(person)
         t = start
-        thing = self.company.floor.thing(action.target_id)
+        thing = self.company.floor.thing(action.target_id, person.place)
         if motion.key in ASIDE:
             partner = thing = None
         if partner is not None:

@@ -23,8 +23,8 @@ from storyblender.memory.vocabulary import Hand, Posture
 
 RUN_UP = 1.2
 """Seconds of the way in; who runs is seen running."""
-BESIDE = 2.0
-"""Metres from the middle of a thing within which one is by it."""
+BESIDE = 1.5
+"""Metres from the edge of a thing within which one is by it."""
 STICK = 0.2
 """Metres across of what one leans on by holding it."""
 HAND_SIZE = 0.6
@@ -102,7 +102,7 @@ class Company:
                 and first is not None
                 and (self.opens_a_door(first) or clip_of(first.motion).speed is not None)
             )
-            thing = self.floor.thing(first.target_id) if first is not None else None
+            thing = self.floor.thing(first.target_id, place) if first is not None else None
             stairs = self.floor.mark_of("stairs") if first is not None and first.motion == "climb" else None
             if first is not None and (stairs is not None or (enters and self.enter_marks())):
                 mark = stairs or self._entrance(place, clip_of(first.motion).speed or 0.0)
@@ -125,7 +125,8 @@ class Company:
     def _waits_by(self, action: CharacterAction, thing: Thing, place: Vec2) -> bool:
         """Tell whether somebody is found waiting by a large thing that is not where they are."""
         large = self.prop_of(action) is None and thing.solid and not thing.of_kind("seat", "bed")
-        return large and clip_of(action.motion).key == "idle" and math.dist(thing.location[:2], place) > BESIDE
+        idle, rim = clip_of(action.motion).key == "idle", thing.rim(place)
+        return large and idle and math.dist(rim, place) > BESIDE and self.floor.inside(rim)
 
     def _wait_by(self, person: Person, thing: Thing, place: Vec2) -> None:
         """Stand by a thing from the beginning, one's back to it."""

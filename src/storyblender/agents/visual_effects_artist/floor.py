@@ -157,14 +157,21 @@ class Floor:
         self.set_boxes = [_footprint(wall.node_id, box) for wall in plan.walls for box in wall_boxes(wall)]
         self.set_boxes += [_footprint(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece)]
 
-    def thing(self, name: str | None) -> Thing | None:
-        """Return a placed object by node id, or the first of an asset; a door or window of the set by its kind."""
-        if not name:
-            return None
-        placed = self.things.get(name) or next((t for t in self.things.values() if t.asset_id == name), None)
+    def thing(self, name: str | None, near: Vec2 | None = None) -> Thing | None:
+        """Return a placed object by node id or asset id, or a door or window of the set by its kind.
+
+        Args:
+            name: Id.
+            near: Where to look first if there are several; None takes the first.
+        """
+        if not name or name in self.things:
+            return self.things.get(name or "")
         kind = _OPENING_WORDS.get(name.rsplit("_", 1)[-1])
-        opening = next((each for each in self.openings if kind in (each.asset_id, each.node_id)), None)
-        return placed or opening or self._alike(name)
+        found = [thing for thing in self.things.values() if thing.asset_id == name]
+        found = found or [each for each in self.openings if kind in (each.asset_id, each.node_id)]
+        if near is not None:
+            found.sort(key=lambda thing: round(math.dist(thing.location[:2], near), 3))
+        return found[0] if found else self._alike(name)
 
     def _alike(self, name: str) -> Thing | None:
         """Return the thing that stands for a large thing without a place of its own: ``counter`` means the bar."""

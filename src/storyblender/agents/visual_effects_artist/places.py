@@ -155,7 +155,7 @@ class Places:
             return (
                 (Box(*other.place, 0.0, 0.5, 0.36, 1.7 * other.k, other.yaw), "person", None) if other.present else None
             )
-        thing = self.floor.thing(name)
+        thing = self.floor.thing(name, person.place if person is not None else None)
         if thing is not None:
             sort: Sort = "thing"
             if thing in self.floor.openings:

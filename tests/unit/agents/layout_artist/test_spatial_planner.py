@@ -281,6 +281,14 @@ def test_who_leans_on_a_stick_by_the_table_is_by_the_table() -> None:
     assert at["ana"].anchor_asset_id == "table"
 
 
+def test_who_is_by_a_thing_outside_the_playing_area_stands_at_its_edge_with_their_company() -> None:
+    ship = LayoutObject(node_id="ship", asset_id="ship", location=(1.0, 5.5, 0), rotation=(0, 0, 95), fixed=True)
+    view = brief((), [("ana", "next_to", "ship")], ["ana", "ben"], dressed=(ship,), company={"ben": "ana"})
+    at = solved(replace(view, measures={**MEASURES, "ship": measure("ship", 4.0, 9.0, 5.0)}))
+    assert at["ana"].location[1] > 1.0 and abs(at["ana"].location[0] - 1.0) < 2.5
+    assert math.dist(at["ana"].location, at["ben"].location) < 1.3
+
+
 def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None:
     people = [
         Asset(asset_id=each, asset_type="character", description="", name=each.title())

@@ -196,3 +196,12 @@ def test_who_walks_comes_down_and_goes_up_to_where_they_are_told(height: float) 
     end = _state("ann", relation="at", anchor_id="car", height=height)
     blocking = _played(_shot(up, character_actions=(walk,), end_states=(end,)))[0][0]["ann"]
     assert (blocking.start.location[2], blocking.end.location[2]) == (0.8, height)
+
+
+def test_of_several_windows_the_nearest_is_meant() -> None:
+    windows = tuple(Opening(name=f"window_{x}", kind="window", x=x, width=1.0, height=1.2) for x in (1, 8))
+    wall = Wall(node_id="wall_back", start=(-5, 5), end=(5, 5), height=3.0, material="plaster", openings=windows)
+    floor = Floor(LAYOUT, ASSETS, PLAN.model_copy(update={"walls": (wall,)}))
+    for near in (-3.5, 3.5):
+        window = floor.thing("window", (near, 0.0))
+        assert window is not None and window.location[0] == pytest.approx(near, abs=0.1)
