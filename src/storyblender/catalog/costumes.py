@@ -7,6 +7,7 @@ move a story into another century. To dress a trade, add a line to ``_TRADES``.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Final, Literal
 
 from storyblender.catalog.materials import hex_color
@@ -54,19 +55,55 @@ _YEARS: Final[dict[Age, tuple[int, int]]] = {
 }
 """First and last year of an age."""
 
-_EVERYDAY: Final[dict[Age, tuple[str, ...]]] = {
-    "medieval": ("tunic:#5b4632 breeches:#3a342c boots", "tunic:#43503b breeches:#4a4038 boots", "gown:#4a3a2c shoes",
-                 "gown:#3f5d46 shoes"),
-    "west": ("shirt vest:#4d4136 trousers:#3d3a36 boots:#3a2312", "shirt:#8a7a5c vest trousers:#4a4038 boots",
-             "blouse long_skirt boots", "blouse long_skirt:#5b4632 scarf boots"),
-    "victorian": ("shirt vest bow_tie jacket:#2f2f33 trousers:same shoes",
-                  "shirt vest:#4d4136 tie jacket:#4b4136 trousers shoes",
-                  "blouse long_skirt boots", "blouse:#5d4a55 long_skirt boots"),
-    "classic": ("shirt tie jacket trousers:same shoes", "shirt tie vest trousers shoes", "dress heels",
-                "blouse skirt heels"),
-    "space": ("uniform:#2f4a5e trousers:same boots", "uniform:#3a3f48 trousers:same boots") * 2,
+_CREW: Final = (
+    "uniform:#2f4a5e trousers:same boots", "uniform:#3a3f48 trousers:same boots",
+    "uniform:#6a4a2a trousers:#3a3f48 boots", "uniform:#5a2f38 trousers:#3a3f48 boots",
+)  # fmt: skip
+_EVERYDAY: Final[dict[Age, tuple[tuple[str, ...], tuple[str, ...]]]] = {
+    "today": (
+        ("shirt:#8fa6bd trousers:#3a352c shoes", "sweater:#7a3b2e jeans shoes", "tee:#c9c5bd jeans shoes:#e4e2dc",
+         "shirt:#e4e0d6 cardigan:#5c6b54 trousers:#2e2f36 shoes", "tee:#33353a denim_jacket jeans boots",
+         "shirt:#b48a2c jacket:#3b4654 trousers:#4a4038 shoes", "sweater:#2f3a55 trousers:#8a7a5c shoes",
+         "shirt:#6b2f2f vest:#33353a trousers:#2b2f36 shoes", "hoodie:#5f6238 jeans shoes"),
+        ("blouse:#ece9e2 jeans:#3b516e shoes", "dress:#8a2f2f shoes", "sweater:#c9a23c skirt:#33353a boots",
+         "blouse:#8fb0c4 cardigan:#4a3a55 trousers:#2e2f36 shoes", "sundress:#7fa08a shoes", "tee:#b5656f jeans shoes",
+         "blouse:#d9cbb0 jacket:#3b4654 trousers:same shoes", "sweater:#5d7a8a jeans boots",
+         "blouse:#6d4a7a skirt:#3a352c shoes"),
+    ),
+    "medieval": (
+        ("tunic:#5b4632 breeches:#3a342c boots", "tunic:#43503b breeches:#4a4038 boots",
+         "tunic:#6b3a2a breeches:#2f2a24 boots", "tunic:#3c4a5c breeches:#4a4038 boots"),
+        ("gown:#4a3a2c shoes", "gown:#3f5d46 shoes", "gown:#6a3640 shoes", "gown:#3c4a66 apron:#cbbf9f shoes"),
+    ),
+    "west": (
+        ("shirt vest:#4d4136 trousers:#3d3a36 boots:#3a2312", "shirt:#8a7a5c vest trousers:#4a4038 boots",
+         "shirt:#7a3b2e braces trousers:#33312d boots", "shirt:#5d6f7f vest:#2f2b26 jeans boots"),
+        ("blouse long_skirt boots", "blouse long_skirt:#5b4632 scarf boots", "blouse:#8a6a55 long_skirt:#3a3f4a boots",
+         "blouse:#c9bfa6 long_skirt:#5a2f33 boots"),
+    ),
+    "victorian": (
+        ("shirt vest bow_tie jacket:#2f2f33 trousers:same shoes",
+         "shirt vest:#4d4136 tie jacket:#4b4136 trousers shoes",
+         "shirt vest:#5c4a2a bow_tie tailcoat:#26303c trousers:#4a4743 shoes",
+         "shirt vest:#6a6256 tie coat:#3b342d trousers:#2b2825 boots"),
+        ("blouse long_skirt boots", "blouse:#5d4a55 long_skirt boots", "blouse:#d9cfbb long_skirt:#4a2f3a boots",
+         "blouse:#3f5a58 long_skirt:#2c3b3a boots"),
+    ),
+    "classic": (
+        ("shirt tie jacket trousers:same shoes", "shirt tie vest trousers shoes",
+         "shirt tie jacket:#6b5a44 trousers:#4a4038 shoes", "shirt:#d8cfbc braces trousers:#3d4038 shoes"),
+        ("dress heels", "blouse skirt heels", "dress:#3c4f66 heels", "blouse:#c7a98a jacket:#5c3f36 skirt:same heels"),
+    ),
+    "space": (_CREW, _CREW),
 }  # fmt: skip
-"""Age -> two outfits of men, then two of women."""
+"""Age -> outfits of men, then of women."""
+_CHILDRENS: Final = (
+    ("tee:#c8642a shorts:#33466b socks shoes", "sweater:#3f6b48 trousers:#4a4038 shoes",
+     "shirt:#8fa6bd shorts:#5c5f66 socks shoes", "tee:#d4ac38 jeans shoes"),
+    ("dress:#b5656f socks shoes", "sweater:#d4ac38 skirt:#33466b socks shoes", "dress:#2b6a70 socks shoes",
+     "tee:#c9c5bd dungarees:#3b516e shoes"),
+)  # fmt: skip
+"""Today's outfits of boys, then of girls."""
 
 _TRADES: Final[tuple[tuple[str, str, str, str], ...]] = (
     ("king|emperor", "", "tunic:#6d1426 cloak:#4a1020 breeches:#2c2d33 boots crown", ""),
@@ -194,26 +231,35 @@ def age_of(story: str, said: str = "") -> Age:
     return best if weights[best] >= _SURE else "today"
 
 
-def costume(role: str, name: str, age: Age, gender: str, years: float, seed: int) -> tuple[Garment, ...]:
-    """Return what somebody wears by trade, else by the age; nothing where today's everyday clothes will do.
+def costume(
+    role: str,
+    name: str,
+    age: Age,
+    gender: str,
+    years: float,
+    seed: int,
+    worn_by_others: Sequence[tuple[Garment, ...]] = (),
+) -> tuple[Garment, ...]:
+    """Return what somebody wears by trade, else by the age.
 
     Args:
         role: What the story says they are.
         name: How it calls them; a trade counts at its start: Sheriff Cole, but not Tom Baker.
         age: Of the story.
         gender: ``female``, ``male`` or ``unknown``, who wears what both may wear.
-        years: How old; children have no trade but school and no costume but today's.
+        years: How old; children have no trade but school and no clothes but today's.
         seed: Picks among outfits.
+        worn_by_others: Outfits of the story's other people: two of them are told apart by their everyday clothes.
     """
     for pattern, ages, men, women in _TRADES:
         outfit = (women or men) if gender == "female" else men
         grown = years >= _CHILD or "pupil" in pattern
         if outfit and grown and (not ages or age in ages.split()) and _is_called(pattern, role.lower(), name.lower()):
             return _sewn(outfit)
-    if age == "today" or years < _CHILD:
-        return ()
-    choices = _EVERYDAY[age][2:] if gender == "female" else _EVERYDAY[age][:2]
-    return _sewn(choices[seed % 2])
+    choices = (_CHILDRENS if years < _CHILD else _EVERYDAY[age])[gender == "female"]
+    first = seed % len(choices)
+    outfits = [_sewn(outfit) for outfit in (*choices[first:], *choices[:first])]
+    return min(outfits, key=lambda outfit: sum(other == outfit for other in worn_by_others))
 
 
 def _is_called(pattern: str, role: str, name: str) -> bool:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from storyblender.catalog.costumes import _EVERYDAY, _TRADES, _sewn, age_of, costume
+from storyblender.catalog.costumes import _CHILDRENS, _EVERYDAY, _TRADES, Age, _sewn, age_of, costume
 from storyblender.catalog.garments import GARMENTS
+from storyblender.memory.asset_sheet import Garment
 
 
 def worn(role: str = "", name: str = "Alex", age: str = "today", gender: str = "male", years: float = 35) -> set[str]:
@@ -36,17 +37,34 @@ def test_a_trade_is_known_by_its_clothes() -> None:
 
 
 def test_a_surname_is_no_trade_and_a_father_no_priest() -> None:
-    assert not worn(name="Tom Baker") and not worn("father", "John")
+    assert "chef_hat" not in worn(name="Tom Baker") and "cassock" not in worn("father", "John")
     assert "cassock" in worn(name="Father Michael")
 
 
 def test_who_has_no_trade_wears_the_age() -> None:
     assert "long_skirt" in worn(age="west", gender="female") and "uniform" in worn(age="space")
-    assert not worn(), "today's everyday clothes are the wardrobe's own default"
-    assert not worn("doctor", years=8) and worn("pupil", years=9)
+    assert worn("doctor", years=8).isdisjoint({"lab_coat", "stethoscope"}) and "backpack" in worn("pupil", years=9)
 
 
-@pytest.mark.parametrize("outfit", sorted({*sum(_EVERYDAY.values(), ()), *(one for row in _TRADES for one in row[2:])}))
+@pytest.mark.parametrize("age", ["today", "medieval", "west", "victorian", "classic"])
+@pytest.mark.parametrize("gender", ["male", "female"])
+@pytest.mark.parametrize("years", [8.0, 40.0])
+def test_four_people_of_a_story_are_told_apart_by_their_clothes(age: Age, gender: str, years: float) -> None:
+    outfits: list[tuple[Garment, ...]] = []
+    for seed in (3, 3, 7, 11):
+        outfits.append(costume("", "Alex", age, gender, years, seed, outfits))
+    assert len(set(outfits)) == 4
+
+
+@pytest.mark.parametrize(
+    "outfit",
+    sorted(
+        {
+            *(one for choices in (*_EVERYDAY.values(), _CHILDRENS) for outfits in choices for one in outfits),
+            *(one for row in _TRADES for one in row[2:]),
+        }
+    ),
+)
 def test_every_outfit_is_in_the_wardrobe(outfit: str) -> None:
     areas = {
         area for garment in _sewn(outfit) for area in (*GARMENTS[garment.key].covers, *GARMENTS[garment.key].bares)

@@ -23,7 +23,7 @@ from storyblender.agents.director.wording import modifiers_of, one_line, shot_se
 from storyblender.agents.director.written import writing_on
 from storyblender.catalog.costumes import Age, age_of
 from storyblender.catalog.homelands import homeland_of
-from storyblender.memory.asset_sheet import Asset, CharacterLook
+from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
 
@@ -54,11 +54,13 @@ class Assembly:
 
     def asset_sheet(self) -> tuple[Asset, ...]:
         """Return everybody who is ever on stage, then every thing."""
-        people = [self._person(person) for person in self.company.people]
+        people: list[Asset] = []
+        for person in self.company.people:
+            people.append(self._person(person, [other.look.garments for other in people if other.look is not None]))
         things = (thing for thing in self.reading.things if thing.id in self.company.assets)
         return (*people, *(self._thing(thing) for thing in things))
 
-    def _person(self, person: Person) -> Asset:
+    def _person(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> Asset:
         character = person.id in self.company.actors
         tags = [] if character else ["animal"]
         tags += [person.kind] if person.kind != "human" and person.kind not in tags else []
@@ -68,17 +70,17 @@ class Assembly:
             description=describe(person) if character else describe_creature(person, self.reading),
             name=self.company.names[person.id],
             tags=tuple(tags),
-            look=self._look(person) if character else None,
+            look=self._look(person, worn_by_others) if character else None,
             reference_character=person.variant_of if person.variant_of in self.company.actors else None,
         )
 
-    def _look(self, person: Person) -> CharacterLook:
+    def _look(self, person: Person, worn_by_others: Sequence[tuple[Garment, ...]]) -> CharacterLook:
         """How somebody looks where the story has come to when they are first named, or else begins."""
         scene = bisect_right(self.starts, person.first) - 1
         reached = self.reached[scene] if scene >= 0 else None
         homeland = reached or next((homeland for homeland in self.homelands if homeland), None)
         aged = person if person.age else replace(person, age=called(person, self.text))
-        return cast(aged, introduction(person, self.text), self.era, homeland)
+        return cast(aged, introduction(person, self.text), self.era, homeland, worn_by_others)
 
     def _thing(self, thing: Thing) -> Asset:
         return Asset(

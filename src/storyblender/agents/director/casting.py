@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final, Literal, TypeVar
 
 from storyblender.agents.director.palette import cloth_color, hair_color
@@ -167,7 +167,13 @@ def introduction(person: Person, text: str) -> str:
     return " ".join((match["brackets"] or match["apposition"] or match["worn"]).split()) if match else ""
 
 
-def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Homeland | None = None) -> CharacterLook:
+def cast(
+    person: Person,
+    introduced: str = "",
+    era: Age = "today",
+    homeland: Homeland | None = None,
+    worn_by_others: Sequence[tuple[Garment, ...]] = (),
+) -> CharacterLook:
     """Return the look of a person from the words of the script.
 
     Args:
@@ -176,6 +182,7 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
         introduced: The words of the introduction, for what the reader did not sort (skin, glasses, a beard).
         era: Of the story; with what they are, it dresses whom the script does not.
         homeland: What is usual where the story is set; who is said to be a foreigner is not from there.
+        worn_by_others: Outfits of the people cast before.
     """
     if re.search(rf"\b(?:{_FOREIGN})\b", f"{person.role} {person.name} {introduced}".lower()):
         homeland = None
@@ -186,7 +193,7 @@ def cast(person: Person, introduced: str = "", era: Age = "today", homeland: Hom
     worn = garments(", ".join(person.outfit) or introduced)
     beast = (kind_of(person) or SPECIES[_UNKNOWN]) if person.kind == "animal" else None
     if beast is None:
-        worn = worn or costume(person.role, person.name, era, person.gender, age, seed)
+        worn = worn or costume(person.role, person.name, era, person.gender, age, seed, worn_by_others)
         worn = _shod(_for_swimming(worn, person.gender), person.gender, age)
     return CharacterLook(
         gender=person.gender,
