@@ -115,7 +115,7 @@ TRADE_GARMENTS: tuple[GarmentSpec, ...] = (
             Top(sleeve=1.9, neck=0.035, ease=0.012, drape=10, hem=("hip", -0.08), elbow=0.054, cuff=0.046),
             Collar(low=0.004, high=0.046, flare=0.008, gap=0.02, point=0.005),
             Buttons(top=("chest", 0.05), bottom=("belt", 0.0), count=5, offset=0.055, radius=0.008, tint="#2a2a2c")),
-    garment("overalls", "boiler suit, coveralls, jumpsuit, mechanic's suit, prison jumpsuit, flight suit", 31,
+    garment("overalls", "overall, boiler suit, coveralls, jumpsuit, mechanic's suit, prison jumpsuit, flight suit", 31,
             "upper lower",
             "#3b4f6b #4a5a4a #b0602c",
             Top(sleeve=1.93, neck=0.03, ease=0.016, drape=13, hem=("hip", -0.08), elbow=0.058, cuff=0.046),

@@ -1,4 +1,4 @@
-"""Anthropomorphic animals: head, coat, tail and height of each species. Data only."""
+"""Anthropomorphic animals, robots and aliens: head, coat, tail and height of each species. Data only."""
 
 from __future__ import annotations
 
@@ -35,6 +35,7 @@ class Species:
         tip: Colour of the tip, rings or fan of its tail.
         build: Default build.
         marks: Keys of its coat markings and of growths such as horns or a mane.
+        finish: What its surface looks like.
     """
 
     words: tuple[str, ...]
@@ -55,6 +56,7 @@ class Species:
     tip: str = ""
     build: Build = "average"
     marks: tuple[str, ...] = ()
+    finish: Literal["hair", "metal", "rubber"] = "hair"
 
 
 def _s(words: str, coat: str, height: float, **fields: object) -> Species:
@@ -200,9 +202,23 @@ _OTHERS: tuple[Species, ...] = (
        limbs="#c08a50", tail="fan"),
 )  # fmt: skip
 
-SPECIES: dict[str, Species] = {each.words[0]: each for each in (*_CLAWED, *_HOOFED, *_OTHERS)}
+_BEINGS: tuple[Species, ...] = (
+    _s("robot, droid, automaton", "#8f979e", 1.75, head=1.05, ear="none", mouth="wide",
+       snout=(0.16, 0.6), pale="#6f777e", belly="#a7aeb4", limbs="#565d64", nose="#565d64", iris="#7fdcff", tail="none",
+       build="stocky", marks=("antenna", "bolts"), finish="metal"),
+    _s("alien, martian, extraterrestrial", "#86a878", 1.5, head=1.3, ear="none", mouth="wide", snout=(0.12, 0.4),
+       pale="#9dbb8e", belly="#97b589", limbs="#6f9163", nose="#6f9163", iris="#15181a", tail="none", build="slim",
+       finish="rubber"),
+)  # fmt: skip
+SPECIES: dict[str, Species] = {each.words[0]: each for each in (*_CLAWED, *_HOOFED, *_OTHERS, *_BEINGS)}
 """Species by name."""
 _BY_WORD: dict[str, Species] = {word: each for each in SPECIES.values() for word in each.words}
+
+
+def being_of(words: str) -> Species | None:
+    """Return the robot or alien that a phrase names."""
+    said = {word.removesuffix("s") for word in re.findall(r"[a-z]+", words.lower())}
+    return next((each for each in _BEINGS if said & {*each.words}), None)
 
 
 def species_of(words: str) -> Species | None:

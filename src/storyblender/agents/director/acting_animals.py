@@ -25,13 +25,13 @@ _SEATED: Final = frozenset({"sit", "lie", "asleep", "lean"})
 
 
 def acts_like_a_person(person: Person, reading: Reading) -> bool:
-    """Return whether an animal speaks, wears clothes, has things in its hands or lives among furniture.
+    """Return whether an animal or a robot speaks, wears clothes, has things in its hands or lives among furniture.
 
     In a story whose animals talk to each other, every animal that does something is cast. An animal that is ridden or
     led stays an animal, unless it speaks; so does a parrot that only speaks.
 
     Args:
-        person: A person of the kind ``animal``.
+        person: An animal or a robot.
         reading: The reading of the script.
     """
     handles = _uses_hands(person, reading)

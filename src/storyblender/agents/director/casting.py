@@ -12,7 +12,7 @@ from storyblender.catalog.costumes import Age, costume
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.garments_of_trades import TRADE_GARMENTS
 from storyblender.catalog.homelands import Homeland
-from storyblender.catalog.species import SPECIES, Species, species_of
+from storyblender.catalog.species import SPECIES, Species, being_of, species_of
 from storyblender.catalog.worn import WORN
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
@@ -191,7 +191,8 @@ def cast(
     hair = ", ".join(person.hair) or _hair_words(introduced)
     everything = ", ".join((*person.build, *person.hair, *person.face, *person.outfit, introduced))
     worn = garments(", ".join(person.outfit) or introduced)
-    beast = (kind_of(person) or SPECIES[_UNKNOWN]) if person.kind == "animal" else None
+    named = f"{person.role} {person.name} {' '.join((*person.build, *person.outfit))}"
+    beast = (kind_of(person) or SPECIES[_UNKNOWN]) if person.kind == "animal" else being_of(named)
     if beast is None:
         worn = worn or costume(person.role, person.name, era, person.gender, age, seed, worn_by_others)
         worn = _shod(_for_swimming(worn, person.gender), person.gender, age)

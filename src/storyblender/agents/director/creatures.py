@@ -37,8 +37,8 @@ def is_creature(person: Person, reading: Reading) -> bool:
     """
     if person.kind == "group":
         return False
-    if person.kind != "animal":
-        return not person.outfit and person.role in MACHINES
+    if person.kind != "animal" and (person.outfit or person.role not in MACHINES):
+        return False
     return not acts_like_a_person(person, reading)
 
 

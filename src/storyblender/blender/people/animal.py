@@ -88,7 +88,7 @@ class Animal:
             glasses: Whether to add glasses.
         """
         group = f"{armature.name}_skin"
-        painted = [Paint(self.coat, "hair", vertex_colors=True)]
+        painted = [Paint(self.coat, self.species.finish, vertex_colors=True)]
         sheet, colors, keys = self.head.finished()
         made = [
             build_object(f"{armature.name}_head", sheet, painted, armature, surface=Surface.SKIN, ink_group=group,

@@ -107,6 +107,18 @@ def _teeth(head: Head) -> None:
         head.ball(_IVORY, (x * 0.062, y - thick * 0.42, z - thick * 0.52), (0.058, 0.035, 0.12))
 
 
+def _antenna(head: Head) -> None:
+    head.bar("dark", [(0, 0.1, 0.85), (0, 0.12, 1.35)], [0.05, 0.03])
+    head.ball("#d24a2a", (0, 0.12, 1.4), (0.1, 0.1, 0.1))
+
+
+def _bolts(head: Head) -> None:
+    """Add a round plate at each temple."""
+    for x in (-1, 1):
+        head.ball("dark", (x * 0.98, 0.1, 0.1), (0.12, 0.3, 0.3))
+        head.ball("pale", (x * 1.08, 0.1, 0.1), (0.08, 0.14, 0.14))
+
+
 def _fangs(head: Head) -> None:
     thick, (_, y, z) = head.skull.thick, head.skull.tip
     for step in range(4):
@@ -245,6 +257,6 @@ GROWTHS: dict[str, Callable[[Head], None]] = {
     "spines": _spines, "whiskers": _whiskers, "mane": _mane, "disc": _disc, "nostrils": _nostrils, "horns": _horns,
     "antlers": _antlers, "palms": _palms, "crest": _crest, "beard": _beard, "wool": _wool, "comb": _comb,
     "curls": _curls, "onehorn": _onehorn, "nosehorn": _nosehorn, "knobs": _knobs, "teeth": _teeth, "fangs": _fangs,
-    "tusks": _tusks, "ivory": _ivory,
+    "antenna": _antenna, "bolts": _bolts, "tusks": _tusks, "ivory": _ivory,
 }  # fmt: skip
 """Builder of each growth on the head; painted markings are in ``animal_skull``."""

@@ -49,6 +49,18 @@ def test_who_has_a_surname_or_clothes_or_uses_hands_is_cast(action: str, id: str
     assert in_a_room(action)[id].asset_type == "character"
 
 
+@pytest.mark.parametrize(
+    ("action", "id", "species"),
+    [
+        ("BOLT, a dented robot, rolls in.\n\nBOLT\nGood morning.", "bolt", "robot"),
+        ("ZUG, an alien in a red coat, walks in.", "zug", "alien"),
+    ],
+)
+def test_a_robot_that_speaks_and_an_alien_are_cast_with_their_own_heads(action: str, id: str, species: str) -> None:
+    look = in_a_room(action)[id].look
+    assert look is not None and look.species == species
+
+
 def test_an_animal_called_by_a_name_is_an_animal() -> None:
     sheet = sheet_of("Ann sat down. A black cat called Solomon lay on the table. Solomon yawned.\n", "prose")
     assert (sheet["solomon"].asset_type, sheet["solomon"].description) == ("object", "sleeping black cat")
