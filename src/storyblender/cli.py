@@ -131,7 +131,11 @@ def make(
         terminal.files(delivery.folder, delivery.files)
 
 
-@app.command(epilog=_examples("plan my_film.fountain", "plan my_film.fountain --shots-per-scene 8"))
+@app.command(
+    epilog=_examples(
+        "plan my_film.fountain", "plan my_film.fountain --shots-per-scene 8", "plan my_film.fountain --why"
+    )
+)
 def plan(
     script: Script,
     out: Out = None,
@@ -144,6 +148,9 @@ def plan(
     write_reading: Annotated[
         Path | None, typer.Option(help="Write what was understood as a JSON file that you can correct.")
     ] = None,
+    why: Annotated[
+        bool, typer.Option("--why", help="Say of each person, thing and deed which rule read it, on which words.")
+    ] = False,
     quiet: Quiet = False,
     json_lines: Json = False,
 ) -> None:
@@ -152,8 +159,10 @@ def plan(
     with shown(quiet, json_lines) as terminal:
         project = out or _folder_of(script)
         studio = _studio(terminal, script, project, **settings)
-        delivery = studio.plan(script, project, reading, write_reading)
+        delivery = studio.plan(script, project, reading, write_reading, why=why)
         terminal.plan(delivery.graph)
+        if why:
+            terminal.why(delivery.reasons)
         terminal.files(delivery.folder, delivery.files)
 
 

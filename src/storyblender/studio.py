@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from storyblender import samples
 from storyblender.build_folder import check_build_folder
@@ -49,6 +50,9 @@ from storyblender.project import Project, read_project_graph
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener, silent
 
+if TYPE_CHECKING:
+    from storyblender.agents.director.reader.why import Reason
+
 CATALOGS: dict[str, Mapping[str, Entry]] = {
     "props": PROPS,
     "sets": SETS,
@@ -68,11 +72,13 @@ class Delivery:
         folder: The project.
         files: Names in it, in the order people open them.
         graph: The story as it is now.
+        reasons: Which rule read what in the script, if that was asked.
     """
 
     folder: Path
     files: list[str]
     graph: ContinuityMemoryGraph
+    reasons: list[Reason] = field(default_factory=list)
 
 
 class Studio:
@@ -87,7 +93,9 @@ class Studio:
     def __init__(self, settings: Settings, listener: Listener = silent, ahead: Worker | None = None) -> None:
         self._settings, self._listener, self._ahead = settings, listener, ahead
 
-    def plan(self, script: Path, folder: Path, reading: Path | None = None, export: Path | None = None) -> Delivery:
+    def plan(
+        self, script: Path, folder: Path, reading: Path | None = None, export: Path | None = None, *, why: bool = False
+    ) -> Delivery:
         """Read a script into the graph; no Blender.
 
         Args:
@@ -95,11 +103,12 @@ class Studio:
             folder: The project.
             reading: A corrected reading of the script (see ``docs/reading-file.md``).
             export: Where to write what was understood, for a person to correct.
+            why: Whether to say which rule read what, on which words.
 
         Raises:
             InputError: The script, the reading or the folder cannot be used.
         """
-        from storyblender.pipeline.grounding import export_reading, ground
+        from storyblender.pipeline.grounding import explain, export_reading, ground
 
         if export is not None and export.exists():
             raise InputError("is there already", mend="give --write-reading another name, or delete it", path=export)
@@ -107,7 +116,8 @@ class Studio:
             ground(run, script, reading)
             if export is not None:
                 export_reading(run, script, export)
-            return Delivery(run.project.folder, ["graph.json"], run.graph)
+            reasons = explain(run, script) if why else []
+            return Delivery(run.project.folder, ["graph.json"], run.graph, reasons)
 
     def make(self, script: Path, folder: Path, reading: Path | None = None) -> Delivery:
         """Turn a script into everything; goes on where an earlier run was stopped.

@@ -10,6 +10,7 @@ import json
 import sys
 from collections.abc import Mapping, Sequence
 from io import TextIOWrapper
+from itertools import groupby
 from pathlib import Path
 from time import monotonic
 from types import TracebackType
@@ -29,6 +30,7 @@ from rich.progress import (
 from rich.table import Table
 
 if TYPE_CHECKING:
+    from storyblender.agents.director.reader.why import Reason
     from storyblender.catalog.registry import Entry
     from storyblender.doctor import Finding
     from storyblender.errors import StoryBlenderError
@@ -152,6 +154,17 @@ class Terminal:
             people = dict.fromkeys(names[person] for shot in shots for person in shot.on_stage)
             table.add_row(str(scene.scene_id), str(len(shots)), _plain(scene.title), _plain(", ".join(people)))
         self._results.print(table)
+
+    def why(self, reasons: Sequence[Reason]) -> None:
+        """Print which rule decided what, on which words, unit by unit."""
+        self._progress.stop()
+        if self._json:
+            self._write({"why": [reason._asdict() for reason in reasons]})
+        for unit, group in groupby(reasons, key=lambda reason: reason.unit):
+            self._results.print(f"[bold]unit {unit}[/]")
+            for each in group:
+                told = f"{each.rule:32}  {each.kind:8}  {each.what}  “{each.words}”"
+                self._results.print(f"  {_plain(told)}", soft_wrap=True)
 
     def check(self, report: Inspection) -> None:
         """Print the result of a check."""

@@ -9,8 +9,10 @@ from pathlib import Path
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.places_by_meaning import place_by_meaning
 from storyblender.agents.director.reader.reader import read_script
+from storyblender.agents.director.reader.why import Reason, reasons_of
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import is_reading_of, read_reading, write_reading
+from storyblender.agents.director.rules import Ledger, keeping
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.errors import InputError
 from storyblender.folder import Folder
@@ -86,6 +88,23 @@ def export_reading(run: Run, script: Path, out: Path) -> None:
     """
     screenplay = load(script)
     Folder(out.parent).write(out.name, write_reading(_understood(run, screenplay, _kept_reading(run, screenplay))))
+
+
+def explain(run: Run, script: Path) -> list[Reason]:
+    """Return why the rules read a script as they do: each decision with its rule and the words it stands on.
+
+    Args:
+        run: With the script grounded.
+        script: The script.
+
+    Raises:
+        InputError: The script was read by a person, not by rules.
+    """
+    screenplay = load(script)
+    if _kept_reading(run, screenplay) is not None:
+        raise InputError("was read by a person, not by rules", mend="leave out --why", path=script)
+    with keeping(Ledger()) as ledger:
+        return reasons_of(_understood(run, screenplay, None), ledger)
 
 
 def _understood(run: Run, screenplay: Screenplay, corrected: Path | None) -> Reading:

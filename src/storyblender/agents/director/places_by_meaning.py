@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from storyblender.agents.director.reading import Reading, SceneReading
+from storyblender.agents.director.rules import rule
 from storyblender.catalog.sets import SETS, SetKit
 from storyblender.catalog.sets.evidence import told_by_things
 from storyblender.catalog.sets.places import FALLBACK, is_told
@@ -57,6 +58,7 @@ def place_by_meaning(reading: Reading, load: Callable[[], Embedder]) -> None:
     _follow(reading)
 
 
+@rule("place.kit_by_things", without=False)
 def _by_things(reading: Reading, index: int, scene: SceneReading) -> bool:
     """Choose a scene's kit by the things in it; False if they are too few."""
     indoor = scene.scene_type == "indoor"

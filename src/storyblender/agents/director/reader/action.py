@@ -32,6 +32,7 @@ from storyblender.agents.director.reader.places import contents, distances, noun
 from storyblender.agents.director.reader.places.settled import settle_things
 from storyblender.agents.director.reader.stage import SentenceState, Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _POSED = frozenset({"seat", "slump", "sprawl", "curl", "perch", "huddle", "crouch", "settle"})
@@ -117,6 +118,7 @@ def _only_pictured(stage: Stage, shown: list[Word]) -> set[str]:
     return {p.id for p in seen if p.id in named or p.kind == "animal"} - {*stage.scene.on}
 
 
+@rule("people.named_without_verb")
 def _name_people(stage: Stage) -> None:
     """A sentence without a clause: whoever it names is there."""
     named: list[Person] = []
@@ -133,6 +135,7 @@ def _name_people(stage: Stage) -> None:
         stage.sentence.subjects = named[:1]
 
 
+@rule("things.named_without_verb")
 def _name_thing(stage: Stage, phrases: list[Phrase]) -> None:
     """A sentence without a clause: ``it`` may mean the last thing it names."""
     for phrase in phrases:
@@ -212,6 +215,7 @@ def _owner_is_subject(stage: Stage, clause: Clause) -> None:
         stage.mention(owner, 0.6)
 
 
+@rule("looks.worn_in")
 def _dress(stage: Stage, roles: Roles) -> None:
     """``A woman in a grey suit``: what she wears is no place."""
     for place in [place for place in roles.places if place.preposition == "in" and place.things]:
@@ -243,6 +247,7 @@ def _motion(stage: Stage, clause: Clause, roles: Roles) -> str | None:
     return None if voiced else motion
 
 
+@rule("postures.being_somewhere")
 def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
     """``MAN #2 is on the bed``, ``Hale is asleep``: a posture without a verb for it."""
     if clause.verb != "be" or not roles.subjects or stage.sentence.pictured:

@@ -13,11 +13,13 @@ from storyblender.agents.director.reader.language.words import Mention, Word, to
 from storyblender.agents.director.reader.page.sentences import Sentence, Speech
 from storyblender.agents.director.reader.people.mentions import mark_mentions
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 
 _VOICE = frozenset({"talk", "whisper", "shout", "sing", "phone"})
 """How it is said is told by the speech itself."""
 
 
+@rule("speech.brackets")
 def act_beside(stage: Stage, sentence: Sentence, speech: Speech) -> None:
     """Read what the brackets of a speech tell of the speaker into the unit of the speech.
 

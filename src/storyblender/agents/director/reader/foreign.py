@@ -16,6 +16,7 @@ from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Deed, Person, StateChange
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Posture, RelationKind
 
 _POSTURES: dict[str, Posture] = {
@@ -35,6 +36,7 @@ _LEAVING = {
 _CHANGES = {"open": "open", "close": "closed"}
 
 
+@rule("deeds.another_language")
 def read_foreign(stage: Stage, sentence: Sentence, tongue: Tongue) -> None:
     """Read a sentence of action into its unit, which is already open.
 

@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.people.people_meant import is_neuter
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 
 _OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _TROPHIES = lexicon.words("trophies")
@@ -43,6 +44,7 @@ _ONLY_WORN = frozenset({"touch", "cut", "open", "clean"})
 """Motions that leave a garment on its wearer: ``straightens his tie``."""
 
 
+@rule("things.named")
 def notice_nouns(stage: Stage, phrases: list[Phrase]) -> None:
     """Every noun that names a thing is seen; in capitals it is shown.
 
@@ -97,6 +99,7 @@ def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhr
     return noun.head in _SHOWN and noun.determiner == "the" and bool(lately & _SCREENS)
 
 
+@rule("things.likened", without=False)
 def _is_likened(words: Sequence[Word], at: int) -> bool:
     """``lights like a spaceship landed``, ``as flat as a mirror``: a comparison, so the thing is not there."""
     back = at - 1
@@ -113,6 +116,7 @@ def _is_likened(words: Sequence[Word], at: int) -> bool:
     return False
 
 
+@rule("things.said_of_it", without=False)
 def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
     """``It's an oven in here``, ``Now it is a boat``: a noun that describes something else."""
     if noun.determiner not in ("a", "an") or index < 2:
@@ -122,12 +126,14 @@ def _is_said_of_it(phrases: list[Phrase], index: int, noun: NounPhrase) -> bool:
     return being and subject.noun is not None and subject.noun.head in ("it", "this", "that")
 
 
+@rule("things.idiom", without=False)
 def _is_in_an_idiom(stage: Stage, noun: NounPhrase) -> bool:
     """``in any case``, ``knows the ropes``, ``throws a tantrum``: the noun is part of an idiom."""
     text = f" {joined(stage.sentence.words)} "
     return any(noun.head in idiom and f" {idiom} " in text for idiom in _IDIOMS)
 
 
+@rule("things.at_a_part_of_body", without=False)
 def _is_at_a_part(phrases: list[Phrase], index: int) -> bool:
     """Whether a noun is at a part of a body: ``phone to his ear``, ``both hands around a tin mug``."""
     for preposition, other in ((index + 1, index + 2), (index - 1, index - 2)):
@@ -145,6 +151,7 @@ def _notice_weather(stage: Stage, word: str, left: Phrase | None) -> None:
         stage.place.weather = lexicon.WEATHER_WORDS[word]
 
 
+@rule("things.acted_on")
 def notice_things(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
     """Note how the things of a clause come up.
 

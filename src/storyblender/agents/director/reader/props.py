@@ -150,6 +150,10 @@ class Inventory:
             item.notices[how] += 1
             item.determined |= determined and how == "held"
 
+    def notices(self) -> list[tuple[str, list[str]]]:
+        """Return all things so far, each with the ways it came up."""
+        return [(id, [how for how, times in item.notices.items() if times]) for id, item in self._by_id.items()]
+
     def forget(self, id: str) -> None:
         """Drop a thing that is not a physical prop: it is painted on a wall, or films the scene."""
         for how in ("seen", "met") if id in self._by_id else ():

@@ -16,7 +16,7 @@ from storyblender.agents.director.reader.deeds.carried import bring_along
 from storyblender.agents.director.reader.deeds.exits import clear_exits
 from storyblender.agents.director.reader.foreign import read_foreign
 from storyblender.agents.director.reader.language.words import Word
-from storyblender.agents.director.reader.manuscript import open_manuscript
+from storyblender.agents.director.reader.manuscript import Manuscript, open_manuscript
 from storyblender.agents.director.reader.page.cutting import cut_page
 from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.roster import Roster
@@ -24,7 +24,9 @@ from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reader.shown import lies_there, show_thing
 from storyblender.agents.director.reader.speech import speak
 from storyblender.agents.director.reader.stage import SceneState, Stage
+from storyblender.agents.director.reader.why import page_facts, stage_facts
 from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
+from storyblender.agents.director.rules import by_rule, rule, watch
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -46,22 +48,34 @@ def read_script(screenplay: Screenplay) -> Reading:
         People, things, scenes and units with offsets into ``screenplay.text``; what was a guess is flagged.
     """
     script = open_manuscript(screenplay)
-    roster = find_prose_cast(script) if script.prose else find_cast(script)
-    add_foreign(roster, script)
-    roster.index()
-    reading = Reading(screenplay, people=roster.people)
+    reading = Reading(screenplay)
+    watch(lambda: page_facts(reading))
+    roster = _find_people(script, reading)
     sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
     stage = Stage(roster, Inventory(roster.ids), reading, script.tongue)
+    watch(lambda: stage_facts(stage))
     if script.tongue:
         reason = f"the page is in {script.tongue.name}: what people do is told by a table of common words"
         stage.flag("language", script.tongue.key, reason, 0, 0)
     for sentence in sentences:
-        _read(stage, sentence)
+        with by_rule("page.sentence", sentence.start, sentence.end):
+            _read(stage, sentence)
     _close(stage)
     return reading
 
 
+@rule("people.described")
+def _find_people(script: Manuscript, reading: Reading) -> Roster:
+    """Find the cast, with the looks that stand beside their names."""
+    roster = find_prose_cast(script) if script.prose else find_cast(script)
+    add_foreign(roster, script)
+    roster.index()
+    reading.people = roster.people
+    return roster
+
+
+@rule("people.gender_by_pronouns")
 def _guess_genders(sentences: list[Sentence], roster: Roster, prose: bool) -> None:
     """Where a sentence names one person only, the pronouns after the name, or at the start of the next, vote."""
     votes: dict[str, Counter[str]] = {person.id: Counter() for person in roster.people}
@@ -186,6 +200,7 @@ def _note_the_stage(stage: Stage) -> None:
     unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}
 
 
+@rule("camera.subject")
 def _look_at(stage: Stage, camera: CameraNote) -> str | None:
     """Note a camera direction: whom it shows or looks through is there; ``She`` after CLOSE ON KIRA is Kira.
 
@@ -204,6 +219,7 @@ def _look_at(stage: Stage, camera: CameraNote) -> str | None:
     return None if person else show_thing(stage, camera)
 
 
+@rule("people.carried_over")
 def _open_scene(stage: Stage, sentence: Sentence) -> None:
     prose = stage.reading.screenplay.format == "prose"
     before = stage.scene

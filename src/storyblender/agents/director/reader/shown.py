@@ -14,11 +14,13 @@ from storyblender.agents.director.reader.people.coreference import resolve_prono
 from storyblender.agents.director.reader.people.things_meant import ASIDE, weigh
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import CameraNote, Person
+from storyblender.agents.director.rules import rule
 
 _GRIPS = frozenset({"hand", "palm", "fist", "finger", "grip"})
 _SOLID = ("prop", "set_piece")
 
 
+@rule("things.shown_by_camera")
 def show_thing(stage: Stage, camera: CameraNote) -> str | None:
     """Note the thing that a direction shows; in somebody's hand it is theirs. Return its id.
 
@@ -42,6 +44,7 @@ def show_thing(stage: Stage, camera: CameraNote) -> str | None:
     return thing
 
 
+@rule("relations.shown_by_camera")
 def lies_there(stage: Stage, thing: str, words: list[Word]) -> None:
     """``alone on the table``: say where what was shown is; ``it`` is what was shown.
 

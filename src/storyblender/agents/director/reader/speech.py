@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.people.look import years
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Deed, Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 _OFF = re.compile(
@@ -63,6 +64,7 @@ _PARENT = {"mom": "mother", "mama": "mother", "mamma": "mother", "dad": "father"
 _TO_THE_YOUNG = frozenset({"child", "kid", "boy", "girl", "son"})
 
 
+@rule("speech.speaker")
 def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
     """Read a speech into the unit: speaker, manner, addressee."""
     unit, prose = stage.unit, stage.reading.screenplay.format == "prose"
@@ -169,6 +171,7 @@ def _is_loud(text: str) -> bool:
     return only or (len(text.split()) <= _SHORT and _CALLED_OUT.match(text) is not None)
 
 
+@rule("speech.listener")
 def _listener(stage: Stage, speaker: Person, speech: Speech, prose: bool) -> Person | None:
     """Whom a line is for: said in brackets, called by name, the last speaker, the only other; else a guess."""
     others = [person for person in stage.on_stage() if person is not speaker]

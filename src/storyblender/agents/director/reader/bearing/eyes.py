@@ -9,6 +9,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _WAYS = ("closed", "camera", "up", "down", "left", "right")
 _OPENED = lexicon.BEARING["eyes_open"]
@@ -16,6 +17,7 @@ _FILMING = frozenset({"camera", "lens", "audience"})
 _DENIED = re.compile(r"\b(?:not|n't|never|without|cannot)\b")
 
 
+@rule("bearing.gaze")
 def note_gaze(stage: Stage, people: Sequence[Person]) -> None:
     """Note the gaze of the people of a sentence, and end an earlier gaze when they look at something.
 

@@ -8,6 +8,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _NOT = frozenset(
     {"not", "n't", "no", "never", "without", "hardly", "nor", "neither", "less", "nothing", "longer", "if"}
@@ -20,6 +21,7 @@ _COPULAS = frozenset(
 _ANIMATE = frozenset({"who", "he", "she", "they", "both", "everybody", "everyone"})
 
 
+@rule("bearing.face")
 def note_faces_told(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
     """Note the facial expressions in a sentence, each with its person.
 

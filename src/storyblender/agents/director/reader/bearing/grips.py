@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Grip
 
 _GRIPS: tuple[tuple[Grip, re.Pattern[str]], ...] = (
@@ -37,6 +38,7 @@ _HAVING = frozenset(
 )
 
 
+@rule("bearing.grip")
 def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
     """Note how the things of a sentence are carried, and that they are in hand.
 
@@ -62,6 +64,7 @@ def note_grips(stage: Stage, words: Sequence[Word], people: Sequence[Person]) ->
             stage.unit.grips.setdefault(bearer.id, {})[thing] = grip
 
 
+@rule("things.had")
 def note_had(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``Rose has the drill``, ``The kid has a pistol``: put a prop that a person has into their hand.
 

@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _LASTING = frozenset(
     {"phone", "write", "drive", "ride", "play_music", "cook", "clean", "work", "read", "type", "dance", "smoke", "eat"}
@@ -23,6 +24,7 @@ _BESIDE_IT = frozenset(
 _ON_THE_PHONE, _OVER = lexicon.BEARING["on_the_phone"], lexicon.BEARING["over"]
 
 
+@rule("bearing.activity")
 def note_lasting(stage: Stage, clauses: Sequence[Clause], people: Sequence[Person]) -> None:
     """Begin and end lasting activities.
 

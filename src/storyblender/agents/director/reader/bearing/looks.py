@@ -14,6 +14,7 @@ from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _BEING = frozenset({"be", "look"})
 _WEARING = frozenset({"wear", "sport", "dress"})
@@ -33,6 +34,7 @@ _FRAGMENT = 7
 """Most words of a verbless sentence that describes appearance: ``Sixty-six. Bald.``"""
 
 
+@rule("looks.told")
 def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
     """Add the appearance that a clause describes to its person.
 
@@ -57,6 +59,7 @@ def note_looks(stage: Stage, clause: Clause, roles: Roles) -> None:
         _of_a_part(stage, clause, [stage.sentence.words[clause.index]] if clause.passive else words)
 
 
+@rule("looks.fragment")
 def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person], start: int) -> None:
     """Read ``Sixty-six.``, ``Bald, in a torn coat.`` after a person was introduced in the same paragraph.
 

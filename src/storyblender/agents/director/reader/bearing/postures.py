@@ -5,6 +5,7 @@ from __future__ import annotations
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Posture
 
 _HANGING = frozenset({"hang", "dangle"})
@@ -18,6 +19,7 @@ _PASSING = frozenset({"up", "out", "around", "round", "on"})
 """``hangs up``, ``hangs around``: particles with which the person does not hang."""
 
 
+@rule("postures.told")
 def note_posture(stage: Stage, clause: Clause, roles: Roles) -> None:
     """Set the posture that a clause describes in the scene.
 

@@ -9,6 +9,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.words import Word, joined
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.shot_context import Tether
 from storyblender.memory.vocabulary import TetherKind
 
@@ -16,6 +17,7 @@ _LEADS: tuple[TetherKind, ...] = ("leash", "rope", "chain")
 _HAND, _BOUND = lexicon.BEARING["hand_in_hand"], lexicon.BEARING["bound"]
 
 
+@rule("bearing.tether")
 def note_tethers(stage: Stage, words: Sequence[Word], people: Sequence[Person]) -> None:
     """Note who leads whom in a sentence, and what a person is tied to.
 

@@ -7,6 +7,7 @@ import re
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reader.language.text_index import TextIndex
+from storyblender.agents.director.rules import rule
 
 _IMAGE_OF = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.words('images')))})s? of $", re.IGNORECASE)
 _DONE = frozenset({"past", "3sg", "aux"})
@@ -18,6 +19,7 @@ _BEFORE = re.compile(r"(?<![a-z])[a-z]{1,40} $")
 _AFTER = re.compile(r"(?:['’]s)?(?: ([a-z]+))?(?= ([a-z]+))?")
 
 
+@rule("people.only_told_of", without=False)
 def is_only_told_of(name: str, told: TextIndex) -> bool:
     """Whether somebody is an image and never does anything, or is told of only as they had been.
 

@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.language.morphology import FORMS, singu
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.manuscript import Manuscript
 from storyblender.agents.director.reader.people.roster import Roster
+from storyblender.agents.director.rules import rule
 
 _CLAUSE = r"(?:,? (?:who|which|that) [^.;,]*,?|, [^.;,]*,| (?:in|on|with|of|at) [^.;,]*?)?"
 _ANY = frozenset({"animal", "creature", "beast"})
@@ -56,6 +57,7 @@ def does_something(animal: str, told: str) -> bool:
     return any(_appears(match.group(1)) for match in appearing.finditer(told))
 
 
+@rule("people.animal_that_acts")
 def add_animals(roster: Roster, script: Manuscript) -> None:
     """Cast the animals of a screenplay that stand in small letters.
 

@@ -10,6 +10,7 @@ from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _NICKNAMED = re.compile(
     rf"(?<![{UPPER}])(?P<first>[{UPPER}]{{2,}}(?: [{UPPER}]{{2,}})?) "
@@ -58,6 +59,7 @@ def tagged_name(look: str, names: Collection[str]) -> str:
     return tag.group(1) if tag and tag.group(1) in names else ""
 
 
+@rule("people.named_later")
 def named_later(roster: Roster, text: str) -> None:
     """Call a person by the name that the text gives later.
 

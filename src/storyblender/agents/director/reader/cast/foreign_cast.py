@@ -9,6 +9,7 @@ from storyblender.agents.director.lexicon.foreign import Tongue
 from storyblender.agents.director.reader.manuscript import Manuscript, without_brackets, without_quotations
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 _WORD = re.compile(r"[^\W\d_]+")
@@ -25,6 +26,7 @@ _PRONOUNS: dict[str, dict[str, Gender]] = {
 }
 
 
+@rule("people.another_language")
 def add_foreign(roster: Roster, script: Manuscript) -> None:
     """Add people and animals named by a noun of the script's language, with their kind and gender.
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 _HUSBANDS, _WIVES = ("mr", "sir", "lord", "monsieur", "herr"), ("mrs", "lady", "madame", "frau")
@@ -33,6 +34,7 @@ def is_family(told: str) -> bool:
     return _FAMILY.search(told) is not None
 
 
+@rule("people.surname")
 def link_surnames(roster: Roster) -> None:
     """Mr. White is the husband of Mrs. White, Herbert White their son."""
     families: dict[str, list[Person]] = {}
@@ -55,6 +57,7 @@ def link_surnames(roster: Roster) -> None:
             roster.call(head, _PARENT[title])
 
 
+@rule("people.kin")
 def link_kin(roster: Roster, kinships: Sequence[Kinship], names: Sequence[tuple[int, str]]) -> None:
     """Whoever was named last before ``his niece Clara`` is her uncle.
 

@@ -13,6 +13,7 @@ from storyblender.agents.director.reader.language.morphology import is_person_no
 from storyblender.agents.director.reader.language.text_index import TextIndex
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _SOON, _LATER = 900, 2500
 """Characters from where somebody without a name was told of last to his title, and to a name that just turns up."""
@@ -61,6 +62,7 @@ def _has_no_name(person: Person) -> bool:
     return person.role == bare(person.name) or (person.role != "" and person.name.islower())
 
 
+@rule("people.named_later_in_story")
 def name_the_nameless(roster: Roster, told: str, namings: Sequence[Naming]) -> None:
     """Join everybody introduced by a noun with the name they get later.
 
@@ -342,6 +344,7 @@ def join(roster: Roster, named: Person, nameless: Person) -> None:
     roster.remove(nameless)
 
 
+@rule("people.called_by_nouns")
 def call_by_nouns(roster: Roster, text: str) -> None:
     """``A MOVER``, later ``the mover``: the name is a noun for what they do, though no list knows it."""
     written = TextIndex(text)

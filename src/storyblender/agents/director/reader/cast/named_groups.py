@@ -7,6 +7,7 @@ import re
 from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _NAME = rf"(?:[{UPPER}][a-z]{{1,4}}\. )?[{UPPER}][{UPPER}.'’-]*(?: [{UPPER}][{UPPER}.'’-]*)*"
 _ASIDE = r"(?:\s*\([^)]*\))?"
@@ -15,6 +16,7 @@ _MEMBERS = re.compile(
 )
 
 
+@rule("people.members_of_group")
 def name_groups(roster: Roster, text: str) -> None:
     """Let the people who are named right after a group be the group.
 

@@ -28,6 +28,7 @@ from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.narrator import find_narrator
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _APPOSED = re.compile(rf"\s+((?:(?:Mr|Mrs|Ms|Dr|Prof)\.?\s)?[{UPPER}][{LOWER}]+)")
 _APPOSED_AFTER_COMMA = re.compile(
@@ -125,6 +126,7 @@ def _only_compared(told: str, phrase: PersonNoun) -> bool:
     return owned or re.search(r"\b(?:like|as|than|size of|height of|belonged to) $", before) is not None
 
 
+@rule("people.noun_in_story")
 def _admit(roster: Roster, role: _Role, text: str, spoken: Sequence[tuple[int, str]]) -> None:
     phrase, look = role.phrase, " ".join(role.phrase.adjectives)
     named = _NAMED.match(role.after)

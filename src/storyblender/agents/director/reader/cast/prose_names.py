@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.language.person_nouns import find_perso
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _TITLE = rf"(?:{'|'.join(sorted(title.title() for title in lexicon.TITLES | {'master'}))})"
 _WORDS = rf"[{UPPER}][{LOWER}]+(?:-[{UPPER}][{LOWER}]+)*(?:[ ][{UPPER}][{LOWER}]+)*"
@@ -120,6 +121,7 @@ def _is_apposed_to_somebody(after: str) -> bool:
     return phrase is not None and phrase.start == 0
 
 
+@rule("people.name_in_story")
 def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> None:
     """Add somebody named; Mr. Barrow is Simon Barrow unless the story is about a family.
 

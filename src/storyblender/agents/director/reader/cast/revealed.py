@@ -7,6 +7,7 @@ import re
 from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reader.cast.later_names import join
 from storyblender.agents.director.reader.people.roster import Roster
+from storyblender.agents.director.rules import rule
 
 _NOBODY_YET = "figure|stranger|silhouette|shape|shadow|man|woman|boy|girl|rider|driver|voice|intruder"
 _REVEALING = re.compile(
@@ -16,6 +17,7 @@ _REVEALING = re.compile(
 )
 
 
+@rule("people.revealed")
 def join_revealed(roster: Roster, text: str) -> None:
     """Merge a figure with the named person it turns out to be.
 

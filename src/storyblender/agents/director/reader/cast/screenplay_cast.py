@@ -20,6 +20,7 @@ from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import by_rule, holds, rule
 
 _CAPITAL = UPPER + "ʿʾʻ"
 _RUN = re.compile(
@@ -75,6 +76,7 @@ class _Sighting:
     after: str
     """The first characters that follow it in its paragraph."""
     nickname: str = ""
+    rule: str = "people.cue"
 
 
 _PART_OF = re.compile(r"\b(?:OF|DE|DEL|DU|DES|DI|DELLA|VON|DER)\b")
@@ -103,7 +105,8 @@ def find_cast(script: Manuscript) -> Roster:
     roster = Roster()
     full_names = _FullNames(_ARTICLE_OR_COUNT.sub("", sighting.name) for sighting in singles)
     for sighting in sorted(singles):
-        _admit(roster, sighting, full_names, script.text)
+        with by_rule(sighting.rule, sighting.at, sighting.at + len(sighting.name)):
+            _admit(roster, sighting, full_names, script.text)
     name_groups(roster, script.text)
     for paragraph in script.paragraphs:
         if paragraph.kind == "cast":
@@ -123,6 +126,7 @@ def find_cast(script: Manuscript) -> Roster:
     return roster
 
 
+@rule("people.cast_list")
 def _describe_entry(roster: Roster, line: str) -> None:
     """``MAMA RISI, a tailor, fifty-eight``: read an entry of the cast list."""
     entry = re.match(rf"(?:A |AN |THE )?([{UPPER}][{UPPER}.'’ -]+[{UPPER}])[\s,:.(–—-]+(.+)", line.strip())
@@ -131,6 +135,7 @@ def _describe_entry(roster: Roster, line: str) -> None:
         describe(roster, people[0], entry.group(2).replace(")", "").strip(" ."))
 
 
+@rule("people.unnamed_pair")
 def _add_unnamed(roster: Roster, script: Manuscript) -> None:
     """``She leaves. He stays.`` and nobody has a name: a woman and a man."""
     for paragraph in script.paragraphs:
@@ -142,22 +147,23 @@ def _in_action(written: TextIndex, text: str, start: int, cues: set[str]) -> lis
     found: list[_Sighting] = []
     pieces, done = [], 0
     for at, end, name, nickname in nicknamed(text):
-        found.append(_Sighting(start + at, name, text[end : end + _FOLLOWING], nickname))
+        found.append(_Sighting(start + at, name, text[end : end + _FOLLOWING], nickname, "people.nickname"))
         pieces += [text[done:at], " " * (end - at)]
         done = end
     text = without_quotations("".join([*pieces, text[done:]]))
     for match in _RUN.finditer(text):
         name = re.sub(r"['’]S$", "", match.group(0).strip(" .-'’")).replace("’", "'")
         before, after = text[max(0, match.start() - 30) : match.start()], text[match.end() : match.end() + _FOLLOWING]
-        if len(name) > 1 and _is_person(name, before, after, cues, written):
-            found.append(_Sighting(start + match.start(), name, after))
+        by = _rule_of_person(name, before, after, cues, written) if len(name) > 1 else ""
+        if by:
+            found.append(_Sighting(start + match.start(), name, after, rule=by))
     for match in _TITLED.finditer(text):
-        found.append(_Sighting(start + match.start(), match.group(0).upper(), ""))
+        found.append(_Sighting(start + match.start(), match.group(0).upper(), "", rule="people.title_and_name"))
     for match in _CAPITALISED_ROLE.finditer(text):
         words = match.group(1).split()
         kind = re.match(r" ([a-z]+)", text[match.end() :])  # the German Shepherd dog
         if len(words) > 1 and is_person_noun(singular(words[-1])) and not (kind and kind[1] in lexicon.ANIMALS):
-            found.append(_Sighting(start + match.start(1), match.group(1).upper(), ""))
+            found.append(_Sighting(start + match.start(1), match.group(1).upper(), "", rule="people.role_with_capital"))
     return found
 
 
@@ -170,34 +176,42 @@ def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
             part = _PART_OF.search(name) is not None and bool(cues & {*name.split()})
             name_alone = not part and name.upper() == name and at >= 0 and len(name) > 1
             after = paragraph.raw[at + len(name) : at + len(name) + _FOLLOWING]
-            if name_alone and _is_person(name, "the ", after, cues, TextIndex("")):
-                found.append(_Sighting(paragraph.start + at, name, after))
+            by = _rule_of_person(name, "the ", after, cues, TextIndex("")) if name_alone else ""
+            if by:
+                found.append(_Sighting(paragraph.start + at, name, after, rule=by))
     return found
 
 
-def _is_person(name: str, before: str, after: str, cues: set[str], written: TextIndex) -> bool:
-    """Whether words in capitals name somebody, and not a noise, a thing or a camera."""
+def _rule_of_person(name: str, before: str, after: str, cues: set[str], written: TextIndex) -> str:
+    """Return the rule by which words in capitals name somebody; empty for a noise, a thing or a camera."""
     base = _ARTICLE_OR_COUNT.sub("", name)
-    if base in cues or name in cues:
-        return True
+    if holds("people.cue", base in cues or name in cues):
+        return "people.cue"
     if re.search(r" (?:DE|DEL|DI|VON|OF) ", base) and base.split()[-1] in cues:
-        return False  # LA PALMA DE OFELIA
-    if " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS:
-        return True
+        return ""  # LA PALMA DE OFELIA
+    part = " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS
+    if holds("people.part_of_cue", part):
+        return "people.part_of_cue"
     unnumbered = _NUMBERED.sub("", re.split(r" (?:IN|OF|WITH) ", base)[0]) or "x"
     head = singular(unnumbered.split()[-1])
     title = base.split()[0].strip(".").lower()
-    if is_person_noun(head) or (title in lexicon.TITLES and " " in base):
-        return True
-    if _AGED.match(after) or _is_called_a_person(after) or (_told_before(before) and re.match(r"[,.;]| \(", after)):
-        return True
-    if head in lexicon.PROPS | lexicon.SET_PIECES or base.lower() in lexicon.NOT_PEOPLE or head in lexicon.SOUNDS:
-        return False
-    if {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES or _INTRODUCED.match(after):
-        return True
-    if head in _THINGS:
-        return False
-    return _acts_like_a_person(base, before, after, written)
+    told = _told_before(before) and re.match(r"[,.;]| \(", after)
+    first = {unaccented(head), unaccented(unnumbered.split()[-1].lower())} & lexicon.FIRST_NAMES
+    for found, evidence in (
+        ("people.trade_or_kin", is_person_noun(head)),
+        ("people.title_and_name", title in lexicon.TITLES and " " in base),
+        ("people.age_in_brackets", _AGED.match(after)),
+        ("people.apposition", _is_called_a_person(after) or told),
+        ("", head in lexicon.PROPS | lexicon.SET_PIECES or base.lower() in lexicon.NOT_PEOPLE),
+        ("", head in lexicon.SOUNDS),
+        ("people.first_name", first),
+        ("people.introduced", _INTRODUCED.match(after)),
+        ("", head in _THINGS),
+    ):
+        if holds(found, evidence) if found else evidence:
+            return found
+    acts = "people.name_in_capitals_acts"
+    return acts if holds(acts, _acts_like_a_person(base, before, after, written)) else ""
 
 
 def _is_called_a_person(after: str) -> bool:
@@ -227,6 +241,7 @@ def _split(sighting: _Sighting) -> list[_Sighting]:
             part,
             sighting.after if part == parts[-1] else "",
             sighting.nickname,
+            sighting.rule,
         )
         for part in parts
     ]

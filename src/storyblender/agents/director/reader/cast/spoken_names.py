@@ -10,6 +10,7 @@ from storyblender.agents.director.naming import LOWER, UPPER
 from storyblender.agents.director.reader.manuscript import QUOTATION, QUOTATION_MARKS, Manuscript
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _TITLES = "|".join(sorted((re.escape(title) for title in lexicon.TITLES - lexicon.KIN), key=len, reverse=True))
 _TITLED = rf"(?:(?i:{_TITLES}))\.?(?: [{UPPER}][{LOWER}]+)+"
@@ -58,6 +59,7 @@ def title_noun(name: str) -> str:
     return lexicon.TITLE_SYNONYMS.get(title, title)
 
 
+@rule("people.title")
 def call_by_title(roster: Roster, spoken: Sequence[tuple[int, str]]) -> None:
     """``"You win, Doctor Lebedev"``: the doctor has a name."""
     for _, name in spoken:

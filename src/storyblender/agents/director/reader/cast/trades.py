@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.cast.later_names import GENERIC, GENTLE
 from storyblender.agents.director.reader.language.morphology import is_person_noun
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _ATTENDANTS = frozenset(
     {
@@ -35,6 +36,7 @@ _STILL_NEAR, _JUST_NAMED = 1500, 160
 """Characters from ``a man`` to ``the surveyor``, and from ``Mr. Finch`` to ``The lawyer``."""
 
 
+@rule("people.trade")
 def call_by_trade(roster: Roster, text: str, told: str) -> None:
     """Join whoever is first called *the surveyor* with the man, or the Mr. Finch, who was there already.
 

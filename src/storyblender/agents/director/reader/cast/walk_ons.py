@@ -14,6 +14,7 @@ from storyblender.agents.director.reader.language.person_nouns import PersonNoun
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_brackets, without_quotations
 from storyblender.agents.director.reader.people.look import describe
 from storyblender.agents.director.reader.people.roster import Roster
+from storyblender.agents.director.rules import rule
 
 _BETWEEN = r"(?:\s*,? (?:who|which|that)\b[^.;,]*,?|\s*,\s[^.;,]*,|\s+(?:in|on|with|of|at|from|behind|by)\s[^.;,]*?)?"
 _FOLLOWING = re.compile(rf"{_BETWEEN}\s+(?:[a-z]+ly\s+|both\s+|all\s+|then\s+)?([a-z]+)\b")
@@ -138,6 +139,7 @@ def _is_verb(word: str, several: bool) -> bool:
     return kind in _FINITE | {"ing"} or (several and kind == "base" and word not in lexicon.PREPOSITIONS)
 
 
+@rule("people.noun_that_acts")
 def _add(roster: Roster, phrase: PersonNoun, start: int) -> None:
     look = " ".join(phrase.adjectives)
     known = [person for person in roster.people if person.role == phrase.noun]
@@ -150,6 +152,7 @@ def _add(roster: Roster, phrase: PersonNoun, start: int) -> None:
         describe(roster, person, look)
 
 
+@rule("people.plural_that_acts")
 def _add_plural(roster: Roster, match: re.Match[str], start: int) -> None:
     """``Soldiers run past.``, ``Children laugh``: add a group without a determiner."""
     noun = singular(match.group(1).lower())
@@ -165,6 +168,7 @@ def _add_plural(roster: Roster, match: re.Match[str], start: int) -> None:
     person.kind, person.count = "group", max(person.count, 3)
 
 
+@rule("people.name_that_acts")
 def _add_named(roster: Roster, script: Manuscript, told: list[Paragraph]) -> None:
     """``Nadia opens the window.``, never in capitals: add a first name that acts once, or any name that acts twice."""
     acts: Counter[str] = Counter()

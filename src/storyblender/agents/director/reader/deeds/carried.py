@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.people.people_meant import fits
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 _SUBJECTS: dict[str, Gender] = {"he": "male", "she": "female", "they": "unknown", "both": "unknown"}
@@ -18,6 +19,7 @@ _ANYBODY = frozenset({"friend", "other", "lover", "figure", "people", "them"}) |
 """Heads that say nothing of who they are."""
 
 
+@rule("people.brought_along")
 def bring_along(stage: Stage, sentence: Sentence) -> None:
     """Put people of the scene before on stage, if a sentence means them before anybody is there.
 

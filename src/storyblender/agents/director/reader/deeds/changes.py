@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person, StateChange
+from storyblender.agents.director.rules import rule
 
 _STATE_OF_VERB = {
     "open": "open", "unlock": "open", "pop": "open", "close": "closed", "shut": "closed", "slam": "closed",
@@ -26,6 +27,7 @@ _SOUNDING, _LOUD = lexicon.words("sounding"), lexicon.words("loud")
 _SOUND_OF_MOTION = {"shoot": "gunshot", "knock": "knock", "clap": "applause"}
 
 
+@rule("changes.told")
 def note_changes(stage: Stage, clause: Clause, roles: Roles) -> None:
     """Emit what a clause changes: doors that open, lamps and lights that go on or off, things that break."""
     if clause.negated or clause.unreal:
@@ -78,6 +80,7 @@ def _change(stage: Stage, thing: str, state: str, at: int) -> None:
         stage.unit.changes.append(change)
 
 
+@rule("sounds.told")
 def note_sounds(stage: Stage, clauses: Sequence[Clause]) -> None:
     """Collect the sound effects of the sentence: BANG, thunder rumbles, the phone rings, somebody shoots."""
     found = [_SOUND_OF_MOTION[deed.motion] for deed in stage.unit.deeds if deed.motion in _SOUND_OF_MOTION]
@@ -94,6 +97,7 @@ def note_sounds(stage: Stage, clauses: Sequence[Clause]) -> None:
     stage.unit.sounds += [sound for sound in dict.fromkeys(found) if sound not in stage.unit.sounds]
 
 
+@rule("bearing.face_by_verb")
 def note_faces(stage: Stage, clause: Clause, people: Sequence[Person]) -> None:
     """Keep what shows on a face: smiles, frowns."""
     if clause.verb in lexicon.FACE_VERBS and not clause.negated and not clause.unreal:

@@ -11,6 +11,7 @@ from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Deed, Person
+from storyblender.agents.director.rules import rule
 
 _TOWARDS = lexicon.words("towards")
 _GOING = lexicon.words("going")
@@ -47,6 +48,7 @@ _DISTANCE = re.compile(
 )
 
 
+@rule("deeds.verb", without=[])
 def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
     """Make the deeds of a clause and give them to the unit.
 
@@ -77,6 +79,7 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
     return deeds
 
 
+@rule("deeds.companions", without=[])
 def _companions(roles: Roles, clause: Clause, motion: str) -> list[Deed]:
     """Who is led, and who goes along: ``ran down with her brother``."""
     along = roles.people_after("with") if motion in _TRAVEL and clause.verb != "leave" else []
@@ -110,6 +113,7 @@ def _only_a_pose(stage: Stage, clause: Clause, roles: Roles, motion: str) -> boo
     return own if motion == "touch" else clause.participle and not clause.places
 
 
+@rule("deeds.target", without=(None, None))
 def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tuple[str | None, str | None]:
     """Whom or what a motion is for, and the thing used: ``gives Ben the folder`` -> Ben, folder."""
     thing = next((thing for thing in roles.things if stage.inventory.head(thing) not in _QUALITIES), None)

@@ -11,6 +11,7 @@ from storyblender.agents.director.reader.people.people_meant import resolve_ment
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _CALLING = frozenset({"call", "shout", "yell", "scream", "answer"})
 _ARRIVING = frozenset({"enter", "come", "arrive", "return", "burst", "appear"})
@@ -54,6 +55,7 @@ def is_in_a_picture(text: str, heads: Sequence[str]) -> bool:
     return _SHOWN.search(text) is not None or (pictures and _ANOTHER.match(text) is not None)
 
 
+@rule("people.subject_is_there", without=True)
 def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> bool:
     """Bring the subjects of a clause on stage; returns False where they are only heard."""
     seen = True
@@ -74,6 +76,7 @@ def subjects_enter(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> 
     return seen
 
 
+@rule("people.object_is_there")
 def objects_enter(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> None:
     """People who are touched, spoken to or stood beside are on stage too."""
     physical = bool(roles.subjects) and not stage.sentence.pictured
@@ -101,6 +104,7 @@ def is_elsewhere(stage: Stage, index: int) -> bool:
     return _PICTURE_OF.search(before) is not None
 
 
+@rule("people.named_is_there")
 def named_enter(stage: Stage, words: list[Word], clauses: list[Clause]) -> None:
     """Everybody named in action is on stage, unless the words around say otherwise."""
     for index, word in enumerate(words):

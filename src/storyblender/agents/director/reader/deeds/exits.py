@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _LEAVING = re.compile(
     r"(exit|leave|depart|withdraw|retire|vanish|disappear|flee|escape"
@@ -88,12 +89,14 @@ _GONE = frozenset({"gone", "vanished", "disappeared"})
 _CLOSED = frozenset({"close", "shut", "slam", "swing", "bang", "click", "bolt", "lock"})
 
 
+@rule("people.leaves")
 def leave(stage: Stage, clause: Clause, roles: Roles, motion: str) -> None:
     """Note who goes by a deed of theirs, and whom they take along."""
     if _goes(stage, clause, roles, motion):
         _go(stage, roles.subjects)
 
 
+@rule("people.taken_away")
 def taken_away(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``throws Ben out``, ``leads her from the room``, ``Ben is dragged off``: who goes because of somebody else."""
     if clause.negated or clause.unreal or clause.verb not in _TAKING_ALONG | _SENDING:
@@ -114,6 +117,7 @@ def is_through_a_door(clause: Clause) -> bool:
     )
 
 
+@rule("people.found_gone")
 def found_gone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
     """``Ben is gone``, ``But she has already vanished.``"""
     after = [word.low for word in stage.sentence.words[clause.index + 1 : clause.index + 4]]
@@ -123,6 +127,7 @@ def found_gone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None
         clear_exits(stage)
 
 
+@rule("people.all_leave")
 def all_leave(stage: Stage, clause: Clause) -> None:
     """``Everybody leaves but Nora.``: those who are not named again."""
     heads = {noun.head for noun in clause.subject}
@@ -132,6 +137,7 @@ def all_leave(stage: Stage, clause: Clause) -> None:
         _go(stage, [person for person in stage.on_stage() if person.id not in kept])
 
 
+@rule("people.left_alone")
 def left_alone(stage: Stage, clause: Clause, subjects: Sequence[Person]) -> None:
     """``Rick stands alone in the fog.``: all others have gone. ``alone at a table`` says nothing about them."""
     words = stage.sentence.words
@@ -152,6 +158,7 @@ def _takes_an_object(words: Sequence[Word]) -> bool:
     return alone + 1 < len(words) and words[alone + 1].low == "with"
 
 
+@rule("people.seen_off")
 def seen_off(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``The door closed behind their guest``, ``shuts the door behind him``, ``watched him down the road``: gone."""
     things = roles.things if roles.subjects else roles.subject_things

@@ -13,6 +13,7 @@ from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Deed, Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Posture
 
 _POSTURE_OF_MOTION: dict[str, Posture] = {
@@ -65,6 +66,7 @@ _HAVING = re.compile(r"\b(?:has|had|have)(?: [a-z]+){0,3} $")
 """``He has a mug in one hand``: no deed."""
 
 
+@rule("postures.after_deed")
 def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) -> None:
     """Carry the outcome of deeds into the scene: postures, things in hand, vehicles."""
     for deed in deeds:
@@ -105,6 +107,7 @@ def _bear(stage: Stage, person: str, thing: str, at: int, between_teeth: bool = 
         stage.unit.deeds.append(Deed(person, motion, thing, thing, at, "hold"))
 
 
+@rule("deeds.slips_away")
 def slip_away(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``The tray slips out of his hands``: he drops it."""
     if roles.subjects or not roles.subject_things or clause.verb not in _SLIPPING:
@@ -184,6 +187,7 @@ def _gripped(stage: Stage, people: Sequence[Person]) -> None:
             hold(stage, people[0].id, thing)
 
 
+@rule("things.in_hand")
 def drawn_weapons(stage: Stage, people: Sequence[Person]) -> None:
     """``Gun drawn``, ``notebook in hand``: the subject holds it."""
     _gripped(stage, people)

@@ -7,6 +7,7 @@ from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage, UnreadAct
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _INWARD = (
     lexicon.SILENT_VERBS
@@ -41,6 +42,7 @@ _WORDS = 9
 """Most words of an act repeated in a flag."""
 
 
+@rule("deeds.nearest_motion")
 def nearest(clause: Clause, roles: Roles) -> str | None:
     """Return the motion that looks most like a verb without its own, or None if no motion is near.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
+from storyblender.agents.director.rules import rule
 
 _EYES = frozenset({"eye", "gaze", "glance"})
 _HANDS = frozenset({"hand", "finger", "fist", "palm", "thumb", "fingertip", "knuckle"})
@@ -34,6 +35,7 @@ _BY_HAND = frozenset(
 )
 
 
+@rule("deeds.part_of_body")
 def motion_of_part(clause: Clause) -> str | None:
     """The motion of whoever owns the part of a body that is the subject of a clause, or None.
 

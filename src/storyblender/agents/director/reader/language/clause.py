@@ -43,4 +43,7 @@ class Clause:
     """It does not happen: would, if, without, wants to."""
     elided: bool = False
     """No subject is written."""
+    start: int = 0
+    end: int = 0
+    """Its characters in the script, from its first noun or its verb to its last."""
     main: bool = True

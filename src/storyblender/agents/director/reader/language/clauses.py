@@ -60,7 +60,18 @@ def find_clauses(words: list[Word], phrases: list[Phrase]) -> list[Clause]:
             builder.unreal = True
             _compare(builder, index)
     _finish(builder)
+    for clause in builder.clauses:
+        _measure(clause, words)
     return builder.clauses
+
+
+def _measure(clause: Clause, words: list[Word]) -> None:
+    """Note the characters from the first to the last word of a clause."""
+    nouns = [*clause.subject, *clause.object, *clause.recipient, *clause.complement]
+    nouns += [noun for _, place in clause.places for noun in place]
+    written = [words[at] for at in (clause.index, *(noun.index for noun in nouns)) if at < len(words)]
+    clause.start = min((word.start for word in written if not word.inserted), default=clause.at)
+    clause.end = max((word.end for word in written if not word.inserted), default=clause.at)
 
 
 def _take_relative(builder: ClauseBuilder, index: int, pronoun: str) -> None:

@@ -7,6 +7,7 @@ import re
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import without_brackets
 from storyblender.agents.director.reader.page.sentences import Sentence
+from storyblender.agents.director.rules import rule
 
 _TO_THE_READER = re.compile(
     r"\b(?:you (?:can(?:'t| not)?|could|know|see|get the (?:idea|picture)|guessed|should know|need to know|have been)"
@@ -36,6 +37,7 @@ _SOMEBODY = ("male", "female", "plural")
 _QUESTION = re.compile(r"\?\W*$")
 
 
+@rule("page.aside", without=False)
 def is_aside(sentence: Sentence, text: str, *, drawn: bool = False) -> bool:
     """Return whether a sentence of action only speaks to the reader.
 

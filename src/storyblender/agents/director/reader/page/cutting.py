@@ -20,6 +20,7 @@ from storyblender.agents.director.reader.page.told_places import ToldPlace, plac
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import SceneReading
+from storyblender.agents.director.rules import rule
 
 _LOOKED_AT = 3
 """Paragraphs searched for a place under a heading that names none."""
@@ -69,6 +70,7 @@ class _Cutter:
         return self.sentences
 
     # -- scenes ----------------------------------------------------------------------------------------------------
+    @rule("place.heading")
     def _heading(self, index: int, paragraph: Paragraph) -> None:
         self.intercut = None
         if index == self.read_ahead:
@@ -229,6 +231,7 @@ class _Cutter:
         return None
 
     # -- sentences -------------------------------------------------------------------------------------------------
+    @rule("place.told")
     def _told(self, index: int, paragraph: Paragraph) -> None:
         if not self.scenes:
             self._open(index, paragraph)

@@ -12,6 +12,7 @@ from storyblender.agents.director.reader.page.sentences import Sentence
 from storyblender.agents.director.reader.page.slugs import place_before
 from storyblender.agents.director.reader.page.told_places import place_set_down, type_of_place
 from storyblender.agents.director.reading import SceneReading
+from storyblender.agents.director.rules import rule
 
 _INTERCUT = re.compile(
     r"(?:BEGIN |START )?INTERCUT(?:TING)?(?: BETWEEN| WITH)?\b\s*[-–—:.]*\s*(?P<places>[^\n.]*)\.?\s*$", re.IGNORECASE
@@ -21,6 +22,7 @@ _SIDE = re.compile(r"(?:INT|EXT)\.?\s+", re.IGNORECASE)
 _OFF = re.compile(r"O\.?S|V\.?O|SCREEN|PHONE|FILTER|RADIO|OFF", re.IGNORECASE)
 
 
+@rule("page.intercut", without=[])
 def intercut_places(text: str, scenes: Sequence[SceneReading]) -> list[SceneReading]:
     """Return the places that a line orders to be intercut, as scenes to copy; empty if it orders no intercut.
 

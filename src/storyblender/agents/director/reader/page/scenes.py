@@ -11,6 +11,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
 from storyblender.agents.director.reader.page.hours import heading_time, is_time, passes_time, weather_of
 from storyblender.agents.director.reading import SceneReading
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import SceneType, TimeOfDay
 from storyblender.screenplay.headings import Side, heading_words
 
@@ -127,6 +128,7 @@ def _scene_type(side: Side, place: str) -> SceneType:
     return "indoor" if set(re.findall(r"[^\W\d_-]+(?:-\w+)?", place)) & lexicon.INDOOR else "outdoor"
 
 
+@rule("place.same")
 def same_place(place: str, scene_type: SceneType, scenes: list[SceneReading], building: str = "") -> int | None:
     """Return the id of the first scene in the same place, else with all its words in its place, else in its building.
 

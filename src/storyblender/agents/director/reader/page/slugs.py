@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from storyblender.agents.director.reader.page.hours import heading_time
 from storyblender.agents.director.reader.page.told_places import ToldPlace, place_set_down, type_of_place
 from storyblender.agents.director.reading import SceneReading
+from storyblender.agents.director.rules import rule
 from storyblender.screenplay.headings import LEADING_WORDS
 
 _SLUG = re.compile(
@@ -20,6 +21,7 @@ _HEAD = re.compile(r"(?:BACK |LATER|MEANWHILE)?(?:IN|INSIDE|AT|ON|TO|OUTSIDE|UND
 _SMALL = frozenset({"the", "a", "of", "in", "at"})
 
 
+@rule("place.slug")
 def slug_of(text: str, scenes: Sequence[SceneReading]) -> ToldPlace | None:
     """Return the place that a paragraph begins with in capitals, or None.
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reading import SceneReading
+from storyblender.agents.director.rules import rule
 
 _OUTSIDE, _INSIDE, _AFLOAT = lexicon.words("outdoor_sign"), lexicon.words("indoor_sign"), lexicon.words("afloat")
 _ENOUGH = 2
@@ -14,6 +15,7 @@ _ENOUGH = 2
 _WATERS = frozenset({"sea", "ocean", "river", "lake", "bay", "water", "lagoon"})
 
 
+@rule("place.side")
 def settle_sides(text: str, scenes: Sequence[SceneReading], *, chat: bool = False) -> None:
     """Set scenes to inside or outside if only their things can decide it.
 

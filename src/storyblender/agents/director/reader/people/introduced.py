@@ -13,12 +13,14 @@ from storyblender.agents.director.reader.people.coreference import resolve_prono
 from storyblender.agents.director.reader.people.people_meant import fits, resolve_mention
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 _BRACKETS = re.compile(r"\(([^()]*)\)")
 _GENDERED: dict[str, Gender] = {"male": "male", "female": "female"}
 
 
+@rule("people.pronouns_of_introduction")
 def note_introductions(stage: Stage, written: Sequence[Word], end: int) -> None:
     """Keep what the pronouns of a sentence mean that no clause has: they tell of whoever stands before them.
 

@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.language.morphology import is_person_no
 from storyblender.agents.director.reader.people.ages import age_of
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 _GENDER_WORDS: dict[str, Gender] = {
@@ -23,6 +24,7 @@ _LIKELY: dict[str, Gender] = {
 """Words that are said of one gender mostly: they decide where the name does not."""
 
 
+@rule("looks.described")
 def describe(roster: Roster, person: Person, phrase: str) -> None:
     """Read a description into a person: ``35, lean, short black hair, grey trench coat``.
 

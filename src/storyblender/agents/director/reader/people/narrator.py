@@ -13,6 +13,7 @@ from storyblender.agents.director.reader.manuscript import QUOTATION, Manuscript
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import Gender
 
 ALONE, TOGETHER = frozenset({"i", "me", "myself"}), frozenset({"we", "us", "ourselves"})
@@ -33,6 +34,7 @@ _MINDFUL = frozenset({"think", "talk", "listen"})
 _MY_SPOUSE = re.compile(rf"\b[Mm]y ({'|'.join(_SPOUSES)})\b")
 
 
+@rule("people.narrator")
 def find_narrator(script: Manuscript, roster: Roster) -> None:
     """Add whoever tells the story to the cast.
 

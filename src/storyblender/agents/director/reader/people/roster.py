@@ -12,6 +12,7 @@ from storyblender.agents.director.naming import asset_id
 from storyblender.agents.director.reader.language.morphology import is_person_noun, singular
 from storyblender.agents.director.reader.language.words import key_of
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import decided
 
 _WORN = re.compile(r" (?:in|with) (?=(?P<article>(?:an?|the) )?)")
 _ARTICLE = re.compile(r"^(the|a|an) ")
@@ -94,6 +95,7 @@ class Roster:
         key = bare(name)
         person = Person(asset_id(key, self.ids), " ".join(name.split()), (key,), first=first)
         self.ids.add(person.id)
+        decided("person", person.id, first, first + len(person.name))
         self._places[person.id] = len(self._places)
         self.people.append(person)
         self._by_id[person.id] = person

@@ -9,6 +9,7 @@ from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.places.anchors import CONTAINERS, THINGS, holds_things
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
 _FILLED = lexicon.words("filled")
@@ -25,6 +26,7 @@ _BACK = 6
 """Phrases back to what is full."""
 
 
+@rule("relations.contents")
 def relate_contents(stage: Stage, clause: Clause, roles: Roles) -> None:
     """``The drawer holds a pistol``, ``Jars line the shelf``, ``She fills the jar with coins``.
 
@@ -45,6 +47,7 @@ def relate_contents(stage: Stage, clause: Clause, roles: Roles) -> None:
         _relate(stage, inside, roles.things[0], "on" if clause.verb in ("cover", "drape", "strew") else None)
 
 
+@rule("relations.filled")
 def relate_filled(stage: Stage, words: list[Word], phrases: list[Phrase]) -> None:
     """``A box full of letters``, ``The shelf above the bed is crammed with trophies``.
 

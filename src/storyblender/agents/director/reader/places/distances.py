@@ -10,10 +10,12 @@ from storyblender.agents.director.reader.people.coreference import Referents, re
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 
 _SIDES = frozenset({"side", "shoulder", "elbow", "hip", "cheek", "knee"})
 
 
+@rule("relations.distance_told")
 def settle_apart(stage: Stage, words: list[Word]) -> None:
     """``ROOK pushes through with a YOUNG OFFICER ten metres behind him``: him is Rook, named first."""
     named = [index for index, word in enumerate(words) if word.named]
@@ -25,6 +27,7 @@ def settle_apart(stage: Stage, words: list[Word]) -> None:
             remember(stage, after, Referents(resolve_mention(stage, mention)))
 
 
+@rule("relations.apart")
 def relate_apart(stage: Stage, words: list[Word], subjects: list[Person], previous: list[Person]) -> None:
     """``A YOUNG OFFICER ten metres behind him``: a person, a distance, a preposition and another person."""
     for index, word in enumerate(words):
@@ -43,6 +46,7 @@ def relate_apart(stage: Stage, words: list[Word], subjects: list[Person], previo
                 stage.relate(person.id, kind, other.id)
 
 
+@rule("relations.side_by_side")
 def relate_side_by_side(stage: Stage, words: list[Word], subjects: list[Person]) -> None:
     """``They sit side by side``, ``stand shoulder to shoulder``: each next to the one named before.
 

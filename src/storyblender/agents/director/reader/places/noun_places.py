@@ -26,6 +26,7 @@ from storyblender.agents.director.reader.places.contents import listed
 from storyblender.agents.director.reader.places.place_verbs import TOUCHING
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
 _CONSUMING = frozenset({"eat", "drink", "read", "smoke"})
@@ -70,6 +71,7 @@ _LEADS_TO = frozenset({"at", "to", "toward", "towards", "for", "with", "of", "fr
 """``stares at the clock above the door``: it is the clock that is above it."""
 
 
+@rule("relations.noun_phrase")
 def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Person], previous: list[Person]) -> None:
     """State where the nouns of a sentence are that have their place right after them.
 
@@ -87,6 +89,7 @@ def relate_noun_phrases(stage: Stage, phrases: list[Phrase], subjects: list[Pers
             at = onward if onward + 1 < len(phrases) and phrases[onward].kind == "preposition" else 0
 
 
+@rule("relations.listed")
 def relate_listed(stage: Stage, phrases: list[Phrase]) -> None:
     """``falls on a table laid for one: a plate, an egg cup``: what a colon lists is on or in the thing before it.
 

@@ -22,6 +22,7 @@ from storyblender.agents.director.reader.places.anchors import (
 from storyblender.agents.director.reader.places.place_verbs import TOUCHING
 from storyblender.agents.director.reader.places.supports import PEGS
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
 _PLACING, _ATTACHING, _SEATING = (lexicon.words(rule) for rule in ("placing", "attaching", "seating"))
@@ -58,6 +59,7 @@ def puts_something(clause: Clause, roles: Roles, motion: str | None) -> bool:
     return (bool(roles.things) and (carried or drawn)) or (bool(roles.people) and bool(roles.subjects) and seated)
 
 
+@rule("relations.put", without=[])
 def put(stage: Stage, clause: Clause, roles: Roles) -> list[Stated]:
     """Puts the tray on the table, the ring into the pocket, the bag over one shoulder.
 
@@ -173,6 +175,7 @@ def _anchors(stage: Stage, roles: Roles, place: Place, thing: str, kind: Relatio
     return [anchor for anchor in anchors if anchor != thing]
 
 
+@rule("relations.between")
 def relate_between(stage: Stage, place: Place, located: list[str]) -> None:
     """``between Joe and the door``, ``between the beds``.
 

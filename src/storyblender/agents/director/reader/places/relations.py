@@ -31,6 +31,7 @@ from storyblender.agents.director.reader.places.supports import relate_supports
 from storyblender.agents.director.reader.places.telling import is_still, telling_places
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
 _BOARDING = frozenset(
@@ -49,6 +50,7 @@ _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their) (left|right)\b|\bto the (left
 _BESIDE_FURNITURE = ("by", "near", "next to", "beside", "in front of")
 
 
+@rule("relations.clause")
 def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None, first: bool) -> None:
     """State the relations a clause tells.
 

@@ -8,6 +8,7 @@ from storyblender.agents.director.reader.language.phrases import Phrase
 from storyblender.agents.director.reader.people.coreference import Referents, remember
 from storyblender.agents.director.reader.places.anchors import CONTAINERS
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 
 _OF_THINGS = frozenset(
     {"on", "upon", "on top of", "in", "inside", "into", "under", "underneath", "beneath", "below", "above", "among",
@@ -20,6 +21,7 @@ _SITTING = frozenset({"sit", "lie_down", "climb", "kneel", "stand"})
 _SOLID = ("prop", "set_piece", "worn")
 
 
+@rule("things.settled")
 def settle_things(stage: Stage, phrases: list[Phrase]) -> None:
     """Decide which things ``them`` and ``there`` mean after words of place.
 

@@ -30,6 +30,7 @@ from storyblender.agents.director.reader.places.place_verbs import (
     TURNING,
 )
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
 _ANCHORS = THINGS | {"scenery"}
@@ -40,6 +41,7 @@ _SINKING = frozenset({"fall", "collapse", "sink", "slump", "crumple", "tumble", 
 _IMAGES = frozenset({"mirror", "photo", "photograph", "picture", "painting", "screen", "monitor", "reflection"})
 
 
+@rule("relations.stated", without=[])
 def state_place(stage: Stage, clause: Clause, place: Place, located: list[str], motion: str | None) -> list[Stated]:
     """What a place says of who or what is there.
 

@@ -6,6 +6,7 @@ from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import FLOOR, OPENINGS, SURFACES, THINGS, Stated
 from storyblender.agents.director.reader.stage import Stage
+from storyblender.agents.director.rules import rule
 
 _HELD_UP = frozenset({"on", "in"})
 _SOURCES = frozenset({"from", "off", "out of"})
@@ -56,6 +57,7 @@ def _apart(stage: Stage, before: Place, place: Place) -> bool:
     return any(word.text == "," for word in between)
 
 
+@rule("relations.support", without=[])
 def relate_supports(stage: Stage, roles: Roles) -> list[Stated]:
     """The relations of furniture to furniture that the places of a clause tell.
 
