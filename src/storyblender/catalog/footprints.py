@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from storyblender.catalog.set_plan import Piece, Wall
-from storyblender.catalog.sets.arcades import piers
+from storyblender.catalog.arcades import piers
+from storyblender.catalog.set_plan import Piece, SetPlan, Wall
 from storyblender.geometry.boxes import Box
 
 _HIGH = 4.0
@@ -15,6 +15,19 @@ _STEP = 0.3
 """Metres: an opening with a lower sill is walked through."""
 _SLIVER = 0.02
 """Metres: narrower pieces of wall are left out."""
+
+
+_STAGE, _SHARE = 1.25, 0.28
+"""Metres and share of the narrower side of a set: half the side of the floor that stays free for people."""
+
+
+def stage_box(plan: SetPlan, more: float = 0.0) -> Box:
+    """Return the square around the centre of a set that dressing leaves to people, ``more`` metres wider each way."""
+    size = plan.size
+    narrow = min(size.x - size.x_negative, size.y - size.y_negative)
+    half = min(_STAGE, _SHARE * narrow) + more
+    x, y = next((mark.location[:2] for mark in plan.marks if "centre" in mark.tags), (0.0, 0.0))
+    return Box(x, y, 0.0, 2 * half, 2 * half, 2.0)
 
 
 def wall_boxes(wall: Wall) -> list[Box]:

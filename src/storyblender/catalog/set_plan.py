@@ -106,6 +106,8 @@ class Furnishing(Frozen):
     params: dict[str, ParamValue] = {}
     required: bool = True
     """False: dressing, dropped first when room is short."""
+    loose: bool = False
+    """Whether it lies about: no thing of the script takes its place."""
 
 
 class PlanMark(Frozen):

@@ -8,7 +8,7 @@ from collections import Counter
 import pytest
 
 from storyblender.agents.visual_effects_artist.furniture import prop_size
-from storyblender.catalog.footprints import piece_boxes
+from storyblender.catalog.footprints import piece_boxes, stage_box
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import ParamValue
@@ -21,7 +21,6 @@ from storyblender.memory.scene_context import Environment
 
 PERIODS = ("past", "classic", "modern")
 SIZES = ("least", "usual", "most")
-STAGE = Box(0.0, 0.0, 0.0, 2.5, 2.5, 2.0)
 
 
 def plans() -> list[tuple[str, SetPlan]]:
@@ -53,7 +52,7 @@ def boxes(plan: SetPlan, *, required_only: bool = False) -> list[tuple[str, Box]
 
 @pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
 def test_the_middle_is_free(name: str, plan: SetPlan) -> None:
-    inside = [node for node, box in boxes(plan) if box.z < 1.5 and penetration(box, STAGE)[0] > 0.05]
+    inside = [node for node, box in boxes(plan) if box.z < 1.5 and penetration(box, stage_box(plan))[0] > 0.05]
     kit = SETS[plan.kit]
     if min(kit.width.usual, kit.depth.usual) > 4:  # corridors and carriages are narrow by nature
         assert not inside

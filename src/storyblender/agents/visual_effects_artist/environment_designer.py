@@ -15,11 +15,11 @@ from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.reflection import Critique, Fault
 
-_CROWD = 4
+_CROWD = 3
 """People a kit has room for at its usual size."""
 _ROOM_FOR_ONE = 1.6
 """Square metres for each further person."""
-_SPARE = 4.0
+_SPARE = 3.0
 """Square metres of the script's own things that a kit's usual size has room for."""
 _ROOM_TO_WALK = 2.2
 """Metres beyond the longest way somebody walks."""

@@ -6,8 +6,9 @@ import math
 import re
 from dataclasses import dataclass
 
+from storyblender.catalog.footprints import stage_box
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.set_plan import Furnishing
+from storyblender.catalog.set_plan import Furnishing, SetPlan
 from storyblender.geometry.boxes import Box, penetration
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Vec2, Vec3, content_hash
@@ -17,9 +18,8 @@ _TOUCH = 0.03
 """Metres that two props may share before one of them has to go."""
 TUCKED = 0.3
 """The same for a seat, which goes under its table."""
-_CLEAR = 1.25
-"""Half the side of the square in the middle that dressing leaves to people."""
 _CLEAR_PER_PERSON = 0.15
+"""Metres by which each further person widens the square in the middle that dressing leaves to people."""
 
 
 def dressing_asset(prop: str, params: dict[str, float | str | bool]) -> Asset:
@@ -189,11 +189,10 @@ def _over(base: Standing, point: Vec2, size: Vec3) -> bool:
     return abs(across) < size[0] / 2 and abs(along) < size[1] / 2
 
 
-def without_clutter(standing: list[Standing], people: int) -> tuple[list[Standing], list[str]]:
+def without_clutter(standing: list[Standing], plan: SetPlan, people: int) -> tuple[list[Standing], list[str]]:
     """Keep the script's things and the required furniture; keep dressing only where it stands free of them."""
     ranked = sorted(standing, key=lambda item: (not item.scripted, not item.item.required))
-    clear = _CLEAR + _CLEAR_PER_PERSON * max(0, people - 4)
-    stage = Box(0.0, 0.0, 0.0, 2 * clear, 2 * clear, 2.0)
+    stage = stage_box(plan, _CLEAR_PER_PERSON * max(0, people - 4))
     kept: list[Standing] = []
     gone: set[str] = set()
     for item in ranked:

@@ -84,7 +84,7 @@ class RulesSetDresser:
         standing = [Standing.of(item, taken.get(item.node_id)) for item in kept_items]
         settle_on_new_tops(standing)
         draw_up_seats(standing)
-        kept, dropped = without_clutter(standing, view.people)
+        kept, dropped = without_clutter(standing, view.plan, view.people)
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
         placed = {asset.asset_id for asset in taken.values()}
         served = _serves(taken)
@@ -192,7 +192,9 @@ def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, As
     """Return the free furnishing of the same sort that is nearest; the very same prop wins over its family."""
     if prop is None:
         return None
-    choices = [item for item in plan.furnishings if item.prop in kin_of(prop) and item.node_id not in taken]
+    choices = [
+        item for item in plan.furnishings if item.prop in kin_of(prop) and item.node_id not in taken and not item.loose
+    ]
     return min(
         choices,
         key=lambda item: (item.prop != prop, not item.required, round(math.dist(item.location[:2], near), 3)),

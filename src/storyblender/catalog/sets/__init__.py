@@ -86,6 +86,7 @@ from storyblender.catalog.sets import (
 from storyblender.catalog.sets.drawing import Period, SetParams
 from storyblender.catalog.sets.from_file import kits_from_files
 from storyblender.catalog.sets.kit import SetKit, Span
+from storyblender.catalog.sets.lived_in import lived_in
 from storyblender.catalog.sets.snow import under_snow
 from storyblender.errors import InputError
 from storyblender.memory.scene_context import Environment
@@ -130,7 +131,9 @@ def _plan(environment_json: str) -> SetPlan:
     if environment.kit not in SETS:
         raise InputError(f"the catalog has no set kit called {environment.kit!r}", mend=f"it has {sorted(SETS)}")
     kit = SETS[environment.kit]
-    plan = kit.draw(_params(kit, environment.params), np.random.default_rng(environment.seed))
+    params = _params(kit, environment.params)
+    plan = kit.draw(params, np.random.default_rng(environment.seed))
+    plan = lived_in(plan, kit.room, params.period, environment.seed)
     return under_snow(plan) if environment.params.get("snow") else plan
 
 

@@ -47,6 +47,7 @@ KIT = SetKit(
     name="Attic",
     tags=("attic", "loft", "garret", "hayloft", "crawlspace", "eaves", "attic room"),
     indoor=True,
+    room="bedroom",
     draw=draw,
     width=Span(6.4, 6.8, 9.0),
     depth=Span(6.2, 7.0, 10.0),

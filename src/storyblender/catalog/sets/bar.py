@@ -64,6 +64,7 @@ KIT = SetKit(
     tags=("bar", "saloon", "pub", "tavern", "inn", "speakeasy", "cantina",
           "lounge bar", "casino", "wine cellar", "jazz club"),
     indoor=True,
+    room="tavern",
     draw=draw,
     width=Span(8.0, 9.0, 12.0),
     depth=Span(7.4, 8.2, 11.0),

@@ -42,6 +42,7 @@ KIT = SetKit(
     name="Barn",
     tags=("barn", "cowshed", "granary", "pigsty"),
     indoor=True,
+    room="farm",
     draw=draw,
     width=Span(8.0, 9.0, 15.0),
     depth=Span(7.6, 8.4, 13.0),

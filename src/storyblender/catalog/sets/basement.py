@@ -74,6 +74,7 @@ KIT = SetKit(
         "crawl space",
     ),
     indoor=True,
+    room="work",
     draw=draw,
     width=Span(6.2, 6.8, 10.0),
     depth=Span(5.8, 6.2, 9.0),

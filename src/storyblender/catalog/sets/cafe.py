@@ -92,6 +92,7 @@ KIT = SetKit(
     tags=("cafe", "café", "restaurant", "bistro", "tea room", "canteen",
           "cafeteria", "pizzeria", "trattoria", "brasserie", "mess hall"),
     indoor=True,
+    room="tavern",
     draw=draw,
     width=Span(8.6, 10.0, 13.0),
     depth=Span(9.4, 9.8, 12.0),

@@ -46,6 +46,7 @@ KIT = SetKit(
     name="Classroom",
     tags=("classroom", "class", "school", "schoolroom", "lecture hall", "university", "auditorium", "kindergarten"),
     indoor=True,
+    room="public",
     draw=draw,
     width=Span(7.6, 8.4, 12.0),
     depth=Span(6.6, 7.6, 11.0),

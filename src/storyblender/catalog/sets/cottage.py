@@ -58,6 +58,7 @@ KIT = SetKit(
         "lodge",
     ),
     indoor=True,
+    room="rustic",
     draw=draw,
     width=Span(7.4, 7.6, 10.0),
     depth=Span(6.0, 6.4, 8.0),

@@ -52,6 +52,7 @@ KIT = SetKit(
     tags=("hospital", "ward", "clinic", "infirmary", "operating room", "surgery", "er",
           "emergency room", "sickbay", "morgue", "asylum"),
     indoor=True,
+    room="public",
     draw=draw,
     width=Span(7.4, 7.8, 12.0),
     depth=Span(6.8, 7.2, 9.0),

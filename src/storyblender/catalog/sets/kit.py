@@ -48,6 +48,7 @@ class SetKit:
         counterpart: The kit for EXT. of this indoor place, or for INT. of this outdoor one; empty for the default.
         told_by: Objects and occupations that suggest this place if no word of the heading does, with their scores.
         option_words: Words in the place name that turn an option on.
+        room: The sort of room whose belongings fill its bare walls and tops, a key of ``belongings.ROOMS``.
     """
 
     key: str
@@ -68,6 +69,7 @@ class SetKit:
     counterpart: str = ""
     told_by: Mapping[str, int] = field(default_factory=dict)
     option_words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    room: str = ""
 
     @property
     def meanings(self) -> Mapping[str, str]:

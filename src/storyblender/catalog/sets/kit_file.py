@@ -9,6 +9,7 @@ from pydantic import AfterValidator, Field, model_validator
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.sets.belongings import ROOMS
 from storyblender.catalog.sets.drawing import Period
 from storyblender.catalog.sets.finishes import FINISHES
 from storyblender.catalog.sets.hooks import HOOKS
@@ -39,6 +40,12 @@ def _known_hook(key: str) -> str:
     return key
 
 
+def _known_room(key: str) -> str:
+    if key and key not in ROOMS:
+        raise ValueError(f"there is no sort of room called {key!r}; there are {', '.join(ROOMS)}")
+    return key
+
+
 Prop = Annotated[str, AfterValidator(_known_prop)]
 Skin = Annotated[str, AfterValidator(_known_finish)]
 
@@ -62,6 +69,8 @@ class KitHead(Frozen):
     on_foot: tuple[str, ...] = ()
     counterpart: str = ""
     told_by: dict[str, int] = {}
+    room: Annotated[str, AfterValidator(_known_room)] = ""
+    """Sort of room, whose belongings fill bare walls and tops."""
 
 
 class Row(Frozen):
@@ -267,6 +276,8 @@ class HookTable(Conditional):
 class PlanTable(Frozen):
     """``[plan]``: lists of the contents of the set, one line each."""
 
+    centre: tuple[Term, Term] | None = None
+    """Middle of the floor that stays free for people; by default the middle of the room."""
     door: tuple[DoorTable, ...] = ()
     window: tuple[WindowTable, ...] = ()
     slab: tuple[SlabTable, ...] = ()

@@ -11,7 +11,7 @@ from storyblender.catalog.sets.room import Finishes, Room
 
 
 def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
-    """Draw the counter run, the table at the right, the middle free."""
+    """Draw the counter run, the table at the right wall, the middle free."""
     past = params.period == "past"
     look = (
         Finishes("limewash", "flagstones", "ceiling_dark", beams=4)
@@ -23,23 +23,24 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     room.door("left", -y * 0.3)
     room.window("back", -0.2, width=1.5, height=1.1, sill=1.15, style="curtains", mark=False)
     room.mark("sink", -0.2, y - 0.95, 180, "sink", "window")
-    room.against("back", "cabinet" if past else "fridge", -x + 0.62, 0.4)
-    start = -x + 1.25
+    room.against("back", "cabinet" if past else "fridge", -x + (0.6 if past else 0.42), 0.4)
+    start = -x + (1.17 if past else 0.85)
     left = -0.7 - start
     room.against("back", "counter", start + left / 2, 0.34, width=round(left, 2))
     room.against("back", "sink", -0.2, 0.33, width=1.0)
     room.against("back", "stove", 0.75, 0.36)
     room.against("back", "counter", (1.2 + x - 0.05) / 2, 0.34, required=False, width=round(x - 1.25, 2))
     room.mark("stove", 0.75, y - 0.95, 180, "stove")
-    table_x, table_y = x - 0.95, -y * 0.2
-    room.furnish("dining_table", table_x, table_y, yaw=90)
-    for dy in (-0.45, 0.45):
-        room.furnish("chair", table_x - 0.72, table_y + dy, yaw=90)
-    room.furnish("chair", table_x, table_y + 1.2, yaw=0, required=False)
+    table_x, table_y = x - 0.47, -y * 0.33
+    room.furnish("dining_table", table_x, table_y, yaw=90, width=1.3, depth=0.8)
+    for dy, yaw in ((-0.95, 180), (0.95, 0)):
+        room.furnish("chair", table_x, table_y + dy, yaw=yaw)
+    if x > 2.9:
+        room.furnish("chair", table_x - 0.66, table_y, yaw=90, required=False)
     room.against("left", "cabinet", y * 0.3, 0.3, required=False)
-    room.on_wall("right", "picture", -y * 0.2, 1.45)
+    room.on_wall("right", "picture", table_y, 1.45)
     room.on_wall("left", "wall_clock", y * 0.3, 1.95)
-    room.hang("lantern" if past else "pendant_lamp", x - 1.0, -y * 0.2)
+    room.hang("lantern" if past else "pendant_lamp", table_x, table_y)
     room.hang("lantern" if past else "pendant_lamp", 0, y * 0.3)
     return room.finish()
 
@@ -54,7 +55,8 @@ KIT = SetKit(
         "galley",
     ),
     indoor=True,
+    room="kitchen",
     draw=draw,
-    width=Span(6.8, 7.0, 9.0),
-    depth=Span(4.6, 5.2, 8.0),
+    width=Span(4.4, 4.6, 9.0),
+    depth=Span(4.0, 4.2, 8.0),
 )

@@ -44,6 +44,7 @@ KIT = SetKit(
     name="Changing room",
     tags=("changing room", "locker room", "changing rooms", "team room", "shower room"),
     indoor=True,
+    room="public",
     draw=draw,
     width=Span(6.6, 7.4, 11.0),
     depth=Span(5.6, 6.2, 9.0),

@@ -41,6 +41,7 @@ KIT = SetKit(
     name="Motel room",
     tags=("motel room", "motel", "hostel room", "cheap hotel room", "roadside inn room"),
     indoor=True,
+    room="home",
     draw=draw,
     width=Span(6.8, 7.0, 9.0),
     depth=Span(5.6, 5.8, 8.0),

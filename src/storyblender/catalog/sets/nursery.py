@@ -45,6 +45,7 @@ KIT = SetKit(
     tags=("nursery", "children room", "child bedroom", "child room", "kids room", "girl bedroom", "boy bedroom",
           "playroom", "toy room"),
     indoor=True,
+    room="bedroom",
     draw=draw,
     width=Span(6.0, 6.4, 8.0),
     depth=Span(5.0, 5.4, 7.0),

@@ -20,16 +20,17 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
     """Draw the desk under the back windows, cabinets at the left, the floor in front free."""
     room = Room("office", params, rng, _LOOKS[params.period], view="skyline")
     x, y, modern = room.half_x, room.half_y, params.period == "modern"
+    room.centre = (0.0, -y * 0.25)
     room.door("right", -y * 0.5, style="glass" if params.period != "past" else "panel")
     for at in (-x * 0.42, x * 0.42):
-        room.window("back", at, width=1.6, height=1.6, sill=0.85, style="blinds" if params.period != "past" else "sash",
+        room.window("back", at, width=1.4, height=1.6, sill=0.85, style="blinds" if params.period != "past" else "sash",
                     mark=at < 0)  # fmt: skip
-    desk_y = y - 1.55
+    desk_y = y - 1.3
     room.furnish("desk", 0, desk_y)
-    room.furnish("chair", 0, desk_y + 0.75, yaw=0)
+    room.furnish("chair", 0, desk_y + 0.68, yaw=0)
     room.mark("desk", 0, desk_y - 0.9, 180, "desk", "table")
-    room.furnish("chair", -x + 1.0, desk_y - 0.65, yaw=115)
-    room.furnish("chair", x - 1.05, desk_y - 0.55, yaw=-115, required=False)
+    room.furnish("chair", -x + 0.55, desk_y - 0.65, yaw=115)
+    room.furnish("chair", x - 0.66, desk_y - 0.55, yaw=-115, required=False)
     room.furnish("computer" if modern else "table_lamp", 0.52, desk_y + 0.12, 0.76, required=False)
     if not modern:
         room.furnish("telephone", -0.45, desk_y + 0.08, 0.76, required=False)
@@ -53,7 +54,8 @@ KIT = SetKit(
     tags=("office", "study", "detective agency", "headquarters", "bureau",
           ),
     indoor=True,
+    room="office",
     draw=draw,
-    width=Span(5.8, 6.4, 10.0),
-    depth=Span(6.4, 6.8, 9.0),
+    width=Span(4.6, 4.8, 10.0),
+    depth=Span(4.8, 5.0, 9.0),
 )  # fmt: skip

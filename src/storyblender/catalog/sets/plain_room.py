@@ -28,7 +28,8 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
         room.against("back", "armchair", 0, 0.5, required=False)
     room.against("back", "floor_lamp", -0.75, 0.4, required=False)
     room.furnish("rug", 0, 0.1, required=False)
-    room.furnish("potted_plant", x - 0.45, y - 0.45, required=False)
+    if y > 2.8:
+        room.furnish("potted_plant", x - 0.45, y - 0.45, required=False)
     room.on_wall("right", "picture", -y * 0.1, 1.45)
     room.on_wall("right", "picture", y * 0.45, 1.5, width=0.9, height=0.65)
     room.on_wall("left", "picture", -y * 0.35 + 1.1, 1.4, width=0.55, height=0.7)
@@ -43,7 +44,8 @@ KIT = SetKit(
     name="Room",
     tags=("room", "house", "home", "interior", "chamber", "back room"),
     indoor=True,
+    room="home",
     draw=draw,
-    width=Span(4.2, 6.0, 12.0),
-    depth=Span(4.0, 5.2, 10.0),
+    width=Span(3.8, 4.6, 12.0),
+    depth=Span(3.8, 4.4, 10.0),
 )

@@ -57,6 +57,7 @@ KIT = SetKit(
     tags=("police station", "precinct", "squad room", "police headquarters", "station house", "sheriff office",
           "detective bureau", "bullpen", "homicide", "booking room", "police post", "incident room"),
     indoor=True,
+    room="office",
     draw=draw,
     width=Span(7.6, 8.2, 12.0),
     depth=Span(7.0, 7.4, 10.0),

@@ -80,6 +80,8 @@ class Room(Drawing):
         size = SceneSize(x=self.half_x, x_negative=-self.half_x, y=self.half_y - pit, y_negative=-self.half_y)
         super().__init__(kit, indoor=True, size=size, rng=rng)
         self.params, self.finishes, self.thickness, self.pit = params, finishes, thickness, pit
+        self.centre: Vec2 = (0.0, 0.0)
+        """Where people act."""
         self._view = _View(view)
         self._openings: dict[Side, list[Opening]] = {"back": [], "front": [], "left": [], "right": []}
 
@@ -228,7 +230,7 @@ class Room(Drawing):
             z=self.height,
             beams=look.beams,
         )
-        self.mark("centre", 0.0, 0.0, 0.0, "centre")
+        self.mark("centre", *self.centre, 0.0, "centre")
         for side in ("back", "left", "right", "front"):
             if side in self._view.sides and self._view.kind != "none":
                 self._hang_view(side, self._view.kind)

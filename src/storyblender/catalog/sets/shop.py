@@ -50,6 +50,7 @@ KIT = SetKit(
     tags=("shop", "store", "grocery", "general store", "pawn shop",
           "butcher", "showroom"),
     indoor=True,
+    room="shop",
     draw=draw,
     width=Span(7.0, 7.6, 11.0),
     depth=Span(5.6, 6.4, 9.0),

@@ -94,6 +94,8 @@ class _Tables:
         plan = body.plan
         if isinstance(self.drawing, Room):
             self._openings(self.drawing, plan)
+            if plan.centre is not None:
+                self.drawing.centre = (self._value(plan.centre[0]), self._value(plan.centre[1]))
         for slab in filter(self._holds, plan.slab):
             x0, y0, x1, y1 = (self._value(term) for term in slab.box)
             self.drawing.slab(slab.role, rectangle(x0, y0, x1, y1), slab.material,

@@ -84,6 +84,7 @@ KIT = SetKit(
     tags=("waiting room", "station waiting room", "ticket office", "ticket hall", "bus station", "bus depot",
           "train depot", "ferry terminal", "customs hall"),
     indoor=True,
+    room="public",
     draw=draw,
     width=Span(9.4, 10.4, 14.0),
     depth=Span(6.8, 7.4, 10.0),

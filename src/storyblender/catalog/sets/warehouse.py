@@ -76,6 +76,7 @@ KIT = SetKit(
     name="Warehouse",
     tags=("warehouse", "factory", "hangar", "depot", "storage", "storeroom", ),
     indoor=True,
+    room="work",
     draw=draw,
     width=Span(9.0, 11.0, 18.0),
     depth=Span(8.0, 10.0, 16.0),

@@ -51,6 +51,7 @@ KIT = SetKit(
     tags=("workshop", "forge", "smithy", "shed", "carpentry",
           ),
     indoor=True,
+    room="work",
     draw=draw,
     width=Span(6.4, 7.6, 14.0),
     depth=Span(6.0, 6.8, 11.0),

@@ -91,3 +91,53 @@ def garage_door(builder: MeshBuilder, spec: PieceSpec) -> None:
         builder.box(metal, (x, -0.08, height / 2), (0.07, 0.14, height + 0.1))
         builder.tube(metal, [(x, -0.08, height), (x, -0.25, height + 0.16), (x, -1.6, height + 0.2)], 0.025, segments=6)
     builder.box(finish("paint_red"), (0, -0.09, 0.75), (0.16, 0.05, 0.04))
+
+
+_LOADS = {
+    "books": ("paint_red", "paint_green", "dado_brown", "paint_black", "paint_yellow", "clay"),
+    "jars": ("clay", "glass_green", "paint_yellow", "plaster_cream", "paint_red"),
+    "bottles": ("glass_green", "dado_brown", "paint_black", "plaster_cream"),
+    "boxes": ("cardboard", "wood_light", "paint_grey", "dado_brown"),
+    "plates": ("plaster_cream", "paint_blue", "plaster_cream"),
+    "trinkets": ("clay", "brass", "paint_green", "plaster_cream", "paint_red"),
+}
+"""What stands on shelves -> its colours."""
+
+
+@piece("wall_shelf")
+def wall_shelf(builder: MeshBuilder, spec: PieceSpec) -> None:
+    """Build two loaded boards on a wall at y = 0, the lower at z = 0. Parameters: length, load, seed."""
+    length, load = spec.number("length", 0.9), spec.word("load", "books")
+    skins = [finish(name) for name in _LOADS[load]]
+    for z in (0.0, 0.34):
+        builder.box(finish("wood"), (0, -0.1, z), (length, 0.2, 0.025), bevel=0.004)
+        for x in (-length / 2 + 0.08, length / 2 - 0.08):
+            builder.box(finish("wood_dark"), (x, -0.09, z - 0.06), (0.025, 0.16, 0.1))
+        at = -length / 2 + 0.04
+        while at < length / 2 - 0.1:
+            wide, tall = _ON_SHELF[load]
+            width, height = (float(spec.rng.uniform(*span)) for span in (wide, tall))
+            width = min(width, length / 2 - 0.03 - at)
+            skin = skins[int(spec.rng.integers(len(skins)))]
+            if load in ("books", "boxes"):
+                builder.box(skin, (at + width / 2, -0.11, z + 0.0125 + height / 2), (width * 0.94, 0.15, height))
+            elif load == "plates":
+                disc = (at + width / 2, -0.05, z + 0.0125 + width / 2)
+                builder.cylinder(skin, disc, (disc[0], -0.065, disc[2]), width * 0.48, segments=16)
+            else:
+                radius = width * 0.42
+                neck = 0.35 if load == "bottles" else 0.8
+                rings = [(radius, 0), (radius, height * 0.6), (radius * neck, height * 0.8), (radius * neck, height)]
+                builder.lathe(skin, rings, origin=(at + width / 2, -0.1, z + 0.0125), segments=10)
+            at += width + float(spec.rng.choice([0.0, 0.01, 0.12], p=[0.55, 0.3, 0.15]))
+
+
+_ON_SHELF = {
+    "books": ((0.025, 0.06), (0.17, 0.25)),
+    "jars": ((0.1, 0.14), (0.12, 0.2)),
+    "bottles": ((0.07, 0.11), (0.16, 0.28)),
+    "boxes": ((0.14, 0.3), (0.1, 0.24)),
+    "plates": ((0.2, 0.26), (0.2, 0.26)),
+    "trinkets": ((0.08, 0.16), (0.08, 0.22)),
+}
+"""Widths and heights of what stands on shelves, least and most metres."""

@@ -11,7 +11,7 @@ from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.sets.finish import finish
 from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 from storyblender.blender.tags import Surface
-from storyblender.catalog.sets.arcades import arch_radius, piers
+from storyblender.catalog.arcades import arch_radius, piers
 
 
 @piece("column")
