@@ -329,6 +329,12 @@ def test_who_stands_at_a_height_has_feet_and_head_there(bodies: dict[str, Body])
         assert high.joint(bone, 5).z - low.joint(bone, 5).z == pytest.approx(1.2, abs=0.01)
 
 
+def test_who_looks_at_a_point_in_the_air_stays_on_the_floor(bodies: dict[str, Body]) -> None:
+    look = cue_of("man", "look", 0, mark=mark_at("man", 0, -6, location=(0.0, -6.0, 1.6)))
+    play = Playback(bodies["man"], perform(bodies, (mark_at("man", 0, 0),), (look,), 2), "man")
+    assert play.joint("foot.L", 40).z == pytest.approx(play.joint("foot.L", 0).z, abs=0.02)
+
+
 def test_what_is_lasting_goes_on_under_words_and_looks(bodies: dict[str, Body]) -> None:
     handset = {"handset": StageProp(world_at(0, 0, -5), (0.05, 0.2, 0.05))}
     marks = (mark_at("man", 0, 0, held=(("R", "handset"),)), mark_at("girl", 0, -1.5, 180))

@@ -18,6 +18,9 @@ TURN_STEP = 55.0
 """Degrees; both feet step once per this much of a turn on the spot."""
 TURN_STEP_SECONDS = 0.26
 
+AIMED: frozenset[str] = frozenset({"put_down", "look"})
+"""Motions whose mark is where a thing goes or where somebody looks, not where they go."""
+
 MOTIONS: Catalog[Motion] = Catalog(
     "motion",
     (

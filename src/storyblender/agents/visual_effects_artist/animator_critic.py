@@ -8,6 +8,7 @@ import math
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, ShotStaging
 from storyblender.agents.visual_effects_artist.crossings import vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, Floor
+from storyblender.catalog.motions import AIMED
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import Blocking, Mark
@@ -18,8 +19,6 @@ INSIDE = 0.6
 TOGETHER = 0.40
 """Metres: two people closer than this overlap, unless they embrace."""
 EMBRACES = frozenset({"hug", "kiss", "lift", "dance"})
-NO_WAY = ("put_down", "look")
-"""Clips whose mark is not a walking goal."""
 LEAPS = frozenset({"jump", "climb"})
 SUPPORTED = frozenset({"sit", "lie", "asleep", "lean"})
 
@@ -103,7 +102,7 @@ def _ways(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -
     faults = []
     for cue in shot.cues:
         here = place.get(cue.asset_id)
-        if cue.mark is None or here is None or cue.clip in NO_WAY:
+        if cue.mark is None or here is None or cue.clip in AIMED:
             continue
         start, goal = here.location[:2], cue.mark.location[:2]
         walks = cue.clip not in LEAPS and cue.mark.posture == "stand" and here.posture == "stand"

@@ -10,7 +10,7 @@ from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import Crossing, aboard, vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WAY_OUT, facing
 from storyblender.agents.visual_effects_artist.person import Person
-from storyblender.catalog.motions import MOTIONS, natural_seconds, turning_seconds
+from storyblender.catalog.motions import AIMED, MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2, path_length
 from storyblender.memory.shot_context import CharacterAction, Cue, Mark, PropState
@@ -174,10 +174,11 @@ class CueSheet:
         """End a person's last walk at a height in metres, such as on steps or a stage; return its end time."""
         person.z = height
         for index in range(len(self.cues) - 1, -1, -1):
-            mark = self.cues[index].mark
-            if mark is not None and self.cues[index].asset_id == person.asset_id:
+            cue = self.cues[index]
+            mark = cue.mark if cue.clip not in AIMED else None
+            if mark is not None and cue.asset_id == person.asset_id:
                 raised = mark.model_copy(update={"location": (*mark.location[:2], round(height, 3))})
-                self.cues[index] = self.cues[index].model_copy(update={"mark": raised})
+                self.cues[index] = cue.model_copy(update={"mark": raised})
                 break
         return t
 

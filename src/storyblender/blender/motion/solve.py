@@ -21,7 +21,7 @@ from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, P
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.expressions import FACE
-from storyblender.catalog.motions import MOTIONS
+from storyblender.catalog.motions import AIMED, MOTIONS
 from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import Cue, Mark
 from storyblender.memory.vocabulary import Posture
@@ -142,7 +142,7 @@ def _perform(stage: Stage, cue: Cue, index: int) -> float | None:
         ready = stand_up(stage, who, max(start, who.free["body"]))
         who.free["body"] = max(who.free["body"], ready)
     end = play(stage, who, cue.clip, beat)
-    if cue.mark is not None and cue.mark.asset_id == who.asset_id and cue.clip not in TAKEN:
+    if cue.mark is not None and cue.mark.asset_id == who.asset_id and cue.clip not in {*TAKEN, *AIMED}:
         _change_level(who, beat.start, end, cue.mark.location[2])
     return end
 
