@@ -17,6 +17,7 @@ from typing import Annotated, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from storyblender.agents.director.place_runs import in_story_order
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
 from storyblender.catalog.motions import CLIP_OF, MOTIONS
 from storyblender.catalog.sets import SETS
@@ -106,7 +107,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         raise InputError("is a reading of other words than this script's", mend=mend, path=path)
     _check_units(file, screenplay, path)
     _check_ids(file, path)
-    return Reading(
+    reading = Reading(
         screenplay,
         people=list(file.people),
         things=list(file.things),
@@ -115,6 +116,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         relations=[(index, relation) for index, written in enumerate(file.scenes) for relation in written.relations],
         flags=list(file.flags),
     )
+    return in_story_order(reading)
 
 
 def is_reading_of(path: Path, screenplay: Screenplay) -> bool:
