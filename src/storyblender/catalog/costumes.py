@@ -37,11 +37,16 @@ _WORDS: Final[dict[Age, dict[str, int]]] = {
         r"victorian|edwardian|regency": 3,
         r"hansom|coachman|footm[ae]n|governess": 2,
         **dict.fromkeys((r"parlou?r", "carriage", "drawing[- ]room", "butler", "gaslight|gas lamp", "baronet"), 1),
+        r"mail[- ]coach|post[- ]chaise|postilion|ostler|turnpike|highwayman|workhouse|lamplighter": 2,
+        **dict.fromkeys((r"bonnets?|petticoats?|crinoline", r"breeches|cravat|waistcoats?", "snuff[- ]?box|gibbet"), 1),
+        **dict.fromkeys((r"guineas?|shillings?|half[- ]a[- ]crown|farthings?", r"the (?:\w+ )?coach(?:es)?"), 1),
     },
     "classic": {
         r"fedora|gramophone|trench ?coat|telegram|typewriter|speakeasy|noir": 1,
         r"gestapo|wartime|air raid|blackout": 2,
         "steam train|steam engine|locomotive": 1,
+        r"nazis?|wehrmacht|luftwaffe|third reich|resistance fighters?": 2,
+        r"german (?:soldiers?|officers?)|bomber crews?|propellers?|biplanes?|ration (?:books?|cards?)": 1,
     },
     "space": {
         r"space ?ships?|star ?ships?|spacecraft|space station": 3,

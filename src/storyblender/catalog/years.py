@@ -25,6 +25,14 @@ _NOW = re.compile(
     rf"\b(?:it(?: is|['’]s)|this is|(?:the )?year is|here in|now,? in)\s+{_YEAR}\b(?=\s*(?:$|[.,;!?]))", re.IGNORECASE
 )
 
+_SHOWN = re.compile(
+    r"\b(?:photo(?:graph)?|picture|portrait|plaque|headstone|gravestone|tombstone|engraved|label|medal|trophy|vintage)s?\b",
+    re.IGNORECASE,
+)
+"""What shows the year of another time than its story's."""
+_NEAR = 80
+"""Characters before a year in which such a thing is named."""
+
 
 def years_in(words: str) -> list[int]:
     """Return the years that a text tells, in order; a decade is its first year.
@@ -32,7 +40,12 @@ def years_in(words: str) -> list[int]:
     Args:
         words: What a story tells, headings and title cards included.
     """
-    return [int(next(filter(None, match.groups()))) for match in _TOLD.finditer(words)]
+    told = (
+        match
+        for match in _TOLD.finditer(words)
+        if not _SHOWN.search(words[max(0, match.start() - _NEAR) : match.start()])
+    )
+    return [int(next(filter(None, match.groups()))) for match in told]
 
 
 def years_said(words: str) -> list[int]:

@@ -17,7 +17,9 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingView,
     RulesLightingArranger,
 )
+from storyblender.agents.visual_effects_artist.period import is_today
 from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
+from storyblender.catalog.costumes import age_of
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
 from storyblender.catalog.sets import plan_of
@@ -87,6 +89,7 @@ def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment
         if asset.asset_type == "object" and asset.canonical is not None:
             footprints.append(asset.canonical.dimensions[:2])
     walks = [action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions]
+    story = _told_and_said(graph)
     view = EnvironmentView(
         setup=scene.setup,
         footprints=tuple(footprints),
@@ -95,9 +98,19 @@ def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment
         reference=graph.scene(reference).environment if reference is not None else None,
         story=graph.story_summary,
         headings=" / ".join(outline.heading for outline in graph.outline),
+        age=age_of(*story),
+        today=is_today("\n".join(story)),
     )
     designer = RulesEnvironmentDesigner()
     return run.reflect("environment_designer", scene_name(scene_id), view, designer, EnvironmentCritic()).draft
+
+
+def _told_and_said(graph: ContinuityMemoryGraph) -> tuple[str, str]:
+    """Return all that the story tells, and what its people say."""
+    lines = [line for scene in graph.outline for shot in scene.shots for line in shot.lines]
+    headings = [scene.heading for scene in graph.outline]
+    told = [graph.title, graph.story_summary, *headings, *(line.text for line in lines if line.kind == "action")]
+    return "\n".join(told), "\n".join(line.text for line in lines if line.kind == "dialogue")
 
 
 def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:

@@ -37,6 +37,8 @@ def test_a_year_is_told(words: str, years: list[int]) -> None:
         "The bill says $1300.",
         "A poster for a 1294 roadshow hangs there.",
         "Call 555-1492.",
+        "A photo behind the glass. The harvest fair, 1969.",
+        "The plaque says it was founded in 1881.",
     ],
 )
 def test_another_number_is_no_year(words: str) -> None:

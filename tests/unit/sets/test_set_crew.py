@@ -21,7 +21,9 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
     light_place,
 )
 from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS
+from storyblender.agents.visual_effects_artist.period import is_today
 from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
+from storyblender.catalog.costumes import Age
 from storyblender.catalog.light_recipes import HOURS, LAMPS, WEATHERS, area_watts, open_sky_light, sun_position
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.look.illumination import light_field
@@ -70,6 +72,43 @@ def test_the_critics_fix_is_applied() -> None:
 def test_words_set_the_period(place: str, story: str, period: str | None) -> None:
     environment = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place=place), story=story))
     assert environment.params.get("period") == period
+
+
+@pytest.mark.parametrize(
+    ("place", "age", "kit", "period"),
+    [
+        ("APARTMENT", "classic", "living_room", None),
+        ("APARTMENT", "today", "apartment", None),
+        ("KITCHEN", "victorian", "kitchen", "past"),
+        ("SUPERMARKET", "victorian", "shop", "past"),
+        ("SERVER ROOM", "classic", "archive", None),
+    ],
+)
+def test_the_age_of_a_story_furnishes_its_rooms(place: str, age: Age, kit: str, period: str | None) -> None:
+    environment = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place=place), age=age))
+    assert (environment.kit, environment.params.get("period")) == (kit, period)
+
+
+def test_a_kit_that_was_chosen_by_name_stays_in_any_age() -> None:
+    setup = SceneSetup(place="FLAT", kit="apartment")
+    assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, age="victorian")).kit == "apartment"
+
+
+def test_a_story_of_today_has_modern_rooms_and_one_word_makes_no_story_of_today() -> None:
+    assert is_today("She texts him a selfie from her laptop.") and not is_today("The app of 1910 was an apple.")
+    modern = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="KITCHEN"), today=True))
+    assert modern.params.get("period") == "modern"
+
+
+@pytest.mark.parametrize("kit", list(SETS))
+def test_no_set_has_what_its_time_does_not_know(kit: str) -> None:
+    unknown = {
+        "past": {"fridge", "television", "telephone", "computer", "car", "pendant_lamp", "table_lamp", "radio"},
+        "classic": {"computer", "laptop", "microwave", "security_camera"},
+    }
+    for period, things in unknown.items():
+        plan = plan_of(Environment(kit=kit, params={"period": period}, seed=2))
+        assert not things & {item.prop for item in plan.furnishings}
 
 
 def test_who_and_what_is_there_tells_the_period() -> None:

@@ -6,11 +6,11 @@ import math
 import re
 from dataclasses import dataclass
 
+from storyblender.agents.visual_effects_artist.period import BEFORE, PERIOD_OF_AGE, period_of
+from storyblender.catalog.costumes import Age
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.sets import SETS, SetKit, plan_of
-from storyblender.catalog.sets.drawing import Period
 from storyblender.catalog.sets.places import kit_of
-from storyblender.catalog.years import years_in
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.reflection import Critique, Fault
@@ -37,6 +37,8 @@ class EnvironmentView:
         reference: The environment of the earlier scene in the same place.
         story: Any words that tell the period: summary, descriptions of characters.
         headings: Of all scenes: they tell a story in space.
+        age: Of the story, as its words tell it; they also dress its people. ``today`` where they are not sure.
+        today: Whether its words name things that only today has.
     """
 
     setup: SceneSetup
@@ -46,6 +48,8 @@ class EnvironmentView:
     reference: Environment | None = None
     story: str = ""
     headings: str = ""
+    age: Age = "today"
+    today: bool = False
 
 
 class RulesEnvironmentDesigner:
@@ -60,9 +64,10 @@ class RulesEnvironmentDesigner:
             return view.reference.model_copy(update={"params": params})
         kit = SETS[kit_of(setup)]
         seen = " ".join(setup.asset_ids).replace("_", " ")  # a sheriff or a laptop tells the time
-        period = period_of(f"{setup.place} {setup.layout_description} {seen} {view.story}", kit)
-        if period == "past":
-            kit = SETS[_IN_THE_PAST.get(kit.key, kit.key)]
+        words = f"{setup.place} {setup.layout_description} {seen} {view.story}"
+        period = PERIOD_OF_AGE.get(view.age) or period_of(words, kit, "modern" if view.today else kit.period)
+        if not setup.kit:
+            kit = SETS[BEFORE.get(period, {}).get(kit.key, kit.key)]
         params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}
         if period != kit.period:
             params["period"] = period
@@ -121,33 +126,6 @@ def _enlarged(environment: Environment, width: float, depth: float) -> Environme
     kit = SETS[environment.kit]
     size: dict[str, ParamValue] = {"width": kit.width.clamp(width), "depth": kit.depth.clamp(depth)}
     return environment.model_copy(update={"params": environment.params | size})
-
-
-_IN_THE_PAST = {"trench": "open_ground"}
-"""What a place is before its time: knights meet on a field."""
-_PERIOD_WORDS: dict[Period, str] = {
-    "past": "medieval knight king queen prince princess castle viking victorian sword samurai pirate sheriff saloon "
-    "cowboy western frontier gunslinger outlaw stagecoach ancient roman wizard peasant monk inn marshal gunfight",
-    "modern": "laptop smartphone cellphone iphone computer monitor internet drone wifi tablet robot spaceship future "
-    "email selfie hoodie sneakers cctv app video trawler winch",
-    "classic": "fedora typewriter radio gramophone telephone noir wartime trolley jukebox",
-}
-_PERIOD_YEARS: dict[Period, tuple[int, int]] = {"past": (1000, 1899), "classic": (1900, 1979), "modern": (1980, 2099)}
-"""First and last year of a period."""
-
-
-def period_of(words: str, kit: SetKit) -> Period:
-    """Return the period that the words speak of most, or the kit's own."""
-    tokens = [token.rstrip("s") for token in re.findall(r"[a-z]+", words.lower())]
-    years = years_in(words)
-    best, most = kit.period, 0
-    for period, listed in _PERIOD_WORDS.items():
-        known = {word.rstrip("s") for word in listed.split()}
-        first, last = _PERIOD_YEARS[period]
-        count = sum(token in known for token in tokens) + 3 * sum(first <= year <= last for year in years)
-        if count > most:
-            best, most = period, count
-    return best
 
 
 _OPTION_WORDS = {

@@ -118,7 +118,7 @@ ROOMS: Final[Mapping[str, Belongings]] = {
     ),
     "kitchen": Belongings(
         ("jars", "plates", "classic+modern:clock", "classic+modern:calendar", "pegs", "small_picture", "jars"),
-        ("cabinet", "basket", "chair", "bin", "past:barrel", "past:sack", "side_table", "plant"),
+        ("cabinet", "basket", "chair", "classic+modern:bin", "past:barrel", "past:sack", "side_table", "plant"),
         ("bowl", "jar", "teapot", "bread", "pot", "jug", "cutting_board", "basket", "cup", "modern:toaster"),
     ),
     "bathroom": Belongings(
@@ -129,12 +129,13 @@ ROOMS: Final[Mapping[str, Belongings]] = {
     "office": Belongings(
         ("picture", "notice_board", "books", "classic+modern:clock", "map", "classic+modern:calendar", "small_picture",
          "boxes"),
-        ("filing_cabinet", "low_bookshelf", "bin", "chair", "plant", "cabinet", "classic:hat_stand", "box"),
+        ("filing_cabinet", "low_bookshelf", "classic+modern:bin", "chair", "plant", "cabinet",
+         "classic:hat_stand", "box"),
         ("folder", "book", "cup", "classic+modern:clipboard", "newspaper", "envelope"),
     ),
     "public": Belongings(
         ("notice_board", "classic+modern:poster", "classic+modern:clock", "picture", "map", "classic+modern:calendar"),
-        ("bench", "plant", "bin", "chair", "filing_cabinet", "cabinet"),
+        ("bench", "plant", "classic+modern:bin", "chair", "filing_cabinet", "cabinet"),
         ("folder", "cup", "book", "newspaper", "vase"),
     ),
     "tavern": Belongings(
