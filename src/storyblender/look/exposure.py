@@ -28,6 +28,9 @@ _SET_ON_FACES, _LEAST_SET_LAMP = 0.8, 0.3
 face without any key is flat, so where the set just lights it enough, the trim takes the rest; in the sun it may go."""
 _TRIM = (-1.5, 0.8)
 """Stops by which a frame may be darkened or brightened as a whole; a burnt face is worse than a dark room."""
+_READABLE, _LIFT, _SHADOW = 0.05, 2.5, 0.08
+"""Least geometric mean of a frame, most stops its shadows are raised, and the luminance that counts as half shadow: a
+board is read on paper, and a night without lamps is drawn dark, not black."""
 _DARKER, _BRIGHTER = 0.85, 2.4
 """Faces between these multiples of the target are left alone: in the sun they may be brighter than in the shade."""
 _PASSES = 3
@@ -190,6 +193,26 @@ def trim(picture: Image, faces: Sequence[Face], target: float, set_target: float
         # Half the way: an insert of something dark should stay darker than an insert of something bright.
         stops = (math.log2(set_target) - math.log2(geometric_mean(light))) / 2
     return float(np.clip(stops, *_TRIM))
+
+
+def shadow_lift(picture: Image) -> float:
+    """Return the stops by which the shadows of a picture are raised so that it can be read: 0 where it can.
+
+    Args:
+        picture: Linear, exposed.
+    """
+    for stops in np.arange(0.0, _LIFT + 1e-6, 0.25):
+        if geometric_mean(luminance(with_shadows_raised(picture, float(stops)))) >= _READABLE:
+            break
+    return float(stops)
+
+
+def with_shadows_raised(picture: Image, stops: float) -> Image:
+    """Return a linear picture with its shadows raised by stops; what is bright stays as it is."""
+    if stops <= 0:
+        return picture
+    dark = 1 / (1 + (luminance(picture) / _SHADOW) ** 2)
+    return picture * np.exp2(np.float32(stops) * dark)[..., None]
 
 
 def geometric_mean(light: NDArray) -> float:

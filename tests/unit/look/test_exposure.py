@@ -2,7 +2,16 @@ import numpy as np
 import pytest
 from traced_frame import HEAD, gbuffer
 
-from storyblender.look.exposure import bright_half, dim_set_lamps, find_faces, solve_faces, trim
+from storyblender.look.exposure import (
+    bright_half,
+    dim_set_lamps,
+    find_faces,
+    geometric_mean,
+    shadow_lift,
+    solve_faces,
+    trim,
+    with_shadows_raised,
+)
 from storyblender.look.illumination import LightField
 from storyblender.look.raster import luminance
 from storyblender.memory.scene_context import Light
@@ -86,3 +95,19 @@ def test_the_trim_leaves_good_faces_alone_and_mends_the_others():
 def test_a_frame_without_faces_goes_half_the_way_to_its_level():
     picture = np.full((*FRAME.depth.shape, 3), 0.1, np.float32)
     assert trim(picture, (), 0.2, 0.05) == pytest.approx(-0.5, abs=0.01)
+
+
+def test_a_night_is_raised_until_it_can_be_read_and_its_lamps_stay():
+    night = np.full((20, 20, 3), 0.01, np.float32)
+    night[0, 0] = 2.0
+    raised = with_shadows_raised(night, shadow_lift(night))
+    assert geometric_mean(luminance(raised)) > 3 * geometric_mean(luminance(night))
+    assert raised[0, 0] == pytest.approx(night[0, 0], rel=0.01)
+    assert (np.diff(np.sort(luminance(raised).ravel())) >= 0).all() and raised[5, 5, 0] < raised[0, 0, 0]
+
+
+def test_a_day_keeps_its_shadows():
+    day = np.full((20, 20, 3), 0.3, np.float32)
+    day[:4] = 0.005
+    assert shadow_lift(day) == 0
+    assert with_shadows_raised(day, 0.0) is day

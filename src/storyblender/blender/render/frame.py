@@ -18,7 +18,7 @@ from storyblender.blender.render.session import RenderSession
 from storyblender.blender.render.shot_light import FACE_SHADOWS, SHADOWS, PersonHead, ShotLight
 from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
-from storyblender.look.exposure import Face, bright_half, find_faces, trim
+from storyblender.look.exposure import Face, bright_half, find_faces, shadow_lift, trim, with_shadows_raised
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.grade import display_of, to_bytes, to_display
 from storyblender.look.illumination import sky_light
@@ -68,6 +68,7 @@ class FrameStatistics:
         face_luminance: Scene-linear, exposed, of the lit half of all faces; None without a visible face.
         face_contrast: Display brightness of the faces over that of the ring around them.
         exposure: Stops by which the whole frame was trimmed.
+        shadow_lift: Stops by which its shadows were raised after that.
         void: Share of the frame that shows no object.
         visible: Share of the frame by node_id.
     """
@@ -75,6 +76,7 @@ class FrameStatistics:
     face_luminance: float | None
     face_contrast: float | None
     exposure: float
+    shadow_lift: float
     void: float
     visible: dict[str, float] = field(default_factory=dict)
 
@@ -140,9 +142,11 @@ def render_frame(
     faces = find_faces(gbuffer, [(head.asset_id, head.location, head.scale) for head in people if head.in_frame])
     stops = trim(picture, faces, plan.face_luminance, plan.set_luminance)
     picture *= 2.0**stops
+    lift = shadow_lift(picture)
+    picture = with_shadows_raised(picture, lift)
     picture = add_rain(picture, depth, plan.rain, request.seed)
     display = to_display(picture, look.contrast)
-    statistics = _statistics(passes, picture, display, faces, stops)
+    statistics = _statistics(passes, picture, display, faces, (stops, lift))
     drawing = _drawn(display, passes.gbuffer, ink, look, step)
     return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 
@@ -218,7 +222,9 @@ def _relit(
     return remodulate(light, mean_albedo(gbuffer, step, sky)) + gbuffer.emission(step)
 
 
-def _statistics(passes: Passes, picture: Image, display: Image, faces: Sequence[Face], stops: float) -> FrameStatistics:
+def _statistics(
+    passes: Passes, picture: Image, display: Image, faces: Sequence[Face], exposed: tuple[float, float]
+) -> FrameStatistics:
     face_luminance = contrast = None
     if faces:
         mask = np.logical_or.reduce([face.mask for face in faces])
@@ -226,4 +232,6 @@ def _statistics(passes: Passes, picture: Image, display: Image, faces: Sequence[
         face_luminance = bright_half(luminance(picture)[mask])
         tone = luminance(display)
         contrast = float((tone[mask].mean() + 0.05) / (tone[ring].mean() + 0.05))
-    return FrameStatistics(face_luminance, contrast, stops, float(passes.gbuffer.sky.mean()), passes.visible_shares())
+    return FrameStatistics(
+        face_luminance, contrast, *exposed, float(passes.gbuffer.sky.mean()), passes.visible_shares()
+    )

@@ -22,6 +22,7 @@ from storyblender.blender.render.session import RenderSession
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure
 from storyblender.look.atmosphere import add_rain
+from storyblender.look.exposure import with_shadows_raised
 from storyblender.look.grade import to_bytes, to_film
 from storyblender.look.ink import add_lines
 from storyblender.look.moving_light import MovingLight
@@ -88,7 +89,8 @@ def render_motion(
                 continue
             for window, picture in light.light(flat, still.set_lights + _followed(still.lights, people[0], heads)):
                 depth = flat.depth[window.cut]
-                picture = add_rain(picture * gain, depth, plan.rain, seed + number)
+                picture = with_shadows_raised(picture * gain, still.statistics.shadow_lift)
+                picture = add_rain(picture, depth, plan.rain, seed + number)
                 _paste(shown, add_lines(picture, depth, flat.view), window)
             write_jpeg(shown, paths[-1])
     return tuple(paths)
