@@ -16,12 +16,15 @@ from storyblender.agents.layout_artist.dimension_estimator import (
     knows_size,
     tells_size,
 )
+from storyblender.catalog.costumes import Age, age_of
+from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
 from storyblender.memory.base import Vec3
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.model_content import content_of
@@ -115,6 +118,7 @@ class ConceptArtist:
         self._retriever = Retriever(lambda: run.embedder)
         self._generator = Generator(lambda: run.embedder)
         self._models = model_files(run.settings.models)
+        self._means = MEANT_IN.get(_age_of(run.graph), {})
 
     def give_up(self, path: str) -> None:
         """Look past a model that cannot be used."""
@@ -156,8 +160,16 @@ class ConceptArtist:
         states = {change.state for change in changes if change.asset_id == asset.asset_id and change.state}
         state = states.pop() if len(states) == 1 else ""
         weather = setup.weather if setup.scene_type == "outdoor" else ""
-        means = dict(SETS[kit_of(setup)].meanings)
+        means = {**self._means, **SETS[kit_of(setup)].meanings}
         return AssetRequest(asset=asset, models=self._models, means=means, weather=weather, state=state)
+
+
+def _age_of(graph: ContinuityMemoryGraph) -> Age:
+    """Return the age that a story plays in, by its headings and its lines."""
+    lines = [line for scene in graph.outline for shot in scene.shots for line in shot.lines]
+    told = [graph.title, *(scene.heading for scene in graph.outline)]
+    told += [line.text for line in lines if line.kind == "action"]
+    return age_of("\n".join(told), "\n".join(line.text for line in lines if line.kind == "dialogue"))
 
 
 def model_files(folder: Path | None) -> tuple[ModelFile, ...]:

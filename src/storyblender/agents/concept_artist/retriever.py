@@ -261,7 +261,8 @@ def _meant(match: _Match, phrase: str, means: Mapping[str, str]) -> str:
     if match.score < HEAD - 2 * _UNEXPLAINED:
         return match.key
     plain = [singular(word) for word in _kept(words_of(phrase))]
-    word = plain[0] if len(plain) == 1 else ""
+    called = len(plain) > 1 and any(" ".join(plain) in (each.name, *each.tags) for each in PROPS.values())
+    word = plain[-1] if plain and not called else ""
     return means.get(word) or means.get(match.key, match.key)
 
 

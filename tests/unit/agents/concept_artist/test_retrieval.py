@@ -6,6 +6,7 @@ from storyblender.agents.concept_artist.generator import Generator
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
 from storyblender.agents.concept_artist.retriever import Retriever
 from storyblender.catalog.kinds import kinds
+from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import singular, words_of
 from storyblender.catalog.sets import SETS
@@ -244,6 +245,22 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
 
 
 @pytest.mark.parametrize(
+    ("age", "word", "key"),
+    [
+        ("today", "phone", "smartphone"),
+        ("today", "small phone", "smartphone"),
+        ("today", "rotary phone", "telephone"),
+        ("today", "telephone", "telephone"),
+        ("classic", "phone", "telephone"),
+        ("victorian", "lamp", "lantern"),
+    ],
+)
+def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
+    asset = Asset(asset_id="it", asset_type="object", description="", name=word)
+    assert Retriever(no_model).propose(AssetRequest(asset=asset, means=dict(MEANT_IN[age]))).key == key
+
+
+@pytest.mark.parametrize(
     ("kind", "name", "key"),
     [
         ("animal", "bat", "bat_animal"),
@@ -262,3 +279,4 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
     for kit in SETS.values():
         assert set(kit.means.values()) <= set(PROPS), kit.key
         assert set(kit.means) <= known, kit.key
+    assert all({*means.values()} <= {*PROPS} for means in MEANT_IN.values())

@@ -1,0 +1,17 @@
+"""What plain words for things mean in the age of a story: a phone of today is no dial telephone. Data only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from storyblender.catalog.costumes import Age
+
+MEANT_IN: Final[Mapping[Age, Mapping[str, str]]] = {
+    "today": {"phone": "smartphone"},
+    "classic": {"phone": "telephone", "camera": "photo_camera"},
+    "victorian": {"lamp": "lantern", "carriage": "cart"},
+    "west": {"lamp": "lantern", "wagon": "cart"},
+    "medieval": {"lamp": "lantern"},
+}
+"""Age -> word -> key of a prop. What a kind of place means by the word goes before this."""
