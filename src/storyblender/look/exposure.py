@@ -201,10 +201,9 @@ def shadow_lift(picture: Image) -> float:
     Args:
         picture: Linear, exposed.
     """
-    for stops in np.arange(0.0, _LIFT + 1e-6, 0.25):
-        if geometric_mean(luminance(with_shadows_raised(picture, float(stops)))) >= _READABLE:
-            break
-    return float(stops)
+    steps = (step * _LIFT / 10 for step in range(10))
+    raised = ((stops, luminance(with_shadows_raised(picture, stops))) for stops in steps)
+    return next((stops for stops, light in raised if geometric_mean(light) >= _READABLE), _LIFT)
 
 
 def with_shadows_raised(picture: Image, stops: float) -> Image:
