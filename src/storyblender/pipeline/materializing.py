@@ -158,10 +158,18 @@ class ConceptArtist:
             return AssetRequest(asset=asset, models=self._models)
         changes = [change for shot in self._run.graph.shots for change in shot.asset_modifications]
         states = {change.state for change in changes if change.asset_id == asset.asset_id and change.state}
-        state = states.pop() if len(states) == 1 else ""
+        state = states.pop() if len(states) == 1 else "open" if self._is_looked_into(asset.asset_id) else ""
         weather = setup.weather if setup.scene_type == "outdoor" else ""
         means = {**self._means, **SETS[kit_of(setup)].meanings}
         return AssetRequest(asset=asset, models=self._models, means=means, weather=weather, state=state)
+
+    def _is_looked_into(self, asset_id: str) -> bool:
+        """Return whether the script tells of a thing inside another: that one is open, so that the thing is seen."""
+        relations = (relation for scene in self._run.graph.scenes for relation in scene.setup.relations)
+        told = [(relation.kind, relation.anchor_asset_id) for relation in relations]
+        spots = (spot for shot in self._run.graph.shots for spot in shot.thing_spots.values())
+        told += [(spot.relation, spot.anchor_id) for spot in spots if spot.anchor_id is not None]
+        return ("in", asset_id) in told or ("inside", asset_id) in told
 
 
 def _age_of(graph: ContinuityMemoryGraph) -> Age:

@@ -8,6 +8,7 @@ import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of, size_of, tops_of
+from storyblender.agents.layout_artist.nested_places import at_wall, put_in, under
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing, slid
@@ -35,6 +36,8 @@ _LONG_SEAT = 1.0
 _SLEEPER = 0.66
 """Metres across that somebody who lies takes of a bed."""
 _HOT, _COOKED_IN = frozenset({"stove", "wood_stove", "fireplace"}), frozenset({"pot", "pan", "frying_pan", "kettle"})
+_FLAT = 0.05
+"""Metres: what is lower lies under people's feet."""
 _AT_HAND = 0.6
 """Metres from somebody to what stands on the floor beside them."""
 
@@ -54,6 +57,8 @@ def place_objects(stage: Stage, beside_people: bool = False) -> None:
     for asset_id in waiting:
         spot = told.get(asset_id)
         anchor = stage.anchor(spot.anchor_id) if spot is not None else None
+        if spot is not None and spot.anchor_id is None and at_wall(stage, asset_id, spot, None):
+            continue
         if spot is None or anchor is None:
             _stand_alone(stage, asset_id)
         elif not _relate(stage, asset_id, spot, anchor):
@@ -63,7 +68,7 @@ def place_objects(stage: Stage, beside_people: bool = False) -> None:
 def _by_people(stage: Stage, asset_id: str, told: dict[str, Spot], depth: int = 0) -> bool:
     """Return whether a thing's spot depends on a person, directly or through another thing; people are placed first."""
     spot = told.get(asset_id)
-    if spot is None or depth > len(told):
+    if spot is None or spot.anchor_id is None or depth > len(told):
         return _handled(stage, asset_id)
     people = {state.asset_id for state in stage.brief.states}
     pending = spot.anchor_id in stage.brief.pending
@@ -75,7 +80,7 @@ def _told(stage: Stage) -> dict[str, Spot]:
     stated = reversed(stage.brief.setup.relations)
     told = {each.asset_id: Spot(relation=each.kind, anchor_id=each.anchor_asset_id) for each in stated}
     told.update(stage.brief.told)
-    return {each: spot for each, spot in told.items() if spot.anchor_id is not None}
+    return told
 
 
 def _handled(stage: Stage, asset_id: str) -> bool:
@@ -99,31 +104,29 @@ def _relate(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
     """Place a thing at its spot; False if the anchor has no room for it."""
     kind = "in" if spot.relation == "inside" else "over" if spot.relation == "above" else spot.relation
     base, part = anchor.box, anchor.name not in stage.things
-    if anchor.walks or part:
+    if part and at_wall(stage, asset_id, spot, (base.x, base.y), anchor):
+        return True
+    flat = anchor.walks and kind in ("on", "under") and size_of(stage.measure(asset_id))[2] < _FLAT
+    if flat:
+        kind = "under"
+    elif anchor.walks or part:
         kind = "next_to" if kind in ("on", "in", "under", "over", "around") else kind
+    if kind == "in" and put_in(stage, asset_id, anchor):
+        return True
     if kind in ("on", "in"):
         return _stand_on(stage, asset_id, anchor)
     if kind in ("under", "around"):
-        stage.stand(asset_id, stage.box(asset_id, base.x, base.y, 0.0, base.yaw), anchor=anchor.name)
+        stage.stand(asset_id, under(stage, asset_id, base, kind == "under"), anchor=anchor.name)
     elif kind == "over":
         box = stage.box(asset_id, base.x, base.y, 0.0, base.yaw)
         if not hang(stage, asset_id, near=(base.x, base.y), lowest=base.top + 0.1):
-            box.z = base.top + 0.3
-            stage.stand(asset_id, box, floats=True, fixed=True)
-    elif part and _at_wall(stage, asset_id, spot, (base.x, base.y)):
-        return True
+            box.z = base.top + 0.3 if spot.height is None else spot.height
+            stage.stand(asset_id, box, anchor=anchor.name)
     elif kind == "between" and (other := _second(stage, asset_id)) is not None:
         stage.stand(asset_id, stage.box(asset_id, (base.x + other.box.x) / 2, (base.y + other.box.y) / 2))
     else:
         _stand_beside(stage, asset_id, spot.model_copy(update={"relation": kind}), anchor)
     return True
-
-
-def _at_wall(stage: Stage, asset_id: str, spot: Spot, near: Vec2) -> bool:
-    """Hang a thing up on a wall or stand it with its back to one, as its spot says; return whether it was possible."""
-    if spot.height is not None:
-        return hang(stage, asset_id, near=near)
-    return spot.relation in ("against", "at") and stand_against(stage, asset_id, near=near)
 
 
 def _second(stage: Stage, asset_id: str) -> Thing | None:
@@ -228,6 +231,11 @@ def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> Non
     looked_at = kind == "facing" or (seat and kind in ("behind", "in_front_of", "at") and not anchor.walks)
     if looked_at:
         box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
+    slab = _ceiling(stage) if stage.brief.placements.get(asset_id) == "ceiling" else None
+    if slab is not None or spot.height:
+        box.z = spot.height if slab is None and spot.height else (slab or box.height) - box.height
+        stage.stand(asset_id, box, anchor=anchor.name if anchor.name in stage.things else None, floats=True)
+        return
     if anchor.name not in stage.things:
         stage.stand(asset_id, box)
         return

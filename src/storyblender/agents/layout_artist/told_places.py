@@ -26,7 +26,8 @@ def told_places(setup: SceneSetup, shots: Sequence[ShotContext]) -> dict[str, Sp
         moved |= {prop for state in shot.states for prop in state.held}
         moved |= {action.prop_id for action in shot.character_actions if action.prop_id is not None}
         for thing, spot in shot.thing_spots.items():
-            if spot.anchor_id is not None and thing not in seen and thing not in moved:
+            at_wall = spot.height is not None or spot.relation == "against"
+            if (spot.anchor_id is not None or at_wall) and thing not in seen and thing not in moved:
                 told[thing] = spot
             seen.add(thing)
     return told

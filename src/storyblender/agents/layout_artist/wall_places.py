@@ -11,11 +11,19 @@ from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.set_plan import Wall
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 
+_LONG = 2.0
+"""Times its width: what is deeper hangs along the wall, as a rifle does."""
 _EYE = 1.5
 """Metres: the middle of what hangs on a wall."""
 
 
-def hang(stage: Stage, asset_id: str, near: tuple[float, float] | None = None, lowest: float = 0.0) -> bool:
+def hang(
+    stage: Stage,
+    asset_id: str,
+    near: tuple[float, float] | None = None,
+    lowest: float = 0.0,
+    height: float | None = None,
+) -> bool:
     """Hang a thing on a wall, above what stands before it; False where no wall has room.
 
     Args:
@@ -23,13 +31,18 @@ def hang(stage: Stage, asset_id: str, near: tuple[float, float] | None = None, l
         asset_id: The thing.
         near: Floor point it is wanted at; the middle of the set if not given.
         lowest: Metres above the floor that it stays clear of.
+        height: Metres above the floor of its lower edge, if the script says so; less under a low ceiling.
     """
-    width, depth, height = size_of(stage.measure(asset_id))
+    width, depth, tall = size_of(stage.measure(asset_id))
     wish = near or stage.middle
     best: tuple[float, Box] | None = None
-    for wall, x, y, yaw, dislike in _wall_places(stage, width, depth / 2 + 0.005):
-        z = 0.0 if height > 1.4 else max(_EYE - height / 2, lowest)
-        box = Box(x, y, z, width, depth, height, yaw)
+    along, out = (depth, width) if depth > _LONG * width else (width, depth)
+    for wall, x, y, facing_in, dislike in _wall_places(stage, along, out / 2 + 0.005):
+        yaw = facing_in if along == width else facing_in + math.pi / 2
+        z = 0.0 if tall > 1.4 else max(_EYE - tall / 2, lowest)
+        if height is not None:
+            z = max(0.0, min(height, wall.base + wall.height - tall))
+        box = Box(x, y, z, width, depth, tall, yaw)
         if box.top > wall.base + wall.height:
             continue
         taken = sum(

@@ -10,6 +10,7 @@ from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
 from storyblender.agents.visual_effects_artist.floor import TOPS, Thing, facing
 from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.carrying import hand_towards
+from storyblender.catalog.hollows import OPEN_ABOVE, inside
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.memory.base import Vec3
@@ -249,7 +250,8 @@ class Handling:
             self.company.lay(person, prop, (*landing, 0.0))
             return t, None, hand
         spot: Vec3 | None = None
-        if thing is None or not (thing.of_kind("top") or thing.size[2] < 1.4):
+        hollow = thing is not None and self.company.floor.kinds.get(thing.asset_id) in OPEN_ABOVE
+        if thing is None or not (hollow or thing.of_kind("top") or thing.size[2] < 1.4):
             near = 0.0 if self._is_bag(prop, BULK) else 2.5 if person.upright else FROM_SEAT
             highest = TOPS[1] if person.upright else HIGHEST if person.support else FROM_FLOOR
             thing = self.company.floor.nearest_top(person.place, near, highest)
@@ -277,6 +279,9 @@ class Handling:
         Beside who sits on it; on the side of the hand that holds something there is less room.
         """
         floor = self.company.floor
+        key, (low, middle, long) = floor.kinds.get(thing.asset_id), self.company.size_of(prop) or (0.1, 0.1, 0.1)
+        if key in OPEN_ABOVE and (place := inside(key, thing.size, (long, middle, low))) is not None:
+            return thing.world(place)
         sitters = [p for p in self.company.people.values() if p.present and p.posture == "sit"]
         if (beside := self._beside_sitters(thing, person, prop, sitters)) is not None:
             return beside

@@ -6,12 +6,14 @@ import math
 from collections.abc import Mapping
 
 from storyblender.agents.visual_effects_artist.places import Places
+from storyblender.catalog.hollows import inside
 from storyblender.geometry.stations import stations
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import PropState, ShotContext
 
-_ON = ("on", "in", "inside")
+_IN = ("in", "inside")
+_ON = ("on", *_IN)
 _UNDER = ("under", "around")
 _GAP = 0.12
 """Metres between a thing and its anchor beside it, if the script gives no distance."""
@@ -57,6 +59,15 @@ class ToldThings:
         if found is None:
             return None
         box, sort, base = found
+        if base is not None and spot.relation in _IN:
+            size, here = self.sizes[thing], base.location
+            key = self.places.floor.kinds.get(base.asset_id)
+            others = sum(math.dist(place[:2], here[:2]) < max(base.size[:2]) / 2 for place in self.lying.values())
+            place = inside(key, base.size, (*size, 0.0), others - (base.asset_id in self.lying))
+            if place is not None:
+                return base.world(place)
+        if sort == "window" and spot.relation == "on":
+            return box.x, box.y, box.z
         if base is not None and spot.relation in _ON:
             return self.places.floor.on_top(base, base.location[:2]) or self.places.floor.top_of(
                 base, base.location[:2]

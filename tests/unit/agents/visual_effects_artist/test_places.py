@@ -54,6 +54,7 @@ ASSETS = (
     _asset("bar_counter", (2.4, 0.6, 1.1)),
     _asset("counter", (2.4, 0.6, 1.1)),
     _asset("bucket", (0.3, 0.3, 0.3)),
+    _asset("ball", (0.1, 0.1, 0.1)),
     _asset("ann", (0.5, 0.3, 1.7), person=True),
     _asset("bo", (0.5, 0.3, 1.7), person=True),
 )
@@ -66,6 +67,7 @@ LAYOUT = Layout(
         _at("car", 3.5, -1.5),
         _at("bar_counter", -3.0, -3.5, 180),
         _at("bucket", -4.0, 0.0),
+        _at("ball", 2.0, 3.5),
         _at("ann", -1, -1),
         _at("bo", 1, -1),
     ),
@@ -205,3 +207,11 @@ def test_of_several_windows_the_nearest_is_meant() -> None:
     for near in (-3.5, 3.5):
         window = floor.thing("window", (near, 0.0))
         assert window is not None and window.location[0] == pytest.approx(near, abs=0.1)
+
+
+@pytest.mark.parametrize("relation", ["in", "inside"])
+def test_what_is_told_to_be_in_a_hollow_thing_later_lies_in_it(relation: str) -> None:
+    told = {"ball": Spot(relation=relation, anchor_id="bucket")}
+    _, props = _played(_shot(_state("ann")), _shot(_state("ann"), number=2, thing_spots=told))
+    lies = {state.asset_id: state.location for state in props[1]}["ball"]
+    assert lies is not None and math.dist(lies[:2], (-4.0, 0.0)) < 0.15 and 0 < lies[2] < 0.3
