@@ -6,21 +6,8 @@ from collections.abc import Iterable, Mapping
 from string import capwords
 
 from storyblender.agents.director.creatures import is_creature
+from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.reading import Person, Reading, Thing
-
-FIXTURES = frozenset((
-    "door", "doors", "doorway", "window", "windows", "windowsill", "sill", "wall", "walls", "floor", "ceiling", "roof",
-    "stairs", "staircase", "steps", "stair", "landing", "hallway", "corridor", "entrance", "exit", "threshold", "lid",
-    "drawer", "handle", "doorknob", "knob", "lock", "keyhole", "corner", "balcony", "pavement", "sidewalk", "kerb",
-    "curb", "runway", "tarmac", "alcove", "archway", "awning", "banister", "bannister", "balustrade", "baseboard",
-    "beam",
-    "blind", "blinds", "branch", "chimney", "crossbeam", "cornice", "dock", "dome", "doorframe", "doorstep", "downpipe",
-    "drain", "drainpipe", "eave", "eaves", "fanlight", "floorboard", "girder", "gutter", "handrail", "hatch", "hinge",
-    "joist", "latch", "ledge", "lintel", "loft", "manhole", "pane", "panelling", "parapet", "peephole", "platform",
-    "porch", "porthole", "rafter", "rafters", "rail", "railing", "railings", "shutter", "shutters", "sidewall",
-    "skylight", "stairwell", "trapdoor", "tunnel", "vent", "wainscot", "windowpane", "windscreen", "windshield",
-))  # fmt: skip
-"""Head nouns of what the set kit builds, or what belongs to another thing."""
 
 
 class Company:
@@ -45,8 +32,7 @@ class Company:
         self.actors = {person.id for person in self.people if not is_creature(person, reading)}
         self.creatures = {person.id for person in self.people} - self.actors
         in_hand = _in_hand(reading)
-        kinds = {thing.id: thing.id.rsplit("_", 1)[-1] for thing in reading.things if thing.id not in in_hand}
-        self.fixtures = {id_ for id_, kind in kinds.items() if kind in FIXTURES}
+        self.fixtures = {thing.id for thing in reading.things if thing.id not in in_hand and is_fixture(thing)}
         self.wholes = _mere_parts(reading)
         self.fixtures |= set(self.wholes)
         things = {thing.id for thing in reading.things} - self.fixtures

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from storyblender.agents.director.company import FIXTURES, unique
+from storyblender.agents.director.company import unique
 from storyblender.agents.director.cutting import acts_apart, listener_of, middle_of_speech, seen_thing, size_of, step
 from storyblender.agents.director.directions import Names, directed_shot, is_direction_only
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
+from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.pictures import BESIDE, add_to_picture, begin_picture, spoken_picture
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
@@ -42,7 +43,7 @@ class Coverage:
         self.text = reading.screenplay.text
         self.names = Names(reading)
         self.props = {thing.id for thing in reading.things if thing.kind == "prop"}
-        self.things = {thing.id for thing in reading.things if thing.id.rsplit("_", 1)[-1] not in FIXTURES}
+        self.things = {thing.id for thing in reading.things if not is_fixture(thing)}
         self._scenes = {scene.id: scene for scene in reading.scenes}
 
     def shots(self, scene: SceneReading, units: Sequence[Unit], notes: Mapping[int, CameraNote]) -> list[ShotDraft]:

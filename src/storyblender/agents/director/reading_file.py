@@ -10,13 +10,14 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from storyblender.agents.director.fixtures import telling_ids
 from storyblender.agents.director.place_runs import in_story_order
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
 from storyblender.catalog.motions import CLIP_OF, MOTIONS
@@ -107,6 +108,8 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         raise InputError("is a reading of other words than this script's", mend=mend, path=path)
     _check_units(file, screenplay, path)
     _check_ids(file, path)
+    if ids := telling_ids((thing.id, thing.name) for thing in file.things if thing.part_of is None):
+        file = ReadingFile.model_validate(_with_ids(file.model_dump(mode="json", exclude_defaults=True), ids))
     reading = Reading(
         screenplay,
         people=list(file.people),
@@ -117,6 +120,15 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         flags=list(file.flags),
     )
     return in_story_order(reading)
+
+
+def _with_ids(plain: object, ids: Mapping[str, str]) -> object:
+    """Return JSON values with ids replaced wherever they stand alone, as values and as keys."""
+    if isinstance(plain, dict):
+        return {ids.get(key, key): _with_ids(value, ids) for key, value in plain.items()}
+    if isinstance(plain, list | tuple):
+        return [_with_ids(value, ids) for value in plain]
+    return ids.get(plain, plain) if isinstance(plain, str) else plain
 
 
 def is_reading_of(path: Path, screenplay: Screenplay) -> bool:

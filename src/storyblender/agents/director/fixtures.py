@@ -1,0 +1,63 @@
+"""Things of a script that the set shows and that are no props: doors and windows, hills, streams, the sky."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import cache
+from typing import Final
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reading import Thing
+from storyblender.catalog.props import PROPS
+
+FIXTURES = frozenset((
+    "door", "doors", "doorway", "window", "windows", "windowsill", "sill", "wall", "walls", "floor", "ceiling", "roof",
+    "stairs", "staircase", "steps", "stair", "landing", "hallway", "corridor", "entrance", "exit", "threshold", "lid",
+    "drawer", "handle", "doorknob", "knob", "lock", "keyhole", "corner", "balcony", "pavement", "sidewalk", "kerb",
+    "curb", "runway", "tarmac", "alcove", "archway", "awning", "banister", "bannister", "balustrade", "baseboard",
+    "beam",
+    "blind", "blinds", "branch", "chimney", "crossbeam", "cornice", "dock", "dome", "doorframe", "doorstep", "downpipe",
+    "drain", "drainpipe", "eave", "eaves", "fanlight", "floorboard", "girder", "gutter", "handrail", "hatch", "hinge",
+    "joist", "latch", "ledge", "lintel", "loft", "manhole", "pane", "panelling", "parapet", "peephole", "platform",
+    "porch", "porthole", "rafter", "rafters", "rail", "railing", "railings", "shutter", "shutters", "sidewall",
+    "skylight", "stairwell", "trapdoor", "tunnel", "vent", "wainscot", "windowpane", "windscreen", "windshield",
+))  # fmt: skip
+"""Head nouns of what the set kit builds, or what belongs to another thing."""
+_AFTER_HEAD: Final = re.compile(r"\b(?:of|with|in|on|from|for|at)\b")
+"""Words that end the part of a name in which the noun is."""
+
+
+def head_of(name: str) -> str:
+    """Return the noun of a thing's name: ``door`` of ``front door of the inn``."""
+    words = _AFTER_HEAD.split(name.lower())[0].split()
+    return words[-1] if words else ""
+
+
+def is_fixture(thing: Thing) -> bool:
+    """Return whether the set shows a thing: its parts, and land, sky and weather that the catalog does not build."""
+    heads = {thing.id.rsplit("_", 1)[-1], head_of(thing.name)}
+    if heads & FIXTURES:
+        return True
+    head = head_of(thing.name)
+    return lexicon.noun_class(head) == "scenery" and head not in _built()
+
+
+def telling_ids(things: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """Return the ids to use for parts of the set whose own ids do not end with the noun, which finds them in the set.
+
+    Args:
+        things: Ids and names: ``fdoor``, ``front door`` becomes ``fdoor_door``.
+    """
+    heads = {id_: head_of(name) for id_, name in things}
+    return {
+        id_: f"{id_[:50]}_{head}"
+        for id_, head in heads.items()
+        if head in FIXTURES and id_.rsplit("_", 1)[-1] not in FIXTURES and head.isidentifier()
+    }
+
+
+@cache
+def _built() -> frozenset[str]:
+    """Return the nouns of all things that the catalog builds."""
+    return frozenset(head_of(word) for entry in PROPS.values() for word in (entry.name, *entry.tags))
