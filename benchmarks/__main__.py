@@ -13,7 +13,7 @@ TABLES = {
         str(HERE / "director" / "score.py"),
         *sorted(map(str, (HERE.parent / "tests/data/director").glob("*.gold"))),
     ],
-    "readings": [str(HERE / "readings.py")],
+    "readings": ["-m", "benchmarks.readings"],
     "scale": [str(HERE / "scale.py")],
     "edit": [str(HERE / "edit.py")],
     "feature": ["-m", "benchmarks.feature"],

@@ -1,274 +1,85 @@
 """``python -m benchmarks readings [FOLDER...]``: the rules' reading of a page against a careful person's.
 
 A folder holds pages and, in ``readings/``, ``PAGE.reading.json`` for each of them (see ``benchmarks/pages/README.md``).
-What both say is right, what only the rules say is wrong, what only the person says is missed.
-People and things of the two readings are matched by their names; of a thing its last word counts.
+With ``--ablate`` each rule of the reader is switched off in turn, and what that changes is printed.
 """
 
 from __future__ import annotations
 
-import re
-import sys
-from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+import argparse
+from collections.abc import Iterator
 from pathlib import Path
 
+from benchmarks.comparison import FACTS, Comparison, Tally
+
+from storyblender.agents.director.places_by_meaning import place_by_meaning
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reading import Person, Reading, Unit
+from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import read_reading
-from storyblender.catalog.motions import clip_of
-from storyblender.catalog.sets.places import kit_of
-from storyblender.memory.scene_context import SceneSetup
+from storyblender.agents.director.rules import RULES, Ledger, keeping
+from storyblender.library.embedder import load_embedder
 from storyblender.screenplay.source import load
 
 PAGES = Path(__file__).parent / "pages"
-FACTS = (
-    "cast", "on stage", "speaker", "actor and motion", "targets", "postures", "relations", "things", "place kit",
-    "time", "looks",
-)  # fmt: skip
-_WORD = re.compile(r"[^\W\d_]+")
 
 
-@dataclass
-class Tally:
-    """Counts of one kind of fact."""
-
-    right: int = 0
-    wrong: int = 0
-    missed: int = 0
-
-    def add(self, said: Iterable[object], meant: Iterable[object]) -> None:
-        """Count two sets of facts; what is said twice counts twice."""
-        one, other = Counter(said), Counter(meant)
-        both = (one & other).total()
-        self.right += both
-        self.wrong += one.total() - both
-        self.missed += other.total() - both
-
-    def __iadd__(self, other: Tally) -> Tally:
-        self.right, self.wrong, self.missed = (
-            self.right + other.right, self.wrong + other.wrong, self.missed + other.missed,
-        )  # fmt: skip
-        return self
-
-    @property
-    def precision(self) -> float:
-        return self.right / max(self.right + self.wrong, 1)
-
-    @property
-    def recall(self) -> float:
-        return self.right / max(self.right + self.missed, 1)
-
-    @property
-    def f1(self) -> float:
-        return 2 * self.right / max(2 * self.right + self.wrong + self.missed, 1)
-
-
-@dataclass
-class Comparison:
-    """The rules' reading of one page against a person's.
-
-    Args:
-        rules: What the rules read.
-        careful: What a person read.
-    """
-
-    rules: Reading
-    careful: Reading
-    tallies: dict[str, Tally] = field(default_factory=lambda: {fact: Tally() for fact in FACTS})
-
-    def __post_init__(self) -> None:
-        self.same = matched_people(self.rules.people, self.careful.people)
-        self._names = {
-            id(reading): {thing.id: _head(thing.name) for thing in reading.things}
-            for reading in (self.rules, self.careful)
-        }
-
-        self._postures = {id(reading): _postures(reading) for reading in (self.rules, self.careful)}
-
-    def count(self) -> dict[str, Tally]:
-        """Count every kind of fact."""
-        self.tallies["cast"].add(
-            [self.same.get(person.id, f"{person.id} of the rules") for person in self._staged(self.rules)],
-            [person.id for person in self._staged(self.careful)],
-        )
-        self._count_scenes()
-        for mine, theirs in self._units():
-            for fact, facts in self._facts(self.rules, mine).items():
-                self.tallies[fact].add(facts, self._facts(self.careful, theirs)[fact])
-        for fact, facts in self._whole(self.rules).items():
-            self.tallies[fact].add(facts, self._whole(self.careful)[fact])
-        return self.tallies
-
-    @staticmethod
-    def _staged(reading: Reading) -> list[Person]:
-        staged = {person for unit in reading.units for person in unit.on_stage}
-        return [person for person in reading.people if person.id in staged]
-
-    def _count_scenes(self) -> None:
-        """The set and the hour of each unit's scene, by the person's units."""
-        kits: dict[int, dict[int, str]] = {}
-        for reading in (self.rules, self.careful):
-            kits[id(reading)] = {index: self._kit(reading, index) for index in range(len(reading.scenes))}
-        seen: set[tuple[int, int]] = set()
-        for mine, theirs in self._units():
-            if not mine or not theirs or (theirs[0].scene, mine[0].scene) in seen:
-                continue
-            seen.add((theirs[0].scene, mine[0].scene))
-            one, other = mine[0].scene, theirs[0].scene
-            self.tallies["place kit"].add([kits[id(self.rules)][one]], [kits[id(self.careful)][other]])
-            self.tallies["time"].add([_hour(self.rules.scenes[one].time)], [_hour(self.careful.scenes[other].time)])
-
-    @staticmethod
-    def _kit(reading: Reading, index: int) -> str:
-        scene = reading.scenes[index]
-        things = dict.fromkeys(thing for unit in reading.units if unit.scene == index for thing in unit.things)
-        return kit_of(
-            SceneSetup(
-                asset_ids=tuple(things), scene_type=scene.scene_type, place=scene.place, place_kind=scene.place_kind,
-                kit=scene.kit, layout_description=" ".join(things),
-            )
-        )  # fmt: skip
-
-    def _units(self) -> list[tuple[list[Unit], list[Unit]]]:
-        """The person's units one by one, each with the rules' units that have most of their words in it."""
-        groups: dict[int, list[Unit]] = {index: [] for index in range(len(self.careful.units))}
-        for unit in self.rules.units:
-            shared = [
-                min(unit.end, other.end) - max(unit.start, other.start) if other.start < unit.end else 0
-                for other in self.careful.units
-            ]
-            best = max(range(len(shared)), key=lambda index: shared[index], default=-1)
-            if best >= 0 and shared[best] > 0:
-                groups[best].append(unit)
-        return [(groups[index], [unit]) for index, unit in enumerate(self.careful.units)]
-
-    def _facts(self, reading: Reading, units: list[Unit]) -> dict[str, list[object]]:
-        """Facts of some units in names that both readings share."""
-        last = units[-1:]
-        deeds = [deed for unit in units for deed in unit.deeds if clip_of(deed.motion).key not in ("idle", "talk")]
-        who = self._who
-        return {
-            "on stage": [who(reading, person) for unit in last for person in unit.on_stage],
-            "speaker": [who(reading, unit.speaker) for unit in units if unit.speaker],
-            "actor and motion": [(who(reading, deed.actor), clip_of(deed.motion).key) for deed in deeds],
-            "targets": [
-                (who(reading, deed.actor), self._what(reading, target))
-                for deed in deeds
-                for target in (deed.target, deed.prop)
-                if target
-            ],
-            "postures": [
-                (who(reading, person), posture)
-                for unit in last
-                for person, posture in self._postures[id(reading)][unit.start].items()
-                if person in unit.on_stage
-            ],
-        }
-
-    def _whole(self, reading: Reading) -> dict[str, list[object]]:
-        """Facts of the whole page."""
-        told = {*_WORD.findall(reading.screenplay.text.lower())}
-        relations: set[object] = set()
-        for _, relation in reading.relations:
-            ends = relation.asset_id, relation.anchor_asset_id
-            relations.add((relation.kind, *(self._what(reading, end) for end in ends)))
-        for unit in reading.units:
-            for each, spot in unit.spots.items():
-                if spot.anchor_id and self._is_said(reading, spot.anchor_id, unit):
-                    relations.add((spot.relation, self._what(reading, each), self._what(reading, spot.anchor_id)))
-        looks = {
-            (self._who(reading, person.id), word)
-            for person in self._staged(reading)
-            for phrase in (*person.outfit, *person.hair, *person.face)
-            for word in _WORD.findall(phrase.lower())
-            if len(word) > 2 and word in told
-        }
-        ages = {(self._who(reading, person.id), person.age) for person in self._staged(reading) if person.age}
-        used = {thing for unit in reading.units for thing in unit.things}
-        things = {self._what(reading, thing.id) for thing in reading.things if thing.id in used}
-        return {"relations": [*relations], "looks": [*looks, *ages], "things": [*things]}
-
-    def _is_said(self, reading: Reading, anchor: str, unit: Unit) -> bool:
-        """Whether the words of a unit name what somebody is placed by."""
-        return str(self._names[id(reading)].get(anchor, "")) in unit.text.lower()
-
-    def _who(self, reading: Reading, person: str | None) -> object:
-        return self.same.get(person or "", person) if reading is self.rules else person
-
-    def _what(self, reading: Reading, thing: str) -> object:
-        return self._names[id(reading)].get(thing) or self._who(reading, thing)
-
-
-def _postures(reading: Reading) -> dict[int, dict[str, str]]:
-    """Everybody who does not stand, after each unit by its start: postures stay until they are changed."""
-    now: dict[str, str] = {}
-    scene, found = -1, dict[int, dict[str, str]]()
-    for unit in reading.units:
-        now = now if unit.scene == scene else {}
-        scene = unit.scene
-        now = now | {person: posture for person, (posture, _) in unit.posture.items()}
-        found[unit.start] = {person: posture for person, posture in now.items() if posture != "stand"}
+def careful_readings(folder: Path) -> list[Reading]:
+    """Return the careful reading of each page of a folder that has one."""
+    found: list[Reading] = []
+    for path in sorted((folder / "readings").glob("*.reading.json")):
+        name = path.name.removesuffix(".reading.json")
+        page = next(page for page in sorted(folder.iterdir()) if page.stem == name)
+        found.append(read_reading(path, load(page)))
     return found
 
 
-def matched_people(mine: list[Person], theirs: list[Person]) -> dict[str, str]:
-    """Return whom of one reading the other calls what: the same name first, then any shared name or role."""
-    found: dict[str, str] = {}
-    for names in (_own_name, _all_names):
-        for person in mine:
-            if person.id in found:
-                continue
-            taken = set(found.values())
-            same = next((each for each in theirs if each.id not in taken and names(person) & names(each)), None)
-            if same is not None:
-                found[person.id] = same.id
-    return found
+def compared(careful: list[Reading]) -> dict[str, Tally]:
+    """Return the tallies of the rules' readings of some pages, as the program takes them."""
+    total = {fact: Tally() for fact in FACTS}
+    for each in careful:
+        reading = read_script(each.screenplay)
+        place_by_meaning(reading, load_embedder)
+        for fact, tally in Comparison(reading, each).count().items():
+            total[fact] += tally
+    return total
 
 
-def _own_name(person: Person) -> set[str]:
-    return {person.name.lower()}
+def ablated(careful: list[Reading]) -> Iterator[tuple[str, dict[str, Tally]]]:
+    """Return each rule with the tallies of readings that do without it."""
+    for name in sorted(RULES):
+        with keeping(Ledger(off=frozenset({name}))):
+            yield name, compared(careful)
 
 
-def _all_names(person: Person) -> set[str]:
-    words = {word for name in (person.name, *person.aliases) for word in _WORD.findall(name.lower())}
-    return {word for word in words if len(word) > 2} - {"the", "man", "woman", "old", "young", "mrs", "one", "two"}
-
-
-def _head(name: str) -> str:
-    words = _WORD.findall(name.lower())
-    return words[-1].removesuffix("s") if words else name
-
-
-def _hour(time: str) -> str:
-    """Whether it is day, dusk or night: what a picture shows."""
-    if time in ("night", "evening"):
-        return "night"
-    return "dusk" if time in ("dawn", "sunset", "dusk") else "day"
-
-
-def main(folders: list[Path]) -> int:
+def main() -> int:
     """Print a table for each folder, and return 1 where there is nothing to compare."""
-    compared = False
-    for folder in folders:
-        total = {fact: Tally() for fact in FACTS}
-        pages = 0
-        for path in sorted((folder / "readings").glob("*.reading.json")):
-            name = path.name.removesuffix(".reading.json")
-            page = next(page for page in sorted(folder.iterdir()) if page.stem == name)
-            screenplay = load(page)
-            for fact, tally in Comparison(read_script(screenplay), read_reading(path, screenplay)).count().items():
-                total[fact] += tally
-            pages += 1
-        compared = compared or pages > 0
-        print(f"{folder.name}: {pages} pages\n{'':18}precision  recall     F1   right  wrong missed")
-        for fact, tally in total.items():
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("folders", nargs="*", type=Path, default=[PAGES / "working", PAGES / "sealed"])
+    parser.add_argument("--ablate", action="store_true", help="switch each rule off and print the change of each F1")
+    given = parser.parse_args()
+    pages = {folder: careful_readings(folder) for folder in given.folders}
+    if given.ablate:
+        _print_ablation([each for careful in pages.values() for each in careful])
+        return 0
+    for folder, careful in pages.items():
+        print(f"{folder.name}: {len(careful)} pages\n{'':18}precision  recall     F1   right  wrong missed")
+        for fact, tally in compared(careful).items():
             shares = f"{tally.precision:9.2f} {tally.recall:7.2f} {tally.f1:6.2f}"
             print(f"{fact:18}{shares} {tally.right:7} {tally.wrong:6} {tally.missed:6}")
-    return 0 if compared else 1
+    return 0 if any(pages.values()) else 1
+
+
+def _print_ablation(careful: list[Reading]) -> None:
+    """Print a line for each rule, the one that gains least first: what the page loses without it."""
+    whole = compared(careful)
+    rows: list[tuple[float, str]] = []
+    for name, without in ablated(careful):
+        changes = {fact: without[fact].f1 - whole[fact].f1 for fact in FACTS}
+        told = "  ".join(f"{fact} {change:+.3f}" for fact, change in changes.items() if abs(change) >= 0.0005)
+        rows.append((-sum(changes.values()), f"{name:34}{told or 'no change'}"))
+    for _, line in sorted(rows):
+        print(line)
 
 
 if __name__ == "__main__":
-    given = [Path(argument) for argument in sys.argv[1:]]
-    raise SystemExit(main(given or [PAGES / "working", PAGES / "sealed"]))
+    raise SystemExit(main())
