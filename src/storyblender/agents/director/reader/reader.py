@@ -12,7 +12,7 @@ from storyblender.agents.director.reader.beside import act_beside
 from storyblender.agents.director.reader.cast.foreign_cast import add_foreign
 from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
 from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
-from storyblender.agents.director.reader.deeds.carried import bring_along
+from storyblender.agents.director.reader.deeds.carried import bring_along, come_back
 from storyblender.agents.director.reader.deeds.exits import clear_exits
 from storyblender.agents.director.reader.foreign import read_foreign
 from storyblender.agents.director.reader.language.words import Word
@@ -223,7 +223,7 @@ def _look_at(stage: Stage, camera: CameraNote) -> str | None:
 def _open_scene(stage: Stage, sentence: Sentence) -> None:
     prose = stage.reading.screenplay.format == "prose"
     before = stage.scene
-    stage.scene = SceneState(before=_on_their_feet(before))
+    stage.scene = SceneState(sentence.scene, before=_on_their_feet(before))
     stage.inventory.open_scene(sentence.start)
     first = [word.low for word in sentence.words[:_CARRIED]]
     if prose and sentence.scene and any(word in ("they", "he", "she", "it", "i", "we") for word in first):
@@ -233,6 +233,8 @@ def _open_scene(stage: Stage, sentence: Sentence) -> None:
         )
         if single in ("male", "female"):
             stage.scene.on = _of_whom_it_is_told(stage, stage.scene.on, single)
+    elif before.index != sentence.scene:
+        come_back(stage)
     stage.discourse.next_scene(keep_groups=prose)
 
 

@@ -84,6 +84,8 @@ class Discourse:
 class SceneState:
     """Who and what is where in the running scene."""
 
+    index: int = 0
+    """Into the scenes of the reading."""
     on: list[str] = field(default_factory=list)
     """People on stage, in order of entrance."""
     before: list[str] = field(default_factory=list)

@@ -64,3 +64,30 @@ def _bring(stage: Stage, people: Sequence[Person]) -> None:
     """Put them on stage; from then on the scene speaks for itself."""
     stage.scene.on += [person.id for person in people if person.id not in stage.scene.on]
     stage.scene.before = [] if people else stage.scene.before
+
+
+@rule("people.still_there")
+def come_back(stage: Stage) -> None:
+    """Put on stage whoever was left at a place that the story comes back to, as they were left.
+
+    The hour is the same, and nobody has seen them anywhere else since.
+
+    Args:
+        stage: Its scene has just begun; the unit that begins it is not there yet.
+    """
+    scenes, units = stage.reading.scenes, stage.reading.units
+    here = scenes[stage.scene.index]
+    places = {here.id, here.reference} - {None}
+    earlier = [
+        index
+        for index, scene in enumerate(scenes[: stage.scene.index])
+        if {scene.id, scene.reference} & places and scene.time == here.time
+    ]
+    last = next((at for at in range(len(units) - 1, -1, -1) if earlier and units[at].scene == earlier[-1]), None)
+    if last is None or not here.place or "LATER" in here.time_written:
+        return
+    seen = {person for unit in units[last + 1 :] for person in (*unit.on_stage, *unit.people)}
+    left = units[last]
+    stage.scene.on = [person for person in left.on_stage if person not in seen | {*left.leaving}]
+    stage.scene.posture = {person: left.posture[person] for person in stage.scene.on if person in left.posture}
+    stage.scene.held = {person: list(left.held[person]) for person in stage.scene.on if person in left.held}
