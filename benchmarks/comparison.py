@@ -3,7 +3,8 @@
 What both say is right, what only the first says is wrong, what only the person says is missed. People and things of
 the two readings are matched by their names (see ``matched_people`` and ``named_things``). Somebody at another age or in
 other clothes is the same person. A relation counts where words of the page state it: where people stand without a word
-about it is staging, which the frames are judged by. Whatever stands on the floor is no relation.
+about it is staging, which the frames are judged by. Whatever stands on the floor is no relation. The words are English:
+on pages in other languages no relation counts.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from storyblender.agents.director.reader.language.morphology import singular
-from storyblender.agents.director.reader.manuscript import open_manuscript
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.sets.places import kit_of
@@ -177,7 +177,7 @@ class Comparison:
             "targets": [
                 (who(reading, deed.actor), self._what(reading, target))
                 for deed in deeds
-                for target in {deed.target, deed.prop} - {None}
+                for target in {target for target in (deed.target, deed.prop) if target}
             ],
             "postures": [
                 (who(reading, person), posture)
@@ -212,9 +212,8 @@ class Comparison:
         text = unit.text.lower()
         thing = next((thing for thing in reading.things if thing.id == anchor), None)
         head = _head(thing.name) if thing else ""
-        english = open_manuscript(reading.screenplay).tongue is None
-        said = re.search(rf"\b(?:{_TOLD_BY.get(kind, kind)})\b", text) is not None or not english
-        return said and head not in _GROUND and (head in text or not english)
+        said = re.search(rf"\b(?:{_TOLD_BY.get(kind, kind)})\b", text) is not None
+        return said and head not in _GROUND and head in text
 
     def _who(self, reading: Reading, person: str | None) -> object:
         """The id that the careful reading gives somebody, whatever age they are and whatever they wear."""
@@ -266,20 +265,21 @@ def matched_people(mine: list[Person], theirs: list[Person]) -> dict[str, str]:
 def named_things(mine: list[Thing], theirs: list[Thing]) -> dict[str, str]:
     """Return the head nouns of things, in the words of another reading where both mean one thing.
 
-    The same noun first, then one that ends in the other (stick, drumstick), then any shared word.
+    The same noun first, then one that ends or begins with the other (stick, drumstick), then any shared word.
     """
-    heads = {_head(thing.name): {*_words(thing.name), *_words(thing.description)} for thing in theirs}
+    heads = {_head(thing.name): _words(thing.name) for thing in theirs}
     found: dict[str, str] = {}
     for thing in mine:
         head, words = _head(thing.name), _words(thing.name)
-        ending = (other for other in heads if min(len(head), len(other)) > 3 and _ends_alike(head, other))
+        ending = (other for other in heads if _are_alike(*sorted((head, other), key=len)))
         shared = (other for other, said in heads.items() if words & said)
         found[thing.id] = head if head in heads else next(ending, None) or next(shared, head)
     return found
 
 
-def _ends_alike(one: str, other: str) -> bool:
-    return one.endswith(other) or other.endswith(one)
+def _are_alike(short: str, long: str) -> bool:
+    """``gun`` and ``shotgun``, ``photo`` and ``photograph``."""
+    return (len(short) > 2 and long.endswith(short)) or (len(short) > 4 and long.startswith(short))
 
 
 def _words(text: str) -> set[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
@@ -26,6 +27,8 @@ _GRASP = frozenset({"hold", "grip", "go", "grasp"})
 _APART = frozenset({"of", "like", "with", "without", "by", "off", "from", "out of"})
 """They put nothing into a hand: ``a ring of hands``, ``like a fist``."""
 _DRAWING = frozenset({"draw", "sketch", "paint", "doodle", "chalk", "scrawl"})
+_SIZE_OF = re.compile(r"\b(?:size|shape|colou?r|height|length|weight|width) of (?:an? |the )?(?:[a-z-]+ )?$")
+"""``a bulb the size of a bath``."""
 _NO_THING = "manner"
 """The key of a noun that names no thing: an abstract word."""
 _LIKENING = frozenset({"like", "unlike", "as", "than"})
@@ -103,6 +106,8 @@ def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhr
 def _is_likened(words: Sequence[Word], at: int) -> bool:
     """``lights like a spaceship landed``, ``as flat as a mirror``: a comparison, so the thing is not there."""
     back = at - 1
+    if _SIZE_OF.search(joined(list(words[max(0, at - _NOUN_PHRASE) : at]))):
+        return True
     while back >= 0 and at - back <= _NOUN_PHRASE and words[back].text.isalpha():
         if words[back].low == "like":
             return back > 0 and words[back - 1].mention is None and words[back - 1].low not in lexicon.PRONOUNS

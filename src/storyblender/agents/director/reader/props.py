@@ -40,8 +40,6 @@ _PEOPLE = words("pairs")
 _WALLS = frozenset({"wall", "ceiling"})
 _OPENINGS = frozenset({"door", "doorway", "window", "entrance", "gate", "counter", "monitor"})
 """What hangs over them is fixed there."""
-_OFTEN = 4
-"""A prop mentioned this often matters even if nobody touches it."""
 
 
 @dataclass
@@ -219,8 +217,7 @@ def _matters(item: Item, apart: bool) -> bool:
         return notices["held"] > 0
     if head in LIQUIDS:
         return used > (1 if head in SHAPELESS else 0)
-    named = notices["related"] + notices["shown"] + notices["with"] + notices["met"]
-    return used + named > 0 or notices.total() >= _OFTEN
+    return True
 
 
 def _is_no_noun(word: str) -> bool:

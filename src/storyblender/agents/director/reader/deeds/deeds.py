@@ -37,6 +37,16 @@ _BORNE = frozenset({"on", "in", "over", "under", "across"})
 _PORTIONS = frozenset({"bite", "sip", "swig", "gulp", "drag", "puff", "mouthful", "swallow", "stack", "go", "hold"})
 """``takes a bite of it``, ``lets go of the rope``."""
 _SEATS = lexicon.SEATS | {"table", "desk", "counter", "bar"}
+_OUT_OF = frozenset({"from", "off", "out of", "off of"})
+_ONTO = frozenset({"on", "onto", "upon", "in", "into", "inside", "under", "over", "against", "at", "to"})
+_ENDS = {
+    "put_down": _ONTO, "throw": _ONTO, "pour": _ONTO, "hide": _ONTO, "take": _OUT_OF, "pick_up": _OUT_OF,
+    "pull": _OUT_OF, "catch": _OUT_OF,
+}  # fmt: skip
+"""Motion -> prepositions before where its thing goes or comes from."""
+_ENDING = frozenset({"prop", "set_piece", "unknown"})
+_WORKED = frozenset({"wipe", "work", "hit", "cut", "open", "press", "push", "touch", "write", "wash", "tie"})
+"""What is done with a tool in the hand."""
 _METRES = {
     "metre": 1.0, "meter": 1.0, "foot": 0.3048, "feet": 0.3048, "step": 0.75, "pace": 0.75, "yard": 0.9144,
     "block": 80.0,
@@ -61,6 +71,7 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
     if motion in ("touch", "stand") and _only_a_pose(stage, clause, roles, motion):
         return []
     target, prop = find_target(stage, clause, roles, motion)
+    target, prop = _at_other_end(stage, roles, motion, target, prop)
     distance = _distance(stage) if motion in _TRAVEL else None
     actors = roles.people if clause.verb in _CAUSING and roles.people else roles.subjects
     if len(actors) > 2:
@@ -147,6 +158,30 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
         owned = next((noun.owner for place in roles.places for noun in place.nouns if noun.owner), None)
         target = owned if stage.inventory.class_of(target) == "body" else target
         prop = None
+    return target, prop
+
+
+@rule("deeds.other_end", without=(None, None))
+def _at_other_end(
+    stage: Stage, roles: Roles, motion: str, target: str | None, prop: str | None
+) -> tuple[str | None, str | None]:
+    """Where a thing is put, from where or whom it is taken, and with what something is worked on.
+
+    ``sets the pistol in the drawer``: the drawer is the target, the pistol in the hand; ``wipes the bulb with a
+    duster``: the bulb, and the duster.
+    """
+    thing = prop or (target if target and not stage.person(target) else None)
+    if thing is None or (target and target != thing):
+        return target, prop
+    ends = _ENDS.get(motion, frozenset())
+    for place in roles.places:
+        others = [other for other in (*(p.id for p in place.people), *place.things) if other != thing]
+        solid = [each for each in others if stage.inventory.class_of(each) in _ENDING or stage.person(each)]
+        own = any(noun.owner in {person.id for person in roles.subjects} for noun in place.nouns)
+        if place.preposition in ends and solid and not own:
+            return solid[0], thing
+        if place.preposition == "with" and motion in _WORKED and place.things and not place.people:
+            return thing, place.things[0]
     return target, prop
 
 
