@@ -106,7 +106,7 @@ def _is_only_told(stage: Stage, phrases: list[Phrase], index: int, noun: NounPhr
 def _is_likened(words: Sequence[Word], at: int) -> bool:
     """``lights like a spaceship landed``, ``as flat as a mirror``: a comparison, so the thing is not there."""
     back = at - 1
-    if _SIZE_OF.search(joined(list(words[max(0, at - _NOUN_PHRASE) : at]))):
+    if _SIZE_OF.search(f"{joined(list(words[max(0, at - _NOUN_PHRASE - 1) : at]))} "):
         return True
     while back >= 0 and at - back <= _NOUN_PHRASE and words[back].text.isalpha():
         if words[back].low == "like":
