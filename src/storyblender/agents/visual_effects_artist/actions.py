@@ -30,6 +30,14 @@ HANDSET = 0.12
 """Metres of the second largest extent: a larger telephone stays where it stands."""
 LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
+BLOWS = frozenset({"hit", "punch", "slap"})
+"""Blows that things get too."""
+IN_PLACE: Mapping[str, str] = {
+    "hit": "slam", "punch": "raise_fist", "push": "offer", "push_away": "halt", "pull": "row", "bow": "nod",
+    "bend": "look_down", "curtsy": "nod", "recoil": "flinch", "cower": "cover_face", "dance": "clap",
+    "stamp": "raise_fist", "guard": "raise_fist",
+}  # fmt: skip
+"""Motion of a standing body -> what somebody does who stays in their seat."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
 """What is done with somebody where somebody is named."""
 STEP = 0.05
@@ -57,7 +65,10 @@ class Actions:
         partner = partner if partner is not None and partner.present and partner is not person else None
         prop = self.company.prop_of(action)
         if partner is None and motion.reach == "person":
-            partner = self._nearest(person)
+            if motion.key in BLOWS and (prop is not None or self.company.floor.thing(action.target_id) is not None):
+                motion = self._blow_on_thing(person)
+            else:
+                partner = self._nearest(person)
         if person.entering and not person.acted and self.company.opens_a_door(action):
             return  # the door swings for who comes in
         if motion.key in ("idle", "stand"):
@@ -136,10 +147,21 @@ class Actions:
         """Return what is done: with somebody instead of a thing, or going where there is nothing to climb."""
         if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
             return MOTIONS["walk"]
+        if motion.before and person.posture not in motion.before and self._stays(person):
+            return MOTIONS[IN_PLACE.get(motion.key, "idle")]
         if instead is None or motion.key not in WITH_SOMEBODY:
             return motion
         key = WITH_SOMEBODY[motion.key]
         return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
+
+    def _stays(self, person: Person) -> bool:
+        """Tell whether the script keeps somebody in their posture, such as seated, to the end of the shot."""
+        state = self.ends.get(person.asset_id)
+        return state is not None and not person.upright and state.posture == person.posture
+
+    def _blow_on_thing(self, person: Person) -> Motion:
+        """Return the motion for hitting a thing: with what is in both hands, with a tool, or with the fist."""
+        return MOTIONS[("slam", "hammer", "drum")[min(2, len(person.held))]]
 
     def _met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
         """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``.

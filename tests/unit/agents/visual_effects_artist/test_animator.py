@@ -663,3 +663,19 @@ def test_nobody_sits_down_where_somebody_stands() -> None:
     (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
     assert _end(shot, "rick").posture == "sit"
     assert _end(shot, "rick").location[0] == pytest.approx(0.0), "not the nearest place, where she stands"
+
+
+@pytest.mark.parametrize(("held", "clip"), [((), "slam"), (("letter",), "hammer"), (("letter", "cup"), "drum")])
+def test_who_hits_a_thing_hits_nobody(held: tuple[str, ...], clip: str) -> None:
+    states = (BodyState(asset_id="rick", held=held), BodyState(asset_id="ilsa"))
+    (shot,) = _stage(_shot(1, _do("rick", "hit", target_id="table"), states=states))
+    assert clip in _cues(shot, "rick") and "hit" not in _cues(shot, "rick")
+
+
+@pytest.mark.parametrize("motion", ["pull", "bow", "recoil", "dance", "bend"])
+def test_who_stays_seated_does_in_their_seat_what_people_do_standing(motion: str) -> None:
+    seated = BodyState(asset_id="rick", posture="sit", support_id="chair_l")
+    states = (seated, BodyState(asset_id="ilsa"))
+    (shot,) = _stage(_shot(1, _do("rick", motion), states=states, end_states=states))
+    assert all(not MOTIONS[clip].before or "sit" in MOTIONS[clip].before for clip in _cues(shot, "rick"))
+    assert _end(shot, "rick").posture == "sit"
