@@ -3,6 +3,7 @@ import pytest
 from storyblender.catalog.materials import MATERIALS, hex_color
 from storyblender.catalog.props import PROPS, variants
 from storyblender.catalog.props.called import called
+from storyblender.catalog.props.ordinary import ORDINARY
 from storyblender.catalog.props.variants import read_variant
 from storyblender.catalog.stand_ins import guess_class
 from storyblender.look import backdrop_patterns, patterns
@@ -42,6 +43,17 @@ def test_a_phrase_varies_a_prop():
     assert read_variant(PROPS["chair"], "the chair") == {}
     assert read_variant(PROPS["paper_lantern"], "paper lantern") == {}
     assert read_variant(PROPS["jar"], "the tip jar") == {"money": True}
+    assert read_variant(PROPS["tire"], "a stack of bald tires") == {"stacked": True}
+
+
+def test_an_ordinary_thing_is_itself_by_all_its_names():
+    hidden = {
+        (name, found.key)
+        for entry in ORDINARY
+        for name in (entry.name, *entry.tags)
+        if (found := called(name)) is not None and found.key != entry.key
+    }
+    assert not hidden
 
 
 @pytest.mark.parametrize(

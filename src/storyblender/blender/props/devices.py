@@ -17,7 +17,7 @@ PINCH: Vec3 = (0.55, 0.65, 0.6)
 """Curl of a hand that holds something small between thumb and finger."""
 
 
-def _pinch(y: float, z: float) -> Anchors:
+def pinch(y: float, z: float) -> Anchors:
     """Return the grips of fingertips on a small thing."""
     return two_hands((-0.03, y + 0.03, z + 0.01), (0.5, -0.85, -0.15), (0.8, 0.4, -0.4), PINCH)
 
@@ -187,7 +187,7 @@ def key(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder(body, (0, d / 2 - w * 0.85, h / 2), (0, -d / 2, h / 2), h * 0.42, segments=8)
     for y in (0.02, 0.008):
         b.box(body, (w * 0.2, -d / 2 + y, h / 2), (w * 0.4, 0.006, h * 0.6))
-    return _pinch(d * 0.3, 0.0)
+    return pinch(d * 0.3, 0.0)
 
 
 @prop("coin")
@@ -208,7 +208,7 @@ def coin(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ],
         segments=28,
     )
-    return _pinch(0.0, 0.0)
+    return pinch(0.0, 0.0)
 
 
 @prop("cigarette")
@@ -219,7 +219,7 @@ def cigarette(b: MeshBuilder, spec: PropSpec) -> Anchors:
     b.cylinder("cardboard", (0, d / 2, r), (0, d / 2 - 0.024, r), r, segments=10)
     b.cylinder(spec.material("body"), (0, d / 2 - 0.024, r), (0, -d / 2 + 0.008, r), r * 0.96, segments=10)
     b.cylinder(spec.material("ember"), (0, -d / 2 + 0.008, r), (0, -d / 2, r), r * 0.94, r * 0.7, segments=10)
-    return _pinch(d * 0.2, 0.0)
+    return pinch(d * 0.2, 0.0)
 
 
 @prop("pipe")
@@ -234,7 +234,7 @@ def pipe(b: MeshBuilder, spec: PropSpec) -> Anchors:
     )
     b.tube(body, [(0, -d / 2 + w * 0.8, h * 0.25), (0, 0.0, h * 0.55), (0, d * 0.3, h * 0.85)], (0.009, 0.006, 0.005))
     b.tube("plastic_black", [(0, d * 0.28, h * 0.83), (0, d / 2, h * 0.95)], (0.006, 0.004))
-    return _pinch(-d / 2 + r, h * 0.4)
+    return pinch(-d / 2 + r, h * 0.4)
 
 
 @prop("lighter")

@@ -14,6 +14,7 @@ from storyblender.catalog.props.laboratory import LABORATORY
 from storyblender.catalog.props.machines import MACHINES
 from storyblender.catalog.props.music_and_sport import MUSIC_AND_SPORT
 from storyblender.catalog.props.nature import ANIMALS, NATURE
+from storyblender.catalog.props.ordinary import ORDINARY
 from storyblender.catalog.props.pantry import PANTRY
 from storyblender.catalog.props.places import PLACES
 from storyblender.catalog.props.rooms import ROOMS
@@ -51,6 +52,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + YARD
     + ROOMS
     + EVERYDAY
-    + ERRANDS,
+    + ERRANDS
+    + ORDINARY,
 )
 """In the order they are listed to people."""

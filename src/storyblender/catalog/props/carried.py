@@ -21,7 +21,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "walkie_talkie",
-        "two-way radio, transceiver, communicator, remote control",
+        "two-way radio, transceiver, communicator",
         (0.065, 0.04, 0.3),
         {"body": "plastic_black"},
         "A hand radio.",

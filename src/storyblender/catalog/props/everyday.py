@@ -26,7 +26,7 @@ EVERYDAY: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "wall_hook",
-        "hook, coat hook, peg, coat peg, nail",
+        "hook, coat hook, peg, coat peg",
         (0.06, 0.09, 0.12),
         {"metal": "brass"},
         "A double hook on a plate.",

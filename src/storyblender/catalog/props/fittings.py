@@ -37,7 +37,7 @@ FITTINGS: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "pendant_lamp",
-        "hanging lamp, ceiling lamp, light, light bulb, hanging light",
+        "hanging lamp, ceiling lamp, light, hanging light, bare bulb, hanging bulb, naked bulb, ceiling bulb",
         (0.44, 0.44, 0.9),
         {"shade": "paint", "metal": "iron", "bulb": "lamp_warm"},
         "A lamp on a cord.",

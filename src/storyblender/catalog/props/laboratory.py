@@ -55,7 +55,7 @@ LABORATORY: tuple[PropEntry, ...] = (
     ),
     held(
         "fire_extinguisher",
-        "extinguisher, gas cylinder, oxygen cylinder",
+        "extinguisher",
         (0.24, 0.17, 0.5),
         {"body": "fabric_red", "hose": "plastic_black"},
         "A fire extinguisher.",

@@ -146,7 +146,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "passport",
-        "identity card, id, badge, ticket, letter of transit, visa, boarding pass, wallet",
+        "letter of transit, visa, identity papers, wallet",
         (0.09, 0.125, 0.008),
         {"cover": "leather", "metal": "gold"},
         "A passport.",
@@ -158,7 +158,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         {"page": "fabric_green", "band": "paper"},
         "A bundle of notes.",
     ),
-    held("coin", "medal, medallion, gold coin", (0.036, 0.036, 0.004), {"body": "gold"}, "A coin."),
+    held("coin", "gold coin", (0.036, 0.036, 0.004), {"body": "gold"}, "A coin."),
     held(
         "gun",
         "pistol, handgun, revolver, service revolver, automatic, firearm, weapon",

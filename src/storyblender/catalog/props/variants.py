@@ -257,6 +257,7 @@ _YES: dict[str, tuple[str, ...]] = {
     "flat": ("flat", "flatscreen", "modern"),
     "wings": ("wing", "winged"),
     "cloth": ("tablecloth",),
+    "stacked": ("stack", "stacks", "stacked", "pile", "piles", "tower", "heap"),
     "stripes": ("striped",),
     "antlers": ("stag",),
     "money": ("tip", "tips", "money", "coins", "savings", "swear", "donation"),

@@ -1,0 +1,77 @@
+"""Ordinary things that scripts name in passing: hardware, paper, shoes, small household things."""
+
+from __future__ import annotations
+
+from storyblender.catalog.props.entry import PropEntry, entry, held
+
+_HARDWARE: tuple[PropEntry, ...] = (
+    held("light_bulb", "lightbulb, bulb, spare bulb", (0.06, 0.06, 0.11), {"glass": "wax", "cap": "brass"},
+        "A light bulb."),
+    held("battery", "batteries, torch battery, dry cell, penlight battery", (0.034, 0.034, 0.062),
+        {"body": "plastic_black", "top": "copper", "pole": "steel"}, "A battery."),
+    held("screw", "wood screw, screws", (0.014, 0.014, 0.05), {"metal": "steel"}, "A screw."),
+    held("bolt", "nut and bolt, lug nut, wheel nut, rivet", (0.03, 0.03, 0.07), {"metal": "steel"},
+        "A bolt with its nut."),
+    held("nail", "iron nail, rusty nail, tack, thumbtack, drawing pin", (0.012, 0.07, 0.012),
+        {"metal": "iron"}, "A nail."),
+    held("tape_roll", "tape, roll of tape, duct tape, sticky tape, adhesive tape, electrical tape, gaffer tape, "
+         "masking tape, packing tape, scotch tape, sellotape", (0.11, 0.11, 0.05), {"tape": "plastic"},
+        "A roll of tape.", {"color": "#7d8084"}),
+    held("bolt_cutters", "bolt cutter, bolt croppers, wire cutters, pruning loppers, loppers", (0.17, 0.62, 0.035),
+        {"handle": "fabric_red", "jaw": "iron"}, "Bolt cutters."),
+    held("lock_picks", "lock pick, lockpick, lockpicks, lock pick set, picklock", (0.13, 0.16, 0.012),
+        {"pick": "steel", "roll": "leather_black"}, "Lock picks in their roll."),
+    held("padlock", "lock, combination lock, bike lock", (0.05, 0.022, 0.085), {"body": "brass", "bow": "steel"},
+        "A padlock."),
+    held("key_ring", "keyring, keychain, key chain, bunch of keys, ring of keys, set of keys",
+        (0.1, 0.14, 0.012), {"metal": "brass"}, "Keys on a ring."),
+    held("thread_spool", "thread, spool of thread, reel of cotton, spool, reel of thread, bobbin, string, twine, "
+         "ball of string, ball of twine", (0.045, 0.045, 0.06), {"thread": "fabric_red", "wood": "wood_light"},
+        "A spool of thread."),
+    held("needle_and_thread", "sewing needle, needle with thread, darning needle, safety pin, pin, sewing pin, hatpin",
+        (0.05, 0.09, 0.006), {"thread": "fabric_red", "metal": "steel"}, "A needle with its thread."),
+    held("poker", "fire poker, fireplace poker, fire iron, branding iron", (0.06, 0.03, 0.72), {"metal": "iron"},
+        "A poker."),
+    entry("street", "hose", "garden hose, hosepipe, fire hose, water hose, rubber hose", (0.5, 0.62, 0.16),
+        {"hose": "rubber"}, "A coiled hose.", params={"color": "#3c6a42"}, placement="surface", holdable=True),
+    entry("street", "tire", "tyre, car tire, spare tire, spare tyre, rubber tire, flat tire, bald tire",
+        (0.64, 0.64, 0.2), {"rubber": "rubber"}, "A tire that lies flat, or a stack.",
+        params={"stacked": False}, holdable=True),
+    entry("street", "gas_cylinder", "gas cylinder, gas bottle, gas tank, propane tank, propane bottle, oxygen tank, "
+          "oxygen cylinder, oxygen bottle, air tank, butane bottle, cylinder of gas, helium tank",
+        (0.3, 0.3, 1.0), {"body": "paint", "valve": "brass"}, "A gas cylinder.", params={"color": "#3f5f7a"},
+        holdable=True),
+)  # fmt: skip
+
+_DESK: tuple[PropEntry, ...] = (
+    held("paper_stack", "stack of paper, pile of paper, pile of papers, ream of paper, paper ream, ream, paper pile, "
+         "stack of papers, pile of paperwork, bundle of papers, sheaf of papers, stack of forms, pile of forms, "
+         "stack of documents, pile of documents, stack of files, pile of files", (0.23, 0.31, 0.06), {"paper": "paper"},
+        "A stack of paper."),
+    held("rubber_stamp", "ink stamp, date stamp, office stamp, hand stamp", (0.05, 0.035, 0.09),
+        {"handle": "wood_red", "foot": "rubber"}, "A rubber stamp."),
+    held("envelope_stack", "stack of envelopes, pile of mail, stack of letters, pile of letters, bundle of letters, "
+         "stack of mail, bundle of mail, stack of post", (0.24, 0.16, 0.05), {"paper": "paper", "string": "cardboard"},
+        "Envelopes in a bundle."),
+    held("ticket", "train ticket, plane ticket, raffle ticket, lottery ticket, movie ticket, cinema ticket, "
+         "concert ticket, parking ticket, bus ticket, ticket stub, claim ticket, boarding pass, pawn ticket",
+        (0.14, 0.055, 0.002), {"paper": "paper", "print": "fabric_red"}, "A ticket.", {"color": "#d8b46a"}),
+    held("id_card", "identity card, id, id badge, name tag, nametag, name badge, visitor badge, pass, security badge, "
+         "keycard, key card, access card, press pass, swipe card, lanyard", (0.06, 0.2, 0.004),
+        {"card": "plastic", "band": "fabric_blue"}, "A card on its band."),
+    held("badge", "police badge, sheriff's badge, star badge, tin star, marshal's badge",
+        (0.07, 0.012, 0.085), {"metal": "gold"}, "A badge with a star."),
+    held("medal", "medallion, gold medal, silver medal, medal of honor, bronze medal, war medal",
+        (0.055, 0.16, 0.006), {"disc": "gold", "ribbon": "fabric_red"}, "A medal on its ribbon."),
+    held("remote_control", "remote, tv remote, clicker, remote control unit, zapper", (0.05, 0.19, 0.024),
+        {"body": "plastic_black", "key": "plastic", "power": "fabric_red"}, "A remote control."),
+    held("stapler", "staple gun, hole punch, paper punch", (0.036, 0.15, 0.062), {"body": "paint", "metal": "steel"},
+        "A stapler.", {"color": "#1b1b1d"}),
+    held("ruler", "yardstick, measuring stick, foot rule, meter stick", (0.032, 0.31, 0.004), {"wood": "wood_light"},
+        "A ruler."),
+    held("tape_measure", "measuring tape, measuring-tape, steel tape", (0.07, 0.13, 0.065),
+        {"case": "paint", "tape": "wax"}, "A tape measure, pulled out a little.", {"color": "#c9a21f"}),
+)  # fmt: skip
+
+ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK
+"""By where they lie: hardware, the desk."""
