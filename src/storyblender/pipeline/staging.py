@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from storyblender.agents.layout_artist.layout_brief import layout_brief
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
+from storyblender.agents.director.crowds import crowd_told, is_emptied
+from storyblender.agents.layout_artist.bystanders import bystanders, placed
+from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief, measures_of
+from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules, ways_of
 from storyblender.agents.layout_artist.told_places import told_relations
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
@@ -12,6 +14,7 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentView,
     RulesEnvironmentDesigner,
 )
+from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
     LightingCritic,
     LightingView,
@@ -26,7 +29,7 @@ from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_context import Environment, Lighting, SceneContext
+from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.packing import scene_assets
@@ -65,11 +68,44 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     placements = {asset.asset_id: entry.placement for asset in run.graph.assets if (entry := _entry_of(asset))}
     brief = layout_brief(run.graph, scene_id, plan, dressing.objects, dressing.pending, placements=placements)
     layout = run.reflect("spatial_planner", name, brief, SpatialRules(), LayoutCritic()).draft
-    scene = scene.model_copy(update={"layout": layout})
+    scene = scene.model_copy(update={"layout": _with_crowd(run, brief, layout)})
     run.commit("spatial_planner", f"layout of {name}", scene)
     shots = _animate(run, scene_id)
     scene, shots = _light(run, scene, shots)
     run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def _with_crowd(run: Run, brief: LayoutBrief, layout: Layout) -> Layout:
+    """Return a layout with the people of the background that the script tells of."""
+    graph = run.graph
+    size = brief.plan.size
+    area = (size.x - size.x_negative) * (size.y - size.y_negative)
+    count = _crowd_told(graph, brief.scene_id, area) - _crowd(graph, brief.scene_id)
+    if count <= 0:
+        return layout
+    found = bystanders(brief, layout, count, ways_of(brief, layout))
+    age = age_of(*_told_and_said(graph))
+    params = [{"posture": each.posture, "variant": each.variant, "age": age} for each in found]
+    figures = [dressing_asset("background_figure", dict(each)) for each in params]
+    known = {asset.asset_id for asset in graph.assets}
+    fresh = {asset.asset_id: asset for asset in figures if asset.asset_id not in known}
+    if fresh:
+        run.commit("set_dresser", f"people of the background of {scene_name(brief.scene_id)}", *fresh.values())
+        materialize(run, list(fresh.values()))
+    objects = placed(found, figures, measures_of(run.graph.assets))
+    return layout.model_copy(update={"objects": (*layout.objects, *objects)})
+
+
+def _crowd_told(graph: ContinuityMemoryGraph, scene_id: int, area: float) -> int:
+    """Return how many people the words of a scene put into its place; the same place again is as full as it was."""
+    setup = graph.scene(scene_id).setup
+    outline = next((each for each in graph.outline if each.scene_id == scene_id), None)
+    lines = [line.text for shot in outline.shots for line in shot.lines if line.kind == "action"] if outline else []
+    words = "\n".join(lines)
+    told = crowd_told(setup.place, words, area)
+    if told or setup.reference_scene_id is None or is_emptied(words):
+        return told
+    return _crowd_told(graph, setup.reference_scene_id, area)
 
 
 def _entry_of(asset: Asset) -> PropEntry | None:

@@ -68,7 +68,7 @@ def place_crowd(stage: Stage, members: Sequence[str]) -> None:
         turn += 1
 
 
-def _for_anybody(stage: Stage, name: str) -> bool:
+def for_anybody(stage: Stage, name: str) -> bool:
     """Return whether a seat is open to a crowd: not a throne or a place of work."""
     return stage.brief.props.get(stage.assets[name]) in _SEATS
 

@@ -104,6 +104,15 @@ def _reserved(stage: Stage) -> list[Box]:
     return volumes
 
 
+def ways_of(brief: LayoutBrief, layout: Layout) -> list[Box]:
+    """Return the floor of a finished layout that stays free: before what people go to, and on their ways there."""
+    stage = Stage(brief)
+    for item in layout.objects:
+        if item.node_id not in stage.things:
+            stage.put(item, fixed=item.fixed)
+    return [*_reserved(stage), *_walkways(stage, list(stage.things.values()))]
+
+
 def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
     """Return the lanes from a door to everybody, and from the people to what they will go to."""
     people = [thing for thing in things if thing.walks and not rides(thing)]

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from storyblender.catalog.bystanders import BYSTANDER
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.openings import OpeningPlace, openings_of
 from storyblender.catalog.props import PROPS
@@ -146,6 +147,7 @@ class Floor:
             anchors = canonical.anchors if canonical else ()
             yaw = math.radians(item.rotation[2])
             self.things[item.node_id] = Thing(item.node_id, item.asset_id, item.location, yaw, size, anchors)
+        self.sat_on = {item.anchor_asset_id for item in layout.objects if item.node_id.startswith(BYSTANDER)}
         size = layout.scene_size
         self.bounds = (size.x_negative, size.y_negative, size.x, size.y)
         self.open_air = not plan.indoor
@@ -270,7 +272,7 @@ class Floor:
             asked: Whether the script says that somebody sits on it, even if it is no seat.
         """
         thing = self.thing(name)
-        if thing is None:
+        if thing is None or thing.node_id in self.sat_on:
             return []
         places: list[SeatPlace] = []
         for anchor in seats_of(thing.anchors, thing.size, asked=asked):

@@ -243,6 +243,15 @@ MACHINES: tuple[PropEntry, ...] = (
     ),
     entry(
         "fitting",
+        "background_figure",
+        "background figure",
+        (0.55, 0.45, 1.7),
+        {},
+        "A person of the background in a held pose, built once for many places.",
+        params={"posture": "stand", "variant": 0, "age": "today"},
+    ),
+    entry(
+        "fitting",
         "chessboard",
         "chess, chess set, board game",
         (0.4, 0.4, 0.1),

@@ -1,0 +1,68 @@
+"""How many people of no name the words of a scene put into its place: a crowded café, a packed bar, an audience."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Final
+
+from storyblender.catalog.sets import SETS
+
+_FULL: Final = "crowded|packed|jam[- ]?packed|bustling|teeming|heaving|thronged|rammed|swarming|overflowing|jostling"
+_ALONE_TELLS: Final = (
+    rf"(?:^|[.!?]\s+|,\s*)(?:it(?:['’]s| is) )?(?:{_FULL}|standing room only|full house)\s*(?:$|[.!?,;])"
+)
+_NOUNS: Final = (
+    r"audiences?|crowds?|throngs?|mobs?|congregation|spectators|onlookers|passers-by|pedestrians|commuters|shoppers"
+    r"|diners|guests|patrons|customers|dancers|worshippers|revellers|partygoers|travell?ers|passengers|tourists|gamblers"
+    r"|drinkers|regulars|extras"
+)
+_MANY: Final = (
+    rf"(?:full|packed|crowded|filled|crammed|swarming|teeming|alive) (?:of|with) (?:\w+ ){{0,2}}(?:people|{_NOUNS})"
+    rf"|(?:a )?(?:sea|crush|press|crowd) of (?:people|faces|bodies|{_NOUNS})"
+    rf"|(?:{_NOUNS}) (?:fill|crowd|pack|throng|jam|line|mill|bustle|jostle|applaud|cheer|roar|chatter)s?\b"
+    r"|(?:hundreds|dozens|scores) of (?:people|men|women|faces)"
+    r"|the (?:audience|crowd|congregation)\b"
+)
+_EMPTY: Final = r"\b(?:empty|deserted|abandoned|closed|shut up|vacant|nobody (?:else )?(?:is )?(?:here|there|about))\b"
+_SEVERAL, _MANY_PEOPLE = 12, 16
+_WIDE, _WIDE_MORE = 80.0, 8
+"""Square metres above which a place holds more people, and how many more."""
+
+
+def crowd_told(place: str, words: str, area: float) -> int:
+    """Return how many people of the background a scene has; 0 where none are told.
+
+    Args:
+        place: The place as written.
+        words: What the scene tells, without its dialogue.
+        area: Square metres of the place.
+    """
+    told = f"{place}. {words}".lower()
+    if re.search(_MANY, told) or re.search(_ALONE_TELLS, told) or _place_is(_FULL).search(told):
+        most = _MANY_PEOPLE
+    elif _place_is("busy|lively|bustling|crowded").search(told):
+        most = _SEVERAL
+    else:
+        return 0
+    return most + (_WIDE_MORE if area > _WIDE else 0)
+
+
+def is_emptied(words: str) -> bool:
+    """Return whether a scene says that the crowd of its place is gone."""
+    return re.search(_EMPTY, words.lower()) is not None
+
+
+@cache
+def _place_is(adjectives: str) -> re.Pattern[str]:
+    """Return what finds such a place: ``a packed bar``, ``the busy little market``, ``the bar is packed``."""
+    nouns = {tag.split()[-1].lower() for kit in SETS.values() for tag in (*kit.tags, kit.name)} | {
+        "place",
+        "room",
+        "house",
+    }
+    places = "|".join(sorted(map(re.escape, nouns), key=len, reverse=True))
+    return re.compile(
+        rf"\b(?:{adjectives})\s+(?:[\w'’-]+\s+){{0,2}}?(?:{places})s?\b"
+        rf"|\b(?:{places})\s+(?:is|was|are|['’]s)\s+(?:\w+ )?(?:{adjectives})\b"
+    )
