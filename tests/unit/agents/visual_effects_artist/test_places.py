@@ -212,6 +212,7 @@ def test_of_several_windows_the_nearest_is_meant() -> None:
 @pytest.mark.parametrize("relation", ["in", "inside"])
 def test_what_is_told_to_be_in_a_hollow_thing_later_lies_in_it(relation: str) -> None:
     told = {"ball": Spot(relation=relation, anchor_id="bucket")}
-    _, props = _played(_shot(_state("ann")), _shot(_state("ann"), number=2, thing_spots=told))
+    first = _shot(_state("ann"), thing_spots={"ball": Spot(relation="at", anchor_id="dining_table")})
+    _, props = _played(first, _shot(_state("ann"), number=2, thing_spots=told))
     lies = {state.asset_id: state.location for state in props[1]}["ball"]
     assert lies is not None and math.dist(lies[:2], (-4.0, 0.0)) < 0.15 and 0 < lies[2] < 0.3
