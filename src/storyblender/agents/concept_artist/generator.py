@@ -52,6 +52,8 @@ class Generator:
         head = called(" ".join(words))
         if head is not None:
             return _prop(view, head.key, CLOSE, f"a kind of {head.name}")
+        if view.asset.writing.strip():
+            return _prop(view, "letter" if kind == "prop" else "poster", PLAIN, "it bears writing")
         return self._by_meaning(view, kind) or self._shape(view, kind)
 
     def refine(self, draft: Recipe, critique: Critique, view: AssetRequest) -> Recipe:

@@ -27,6 +27,9 @@ EXACT, TAG, HEAD, ODD_HEAD = 10.0, 9.5, 8.5, 5.0
 PER_LIKENESS = 12.0
 """Points lost from cosine 1 to cosine 0: cosine 0.75 just passes the threshold."""
 LEAST = 1.0
+_WHOLE = 9.95
+"""Score of a further name of several words that is the whole phrase: broken glass is no glass."""
+_JOINTS = ("of", "on", "in")
 
 _RESHAPING: frozenset[str] = frozenset(
     word for key in ("creature", "small_creature", "appliance", "craft") for word in STAND_INS[key].tags
@@ -36,8 +39,32 @@ _OTHERWISE_SHAPED = frozenset(("rocking", "surveillance", "snow", "sand"))
 """Words before a head of which nobody built the likeness."""
 _UNEXPLAINED = 0.1
 """Points lost for each word of a phrase that a term leaves open: a round table is no long one."""
+_OTHER_NUMBER = 0.01
+"""Points lost by a name in another number than the word said: ``glasses`` are worn, two of them are to drink from."""
+_NUMBERS = frozenset(("two", "three", "four", "five", "six", "several", "many", "empty", "full", "clean", "dirty"))
 _HEAPS: frozenset[str] = frozenset(
-    ("pile", "heap", "stack", "bunch", "pair", "piece", "set", "row", "bundle", "handful", "wad", "sheaf")
+    (
+        "pile",
+        "heap",
+        "stack",
+        "bunch",
+        "pair",
+        "piece",
+        "set",
+        "row",
+        "bundle",
+        "handful",
+        "wad",
+        "sheaf",
+        "belt",
+        "field",
+        "ring",
+        "shower",
+        "swarm",
+        "wall",
+        "hail",
+        "cloud",
+    )
 )
 """Words whose ``of`` names the thing: a pile of money, but a bottle of milk."""
 _SERVED = frozenset(("turkey", "chicken", "lobster", "crab", "prawn", "prawns", "lamb", "crayfish"))
@@ -193,10 +220,13 @@ def _by_words(phrase: str, terms: tuple[_Term, ...]) -> list[_Match]:
     full = [singular(word) for word in words_of(phrase)]
     bare = [singular(word) for word in _kept(words_of(phrase))]
     found: list[tuple[float, int, _Match]] = []
+    said = words_of(phrase)
+    counted = bool(_NUMBERS & {*said}) or ("of" in said[1:] and said[said.index("of", 1) - 1] not in _HEAPS)
     for term in terms:
         name = tuple(singular(word) for word in term.words)
         score, length = _fit(name, full, bare, term.is_name)
         if score > 0:
+            score -= _OTHER_NUMBER * ((said[-1] == term.words[-1]) is counted)
             found.append((score, length, _Match(term.key, score, f"is called {' '.join(term.words)!r}")))
     found.sort(key=lambda item: (-item[1], -item[0]))
     return _best_of([match for _, _, match in found])
@@ -208,7 +238,9 @@ def _fit(name: tuple[str, ...], full: list[str], bare: list[str], is_name: bool)
         return 0.0, 0
     exact = EXACT if is_name else TAG
     if name == tuple(full):
-        return exact, 9
+        return max(exact, _WHOLE) if len(name) > 1 else exact, 9
+    if len(name) > 2 and tuple(full[-len(name) :]) == name and {*_JOINTS} & {*name}:
+        return exact - _UNEXPLAINED * (len(full) - len(name)), len(name)
     if name == tuple(bare):
         return exact - _UNEXPLAINED * (len(full) - len(name)), 9
     for words in (_thing(full), _thing(bare)):

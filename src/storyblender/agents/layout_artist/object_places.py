@@ -231,6 +231,9 @@ def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> Non
     looked_at = kind == "facing" or (seat and kind in ("behind", "in_front_of", "at") and not anchor.walks)
     if looked_at:
         box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
+    at_wall = stage.brief.placements.get(asset_id) == "wall" and spot.height is None
+    if at_wall and hang(stage, asset_id, near=(box.x, box.y)):
+        return
     slab = _ceiling(stage) if stage.brief.placements.get(asset_id) == "ceiling" else None
     if slab is not None or spot.height:
         box.z = spot.height if slab is None and spot.height else (slab or box.height) - box.height

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.catalog.props.beasts import BEASTS
 from storyblender.catalog.props.carried import CARRIED
+from storyblender.catalog.props.commonplace import COMMONPLACE
 from storyblender.catalog.props.entry import PropEntry
 from storyblender.catalog.props.errands import ERRANDS
 from storyblender.catalog.props.everyday import EVERYDAY
@@ -53,6 +54,7 @@ PROPS: Catalog[PropEntry] = Catalog(
     + ROOMS
     + EVERYDAY
     + ERRANDS
-    + ORDINARY,
+    + ORDINARY
+    + COMMONPLACE,
 )
 """In the order they are listed to people."""

@@ -154,7 +154,7 @@ CARRIED: tuple[PropEntry, ...] = (
     ),
     held(
         "cigarette",
-        "cigar, smoke, joint",
+        "cigar, joint",
         (0.009, 0.085, 0.009),
         {"body": "paper", "ember": "ember"},
         "A burning cigarette; its tip is at -Y.",

@@ -66,8 +66,8 @@ ERRANDS: tuple[PropEntry, ...] = (
         {"body": "fabric_red"}, "A timer."),
     held("hourglass", "sand timer, sandglass, egg-timer", (0.11, 0.11, 0.22), {"wood": "wood_dark"}, "An hourglass."),
     entry("furniture", "glass_case",
-        "display case, show case, showcase, vitrine, museum case, exhibit, aquarium, terrarium, "
-          "fish tank", (0.8, 0.6, 1.45), {"frame": "wood_dark", "cloth": "fabric_red"}, "A show case on its foot."),
+        "display case, show case, showcase, vitrine, museum case, exhibit",
+          (0.8, 0.6, 1.45), {"frame": "wood_dark", "cloth": "fabric_red"}, "A show case on its foot."),
     held("sandwich", "club sandwich, toastie, half a sandwich, cheese sandwich, ham sandwich, blt", (0.17, 0.12,
         0.045), {"bread": "linen"},
          "A sandwich cut across."),

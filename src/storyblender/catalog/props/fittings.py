@@ -57,7 +57,7 @@ FITTINGS: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "fluorescent_light",
-        "tube light, strip light, neon tube, office ceiling light",
+        "tube light, strip light, neon tube, fluorescent tube, office ceiling light",
         (1.3, 0.2, 0.14),
         {"body": "enamel", "bulb": "lamp_cool"},
         "Two tubes in a tray.",

@@ -36,7 +36,7 @@ HOUSEHOLD: tuple[PropEntry, ...] = (
     ),
     held(
         "boots",
-        "boot, shoes, shoe, riding boots, slippers, sneakers, sandals, high heels, wellingtons, pair of boots",
+        "boot, riding boots, wellingtons, pair of boots",
         (0.26, 0.3, 0.3),
         {"leather": "leather", "sole": "rubber"},
         "A pair of boots.",

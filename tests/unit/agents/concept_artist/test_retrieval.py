@@ -280,3 +280,22 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
         assert set(kit.means.values()) <= set(PROPS), kit.key
         assert set(kit.means) <= known, kit.key
     assert all({*means.values()} <= {*PROPS} for means in MEANT_IN.values())
+
+
+@pytest.mark.parametrize(
+    ("phrase", "key"),
+    [
+        ("Anna's glasses", "glasses"),
+        ("two glasses", "glass"),
+        ("four tubs of ice cream", "food_tub"),
+        ("broken glass", "shards"),
+        ("belt of old rocks", "rock"),
+        ("one black shoe", "shoes"),
+        ("stack of forms", "paper_stack"),
+        ("clothes on a line", "clothesline"),
+        ("attic door", "door"),
+        ("thin smoke", "smoke"),
+    ],
+)
+def test_a_phrase_means_the_thing_and_not_what_bears_one_of_its_words(phrase, key):
+    assert Retriever(no_model).propose(request(phrase)).key == key

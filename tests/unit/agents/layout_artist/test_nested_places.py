@@ -131,3 +131,10 @@ def test_what_is_on_the_sill_is_in_the_window_at_its_height() -> None:
     window = next((wall, hole) for wall in PLAN.walls for hole in wall.openings if hole.kind == "window")
     at = laid_out({"cup": Spot(relation="on", anchor_id="window")})
     assert at["cup"].location[2] == pytest.approx(window[1].sill, abs=0.01)
+
+
+@pytest.mark.parametrize("relation", ["behind", "next_to", "left_of"])
+@pytest.mark.parametrize("thing", ["door", "picture", "window"])
+def test_what_belongs_on_a_wall_is_on_one_beside_its_anchor_too(thing: str, relation: str) -> None:
+    x, y, _ = laid_out({thing: Spot(relation=relation, anchor_id="desk")}, "desk")[thing].location
+    assert min(PLAN.size.x - x, x - PLAN.size.x_negative, PLAN.size.y - y) < 0.12
