@@ -150,7 +150,7 @@ FURNITURE: tuple[PropEntry, ...] = (
     entry(
         "furniture",
         "filing_cabinet",
-        "file cabinet, drawers, office cabinet, archive",
+        "file cabinet, chest of files, office cabinet, archive",
         (0.46, 0.62, 1.32),
         {"body": "paint", "handle": "steel"},
         "Four deep drawers of sheet metal.",
