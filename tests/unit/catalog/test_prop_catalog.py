@@ -44,6 +44,8 @@ def test_a_phrase_varies_a_prop():
     assert read_variant(PROPS["paper_lantern"], "paper lantern") == {}
     assert read_variant(PROPS["jar"], "the tip jar") == {"money": True}
     assert read_variant(PROPS["tire"], "a stack of bald tires") == {"stacked": True}
+    assert read_variant(PROPS["shoe"], "muddy shoes") == {"pair": True}
+    assert read_variant(PROPS["shoe"], "a lost shoe") == {}
 
 
 def test_an_ordinary_thing_is_itself_by_all_its_names():

@@ -70,9 +70,7 @@ CARRIED: tuple[PropEntry, ...] = (
         "An umbrella, furled; ``up`` opens it.",
         {"up": False},
     ),
-    held(
-        "cane", "walking stick, crutch, stick, wand, baton", (0.1, 0.03, 0.9), {"body": "wood_dark"}, "A walking stick."
-    ),
+    held("cane", "walking stick, stick, wand, baton", (0.1, 0.03, 0.9), {"body": "wood_dark"}, "A walking stick."),
     held(
         "briefcase",
         "attache case, document case, doctor's bag, leather case, case, metal case, flight case",

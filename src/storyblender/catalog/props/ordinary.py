@@ -73,5 +73,49 @@ _DESK: tuple[PropEntry, ...] = (
         {"case": "paint", "tape": "wax"}, "A tape measure, pulled out a little.", {"color": "#c9a21f"}),
 )  # fmt: skip
 
-ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK
-"""By where they lie: hardware, the desk."""
+_WORN: tuple[PropEntry, ...] = (
+    held("shoe", "shoes, running shoe, sneaker, sneakers, trainers, loafer, loafers, slipper, slippers, brogue, "
+         "school shoe, dress shoe, leather shoe, tennis shoe, footwear, ballet shoe, moccasin", (0.1, 0.28, 0.11),
+        {"leather": "leather", "sole": "rubber"}, "A laced shoe, or a pair.", {"pair": False}),
+    held("high_heel", "high heels, heels, pump shoe, high heeled shoe, glass slipper",
+        (0.085, 0.24, 0.15), {"leather": "leather_black"}, "A high-heeled shoe, or a pair.",
+        {"pair": False, "color": "#861622"}),
+    held("sandal", "sandals, flip flop, flip flops, flip-flop, flip-flops, thong sandal, beach sandal, espadrille",
+        (0.1, 0.27, 0.06), {"strap": "fabric_blue", "sole": "rubber"}, "A sandal, or a pair.", {"pair": False}),
+    held("sock", "socks, wool sock, stocking, stockings, christmas stocking, sports sock", (0.2, 0.3, 0.03),
+        {"wool": "fabric", "trim": "fabric_red"}, "A sock, or a pair.", {"pair": False, "color": "#d6cfc0"}),
+    entry("furniture", "dress_form", "tailor's dummy, dressmaker's dummy, mannequin, dummy, shop dummy, dress dummy, "
+          "tailor dummy, display dummy, crash test dummy", (0.44, 0.44, 1.66),
+        {"cover": "linen", "wood": "wood_dark"}, "A tailor's dummy on its stand."),
+    held("hanging_garment", "garment on a hanger, coat on a hanger, dress on a hanger, suit on a hanger, hanger, "
+         "clothes hanger, coat hanger, coathanger, garment bag", (0.5, 0.2, 0.98), {"cloth": "fabric"},
+        "A garment on its hanger.", {"color": "#3a4658"}),
+    held("necktie", "tie, silk tie, striped tie, cravat", (0.09, 0.62, 0.014),
+        {"silk": "fabric_blue", "stripe": "fabric_red"}, "A necktie."),
+    held("bow_tie", "bow-tie, bowtie, dicky bow, hair bow", (0.12, 0.03, 0.065), {"silk": "fabric_red"},
+        "A bow tie."),
+    held("belt", "leather belt, waist belt, dog collar, sash belt", (0.12, 0.18, 0.035),
+        {"leather": "leather", "buckle": "brass"}, "A rolled belt."),
+    held("hair_curlers", "hair curler, curler, curlers, hair roller, hair rollers", (0.16, 0.14, 0.075),
+        {"body": "plastic"}, "Hair curlers.", {"color": "#d394a0"}),
+    held("whistle", "referee's whistle, police whistle, coach's whistle, dog whistle", (0.048, 0.158, 0.024),
+        {"metal": "chrome", "cord": "plastic_black"}, "A whistle on its cord."),
+    held("crutch", "crutches, walking crutch, underarm crutch", (0.2, 0.045, 1.3),
+        {"wood": "wood_light", "pad": "rubber"}, "A crutch, or a pair.", {"pair": False}),
+    held("drumstick", "drumsticks, drum stick, drum sticks", (0.018, 0.4, 0.016), {"wood": "wood_light"},
+        "A drumstick, or a pair.", {"pair": False}),
+    held("feather", "plume, eagle feather, ostrich feather, goose feather", (0.07, 0.26, 0.012), {"vane": "linen"},
+        "A feather."),
+    held("leash", "dog lead, dog leash, lead, dog's lead", (0.24, 0.34, 0.035), {"strap": "fabric_red"},
+        "A dog's lead."),
+    held("megaphone", "bullhorn, loudhailer, loud hailer, speaking trumpet", (0.22, 0.34, 0.3),
+        {"horn": "paint", "grip": "fabric_red"}, "A megaphone.", {"color": "#d9d5ca"}),
+    held("toothbrush", "tooth brush, electric toothbrush", (0.013, 0.19, 0.02),
+        {"body": "fabric_blue", "bristle": "linen"}, "A toothbrush."),
+    held("toothpaste", "tube of toothpaste, toothpaste tube, tube, tube of paint, tube of cream, tube of glue, "
+         "paint tube", (0.05, 0.18, 0.034), {"body": "plastic", "band": "fabric_red", "cap": "fabric_blue"},
+        "A tube.", {"color": "#e4e0d6"}),
+)  # fmt: skip
+
+ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN
+"""By where they are found: hardware, the desk, on people."""

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
+from storyblender.blender.props.ordinary_worn import dress_form_of
 from storyblender.blender.sets.finish import finish, painted
 from storyblender.blender.sets.pieces.registry import PieceSpec, piece
 
@@ -199,22 +200,9 @@ def brick_oven(builder: MeshBuilder, spec: PieceSpec) -> None:
 @piece("dress_form")
 def dress_form(builder: MeshBuilder, spec: PieceSpec) -> None:
     """Build a dress form on a stand with a half-finished coat, facing -Y. Parameters: color."""
-    coat = spec.paint("color", "#2f3a4a")
-    builder.lathe(finish("wood_dark"), [(0.22, 0), (0.2, 0.04), (0.03, 0.07), (0.025, 0.8)], segments=14)
-    sections = (
-        (0.78, 0.2, 0.14),
-        (0.95, 0.19, 0.13),
-        (1.1, 0.15, 0.11),
-        (1.3, 0.2, 0.13),
-        (1.45, 0.19, 0.1),
-        (1.52, 0.07, 0.06),
-    )
-    t = np.linspace(0, 2 * math.pi, 17)[:-1]
-    builder.loft(coat, [np.c_[w * np.cos(t), d * np.sin(t), np.full(16, z)] for z, w, d in sections])
-    builder.cylinder(finish("linen"), (0, 0, 1.5), (0, 0, 1.6), 0.055, segments=12)
-    builder.sphere(finish("wood_dark"), (0, 0, 1.63), 0.035, segments=8, rings=5)
+    dress_form_of(builder, spec.paint("color", "#2f3a4a"), finish("wood_dark"), finish("linen"))
     for side in (-1, 1):
-        builder.box(finish("paint_cream"), (side * 0.05, -0.125, 1.35), (0.02, 0.01, 0.2), rotation=(0, side * 20, 0))
+        builder.box(finish("paint_cream"), (side * 0.05, -0.135, 1.33), (0.02, 0.012, 0.2), rotation=(0, side * 20, 0))
 
 
 @piece("vet_table")
