@@ -7,12 +7,39 @@ from collections.abc import Sequence
 
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec3
-from storyblender.memory.vocabulary import Hand
+from storyblender.memory.vocabulary import BodyPlace, Grip, Hand
 
 TWO_HANDED = 0.37
 """Metres; things wider and deeper than this are carried with both hands."""
 ON_THE_LEFT = 0.35
 """Metres to one's left from which the left hand takes what is offered."""
+
+_WORN_ON: dict[str, BodyPlace] = {
+    **dict.fromkeys(("hat", "crown", "helmet", "bucket", "pot", "cardboard_box"), "head"),
+    **dict.fromkeys(("glasses", "mask"), "face"), "headset": "ears",
+    **dict.fromkeys(("necklace", "medal", "whistle", "rope", "photo_camera", "binoculars", "stethoscope"), "neck"),
+    **dict.fromkeys(("id_card", "badge", "flower", "name_badge", "envelope", "letter"), "chest"),
+    **dict.fromkeys(("backpack", "guitar", "shield", "bow", "accordion"), "back"),
+    **dict.fromkeys(("bag", "sack", "briefcase", "gun", "sword", "knife", "walkie_talkie", "handcuffs", "flashlight",
+                     "hammer", "key", "key_ring"), "hip"),
+    **dict.fromkeys(("towel", "cloth", "blanket", "rifle", "spear", "climbing_rope", "parrot", "axe"), "shoulder"),
+}  # fmt: skip
+"""By prop key; what is not here and is worn is a garment, which the body's own clothes show."""
+_PLACES: dict[Grip, BodyPlace] = {"under_arm": "under_arm", "shoulder": "shoulder", "lap": "lap", "mouth": "mouth"}
+ON_BODY: frozenset[Grip] = frozenset((*_PLACES, "worn"))
+"""Ways to carry that leave both hands free."""
+
+
+def place_of(grip: Grip | None, key: str | None) -> BodyPlace | None:
+    """Return where on the body a thing is that is carried so; None if it is in a hand, or nothing is seen of it.
+
+    Args:
+        grip: How it is carried.
+        key: Prop key of the thing.
+    """
+    if grip == "worn":
+        return _WORN_ON.get(key or "")
+    return _PLACES.get(grip) if grip is not None else None
 
 
 def two_handed(dimensions: Vec3, anchors: Sequence[Anchor]) -> bool:

@@ -13,6 +13,7 @@ from storyblender.memory.vocabulary import (
     DISTANCE_OF_SIZE,
     Angle,
     BodyPart,
+    BodyPlace,
     CameraDirection,
     Distance,
     Expression,
@@ -211,7 +212,9 @@ class PropState(Frozen):
     rotation: Vec3 = (0.0, 0.0, 0.0)
     held_by: Identifier | None = None
     hand: Hand | None = None
-    """None where it is held in no hand: it is in their clothes."""
+    """None where it is held in no hand: it is in their clothes, or on their body."""
+    place: BodyPlace | None = None
+    """Where on the body of who has it, if no hand holds it."""
 
 
 _Quarter = Annotated[float, Field(ge=-1.01, le=1.01)]

@@ -43,6 +43,10 @@ Expression = Literal[
 ]  # fmt: skip
 Grip = Literal["right", "left", "both", "under_arm", "shoulder", "lap", "mouth", "worn"]
 """How a thing is carried: in which hand, or where on the body."""
+BodyPlace = Literal[
+    "head", "face", "ears", "mouth", "neck", "chest", "back", "hip", "shoulder", "under_arm", "lap",
+]  # fmt: skip
+"""Where on the body a thing is that no hand holds."""
 GazeDirection = Literal["left", "right", "up", "down", "camera", "closed"]
 """Direction of a gaze at nothing in the set, from the viewer's side; ``closed`` for closed eyes."""
 Side = Literal["left", "right", "front", "back", "driver", "passenger", "rear"]

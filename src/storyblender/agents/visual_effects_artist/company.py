@@ -11,15 +11,16 @@ from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import Person, stature_of
 from storyblender.agents.visual_effects_artist.places import Places
 from storyblender.agents.visual_effects_artist.seats import Seats
-from storyblender.agents.visual_effects_artist.told_things import ToldThings, without_absent
-from storyblender.catalog.carrying import two_handed
+from storyblender.agents.visual_effects_artist.told_things import ToldThings
+from storyblender.agents.visual_effects_artist.whereabouts import whereabouts
+from storyblender.catalog.carrying import ON_BODY, two_handed
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import BodyState, CharacterAction, PropState, ShotContext
-from storyblender.memory.vocabulary import Hand, Posture
+from storyblender.memory.vocabulary import Grip, Hand, Posture
 
 RUN_UP = 1.2
 """Seconds of the way in; who runs is seen running."""
@@ -176,12 +177,14 @@ class Company:
             self.apply_posture(person, self.seats.as_laid_out(person, state))
             if self.places.settle(person, state):
                 self.jumps.pop(person.asset_id, None)
-            in_hand = (*state.held, *self._stick_of(state))
+            grips = dict(state.grips)
+            with_them = dict.fromkeys((*state.held, *(prop for prop in grips if grips[prop] == "worn")))
+            in_hand = (*with_them, *self._stick_of(state))
             person.held = {hand: prop for hand, prop in person.held.items() if prop in in_hand}
+            person.on_body = {prop: grip for prop, grip in person.on_body.items() if prop in in_hand}
             for prop in in_hand:
                 if self._carriable(prop) and (state.asset_id, prop) not in taken and prop not in self.aside:
-                    self.hand_over(person, prop)
-                    person.hold_as(prop, dict(state.grips).get(prop))
+                    self.take_over(person, prop, grips.get(prop))
 
     def _carriable(self, prop: str) -> bool:
         """Tell whether one person can carry a thing of the sheet: it has a grip, or is not too large."""
@@ -319,7 +322,7 @@ class Company:
 
     def holder(self, prop: str) -> Person | None:
         """Return who holds a prop."""
-        return next((p for p in self.people.values() if p.hand_of(prop)), None)
+        return next((p for p in self.people.values() if p.hand_of(prop) or prop in p.on_body), None)
 
     def bag_for(self, person: Person, prop: str) -> str | None:
         """Return what somebody holds or has opened that a thing can come out of: large enough, and a hand is free."""
@@ -350,8 +353,7 @@ class Company:
         hand = person.free_hand(wish)
         if hand is None:
             return None
-        for other in self.people.values():
-            other.held = {h: held for h, held in other.held.items() if held != prop}
+        self._nobody_has(prop)
         self.players = {name: held for name, held in self.players.items() if held != prop or name == person.asset_id}
         person.held[hand] = prop
         self.lying.pop(prop, None)
@@ -359,10 +361,23 @@ class Company:
         self.touched[prop] = None
         return hand
 
+    def _nobody_has(self, prop: str) -> None:
+        for each in self.people.values():
+            each.let_go(prop)
+
+    def take_over(self, person: Person, prop: str, grip: Grip | None) -> None:
+        """Let a person have a prop as the script says they carry it."""
+        if grip in ON_BODY:
+            self.lay(person, prop, (0.0, 0.0, 0.0))
+            del self.lying[prop]
+        elif not self.hand_over(person, prop):
+            return
+        person.hold_as(prop, grip)
+
     def lay(self, person: Person, prop: str, place: Vec3) -> None:
         """Let a prop lie somewhere; nobody holds it any more."""
         self.players = {name: held for name, held in self.players.items() if held != prop}
-        person.held = {hand: held for hand, held in person.held.items() if held != prop}
+        self._nobody_has(prop)
         self.lying[prop] = place
         self.touched[prop] = None
 
@@ -382,19 +397,4 @@ class Company:
 
     def prop_states(self, shot: ShotContext) -> tuple[PropState, ...]:
         """Return where every prop that left its place is now."""
-        states, instruction = [], shot.camera_instruction
-        inserted = instruction.focus_on_ids if instruction.kind == "insert" else ()
-        for prop in self.touched:
-            holder = self.holder(prop)
-            place = self.lying.get(prop)
-            if place is None and prop in inserted and (holder is None or holder.asset_id not in shot.on_stage):
-                continue  # a picture shows the thing: it stays where the scene has it
-            if holder is not None:
-                seen = holder.asset_id in shot.on_stage
-                hand = holder.hand_of(prop)
-                by = holder.asset_id if seen else None
-                states.append(PropState(asset_id=prop, visible=seen, held_by=by, hand=hand))
-            else:
-                location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
-                states.append(PropState(asset_id=prop, visible=place is not None, location=location))
-        return without_absent(tuple(states), shot)
+        return whereabouts(shot, self.touched, self.lying, self.holder, self.assets)

@@ -26,6 +26,8 @@ class Person:
     support: str | None = None
     anchor: str = ""
     held: dict[Hand, str] = field(default_factory=dict)
+    on_body: dict[str, Grip] = field(default_factory=dict)
+    """What is carried in no hand, and how: under the arm, in the mouth, worn."""
     present: bool = False
     busy: float = 0.0
     """Second of the shot until which the body acts."""
@@ -69,10 +71,18 @@ class Person:
         """Return the hand that holds a prop."""
         return next((hand for hand, held in self.held.items() if held == prop), None)
 
+    def let_go(self, prop: str) -> None:
+        """Have a thing no more, in hand or on the body."""
+        self.held = {hand: held for hand, held in self.held.items() if held != prop}
+        self.on_body.pop(prop, None)
+
     def hold_as(self, prop: str, grip: Grip | None) -> None:
-        """Hold a thing as the script says: in one hand, in both, or in none if it is worn."""
+        """Hold a thing as the script says: in one hand, in both, or in none if it is on the body."""
         kept: dict[Hand, str] = {hand: held for hand, held in self.held.items() if held != prop}
-        wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R"), "worn": ()}
+        wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R")}
+        if grip is not None and grip not in wish:
+            self.held, self.on_body[prop] = kept, grip
+            return
         hands = wish.get(grip or "")
         if hands is None or len(kept) == len(self.held) or {*hands} & {*kept}:
             return

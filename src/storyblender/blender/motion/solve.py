@@ -16,6 +16,7 @@ from storyblender.blender.motion.clips.registry import Play
 from storyblender.blender.motion.clips.seat import refill_hands, sit, stand_up
 from storyblender.blender.motion.clips.support import lean
 from storyblender.blender.motion.going import send
+from storyblender.blender.motion.on_body import put_on
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Performance, PersonTrack, Problem, StagePlan
 from storyblender.blender.motion.skeleton import IDENTITY, SIDES, Skeleton
@@ -82,6 +83,9 @@ def take_place(stage: Stage, who: Performer, mark: Mark) -> None:
     for name, prop in stage.plan.props.items():
         if prop.state is not None and prop.state.held_by == who.asset_id and prop.state.hand is not None:
             held.setdefault(name, prop.state.hand)
+    for name, prop in stage.plan.props.items():
+        if prop.state is not None and prop.state.held_by == who.asset_id and prop.state.place is not None:
+            put_on(who, stage.props[name], prop.state.place, LONG_BEFORE)
     for name, side in held.items():
         if name in stage.props:
             take_in_hand(stage, who, side, stage.props[name], LONG_BEFORE - 1, 0.0)

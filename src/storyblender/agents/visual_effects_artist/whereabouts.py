@@ -1,0 +1,58 @@
+"""Where every prop that left its place is in a shot: in a hand, on a body, on its new place, or out of sight. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.told_things import without_absent
+from storyblender.catalog.carrying import place_of
+from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.base import Vec3
+from storyblender.memory.shot_context import PropState, ShotContext
+from storyblender.memory.vocabulary import BodyPlace
+
+
+def whereabouts(
+    shot: ShotContext,
+    touched: Iterable[str],
+    lying: Mapping[str, Vec3],
+    holder: Callable[[str], Person | None],
+    assets: Mapping[str, Asset],
+) -> tuple[PropState, ...]:
+    """Return the states of the props that have left their places.
+
+    Args:
+        shot: The shot.
+        touched: Asset ids of props that have left their places in the layout.
+        lying: Positions of what nobody has.
+        holder: Who has a prop.
+        assets: Of the scene, by asset id.
+    """
+    states, instruction = [], shot.camera_instruction
+    inserted = instruction.focus_on_ids if instruction.kind == "insert" else ()
+    for prop in touched:
+        person, place = holder(prop), lying.get(prop)
+        if place is None and prop in inserted and (person is None or person.asset_id not in shot.on_stage):
+            continue  # a picture shows the thing: it stays where the scene has it
+        if person is not None and person.asset_id in shot.on_stage:
+            hand, on = person.hand_of(prop), _place_on(person, prop, assets)
+            seen = hand is not None or on is not None
+            states.append(PropState(asset_id=prop, visible=seen, held_by=person.asset_id, hand=hand, place=on))
+        elif person is not None:
+            states.append(PropState(asset_id=prop, visible=False, hand=person.hand_of(prop)))
+        else:
+            location = (round(place[0], 3), round(place[1], 3), round(place[2], 3)) if place else None
+            states.append(PropState(asset_id=prop, visible=place is not None, location=location))
+    return without_absent(tuple(states), shot)
+
+
+def _place_on(person: Person, prop: str, assets: Mapping[str, Asset]) -> BodyPlace | None:
+    """Return where on the body a thing is; None if a hand has it or the person's own clothes show it already."""
+    if prop not in person.on_body:
+        return None
+    canonical = assets[prop].canonical if prop in assets else None
+    key = canonical.key if canonical is not None else None
+    look = assets[person.asset_id].look if person.asset_id in assets else None
+    clothes = {garment.key for garment in look.garments} if look is not None else set[str]()
+    return None if key in clothes else place_of(person.on_body[prop], key)
