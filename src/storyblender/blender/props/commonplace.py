@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
-from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop, two_hands
+from storyblender.blender.props.registry import Anchors, PropSpec, handle, prop
 from storyblender.blender.props.tableware import around
 
 
@@ -107,55 +107,3 @@ def aquarium(b: MeshBuilder, spec: PropSpec) -> Anchors:
         for y in (-1, 1):
             b.box(frame, (x * (w / 2 - 0.006), y * (d / 2 - 0.006), h / 2), (0.012, 0.012, h * 0.94))
     return ()
-
-
-@prop("dress_form")
-def dress_form(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build a tailor's torso on a turned pole with three feet."""
-    (w, d, h), cloth, wood = spec.size, spec.material("cloth"), spec.material("wood")
-    outline = [
-        (0.72, 0.5),
-        (0.92, 0.55),
-        (0.86, 0.62),
-        (0.66, 0.7),
-        (0.86, 0.8),
-        (0.98, 0.87),
-        (0.72, 0.91),
-        (0.3, 0.93),
-        (0.27, 0.97),
-    ]
-    with b.at(scale=(w / 2, d / 2, h)):
-        b.lathe(cloth, outline, segments=28)
-    b.sphere(wood, (0, 0, h * 0.975), 0.045, scale=(1, 1, 0.55))
-    b.cylinder(wood, (0, 0, 0.1), (0, 0, h * 0.52), 0.022)
-    for k in range(3):
-        angle = math.tau * k / 3 - math.pi / 2
-        x, y = math.cos(angle), math.sin(angle)
-        b.tube(
-            wood,
-            [(0, 0, 0.16), (x * w * 0.3, y * w * 0.3, 0.1), (x * w * 0.5, y * w * 0.5, 0.015)],
-            (0.02, 0.018, 0.014),
-        )
-    return ()
-
-
-@prop("shoes")
-def shoes(b: MeshBuilder, spec: PropSpec) -> Anchors:
-    """Build low shoes, toes to -Y; one of them if there is no pair."""
-    (w, d, h), skin, sole = spec.size, spec.material("leather"), spec.material("sole")
-    angle = np.linspace(0, math.tau, 18, endpoint=False)
-    sections = [(-0.49, 0.2, 0.5), (-0.42, 0.4, 0.86), (-0.25, 0.52, 1.0), (-0.02, 0.8, 0.92), (0.16, 0.88, 0.84),
-                (0.34, 0.92, 0.84), (0.44, 0.96, 0.7), (0.49, 0.7, 0.4)]  # fmt: skip
-    for x in (-1, 1) if spec.flag("pair") else (0,):
-        half = w * 0.19
-        with b.at((x * w * 0.27, 0, 0), (0, 0, x * 4)):
-            rise = 0.5 + 0.5 * np.sin(angle)
-            foot = [
-                np.c_[half * k * np.cos(angle), np.full(18, y * d), np.maximum(z * h * rise, 0.014)]
-                for y, z, k in sections
-            ]
-            b.loft(skin, foot)
-            b.cushion("plastic_black", (0, d * 0.27, h * 0.97), (half * 1.3, d * 0.3, 0.016), softness=0.8)
-            b.cushion(sole, (0, -d * 0.16, 0.009), (half * 2.12, d * 0.66, 0.018), softness=0.5)
-            b.box(sole, (0, d * 0.33, 0.013), (half * 1.7, d * 0.28, 0.026), bevel=0.004)
-    return two_hands((-w * 0.3, d * 0.4, h * 0.9), (0.1, -0.6, -0.8), (0.9, 0, 0.1), (0.5, 0.55, 0.4))

@@ -18,8 +18,6 @@ COMMONPLACE: tuple[PropEntry, ...] = (
     entry("furniture", "aquarium", "fish tank, terrarium, goldfish tank, goldfish bowl, fish bowl", (0.6, 0.3, 0.4),
           {"frame": "plastic_black", "water": "glass", "sand": "sand", "fish": "fabric_red", "weed": "leaves"},
           "A tank of water with two fish.", placement="surface", surface=Surface.GLASS),
-    entry("furniture", "dress_form", "dummy, tailors dummy, mannequin, dressmaker dummy, shop dummy",
-          (0.42, 0.3, 1.5), {"cloth": "linen", "wood": "wood_dark"}, "A tailor's dummy on its stand."),
     entry("fitting", "lever", "control stick, joystick, throttle, gear stick, gear lever, handbrake, control lever",
           (0.22, 0.26, 0.42), {"base": "iron", "knob": "plastic_black"}, "A lever in its slot.", placement="surface"),
     entry("furniture", "drawer", "desk drawer, cash drawer, cutlery drawer, top drawer, bottom drawer",
@@ -31,7 +29,7 @@ COMMONPLACE: tuple[PropEntry, ...] = (
     entry("fitting", "bunting", "garland, garlands, streamers, streamer, paper chain, party flags, pennants",
           (3.4, 0.04, 0.75), {"flag": "fabric_red", "other": "fabric_blue", "third": "brass"},
           "A string of small flags.", placement="ceiling"),
-    entry("nature", "smoke", "column of smoke, cloud of smoke, plume, steam, fumes, exhaust, fog, mist, haze, vapour, "
+    entry("nature", "smoke", "column of smoke, cloud of smoke, plume of smoke, plumes of smoke, steam, fumes, exhaust, fog, mist, haze, vapour, "
           "vapor, dust cloud, cloud of dust", (0.9, 0.75, 1.65), {"puff": "fabric"}, "Billowing smoke.",
           params={"color": "#b9bcc0"}),
     entry("nature", "cloud", "storm cloud, storm, thundercloud, storm clouds, clouds, rain cloud", (6.0, 3.0, 2.0),
@@ -39,9 +37,6 @@ COMMONPLACE: tuple[PropEntry, ...] = (
     entry("street", "lighthouse", "light house, beacon tower", (4.4, 4.4, 14.0),
           {"wall": "plaster_white", "band": "fabric_red", "lamp": "lamp_warm", "metal": "iron"}, "A lighthouse.",
           lamp=(0.0, 0.0, 12.4)),
-    held("shoes", "shoe, slippers, slipper, sneakers, sneaker, sandals, sandal, high heels, trainers, loafers, "
-         "pair of shoes", (0.22, 0.28, 0.1), {"leather": "leather", "sole": "rubber"}, "A pair of low shoes.",
-         {"pair": True}),
     entry("furniture", "platform", "stage, dais, riser, bandstand, plinth", (4.0, 2.6, 0.4),
           {"top": "planks", "side": "wood_dark"}, "A low stage."),
     entry("nature", "hole", "pit, hole in the ground, open grave, ditch, crater, burrow, manhole, trap",

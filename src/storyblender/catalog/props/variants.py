@@ -285,7 +285,6 @@ _NO: dict[str, tuple[str, ...]] = {
     "up": ("closed", "furled", "folded", "rolled"),
     "lit": ("unlit", "dead", "cold", "off", "out"),
     "on": ("off",),
-    "pair": ("shoe", "slipper", "sneaker", "sandal", "loafer"),
     "food": ("empty",),
     "stripes": ("leopard", "panther", "jaguar", "cheetah", "cougar", "lynx", "puma", "lioness"),
     "antlers": ("doe", "fawn", "hind"),
