@@ -9,6 +9,7 @@ from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.evidence import told_by_things
 from storyblender.catalog.sets.places import find_kit, kit_of
 from storyblender.memory.scene_context import SceneSetup
+from storyblender.memory.vocabulary import SceneType
 
 
 @pytest.mark.parametrize(
@@ -103,7 +104,9 @@ def test_the_heading_chooses_the_kit(words: str, where: str, kit: str) -> None:
     assert find_kit("", words, where) == kit  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(("words", "kit"), [("CAFE", "street"), ("COTTAGE", "park"), ("ZORG NEBULA", "open_ground")])
+@pytest.mark.parametrize(
+    ("words", "kit"), [("CAFE", "street"), ("COTTAGE", "cottage_garden"), ("ZORG NEBULA", "open_ground")]
+)
 def test_outside_of_a_place_is_under_the_sky(words: str, kit: str) -> None:
     assert find_kit("", words, "outdoor") == kit
 
@@ -206,3 +209,26 @@ def test_the_last_part_of_a_heading_is_where_we_are() -> None:
 def test_a_hall_is_what_stands_in_it_and_whose_it_is(place: str, things: tuple[str, ...], kit: str) -> None:
     setup = SceneSetup(place=place, place_kind=lexicon.place_kind(place), scene_type="indoor", asset_ids=things)
     assert kit_of(setup) == kit
+
+
+@pytest.mark.parametrize(
+    ("place", "where", "kit"),
+    [
+        ("SUPPLY CLOSET", "indoor", "closet"),
+        ("PHONE BOOTH", "indoor", "phone_box"),
+        ("POOL KIOSK", "indoor", "kiosk"),
+        ("BATHROOM STALL", "indoor", "toilet_stall"),
+        ("CONFESSIONAL", "indoor", "confessional"),
+        ("BANK VAULT", "indoor", "vault"),
+        ("CAPTAIN'S CABIN", "indoor", "ship_cabin"),
+        ("INSIDE OF A MAIL COACH", "indoor", "horse_carriage"),
+        ("LIFT", "indoor", "elevator"),
+        ("PRISON CELL", "indoor", "cell"),
+        ("APARTMENT BUILDING", "outdoor", "housing_estate"),
+        ("CAMPSITE", "outdoor", "campsite"),
+    ],
+)
+def test_a_small_place_is_no_living_room(place: str, where: SceneType, kit: str) -> None:
+    assert find_kit("", place, where) == kit
+    width, depth = SETS[kit].width, SETS[kit].depth
+    assert where == "outdoor" or width.usual * depth.usual < 26

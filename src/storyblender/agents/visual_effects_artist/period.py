@@ -15,7 +15,8 @@ BEFORE: dict[Period, dict[str, str]] = {
         "supermarket": "shop", "restaurant_kitchen": "kitchen", "nightclub": "ballroom", "garage": "stable",
         "parking_garage": "stable", "server_room": "archive", "caravan": "cottage", "gas_station": "stable",
         "parking_lot": "square", "highway": "country_road", "bus_stop": "country_road", "suburb": "village",
-        "construction_site": "village", "playground": "park",
+        "construction_site": "village", "playground": "park", "coach": "horse_carriage", "car": "horse_carriage",
+        "housing_estate": "street", "phone_box": "closet",
     },
     "classic": {
         "apartment": "living_room", "open_office": "office", "coffee_shop": "cafe", "supermarket": "shop",

@@ -57,7 +57,6 @@ KIT = SetKit(
         "railroad car",
         "dining car",
         "sleeping car",
-        "stagecoach",
         "metro",
         "tram",
         "cabin of",

@@ -46,7 +46,6 @@ KIT = SetKit(
         "lockup",
         "cage",
         "bunker",
-        "vault",
     ),
     indoor=True,
     draw=draw,

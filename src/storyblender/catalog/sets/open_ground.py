@@ -32,8 +32,9 @@ def draw(params: SetParams, rng: np.random.Generator) -> SetPlan:
 KIT = SetKit(
     key="open_ground",
     name="Open ground",
-    tags=("meadow", "countryside", "pasture", "open ground", "hillside", "plain", "prairie", "outside",
-          "campsite", "camp", "valley", "hill", "exterior"),
+    tags=("meadow", "countryside", "pasture", "open ground", "hillside", "plain", "prairie", "outside", "moor",
+          "moorland", "heath", "snowy hill",
+          "camp", "valley", "hill", "exterior"),
     indoor=False,
     draw=draw,
     width=Span(8.0, 12.0, 24.0),
