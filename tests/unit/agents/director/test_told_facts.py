@@ -54,6 +54,8 @@ def _covering(story: Storyboard, words: str) -> ShotContext:
 def test_facts_without_a_deed_hold_from_the_first_frame_and_stay_until_they_change() -> None:
     reading = _reading()
     first, walk = reading.units[0], next(unit for unit in reading.units if "walks" in unit.text)
+    for unit in reading.units:
+        unit.spots.clear()
     first.spots["pim"] = Spot(relation="next_to", anchor_id="ladder", distance=0.5)
     first.expressions["orla"] = "thoughtful"
     first.gaze["pim"] = "up"

@@ -14,7 +14,7 @@ from storyblender.agents.director.reader.language.words import Word, key_of
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Unit
-from storyblender.memory.scene_context import Relation
+from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.shot_context import Flag
 from storyblender.memory.vocabulary import Posture, RelationKind
 
@@ -221,7 +221,7 @@ class Stage:
         return person.id in self.scene.on, self.discourse.salience.get(person.id, 0.0)
 
     def relate(self, subject: str, kind: RelationKind, anchor: str, second: str | None = None) -> None:
-        """State a spatial relation, once a scene."""
+        """State a spatial relation, once a scene; it is the spot of a person until they move."""
         if kind == "on" and self.inventory.head(anchor) in _FLOORING:
             anchor = self.inventory.id_of("floor", self.unit.start)
         called = kind == "on" and self.person(subject) and self.inventory.head(anchor) in _CALLING
@@ -231,6 +231,8 @@ class Stage:
             self.unit.scene,
             Relation(asset_id=subject, kind=kind, anchor_asset_id=anchor, second_anchor_asset_id=second),
         )
+        if self.person(subject) and second is None:
+            self.unit.spots[subject] = Spot(relation=kind, anchor_id=anchor)
         if stated not in self.scene.relations:
             self.scene.relations.append(stated)
             self.reading.relations.append(stated)
