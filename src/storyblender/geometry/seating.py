@@ -8,28 +8,36 @@ from typing import TypeVar
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec3
 
-PERCHES = (0.2, 0.95)
-"""Metres: heights of what one sits on that is no seat: a parcel, a desk."""
+PERCHES, HIGHEST = (0.2, 0.95), 2.4
+"""Metres: heights of what one sits on that is no seat, a parcel, a desk, and of what one climbs to sit on, a wall."""
 _ROW = 0.45
 """Metres between the rows of seats of a vehicle."""
-_WIDE = 0.25
-"""Metres across, at least, of what one sits on."""
+_WIDE, _RAIL = 0.25, 0.3
+"""Metres across of what one sits on the front edge of; on a narrower thing, such as a fence, one sits astride its top,
+on so much of it.
+"""
 
 
-def seats_of(anchors: Iterable[Anchor], dimensions: Vec3, *, asked: bool = False) -> list[Anchor]:
+def seats_of(anchors: Iterable[Anchor], dimensions: Vec3, *, asked: bool = False, on_top: bool = False) -> list[Anchor]:
     """Return the seats of a thing in its own frame.
 
     Args:
         anchors: Of the thing.
         dimensions: Its width, depth and height in metres.
         asked: Whether somebody sits on it because the script says so: without a seat it has one at its front edge.
+        on_top: Whether they sit on top even if it is high or narrow, such as a wall or a fence.
     """
     seats = [anchor for anchor in anchors if anchor.kind == "seat"]
     width, depth, height = dimensions
-    fits = PERCHES[0] < height < PERCHES[1] and min(width, depth) > _WIDE
-    if seats or not asked or not fits or any(anchor.kind == "bed" for anchor in anchors):
+    wide = min(width, depth) > _WIDE
+    fits = PERCHES[0] < height < (HIGHEST if on_top else PERCHES[1]) and (wide or on_top)
+    if seats or not (asked or on_top) or not fits or any(anchor.kind == "bed" for anchor in anchors):
         return seats
-    return [Anchor(kind="seat", location=(0.0, -depth / 2, height), size=(width, depth))]
+    if wide:
+        return [Anchor(kind="seat", location=(0.0, -depth / 2, height), size=(width, depth))]
+    facing = (0.0, -1.0, 0.0) if depth < width else (-1.0, 0.0, 0.0)
+    edge = (0.5 * _RAIL * facing[0], 0.5 * _RAIL * facing[1], height)
+    return [Anchor(kind="seat", location=edge, direction=facing, size=(max(width, depth), _RAIL))]
 
 
 _Seat = TypeVar("_Seat")

@@ -76,7 +76,9 @@ class Actions:
                 start = self.sheet.start_of(person)
                 self.sheet.done(person, start, self.sheet.rise(person, start))
             return
-        if motion.key in ("jump", "climb") and self._cross(action, motion, person):
+        if motion.key in ("jump", "climb") and (
+            self._get_onto(action, motion, person) or self._cross(action, motion, person)
+        ):
             return
         if motion.key == "put_down" and partner is not None and prop is None:
             return  # who was lifted has been put down
@@ -186,6 +188,29 @@ class Actions:
     def _next_of(self, person: Person, later: Sequence[CharacterAction]) -> str | None:
         """Return what a person's next action is about."""
         return next((a.target_id for a in later if a.asset_id == person.asset_id), None)
+
+    def _get_onto(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
+        """Climb or leap onto a thing that the script leaves somebody on; tell whether it does."""
+        state, thing = self.ends.get(person.asset_id), self.company.floor.thing(action.target_id, person.place)
+        on_it = state is not None and state.spot is not None and state.spot.relation == "on"
+        if not on_it or state is None or state.spot is None or thing is None:
+            return False
+        if self.company.floor.thing(state.spot.anchor_id, person.place) is not thing:
+            return False
+        start = self.sheet.start_of(person)
+        if self.company.places.seat(person, state) is not None:
+            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.k))
+            return True
+        top = self.company.places.station(person, state.spot)
+        if top is None or top.z <= 0:
+            return False
+        foot = self.company.floor.free_near(thing.rim(person.place), person.k, self.company.others(person))
+        t = self.sheet.go(person, foot, facing(foot, (top.x, top.y)), start)
+        person.spot, person.place, person.yaw, person.z, person.acted = state.spot, (top.x, top.y), top.yaw, top.z, True
+        seconds = natural_seconds(MOTIONS[motion.key])
+        end = self.sheet.cue(person, motion.key, t, seconds, mark=person.mark(), target_id=thing.node_id)
+        self.sheet.done(person, start, end)
+        return True
 
     def _cross(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
         """Leap or climb over a thing, or into a boat; tell whether there is one to get over."""

@@ -264,18 +264,19 @@ class Floor:
             best = min(best or (math.inf, spot), (detour, spot))
         return best[1] if best is not None and best[0] < math.inf else None
 
-    def seats(self, name: str | None, *, asked: bool = False) -> list[SeatPlace]:
+    def seats(self, name: str | None, *, asked: bool = False, on_top: bool = False) -> list[SeatPlace]:
         """Return the places to sit on a thing; wide seats hold several people.
 
         Args:
             name: Node id or asset id.
             asked: Whether the script says that somebody sits on it, even if it is no seat.
+            on_top: Whether it says that they sit on top of it, however high or narrow it is.
         """
         thing = self.thing(name)
         if thing is None or thing.node_id in self.sat_on:
             return []
         places: list[SeatPlace] = []
-        for anchor in seats_of(thing.anchors, thing.size, asked=asked):
+        for anchor in seats_of(thing.anchors, thing.size, asked=asked, on_top=on_top):
             x, y, z = anchor.location
             dx, dy, _ = anchor.direction
             yaw = thing.yaw + math.atan2(dx, -dy)

@@ -89,6 +89,7 @@ class Seats:
         if name:
             free = [] if on_it else self._free(self.at(name), taken)
             free = free or self.floor.free_seats(name, taken)
+            free = free or (self._free(self.floor.seats(name, on_top=True), taken) if on_it else [])
             free = on_side(free, side, self._ahead) if side else free
         return self._best(free or self.floor.free_seats(None, taken), person.place, person)
 

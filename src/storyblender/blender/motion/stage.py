@@ -185,7 +185,7 @@ class Stage:
         anchor = None
         if furniture is not None:
             anchor = self.anchor(furniture, ("seat",), mark) or self.anchor(furniture, ("bed",), mark)
-            anchor = anchor or next(iter(seats_of(furniture.anchors, furniture.dimensions, asked=True)), None)
+            anchor = anchor or next(iter(seats_of(furniture.anchors, furniture.dimensions, on_top=True)), None)
         if furniture is None or anchor is None:
             return None
         world = Matrix(furniture.world.tolist())

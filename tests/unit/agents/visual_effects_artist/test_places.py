@@ -9,6 +9,7 @@ import pytest
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
+from storyblender.geometry.seating import seats_of
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSize, Spot
@@ -216,3 +217,20 @@ def test_what_is_told_to_be_in_a_hollow_thing_later_lies_in_it(relation: str) ->
     _, props = _played(first, _shot(_state("ann"), number=2, thing_spots=told))
     lies = {state.asset_id: state.location for state in props[1]}["ball"]
     assert lies is not None and math.dist(lies[:2], (-4.0, 0.0)) < 0.15 and 0 < lies[2] < 0.3
+
+
+@pytest.mark.parametrize("motion", ["climb", "jump"])
+def test_who_climbs_onto_a_thing_ends_on_top_of_it(motion: str) -> None:
+    up = CharacterAction(asset_id="ann", action_description="climbs up", motion=motion, target_id="dining_table")
+    end = _state("ann", relation="on", anchor_id="dining_table")
+    (shot,), _ = _played(_shot(_state("ann"), character_actions=(up,), end_states=(end,)))
+    x, y, z = shot["ann"].end.location
+    assert (x, y, z) == (pytest.approx(0, abs=0.6), pytest.approx(2.0, abs=0.45), pytest.approx(0.75, abs=0.01))
+    assert shot["ann"].start.location[2] == 0
+
+
+@pytest.mark.parametrize(("size", "thin"), [((2.0, 0.1, 1.5), True), ((1.0, 1.0, 1.4), False), ((0.1, 3.0, 2.0), True)])
+def test_who_is_told_to_sit_on_a_fence_or_a_wall_sits_on_top(size: Vec3, thin: bool) -> None:
+    (seat,) = seats_of((), size, on_top=True)
+    assert seat.location[2] == size[2] and (max(map(abs, seat.location[:2])) < 0.2) == thin
+    assert not seats_of((), size, asked=True)
