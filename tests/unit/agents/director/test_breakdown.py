@@ -12,8 +12,8 @@ import pytest
 from handmade import Script
 
 from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.fixtures import FIXTURES
 from storyblender.agents.director.durations import action_seconds, frames, speech_seconds, word_count
+from storyblender.agents.director.fixtures import FIXTURES
 from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import CameraNote, Person, Reading, StateChange
 from storyblender.agents.director.settings import DirectorSettings

@@ -1,6 +1,7 @@
 """Where a thing is put, from where it is taken and with what something is worked on are told of the deed."""
 
 import pytest
+
 from conftest import Read
 
 
