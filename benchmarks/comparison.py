@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
+from storyblender.agents.director.lexicon import CONJUNCTIONS, DETERMINERS, POSSESSIVES, PREPOSITIONS
 from storyblender.agents.director.reader.language.morphology import singular
 from storyblender.agents.director.reading import Person, Reading, Thing, Unit
 from storyblender.catalog.motions import clip_of
@@ -25,6 +26,9 @@ FACTS = (
     "time", "looks",
 )  # fmt: skip
 _WORD = re.compile(r"[^\W\d_]+")
+_LOOK_WORD = re.compile(r"[^\W\d_]{3,}|\d+")
+_SMALL = PREPOSITIONS | DETERMINERS | POSSESSIVES | CONJUNCTIONS | {"very", "too", "one", "her", "all"}
+"""Words that say nothing of how somebody looks."""
 _ALIKE = {"above": "over", "inside": "in", "at": "next_to"}
 """Relations that few people tell apart."""
 _TOLD_BY = {
@@ -103,6 +107,9 @@ class Comparison:
         self._base = {
             id(reading): {person.id: person.variant_of or person.id for person in reading.people}
             for reading in self._both
+        }
+        self._called = {
+            id(reading): {word for person in reading.people for word in _called(person)} for reading in self._both
         }
         self._postures = {id(reading): _postures(reading) for reading in self._both}
 
@@ -189,7 +196,7 @@ class Comparison:
 
     def _whole(self, reading: Reading) -> dict[str, list[object]]:
         """Facts of the whole page."""
-        told = {*_WORD.findall(reading.screenplay.text.lower())}
+        told = {*map(singular, _LOOK_WORD.findall(reading.screenplay.text.lower()))}
         relations = {
             (_ALIKE.get(kind, kind), self._what(reading, each), self._what(reading, anchor))
             for units, kind, each, anchor in _placed(reading)
@@ -198,14 +205,13 @@ class Comparison:
         looks = {
             (self._who(reading, person.id), word)
             for person in self._staged(reading)
-            for phrase in (*person.outfit, *person.hair, *person.face)
-            for word in _WORD.findall(phrase.lower())
-            if len(word) > 2 and word in told
+            for phrase in (person.age, *person.build, *person.outfit, *person.hair, *person.face)
+            for word in map(singular, _LOOK_WORD.findall(phrase.lower()))
+            if word in told - _SMALL - self._called[id(reading)]
         }
-        ages = {(self._who(reading, person.id), person.age) for person in self._staged(reading) if person.age}
         used = {thing for unit in reading.units for thing in unit.things}
         things = {self._what(reading, thing.id) for thing in reading.things if thing.id in used}
-        return {"relations": [*relations], "looks": [*looks, *ages], "things": [*things]}
+        return {"relations": [*relations], "looks": [*looks], "things": [*things]}
 
     def _is_said(self, reading: Reading, kind: str, anchor: str, unit: Unit) -> bool:
         """Whether the words of a unit state a relation: they name what somebody is placed by, and how they are."""
@@ -284,6 +290,11 @@ def _are_alike(short: str, long: str) -> bool:
 
 def _words(text: str) -> set[str]:
     return {singular(word) for word in _WORD.findall(text.lower()) if len(word) > 3}
+
+
+def _called(person: Person) -> set[str]:
+    """The words somebody goes by: that a moose is a moose is no look."""
+    return {word for name in (person.name, person.role, *person.aliases) for word in _WORD.findall(name.lower())}
 
 
 def _own_name(person: Person) -> set[str]:

@@ -8,7 +8,7 @@ from storyblender.agents.director.reader.bearing.eyes import note_gaze
 from storyblender.agents.director.reader.bearing.faces import note_faces_told
 from storyblender.agents.director.reader.bearing.grips import note_grips, note_had
 from storyblender.agents.director.reader.bearing.lasting import note_lasting
-from storyblender.agents.director.reader.bearing.looks import note_fragment, note_looks
+from storyblender.agents.director.reader.bearing.looks import note_fragment, note_looks, note_worn
 from storyblender.agents.director.reader.bearing.postures import note_posture
 from storyblender.agents.director.reader.bearing.tethers import note_tethers
 from storyblender.agents.director.reader.deeds import changes, deeds, entrances, exits, states
@@ -82,6 +82,7 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     distances.relate_side_by_side(stage, sentence.words, subjects)
     _leftover_pronouns(stage, subjects, previous)
     note_introductions(stage, sentence.words, sentence.end)
+    note_worn(stage, phrases)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
     contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)

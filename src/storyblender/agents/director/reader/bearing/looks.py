@@ -8,9 +8,11 @@ from collections.abc import Sequence
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.morphology import singular
+from storyblender.agents.director.reader.language.phrases import Phrase
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.people.ages import age_of
 from storyblender.agents.director.reader.people.look import describe
+from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
@@ -28,6 +30,9 @@ _FEATURES = frozenset(
 )
 _LOOKS = lexicon.BUILD | lexicon.HAIR | (lexicon.FACE - {"eyes", "tired", "lined"}) | set(lexicon.AGE_WORDS)
 _UNSAID = lexicon.ANIMALS | {"like", "as", "if", "enough", "too"}
+_DETERMINING = lexicon.DETERMINERS | lexicon.POSSESSIVES | {"'s", "own"}
+_INSIDE = 2
+"""Phrases back from a garment to who is in it."""
 _MOST = 4
 """Most hair descriptions kept per person."""
 _FRAGMENT = 7
@@ -77,6 +82,35 @@ def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person],
     if not 0 < len(written) <= _FRAGMENT or named:
         return
     _tell(stage, people[0], words)
+
+
+@rule("looks.worn")
+def note_worn(stage: Stage, phrases: Sequence[Phrase]) -> None:
+    """Add a garment that is somebody's (``tips his hat``) or that somebody is in (``a boy in a torn coat``).
+
+    Args:
+        stage: The state after the clauses of the sentence, in which owners are known.
+        phrases: The phrases of the sentence.
+    """
+    for index, phrase in enumerate(phrases):
+        noun = phrase.noun
+        if noun is None or noun.kind != "thing" or not _is_worn(noun.head):
+            continue
+        owner = stage.person(noun.owner or "") or _who_is_in(stage, phrases, index)
+        if owner is None or any(noun.head in piece.lower() or noun.key in piece.lower() for piece in owner.outfit):
+            continue
+        before = (word for word in stage.sentence.words[phrase.first : noun.index] if not word.inserted)
+        said = [word.text for word in before if word.low not in _DETERMINING and word.solid]
+        _add_outfit(stage, owner, " ".join([*said, stage.sentence.words[noun.index].text.lower()]))
+
+
+def _who_is_in(stage: Stage, phrases: Sequence[Phrase], index: int) -> Person | None:
+    """Whom the noun before ``in`` means, if it is one person."""
+    if index < _INSIDE or phrases[index - 1].text not in ("in", "wearing"):
+        return None
+    noun = phrases[index - _INSIDE].noun
+    people = resolve_mention(stage, noun.mention) if noun and noun.mention else []
+    return people[0] if len(people) == 1 else None
 
 
 def _rest(words: Sequence[Word], index: int) -> list[Word]:
