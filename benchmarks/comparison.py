@@ -145,7 +145,8 @@ class Comparison:
                 continue
             seen.add((theirs[0].scene, mine[0].scene))
             one, other = mine[0].scene, theirs[0].scene
-            self.tallies["place kit"].add([kits[id(self.rules)][one]], [kits[id(self.careful)][other]])
+            if self.careful.scenes[other].kit or self.careful.scenes[other].place_kind:  # else none was named
+                self.tallies["place kit"].add([kits[id(self.rules)][one]], [kits[id(self.careful)][other]])
             self.tallies["time"].add([_hour(self.rules.scenes[one].time)], [_hour(self.careful.scenes[other].time)])
 
     @staticmethod
