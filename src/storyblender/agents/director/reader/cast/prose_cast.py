@@ -88,7 +88,11 @@ def find_prose_cast(script: Manuscript) -> Roster:
             piece = playing and phrase.noun in _CHESSMEN
             idle = phrase.noun in lexicon.ANIMALS and not does_something(phrase.noun, whole)
             listed = phrase.plural and _are_listed(phrase.noun, whole)
-            if phrase.noun not in _NOT_ROLES and not (piece or idle or listed or _only_compared(told, phrase)):
+            if (
+                phrase.noun not in _NOT_ROLES
+                and not _is_boarded(phrase.noun, whole)
+                and not (piece or idle or listed or _only_compared(told, phrase))
+            ):
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     index = TextIndex(whole)
     distinct = {name: None for _, name in names}
@@ -117,6 +121,13 @@ def find_prose_cast(script: Manuscript) -> Roster:
 @lru_cache(maxsize=256)
 def _are_listed(noun: str, told: str) -> bool:
     return re.search(rf"\b{noun}\w*{_LISTED}", told) is not None
+
+
+@lru_cache(maxsize=256)
+def _is_boarded(noun: str, told: str) -> bool:
+    """``climbed into the coach``: a vehicle with the name of a trade."""
+    boarding = r"\b(?:(?:climb|clamber|got|get|step|sat|sit)\w* (?:back )?(?:up )?(?:in|into|inside|out of)|aboard)"
+    return re.search(rf"{boarding} (?:an?|the|his|her|their) (?:[\w-]+ )?{noun}\b", told) is not None
 
 
 def _only_compared(told: str, phrase: PersonNoun) -> bool:

@@ -26,6 +26,8 @@ _NAME = re.compile(
 """Position after a full stop, a colon or a bracket, where a capital alone is no evidence of a name."""
 _LATER_LOOK = re.compile(r"(?:\s*,[^.;!?,]*){0,3}\s*,\s*(?:and )?(?:with|in) (an? [^,.;!?]*)")
 """``named Iver, tall and stooped, with a grey beard``."""
+_CALLING = re.compile(r"\s*,\s*(?:for [^,.;]{1,30} )?(?:[a-z]+ )??([a-z]+) (?:to|of|at)\b")
+"""``Josiah Finch, for eleven years confidential clerk to``: a trade without an article."""
 _NOT_NAMES = lexicon.words("not_names")
 _SMALL = lexicon.PREPOSITIONS | lexicon.CONJUNCTIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
 _KNOWN = lexicon.FIRST_NAMES | lexicon.TITLES
@@ -153,6 +155,10 @@ def add_name(roster: Roster, at: int, name: str, text: str, family: bool) -> Non
     look = re.match(r"\s*,\s*(an? [^,.;]*)", text[at + len(name) : at + len(name) + 80])
     if look:
         describe(roster, person, look.group(1))
+    calling = _CALLING.match(text[at + len(name) : at + len(name) + 80])
+    if calling and is_person_noun(calling.group(1)):
+        person.role = person.role or calling.group(1)
+        roster.call(person, calling.group(1))
     later = _LATER_LOOK.match(text[at + len(name) : at + len(name) + 160])
     if later:
         describe(roster, person, later.group(1))
