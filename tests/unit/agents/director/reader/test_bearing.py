@@ -133,3 +133,11 @@ def test_postures_to_which_no_motion_leads(read_scene: Read, line: str, posture:
 )
 def test_what_is_denied_or_likened_is_not_there(read_scene: Read, line: str) -> None:
     assert read_scene(_CAST + line).things == []
+
+
+def test_clothes_that_are_somebodys_belong_to_their_looks(read_scene: Read) -> None:
+    reading = read_scene("NORA walks in. TIBOR tips his straw hat to her. PELLE, a boy in a torn coat, laughs.")
+    worn = {person.id: " ".join(person.outfit) for person in reading.people}
+    assert "straw hat" in worn["tibor"]
+    assert "torn coat" in worn["pelle"]
+    assert not worn["nora"]

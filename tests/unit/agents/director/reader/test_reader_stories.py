@@ -240,3 +240,14 @@ def test_the_bird_is_the_goose_of_before() -> None:
         "Anna",
         "goose",
     }
+
+
+def test_a_trade_without_an_article_is_the_named_person() -> None:
+    text = "Mr. Josiah Finch, for eleven years confidential clerk to Crake, sat down. The clerk opened the box.\n" * 2
+    reading = read_script(read(text))
+    assert [person.name for person in reading.people] == ["Mr. Josiah Finch"]
+
+
+def test_a_vehicle_with_the_name_of_a_trade_is_nobody() -> None:
+    reading = read_script(read("Edith climbed into the old coach. The coach ran on. Edith looked out of the window.\n"))
+    assert [person.name for person in reading.people] == ["Edith"]

@@ -88,11 +88,8 @@ def find_prose_cast(script: Manuscript) -> Roster:
             piece = playing and phrase.noun in _CHESSMEN
             idle = phrase.noun in lexicon.ANIMALS and not does_something(phrase.noun, whole)
             listed = phrase.plural and _are_listed(phrase.noun, whole)
-            if (
-                phrase.noun not in _NOT_ROLES
-                and not _is_boarded(phrase.noun, whole)
-                and not (piece or idle or listed or _only_compared(told, phrase))
-            ):
+            nobody = piece or idle or listed or _is_boarded(phrase.noun, whole) or _only_compared(told, phrase)
+            if phrase.noun not in _NOT_ROLES and not nobody:
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     index = TextIndex(whole)
     distinct = {name: None for _, name in names}

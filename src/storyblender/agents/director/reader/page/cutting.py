@@ -8,6 +8,7 @@ from dataclasses import replace
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Manuscript, Paragraph, without_quotations
 from storyblender.agents.director.reader.page.asides import is_aside
+from storyblender.agents.director.reader.page.hours import hour_after
 from storyblender.agents.director.reader.page.intercut import Intercut, intercut_places
 from storyblender.agents.director.reader.page.prose_scenes import read_scene_change
 from storyblender.agents.director.reader.page.prose_sentences import prose_sentences
@@ -180,7 +181,7 @@ class _Cutter:
             place=told.place,
             place_kind=lexicon.place_kind(told.place),
             scene_type=scene_type,
-            time=told.time or (last.time if last else "day"),
+            time=told.time or hour_after(self.scenes, told.place),
             time_written=told.time or "",
             weather=last.weather if last and told.place and scene_type == "outdoor" == last.scene_type else "clear",
             reference=same_place(told.place, scene_type, self.scenes),

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reading import SceneReading
 from storyblender.memory.vocabulary import TimeOfDay, Weather
 
 _CLOCK = re.compile(r"\b(\d{1,2})(?:[:.h]\d\d)?\s*([AP])\.?M\b\.?", re.IGNORECASE)
@@ -63,6 +65,9 @@ def is_time(text: str) -> bool:
     return not any(word in lexicon.PLACES for word in words) and len(words) <= 6
 
 
+_PASSED: dict[TimeOfDay, TimeOfDay] = {"dawn": "morning", "sunset": "evening", "dusk": "evening"}
+
+
 def time_of(text: str) -> TimeOfDay | None:
     """Return the first time of day in an English text."""
     low = " ".join(re.findall(r"[a-z]+", text.lower()))
@@ -71,6 +76,19 @@ def time_of(text: str) -> TimeOfDay | None:
             return time
     named: list[TimeOfDay] = [lexicon.TIME_WORDS[word] for word in low.split() if word in lexicon.TIME_WORDS]
     return named[0] if named else None
+
+
+def hour_after(scenes: Sequence[SceneReading], place: str) -> TimeOfDay:
+    """Return the hour of a scene that tells none: the one before, but dawn and dusk are over at the next place.
+
+    Args:
+        scenes: The scenes before.
+        place: Of the scene.
+    """
+    if not scenes:
+        return "day"
+    last = scenes[-1]
+    return _PASSED.get(last.time, last.time) if place and place != last.place else last.time
 
 
 def weather_of(text: str) -> Weather:

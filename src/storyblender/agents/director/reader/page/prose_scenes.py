@@ -6,7 +6,7 @@ import re
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph, without_quotations
-from storyblender.agents.director.reader.page.hours import time_of, weather_of
+from storyblender.agents.director.reader.page.hours import hour_after, time_of, weather_of
 from storyblender.agents.director.reader.page.scenes import same_place
 from storyblender.agents.director.reader.page.story_places import (
     WHOLE,
@@ -102,7 +102,7 @@ def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: s
         place=place,
         place_kind=lexicon.place_kind(place),
         scene_type=scene_type,
-        time=time or (scenes[-1].time if scenes else "day"),
+        time=time or hour_after(scenes, place),
         time_written=time or "",
         weather=weather_of(told[0]),
         reference=same_place(place, scene_type, scenes),

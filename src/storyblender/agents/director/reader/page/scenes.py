@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.manuscript import Paragraph
-from storyblender.agents.director.reader.page.hours import heading_time, is_time, passes_time, weather_of
+from storyblender.agents.director.reader.page.hours import heading_time, hour_after, is_time, passes_time, weather_of
 from storyblender.agents.director.reading import SceneReading
 from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import SceneType, TimeOfDay
@@ -80,7 +80,6 @@ def first_scene(paragraph: Paragraph) -> SceneReading:
 
 
 def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
-    inherited: TimeOfDay = scenes[-1].time if scenes else "day"
     parts = [part for whole in _DASH.split(rest) if whole for part in _STOP.split(whole) if part.strip()]
     if len(parts) == 1 and "," in rest:
         place, last = rest.rsplit(",", 1)
@@ -107,7 +106,8 @@ def _place_and_time(rest: str, scenes: list[SceneReading]) -> _Place:
         parts, time, written = _hour_without_mark(parts[0])
     whole = _BRACKETS.sub(" ", " ".join(parts)).strip(" .,")
     first = _BRACKETS.sub(" ", parts[0]).strip(" .,") if parts else ""
-    return _Place(whole, first, time or inherited, " ".join(written))
+    goes_on = scenes[-1].time if written and scenes else hour_after(scenes, _BACK.sub("", whole.lower()))
+    return _Place(whole, first, time or goes_on, " ".join(written))
 
 
 def _hour_without_mark(place: str) -> tuple[list[str], TimeOfDay | None, list[str]]:
