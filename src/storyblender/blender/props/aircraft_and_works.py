@@ -36,7 +36,8 @@ def _blade(
     b.loft(material, [np.array(ring) for ring in rings])
 
 
-def _beside(x: float, y: float, name: str = "driver") -> Anchor:
+def beside(x: float, y: float, name: str = "driver") -> Anchor:
+    """Return the place beside a vehicle where one gets in."""
     return Anchor(kind="door", name=name, location=(x, y, 0.0), direction=(-1.0 if x > 0 else 1.0, 0.0, 0.0))
 
 
@@ -77,7 +78,7 @@ def helicopter(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.lathe(DARK, [(0.62, 0.0), (0.62, 0.02)], segments=20)
         _blade(b, body, (0, 4.9, 2.1), (0, 5.4, 2.9), (0.6, 0.35), 0.03)
     seats = tuple(seat((x * 0.38, -0.74, 1.3), (0.5, 0.5), name=name) for x, name in ((1, "driver"), (-1, "passenger")))
-    return (*seats, _beside(1.5, -0.5), _beside(-1.5, -0.5, "passenger"))
+    return (*seats, beside(1.5, -0.5), beside(-1.5, -0.5, "passenger"))
 
 
 @prop("light_plane")
@@ -108,8 +109,8 @@ def light_plane(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (
         seat((0.25, -0.38, 1.22), (0.44, 0.46), name="driver"),
         seat((-0.25, -0.38, 1.22), (0.44, 0.46), name="passenger"),
-        _beside(1.5, -0.3),
-        _beside(-1.5, -0.3, "passenger"),
+        beside(1.5, -0.3),
+        beside(-1.5, -0.3, "passenger"),
     )
 
 
@@ -220,7 +221,7 @@ def tractor(b: MeshBuilder, spec: PropSpec) -> Anchors:
             closed=True,
         )
         b.cylinder(DARK, (0, 0.02, 1.58), (0, -0.1, 1.2), 0.025)
-    return (seat((0, 0.22, 1.26), (0.5, 0.46), name="driver"), _beside(1.4, 0.1))
+    return (seat((0, 0.22, 1.26), (0.5, 0.46), name="driver"), beside(1.4, 0.1))
 
 
 @prop("fire_engine")
@@ -255,8 +256,8 @@ def fire_engine(b: MeshBuilder, spec: PropSpec) -> Anchors:
     return (
         seat((half * 0.5, f + 1.26, sit), (0.6, 0.5), name="driver"),
         seat((-half * 0.5, f + 1.26, sit), (0.6, 0.5), name="passenger"),
-        _beside(half + 0.55, f + 1.3),
-        _beside(-half - 0.55, f + 1.3, "passenger"),
+        beside(half + 0.55, f + 1.3),
+        beside(-half - 0.55, f + 1.3, "passenger"),
     )
 
 
@@ -306,7 +307,7 @@ def locomotive(b: MeshBuilder, spec: PropSpec) -> Anchors:
                 ],
             )
         b.lathe(spec.material("lamp"), [(0.2, 0), (0.18, 0.1)], origin=(0, -4.45, 3.0), axis=(0, -1, 0))
-    return (_beside(1.7, 2.5),)
+    return (beside(1.7, 2.5),)
 
 
 @prop("battle_tank")

@@ -12,7 +12,8 @@ from storyblender.blender.props.registry import Anchors, PropSpec, prop, seat
 from storyblender.memory.asset_sheet import Anchor
 
 
-def _bed(location: tuple[float, float, float], width: float, length: float, name: str = "") -> Anchor:
+def bed_anchor(location: tuple[float, float, float], width: float, length: float, name: str = "") -> Anchor:
+    """Return a place to lie on, its head at +Y."""
     return Anchor(kind="bed", name=name, location=location, direction=(0.0, -1.0, 0.0), size=(width, length))
 
 
@@ -51,7 +52,7 @@ def bed(b: MeshBuilder, spec: PropSpec) -> Anchors:
     _bedding(b, spec.material("linen"), spec.material("blanket"), w - 0.1, d - 0.14, top, spec.count("pillows"))
     edge = seat((w / 2 - 0.02, -0.1, top), (d * 0.6, 0.6), (1, 0, 0), "edge_right")
     other = seat((-w / 2 + 0.02, -0.1, top), (d * 0.6, 0.6), (-1, 0, 0), "edge_left")
-    return (_bed((0, 0, top + 0.02), w - 0.1, d - 0.14), edge, other)
+    return (bed_anchor((0, 0, top + 0.02), w - 0.1, d - 0.14), edge, other)
 
 
 @prop("hospital_bed")
@@ -87,7 +88,7 @@ def hospital_bed(b: MeshBuilder, spec: PropSpec) -> Anchors:
         b.cylinder(metal, (side, -d * 0.13, 0.68), (side, d * 0.27, 0.68), 0.009, segments=8)
     _bedding(b, spec.material("linen"), spec.material("blanket"), w - 0.14, d - 0.14, top, 1)
     return (
-        _bed((0, 0, top + 0.02), w - 0.14, d - 0.14),
+        bed_anchor((0, 0, top + 0.02), w - 0.14, d - 0.14),
         seat((w / 2 - 0.04, -d * 0.32, top), (0.5, 0.5), (1, 0, 0), "edge"),
     )
 
@@ -122,7 +123,11 @@ def bunk_bed(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for z in np.arange(0.3, h - 0.2, 0.28):
         b.cylinder(metal, (-0.14, -d / 2, z), (0.14, -d / 2, z), 0.012)
     lower = seat((w / 2 - 0.02, -0.1, 0.5), (d * 0.6, 0.5), (1, 0, 0), "edge")
-    return (_bed((0, 0, 0.52), w - 0.08, d - 0.1, "lower"), _bed((0, 0, h - 0.24), w - 0.08, d - 0.1, "upper"), lower)
+    return (
+        bed_anchor((0, 0, 0.52), w - 0.08, d - 0.1, "lower"),
+        bed_anchor((0, 0, h - 0.24), w - 0.08, d - 0.1, "upper"),
+        lower,
+    )
 
 
 @prop("cradle")
@@ -141,7 +146,7 @@ def cradle(b: MeshBuilder, spec: PropSpec) -> Anchors:
             b.cylinder(wood, (at, x * (d / 2 - 0.03), 0.33), (at, x * (d / 2 - 0.03), h - 0.07), 0.008, segments=6)
     b.rounded_box(linen, (0, 0, 0.38), (w - 0.09, d - 0.09, 0.1), 0.03)
     b.cushion(linen, (0, d / 2 - 0.2, 0.46), (0.34, 0.22, 0.09), softness=0.5)
-    return (_bed((0, 0, 0.43), w - 0.1, d - 0.1),)
+    return (bed_anchor((0, 0, 0.43), w - 0.1, d - 0.1),)
 
 
 @prop("bathtub")
@@ -199,7 +204,7 @@ def bathtub(b: MeshBuilder, spec: PropSpec) -> Anchors:
         ],
         0.014,
     )
-    return (_bed((0, 0, 0.22), w * 0.5, d * 0.8),)
+    return (bed_anchor((0, 0, 0.22), w * 0.5, d * 0.8),)
 
 
 @prop("toilet")

@@ -305,8 +305,23 @@ def sewing_machine(b: MeshBuilder, spec: PropSpec) -> Anchors:
 def electric_fan(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a caged table fan that blows to -Y."""
     (w, d, h), metal, base = spec.size, spec.material("metal"), spec.material("base")
-    r, z = w / 2 - 0.006, h - w / 2
+    z = h - w / 2
     b.lathe(base, [(0.1, 0), (0.095, 0.02), (0.03, 0.04), (0.02, z - 0.05)], segments=22)
+    fan_head(b, metal, base, w / 2 - 0.006, d, z)
+    return ()
+
+
+def fan_head(b: MeshBuilder, metal: MaterialRef, base: MaterialRef, r: float, d: float, z: float) -> None:
+    """Add the caged blades of a fan and its motor; they blow to -Y.
+
+    Args:
+        b: The builder.
+        metal: Of the cage.
+        base: Of the motor.
+        r: Radius of the cage.
+        d: Depth from its front to the back of the motor.
+        z: Height of its middle.
+    """
     b.cushion(base, (0, d * 0.2, z), (0.11, 0.16, 0.11), softness=0.6)
     for y in (-d * 0.3, -d * 0.02):
         for reach in (1.0, 0.7, 0.4):
@@ -336,4 +351,3 @@ def electric_fan(b: MeshBuilder, spec: PropSpec) -> Anchors:
     for k in range(4):
         with b.at((0, -d * 0.14, z), (0, 90 * k, 0)), b.at(rotation=(0, 0, 30)):
             b.cushion("paint", (0, 0, r * 0.5), (r * 0.5, 0.006, r * 0.75), softness=0.8)
-    return ()

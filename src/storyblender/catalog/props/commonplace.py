@@ -29,8 +29,8 @@ COMMONPLACE: tuple[PropEntry, ...] = (
     entry("fitting", "bunting", "garland, garlands, streamers, streamer, paper chain, party flags, pennants",
           (3.4, 0.04, 0.75), {"flag": "fabric_red", "other": "fabric_blue", "third": "brass"},
           "A string of small flags.", placement="ceiling"),
-    entry("nature", "smoke", "column of smoke, cloud of smoke, plume of smoke, plumes of smoke, steam, fumes, exhaust, fog, mist, haze, vapour, "
-          "vapor, dust cloud, cloud of dust", (0.9, 0.75, 1.65), {"puff": "fabric"}, "Billowing smoke.",
+    entry("nature", "smoke", "column of smoke, cloud of smoke, plume of smoke, steam, fumes, exhaust, fog, mist, haze, "
+          "vapour, vapor, dust cloud, cloud of dust", (0.9, 0.75, 1.65), {"puff": "fabric"}, "Billowing smoke.",
           params={"color": "#b9bcc0"}),
     entry("nature", "cloud", "storm cloud, storm, thundercloud, storm clouds, clouds, rain cloud", (6.0, 3.0, 2.0),
           {"puff": "fabric"}, "A heavy cloud.", params={"color": "#6f7684"}),

@@ -179,7 +179,7 @@ MACHINES: tuple[PropEntry, ...] = (
     entry(
         "fitting",
         "electric_fan",
-        "desk fan, table fan, standing fan, floor fan, pedestal fan",
+        "desk fan, table fan",
         (0.34, 0.26, 0.44),
         {"metal": "chrome", "base": "iron"},
         "A caged fan on a foot.",

@@ -117,5 +117,58 @@ _WORN: tuple[PropEntry, ...] = (
         "A tube.", {"color": "#e4e0d6"}),
 )  # fmt: skip
 
-ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN
-"""By where they are found: hardware, the desk, on people."""
+_HOME: tuple[PropEntry, ...] = (
+    held("ice_cream_scoop", "scoop, ice-cream scoop, scooper, melon baller", (0.056, 0.21, 0.034),
+        {"metal": "steel", "handle": "fabric_red"}, "An ice cream scoop."),
+    held("thermos", "thermos flask, vacuum flask, insulated flask, coffee flask, coffee thermos, travel mug",
+        (0.12, 0.09, 0.3), {"body": "paint", "metal": "steel", "cup": "fabric_red"}, "A vacuum flask.",
+        {"color": "#2f4a3a"}),
+    held("lunch_box", "lunchbox, lunch pail, lunch tin, bento box, packed lunch", (0.26, 0.14, 0.2),
+        {"body": "paint", "metal": "steel"}, "A lunch box.", {"color": "#8a2f2a"}),
+    held("sponge", "kitchen sponge, washing-up sponge, bath sponge, scouring pad, loofah", (0.11, 0.07, 0.035),
+        {"foam": "brass", "rough": "leaves"}, "A sponge.", {"color": "#d8b43a"}),
+    held("toast", "slice of toast, piece of toast, slice of bread, buttered toast, french toast",
+        (0.11, 0.11, 0.016), {"crumb": "linen", "crust": "wood_light", "butter": "wax"}, "A slice of toast.",
+        {"color": "#c98f4a"}),
+    held("sausage", "sausages, string of sausages, link of sausages, frankfurter, bratwurst, salami, chorizo",
+        (0.26, 0.05, 0.032), {"meat": "leather"}, "Sausages.", {"color": "#8a4426"}),
+    held("wallet", "billfold, money clip, pocketbook, leather wallet, card case", (0.115, 0.09, 0.022),
+        {"leather": "leather", "notes": "fabric_green"}, "A wallet."),
+    held("lipstick", "lip balm, lip gloss, tube of lipstick", (0.02, 0.02, 0.08),
+        {"stick": "fabric_red", "case": "gold"}, "A lipstick."),
+    held("pill_bottle", "pills, bottle of pills, pill box, prescription bottle, medication, aspirin, "
+         "painkillers, sleeping pills, vitamins, pill", (0.044, 0.06, 0.085),
+        {"body": "glass_amber", "label": "paper", "cap": "porcelain"}, "A bottle of pills."),
+    held("milk_carton", "carton of milk, juice carton, carton of juice, milk container, orange juice carton, juice box",
+        (0.085, 0.085, 0.24), {"card": "porcelain", "band": "fabric_blue"}, "A carton of milk."),
+    held("credit_card", "bank card, debit card, charge card, library card, gift card, business card, plastic card",
+        (0.086, 0.054, 0.001), {"body": "fabric_blue"}, "A bank card."),
+    held("firework", "fireworks, rocket firework, fireworks rocket, roman candle, bottle rocket, skyrocket",
+        (0.05, 0.05, 0.5), {"paper": "fabric_red", "stripe": "gold"}, "A firework rocket."),
+    held("firecrackers", "firecracker, string of firecrackers, banger, bangers, cracker string", (0.08, 0.26, 0.02),
+        {"paper": "fabric_red"}, "A plait of firecrackers."),
+    held("cymbal", "cymbals, brass cymbal, crash cymbal, hi-hat", (0.4, 0.4, 0.08),
+        {"brass": "brass", "strap": "leather"}, "A cymbal."),
+    held("car_battery", "truck battery, lead battery, battery pack, accumulator", (0.24, 0.175, 0.2),
+        {"body": "plastic_black", "lid": "plastic"}, "A car battery."),
+)  # fmt: skip
+
+_YARD: tuple[PropEntry, ...] = (
+    entry("vehicle", "excavator", "digger, backhoe, jcb, mechanical digger, bulldozer, earthmover, steam shovel",
+        (2.46, 7.2, 3.46), {"body": "paint", "track": "iron"}, "An excavator.", params={"color": "#d0a02a"}, seats=1),
+    entry("fitting", "standing_fan", "floor fan, pedestal fan, stand fan, upright fan, big fan, wind machine",
+        (0.44, 0.44, 1.3), {"base": "plastic_black", "metal": "steel"}, "A fan on a stand.", holdable=True),
+    entry("furniture", "mattress", "bare mattress, old mattress, air mattress, crash mat, gym mat",
+        (0.95, 1.95, 0.2), {"cover": "linen", "piping": "fabric_blue"}, "A mattress.", seats=1),
+    entry("furniture", "ironing_board", "ironing table", (1.3, 0.38, 0.9), {"cover": "fabric_blue"},
+        "An ironing board."),
+    held("golf_club", "golf iron, putter, driver club, nine iron, polo mallet, croquet mallet", (0.115, 0.07, 0.98),
+        {"metal": "chrome", "grip": "rubber"}, "A golf club."),
+    held("hockey_stick", "ice hockey stick, field hockey stick, hurley", (0.42, 0.05, 1.4),
+        {"wood": "wood_light", "tape": "plastic_black"}, "A hockey stick."),
+    held("skis", "ski, pair of skis, snow skis, water skis", (0.26, 0.13, 1.75), {"board": "paint"},
+        "A pair of skis.", {"color": "#9c2622"}),
+)  # fmt: skip
+
+ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN + _HOME + _YARD
+"""By where they are found: hardware, the desk, on people, the home, outdoors."""

@@ -146,7 +146,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "passport",
-        "letter of transit, visa, identity papers, wallet",
+        "letter of transit, visa, identity papers",
         (0.09, 0.125, 0.008),
         {"cover": "leather", "metal": "gold"},
         "A passport.",
