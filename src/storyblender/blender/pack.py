@@ -19,6 +19,7 @@ from storyblender.blender.motion.bake import bake
 from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
+from storyblender.blender.state_parts import StateParts
 from storyblender.blender.tags import Surface, tag
 from storyblender.catalog.openings import openings_of
 from storyblender.catalog.sets import plan_of
@@ -62,6 +63,7 @@ class ScenePacker:
         plan = plan_of(environment)
         built = build_set(plan, scene, self._collection("set"))
         self._place_objects()
+        self._states = StateParts(self._job, self._store, self._props, self._assets)
         self._place_people()
         stage = Stage(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
         doors = [
@@ -144,15 +146,13 @@ class ScenePacker:
             ]
             for obj in (member.armature, *member.meshes):
                 key_hidden(obj, shown)
-        for asset_id in moved_assets(self._job):
-            shown = [
-                (
-                    self._starts[shot.shot_id],
-                    all(state.visible for state in shot.prop_states if state.asset_id == asset_id),
-                )
+        for asset_id in {**dict.fromkeys(moved_assets(self._job)), **dict.fromkeys(self._states.changing)}:
+            seen = {
+                self._starts[shot.shot_id]: all(each.visible for each in shot.prop_states if each.asset_id == asset_id)
                 for shot in self._job.shots
-            ]
-            key_hidden(self._props[asset_id], shown)
+            }
+            for obj, shown in self._states.shown(asset_id, seen, self.timing):
+                key_hidden(obj, shown)
 
 
 def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:

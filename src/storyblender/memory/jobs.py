@@ -56,6 +56,15 @@ class AssetJob(Frozen):
         )
 
 
+class AssetInState(Frozen):
+    """An asset as it looks in a state."""
+
+    state: str
+    asset: Asset
+    added: bool = False
+    """Whether it is seen together with the asset as it was at first, and not in its place."""
+
+
 class SceneJob(Frozen):
     """Pack one scene: set, objects, people and the motion of every shot; no cameras, no face lights."""
 
@@ -63,6 +72,8 @@ class SceneJob(Frozen):
     shots: tuple[ShotContext, ...]
     assets: tuple[Asset, ...]
     fps: int = 24
+    in_states: tuple[AssetInState, ...] = ()
+    """Built things of the scene as they look in the states that its shots bring them to."""
 
     @property
     def digest(self) -> str:
@@ -76,6 +87,7 @@ class SceneJob(Frozen):
             for shot in self.shots
         ]
         geometry = [asset.canonical.digest if asset.canonical else asset.asset_id for asset in self.assets]
+        geometry += [f"{each.state}:{each.asset.canonical.digest}" for each in self.in_states if each.asset.canonical]
         return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps)
 
     @property

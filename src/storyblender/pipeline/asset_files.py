@@ -14,10 +14,13 @@ def assets_to_build(run: Run, assets: Iterable[Asset]) -> list[Asset]:
     return [
         asset
         for asset in assets
-        if asset.canonical is None
-        or not asset.canonical.geometry_hash
-        or not all(run.outputs.whole(name) for name in _names(asset))
+        if asset.canonical is None or not asset.canonical.geometry_hash or not files_whole(run, asset)
     ]
+
+
+def files_whole(run: Run, asset: Asset) -> bool:
+    """Return whether all files of an asset are there as they were built."""
+    return all(run.outputs.whole(name) for name in _names(asset))
 
 
 def note_asset(run: Run, asset: Asset) -> None:

@@ -21,6 +21,7 @@ from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.sets import SETS
 from storyblender.catalog.sets.places import kit_of
+from storyblender.catalog.states import state_at_first
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
 from storyblender.memory.base import Vec3
@@ -157,8 +158,8 @@ class ConceptArtist:
         if setup is None:
             return AssetRequest(asset=asset, models=self._models)
         changes = [change for shot in self._run.graph.shots for change in shot.asset_modifications]
-        states = {change.state for change in changes if change.asset_id == asset.asset_id and change.state}
-        state = states.pop() if len(states) == 1 else "open" if self._is_looked_into(asset.asset_id) else ""
+        states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
+        state = state_at_first(states) or ("open" if self._is_looked_into(asset.asset_id) else "")
         weather = setup.weather if setup.scene_type == "outdoor" else ""
         means = {**self._means, **SETS[kit_of(setup)].meanings}
         return AssetRequest(asset=asset, models=self._models, means=means, weather=weather, state=state)

@@ -9,12 +9,14 @@ from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, SceneJob
 from storyblender.pipeline.run import Run
+from storyblender.pipeline.state_assets import assets_in_states, build_states
 
 
 def pack_scenes(run: Run) -> None:
     """Build the packs, all at once over the pool; a pack that is there already is only looked up."""
     staged = [scene.scene_id for scene in run.graph.scenes if scene.layout is not None]
     jobs = {scene_id: scene_job(run.graph, scene_id) for scene_id in staged}
+    build_states(run, jobs.values())
     waiting: dict[int, Future[PackRef]] = {}
     for scene_id, job in jobs.items():
         known = run.outputs.read(job.record, PackRef.model_validate_json) if run.outputs.whole(job.out) else None
@@ -34,7 +36,9 @@ def pack_scenes(run: Run) -> None:
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
     """Return what the engine needs to build a scene."""
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
-    return SceneJob(scene=scene, shots=shots, assets=scene_assets(graph, scene_id), fps=graph.format.fps)
+    assets = scene_assets(graph, scene_id)
+    states = assets_in_states(assets, shots)
+    return SceneJob(scene=scene, shots=shots, assets=assets, fps=graph.format.fps, in_states=states)
 
 
 def scene_assets(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[Asset, ...]:

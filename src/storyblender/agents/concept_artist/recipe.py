@@ -41,7 +41,7 @@ class AssetRequest(Frozen):
     weather: str = ""
     """In the place it is first seen in, where that is outdoors: umbrellas are up in the rain."""
     state: str = ""
-    """The one state that the story gives it: ``open``, ``lit``; empty if there is none or more than one."""
+    """The state it is in at first, as far as the story tells: ``open``, ``lit``."""
 
     @property
     def told(self) -> str:

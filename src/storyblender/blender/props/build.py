@@ -9,6 +9,7 @@ import numpy as np
 
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.asleep import lie_down
+from storyblender.blender.props.darkened import put_out
 from storyblender.blender.props.lettering import write_on
 from storyblender.blender.props.registry import Anchors, PropSpec, builders
 from storyblender.catalog.props import PROPS
@@ -55,6 +56,7 @@ def build_prop(
     entry = PROPS[key]
     given = dict(params or {})
     text = str(given.pop("text", "")) if key in WRITING else ""
+    unlit = bool(given.pop("unlit", False)) and entry.lights
     unknown = sorted(set(given) - set(entry.params) - {"color", "material", "width", "depth", "height"})
     if unknown:
         raise InputError(f"the prop {key!r} has no parameter {unknown[0]!r}", mend=f"it has {sorted(entry.params)}")
@@ -70,6 +72,8 @@ def build_prop(
         mesh = builder.mesh()
     if spec.params.get("asleep") and key != "cat":
         lie_down(mesh)
+    if unlit:
+        put_out(mesh)
     return settle(mesh, anchors, dimension)
 
 

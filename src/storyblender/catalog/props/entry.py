@@ -9,6 +9,8 @@ from storyblender.look.surface import Surface
 from storyblender.memory.base import Frozen, Identifier, Vec3
 
 Category = Literal["furniture", "fitting", "vehicle", "street", "nature", "hand", "animal"]
+GLOWING = ("lamp_", "screen", "neon_", "flame", "fire", "ember")
+"""How the keys of materials that shine begin."""
 Placement = Literal["floor", "surface", "wall", "ceiling"]
 
 
@@ -37,6 +39,11 @@ class PropEntry(Frozen):
     """Where its light sits, for lamps and fires; scales with the prop."""
     surface: Surface = Surface.PROP
     """How ink and light treat it."""
+
+    @property
+    def lights(self) -> bool:
+        """Whether it has something that shines, which may be off."""
+        return any(key.startswith(GLOWING) for key in self.materials.values()) or self.lamp is not None
 
     @property
     def life_size(self) -> bool:
