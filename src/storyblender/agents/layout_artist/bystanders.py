@@ -24,7 +24,7 @@ from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Layout, LayoutObject
 
 _SITTING = 0.6
-_OWN_TABLE = 1.5
+_OWN_TABLE = 2.2
 """Metres from one of the story's people within which seats stay free."""
 _LANE = 1.0
 """Metres to either side of the line from one of them to the audience that stay free, unless far behind them."""

@@ -70,6 +70,8 @@ class Places:
             return True
         if state.posture in SEATED and person.support is not None:
             return False
+        if self._is_out_of_reach(person, spot):
+            return False  # the layout has them as near as people get
         there = self._before_seat(person, state) or self.station(person, spot, state.posture)
         if there is None:
             return False
@@ -132,6 +134,15 @@ class Places:
             top = self.floor.on_top(thing, thing.location[:2])
             best = Station(best.x, best.y, best.yaw, z=top[2] if top else best.z)
         return self._turned(person, spot, best, box)
+
+    def _is_out_of_reach(self, person: Person, spot: Spot) -> bool:
+        """Tell whether every place that a spot means is off the playing area: by a plane on the runway."""
+        found = self.anchor(spot.anchor_id, person)
+        if found is None or spot.relation in WITHIN or spot.height is not None:
+            return False
+        box, sort, _ = found
+        places = stations(box, sort, spot.relation, spot.side, spot.distance, person.k)
+        return not any(self.floor.inside((each.x, each.y)) for each in places)
 
     def _clear(self, person: Person, station: Station) -> Station:
         """Return the station, or the nearest free place if another person is there."""
