@@ -53,10 +53,12 @@ def decide_cameras(run: Run, shots: Sequence[ShotContext], decision: CameraDecis
 
 
 def _decided(shot: ShotContext, decision: CameraDecision) -> ShotContext:
+    retake = shot.camera_retake.decision if shot.camera_retake else CameraDecision()
+    before = shot.camera_decision or retake
     return shot.model_copy(
         update={
             "camera_instruction": decision.applied(shot.camera_instruction),
-            "camera_decision": (shot.camera_decision or shot.camera_retake or CameraDecision()).then(decision),
+            "camera_decision": before.then(decision),
             "camera_retake": None,
             "camera": None,
             "lights": (),

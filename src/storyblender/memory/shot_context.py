@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
@@ -128,23 +128,38 @@ class CameraDecision(Frozen):
     def words(self) -> str:
         """The decision as a person reads it, e.g. ``size CU, lens 50``."""
         said = self.model_dump(exclude_none=True).items()
-        return ", ".join(f"{key} {value:g}" if isinstance(value, float) else f"{key} {value}" for key, value in said)
+        told = ((key, ", ".join(value) if isinstance(value, tuple) else value) for key, value in said)
+        return ", ".join(f"{key} {value:g}" if isinstance(value, float) else f"{key} {value}" for key, value in told)
 
-    def then(self, later: CameraDecision) -> CameraDecision:
+    def then(self, later: CameraDecision) -> Self:
         """Return this decision with a later one on top: a new size drops the old lens, a new move its direction."""
         dropped = {"lens"} if later.size else set()
         dropped |= {"direction"} if later.movement else set()
         kept = self.model_dump(exclude_none=True, exclude=dropped)
-        return CameraDecision.model_validate({**kept, **later.model_dump(exclude_none=True)})
+        return self.model_validate({**kept, **later.model_dump(exclude_none=True)})
 
     def applied(self, instruction: CameraInstruction) -> CameraInstruction:
         """Return an instruction as it was decided."""
-        changes = self.model_dump(exclude_none=True)
+        changes = self.model_dump(exclude_none=True, exclude={"moment"})
         if self.size is not None:
             changes = {"lens": None, **changes, "distance": DISTANCE_OF_SIZE[self.size]}
         if self.movement is not None:
             changes = {"direction": None, **changes}
         return CameraInstruction.model_validate({**instruction.model_dump(), **changes})
+
+
+class CameraRetake(CameraDecision):
+    """What the Frame Critic changed of a shot whose frame did not tell its lines; fields left out are as planned."""
+
+    kind: ShotKind | None = None
+    focus_on_ids: tuple[Identifier, ...] | None = None
+    """Whom a simpler picture is about."""
+    moment: Moment | None = None
+
+    @property
+    def decision(self) -> CameraDecision:
+        """The part of it that a person may decide as well."""
+        return CameraDecision(**{name: getattr(self, name) for name in CameraDecision.model_fields})
 
 
 class Flag(Frozen):
@@ -304,7 +319,7 @@ class ShotContext(Frozen):
     sound_effect: str | None = None
     camera_instruction: CameraInstruction
     """The Director's camera plan, with ``camera_retake`` and ``camera_decision`` applied on top."""
-    camera_retake: CameraDecision | None = None
+    camera_retake: CameraRetake | None = None
     """Changes by the Frame Critic after a first take that did not show what the lines say."""
     camera_decision: CameraDecision | None = None
     """What a person decided; it stays with the words of the shot when the script changes."""

@@ -1,12 +1,17 @@
-"""Retakes: a frame that does not tell its lines is taken again with another camera, and the better take is kept."""
+"""Retakes: a frame that does not tell its lines is taken again until it does, and the best take is kept.
+
+First another camera, then another moment of the shot, then simpler shots: whoever speaks or acts alone, and the
+subject in a plain medium shot. What still fails is on the checklist with its reasons.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Final
 
+from storyblender.agents.frame_critic.frame_view import actions_to_see, speakers
 from storyblender.memory.base import shot_name
-from storyblender.memory.shot_context import CameraDecision, ShotContext
+from storyblender.memory.shot_context import CameraRetake, ShotContext
 from storyblender.memory.vocabulary import SHOT_SIZES
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.reviewing import FrameReview, review_frames
@@ -15,16 +20,21 @@ from storyblender.pipeline.shooting import shoot_frames
 
 _WIDER: Final = ("person_missing", "people_missing", "face_out", "thing_missing", "nothing")
 _TIGHTER: Final = ("person_small", "flat", "void", "dark")
-_AROUND: Final = ("person_hidden", "face_hidden", "face_away", "foreground")
+_AROUND: Final = ("person_hidden", "face_hidden", "face_away", "foreground", "inside")
+_PASSING: Final = ("face_away", "face_hidden", "person_hidden", "person_missing", "thing_missing", "nothing")
+"""Faults that may be gone at another moment of the shot."""
+_CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_hidden", "apart", "foreground", "void",
+                   "face_hidden", "face_out", "face_away", "nothing", "inside")  # fmt: skip
+"""Faults of pictures that hold too much: a simpler one has fewer of them."""
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN: Final = 0.5
 """Least gain in score for which a retake replaces the take before it."""
-_RETAKES: Final = 2
+_RETAKES: Final = 5
 """Most retakes of one shot."""
 
 
 def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
-    """Judge frames, and retake those that another camera may fix; cameras set by the script or the user stay.
+    """Judge frames, and retake those that fail until they pass; cameras set by the script or the user stay.
 
     A shot is tried once: it keeps what was changed, nothing where its first take was the best, and a later run leaves
     it as it is.
@@ -41,12 +51,12 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
     # In another look, or after an undo, the project is drawn without retakes.
     may_retake = run.settings.look == run.made_in_look and not run.project.has_undone
     untried = [key for key in keys if run.graph.shot(*key).camera_retake is None]
-    for attempt in range(_RETAKES if may_retake else 0):
+    for step in _STEPS[:_RETAKES] if may_retake else ():
         present = [run.graph.shot(*key) for key in untried]
         again = {
             shot_name(shot.scene_id, shot.shot_id): (shot, choice)
             for shot in present
-            if (choice := _another_camera(shot, reviews[shot_name(shot.scene_id, shot.shot_id)], attempt)) is not None
+            if (choice := _choice(step, shot, reviews[shot_name(shot.scene_id, shot.shot_id)])) is not None
         }
         if again:
             reviews |= _taken_again(run, again, reviews)
@@ -54,7 +64,7 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
 
 
 def _taken_again(
-    run: Run, again: Mapping[str, tuple[ShotContext, CameraDecision]], before: Mapping[str, FrameReview]
+    run: Run, again: Mapping[str, tuple[ShotContext, CameraRetake]], before: Mapping[str, FrameReview]
 ) -> dict[str, FrameReview]:
     """Retake shots, and restore the takes that did not get better; return the reviews of the kept takes."""
     former = [shot for shot, _ in again.values()]
@@ -64,7 +74,7 @@ def _taken_again(
     shoot_frames(run, _present(run, former))
     after = review_frames(run, _present(run, former))
     worse = [
-        shot.model_copy(update={"camera_retake": shot.camera_retake or CameraDecision()})
+        shot.model_copy(update={"camera_retake": shot.camera_retake or CameraRetake()})
         for name, (shot, _) in again.items()
         if after[name].score < before[name].score + _GAIN
     ]
@@ -80,37 +90,99 @@ def _present(run: Run, shots: Sequence[ShotContext]) -> list[ShotContext]:
     return [run.graph.shot(shot.scene_id, shot.shot_id) for shot in shots]
 
 
-def _with_camera(shot: ShotContext, choice: CameraDecision) -> ShotContext:
+def _with_camera(shot: ShotContext, choice: CameraRetake) -> ShotContext:
+    instruction = choice.applied(shot.camera_instruction)
+    if choice.focus_on_ids is not None:
+        instruction = instruction.model_copy(update={"over_id": None, "axis": None})
     return shot.model_copy(
         update={
-            "camera_instruction": choice.applied(shot.camera_instruction),
-            "camera_retake": (shot.camera_retake or CameraDecision()).then(choice),
+            "camera_instruction": instruction,
+            "camera_retake": (shot.camera_retake or CameraRetake()).then(choice),
+            "moment": choice.moment or shot.moment,
             "camera": None,
             "lights": (),
         }
     )
 
 
-def _another_camera(shot: ShotContext, review: FrameReview, attempt: int) -> CameraDecision | None:
-    """Return a camera that may fix a frame's worst fault; None if the frame passes, or its camera must not change.
+def _choice(step: _Step, shot: ShotContext, review: FrameReview) -> CameraRetake | None:
+    """Return what a step tries for a frame; None if it passes, its camera must not change, or nothing is left to try.
 
     Args:
+        step: One of ``_STEPS``.
         shot: The shot as last taken.
         review: The review of that take.
-        attempt: Number of retakes so far.
     """
-    instruction = shot.camera_instruction
     fixed = shot.camera_decision is not None or "camera" in shot.locked
-    faults = [fault for fault in review.faults if fault.kind in (*_WIDER, *_TIGHTER, *_AROUND)]
-    if review.verdict == "pass" or fixed or not faults or instruction.kind == "insert":
+    if review.verdict == "pass" or fixed:
+        return None
+    choice = step(shot, review)
+    if choice is None:
+        return None
+    taken = _with_camera(shot, choice)
+    same = taken.camera_instruction == shot.camera_instruction and taken.moment == shot.moment
+    return None if same else choice
+
+
+def _another_camera(shot: ShotContext, review: FrameReview, by: int = 1) -> CameraRetake | None:
+    """Return a camera from another height or ``by`` sizes away that may fix a frame's worst fault."""
+    instruction = shot.camera_instruction
+    kinds = (*_WIDER, *_TIGHTER, *_AROUND)
+    faults = [fault for fault in review.faults if fault.kind in kinds]
+    if not faults or instruction.kind == "insert":
         return None
     worst = max(faults, key=lambda fault: fault.severity).kind
-    if worst in _AROUND and attempt == 0 and instruction.angle == "eye-level":
-        return CameraDecision(angle="high angle")
+    if worst in _AROUND and by == 1 and instruction.angle == "eye-level":
+        return CameraRetake(angle="high angle")
     if instruction.explicit:
         # An ordered size stays: what does not fit in it may be seen from another side, or not at all.
-        from_above = attempt == 0 and instruction.angle == "eye-level" and worst in _UNSEEN
-        return CameraDecision(angle="high angle") if from_above else None
-    step = (1 + attempt) * (1 if worst in _TIGHTER else -1)
-    at = SHOT_SIZES.index(instruction.size) + step
-    return CameraDecision(size=SHOT_SIZES[at]) if 0 <= at <= SHOT_SIZES.index("CU") else None
+        from_above = by == 1 and instruction.angle == "eye-level" and worst in _UNSEEN
+        return CameraRetake(angle="high angle") if from_above else None
+    at = SHOT_SIZES.index(instruction.size) + (by if worst in _TIGHTER else -by)
+    return CameraRetake(size=SHOT_SIZES[at]) if 0 <= at <= SHOT_SIZES.index("CU") else None
+
+
+def _another_moment(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
+    """Return the end of the shot, where the crew chose the moment and something is not seen that may be seen then."""
+    if shot.moment is not None or not any(fault.kind in _PASSING for fault in review.faults):
+        return None
+    return CameraRetake(moment="end")
+
+
+def _alone(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
+    """Return a single of who speaks in the shot, or else acts in it."""
+    instruction = shot.camera_instruction
+    told = [*speakers(shot), *(action.asset_id for action in actions_to_see(shot))]
+    shown = [each for each in told if each in shot.on_stage and each != instruction.pov_id]
+    if not shown or not _may_be_simpler(shot, review):
+        return None
+    used = {name for deed in actions_to_see(shot) for name in (deed.prop_id, deed.target_id) if name}
+    props = [each for each in instruction.focus_on_ids if each in used and each not in shot.on_stage]
+    return CameraRetake(kind="single", size="MS", angle="eye-level", focus_on_ids=(shown[0], *props))
+
+
+def _plain(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
+    """Return a plain medium shot of the subject, whatever else the shot was about."""
+    focus = shot.camera_instruction.focus_on_ids
+    if not focus or not _may_be_simpler(shot, review):
+        return None
+    lead = next((each for each in focus if each in shot.on_stage), focus[0])
+    return CameraRetake(kind="single", size="MS", angle="eye-level", focus_on_ids=(lead,))
+
+
+def _may_be_simpler(shot: ShotContext, review: FrameReview) -> bool:
+    """Return whether a picture that the script does not order would tell more with less in it."""
+    instruction = shot.camera_instruction
+    ordered = instruction.explicit or instruction.kind in ("insert", "pov", "establishing")
+    return not ordered and any(fault.kind in _CROWDED for fault in review.faults)
+
+
+_Step = Callable[[ShotContext, FrameReview], CameraRetake | None]
+_STEPS: Final[tuple[_Step, ...]] = (
+    _another_camera,
+    lambda shot, review: _another_camera(shot, review, 2),
+    _another_moment,
+    _alone,
+    _plain,
+)
+"""What is tried for a poor frame, in order; each step starts from the best take so far."""

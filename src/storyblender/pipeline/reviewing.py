@@ -102,6 +102,7 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
             staged=tuple(flaw for flaw in run.packs[shot.scene_id].problems if flaw.shot == name),
             collisions=tuple(collisions),
             built=built,
+            aspect=run.graph.format.aspect,
         )
     )
 

@@ -230,6 +230,7 @@ def _kept_shot(past: ShotContext, plan: ShotContext) -> ShotContext:
     if past.camera_retake is not None and plan.camera_decision is None:
         instruction = past.camera_retake.applied(instruction)
         update |= {"camera_instruction": instruction, "camera_retake": past.camera_retake}
+        update |= {"moment": plan.moment or past.camera_retake.moment}
     if past.camera_instruction != instruction:
         update |= {"camera": None, "lights": ()}
     elif past.camera is not None and past.scene_id != plan.scene_id:

@@ -7,8 +7,14 @@ from pathlib import Path
 import pytest
 from tests.stage import Stage
 
-from storyblender.memory.shot_context import CameraDecision, CameraInstruction, ShotContext
-from storyblender.pipeline.retaking import _another_camera, _with_camera
+from storyblender.memory.shot_context import (
+    CameraDecision,
+    CameraInstruction,
+    CameraRetake,
+    CharacterAction,
+    ShotContext,
+)
+from storyblender.pipeline.retaking import _alone, _another_camera, _another_moment, _choice, _plain, _with_camera
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.reflection import Fault
 
@@ -23,39 +29,70 @@ def _shot(**camera: object) -> ShotContext:
 
 
 @pytest.mark.parametrize(
-    ("kind", "attempt", "choice"),
+    ("kind", "by", "choice"),
     [
-        ("person_missing", 0, CameraDecision(size="MWS")),
-        ("person_missing", 1, CameraDecision(size="FS")),
-        ("flat", 0, CameraDecision(size="MCU")),
-        ("person_hidden", 0, CameraDecision(angle="high angle")),
-        ("person_hidden", 1, CameraDecision(size="FS")),
+        ("person_missing", 1, CameraRetake(size="MWS")),
+        ("person_missing", 2, CameraRetake(size="FS")),
+        ("flat", 1, CameraRetake(size="MCU")),
+        ("person_hidden", 1, CameraRetake(angle="high angle")),
+        ("person_hidden", 2, CameraRetake(size="FS")),
     ],
 )
-def test_the_worst_fault_chooses_the_camera(kind: str, attempt: int, choice: CameraDecision) -> None:
-    assert _another_camera(_shot(), _review(kind), attempt) == choice
+def test_the_worst_fault_chooses_the_camera(kind: str, by: int, choice: CameraRetake) -> None:
+    assert _another_camera(_shot(), _review(kind), by) == choice
 
 
 def test_what_passes_or_was_decided_stays() -> None:
     poor = _review("person_missing")
-    assert _another_camera(_shot(), _review("person_missing", score=9.0), 0) is None
-    assert _another_camera(_shot(kind="insert"), poor, 0) is None
-    assert _another_camera(_shot().model_copy(update={"locked": ("camera",)}), poor, 0) is None
-    assert _another_camera(_shot().model_copy(update={"camera_decision": CameraDecision(lens=50)}), poor, 0) is None
-    assert _another_camera(_shot(), _review("stand_in"), 0) is None, "no camera mends that"
+    assert _choice(_another_camera, _shot(), _review("person_missing", score=9.0)) is None
+    assert _choice(_another_camera, _shot(kind="insert"), poor) is None
+    assert _choice(_another_camera, _shot().model_copy(update={"locked": ("camera",)}), poor) is None
+    decided = _shot().model_copy(update={"camera_decision": CameraDecision(lens=50)})
+    assert _choice(_another_camera, decided, poor) is None
+    assert _choice(_another_camera, _shot(), _review("stand_in")) is None, "no camera mends that"
 
 
 def test_a_retake_is_kept_apart_from_what_the_director_planned() -> None:
-    taken = _with_camera(_shot(lens=50.0), CameraDecision(size="WS"))
+    taken = _with_camera(_shot(lens=50.0), CameraRetake(size="WS"))
     assert taken.camera is None and taken.camera_instruction.size == "WS" and taken.camera_instruction.lens is None
-    assert taken.camera_retake == CameraDecision(size="WS") and taken.camera_decision is None
+    assert taken.camera_retake == CameraRetake(size="WS") and taken.camera_decision is None
 
 
 def test_an_ordered_size_is_kept_and_the_angle_is_the_crews() -> None:
-    assert _another_camera(_shot(explicit=True), _review("person_hidden"), 0) == CameraDecision(angle="high angle")
-    assert _another_camera(_shot(explicit=True, angle="low angle"), _review("person_hidden"), 0) is None
-    assert _another_camera(_shot(explicit=True), _review("flat"), 0) is None, "only another size would mend that"
-    assert _another_camera(_shot(explicit=True), _review("person_missing"), 1) is None
+    assert _another_camera(_shot(explicit=True), _review("person_hidden")) == CameraRetake(angle="high angle")
+    assert _another_camera(_shot(explicit=True, angle="low angle"), _review("person_hidden")) is None
+    assert _another_camera(_shot(explicit=True), _review("flat")) is None, "only another size would mend that"
+    assert _another_camera(_shot(explicit=True), _review("person_missing"), 2) is None
+
+
+def _scene(**camera: object) -> ShotContext:
+    deeds = (("tom", "walk"), ("anna", "talk"))
+    actions = tuple(CharacterAction(asset_id=who, motion=what, action_description="") for who, what in deeds)
+    camera = {"kind": "two_shot", "focus_on_ids": ("tom", "anna"), "over_id": None, **camera}
+    return _shot(**camera).model_copy(update={"on_stage": ("tom", "anna"), "character_actions": actions})
+
+
+def test_a_simpler_shot_is_of_who_speaks_and_then_of_the_subject() -> None:
+    poor = _review("apart")
+    speaker, subject = _alone(_scene(), poor), _plain(_scene(), poor)
+    assert speaker is not None and speaker.focus_on_ids == ("anna",) and speaker.kind == "single"
+    assert subject is not None and subject.focus_on_ids == ("tom",)
+    taken = _with_camera(_scene(axis=("tom", "anna")), speaker)
+    assert taken.camera_instruction.focus_on_ids == ("anna",) and taken.camera_instruction.axis is None
+    assert _choice(_plain, _with_camera(_scene(), subject), poor) is None, "it is that picture"
+
+
+@pytest.mark.parametrize("wish", [{"explicit": True}, {"kind": "insert"}, {"kind": "pov"}])
+def test_what_the_script_orders_is_not_made_simpler(wish: dict[str, object]) -> None:
+    assert _alone(_scene(**wish), _review("apart")) is None and _plain(_scene(**wish), _review("apart")) is None
+
+
+def test_a_moment_that_was_chosen_stays() -> None:
+    hidden = _review("person_hidden")
+    assert _another_moment(_scene(), hidden) == CameraRetake(moment="end")
+    assert _another_moment(_scene().model_copy(update={"moment": "start"}), hidden) is None
+    assert _another_moment(_scene(), _review("dark")) is None
+    assert _with_camera(_scene(), CameraRetake(moment="end")).moment == "end"
 
 
 def test_a_shot_is_tried_once_and_a_later_run_leaves_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

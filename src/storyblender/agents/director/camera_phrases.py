@@ -151,12 +151,6 @@ _TOLD_CAMERA = re.compile(
     r"|zooms?)\b(?:\s+(?:in|out|up|down|back|away|over|around|past|left|right|close))*",
     re.IGNORECASE,
 )
-_WE_SEE = re.compile(
-    r"(?:(?:now|here|then|and|first|all|only|at first|once again)[, ]+)?we (?:now |then |only |also |can |just "
-    r"|finally |still )*(?:see|hear|find|meet|notice)\b(?: that\b)?(?: only\b)?",
-    re.IGNORECASE,
-)
-"""Verbs of seeing and hearing that address the camera and are no character's action."""
 _INSIDE = re.compile(rf"(?<![\w'’]){_HOW}(?:{_MOVE})(?![A-Za-z]){_WAY}")
 _SPOKEN = re.compile(
     rf"\b(?:WE|(?:THE )?CAMERA)\s+(?:SLOWLY |QUICKLY |GENTLY |THEN |ALSO )*(?:{_SPOKEN_MOVE})(?![A-Za-z]){_WAY}",

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
+from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.memory.measure import SubjectView
 from storyblender.memory.shot_context import CameraInstruction
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
@@ -36,6 +37,8 @@ _STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.
 """Points lost for each kind of failed staging."""
 _TOUCHES, _INSIDE = 0.03, 0.10
 """Metres of overlap between bodies: the least that counts, and the least that is plainly visible."""
+_MOST_APART = MOST_GAP + 1.0
+"""Heads between two neighbours from which a picture of people has an empty middle."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
 _DARK = 0.08
 
@@ -48,6 +51,7 @@ class FrameCritic:
         faults = (
             *_people(draft),
             *_faces(draft),
+            *_apart(draft),
             *_things(draft),
             *_staging(draft),
             *_picture(draft),
@@ -71,7 +75,8 @@ def _people(view: FrameView) -> list[Fault]:
         return []
     meant = [each for each in instruction.focus_on_ids if each in shot.on_stage]
     acting = [action.asset_id for action in actions_to_see(shot)]
-    main = [each for each in dict.fromkeys([*meant, *acting, *speakers(shot)]) if each != instruction.pov_id]
+    left = {instruction.pov_id, *(shot.camera.leaves_out if shot.camera else ())}
+    main = [each for each in dict.fromkeys([*meant, *acting, *speakers(shot)]) if each not in left]
     tight = SHOT_SIZES.index(instruction.size) >= SHOT_SIZES.index("MCU")
     found: list[Fault] = []
     for asset_id in main:
@@ -135,6 +140,20 @@ def _faces(view: FrameView) -> list[Fault]:
         elif subject.face_visible < 0.4:
             found.append(_fault("face_hidden", asset_id, 2.0, f"the face of {asset_id} is hidden"))
     return found
+
+
+def _apart(view: FrameView) -> list[Fault]:
+    """Check that the people of a picture that is no wide shot are not at its sides with nothing between them."""
+    shot, instruction = view.shot, view.shot.camera_instruction
+    seen = [view.subject(each) for each in instruction.focus_on_ids if each in shot.on_stage]
+    shown = [each for each in seen if each is not None and each.face is not None and each.pixels > _LEAST_PERSON["EWS"]]
+    faces = [(each.face[0], each.head_height) for each in shown if each.face is not None and 0 < each.face[0] < 1]
+    if instruction.size in _LEAST_WIDE or instruction.kind not in ("group", "two_shot", "action") or len(faces) < 2:
+        return []
+    gap = empty_middle(faces, view.aspect)
+    if gap < _MOST_APART:
+        return []
+    return [_fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MOST_APART), 3.0), "the middle is empty")]
 
 
 def _things(view: FrameView) -> list[Fault]:

@@ -30,6 +30,7 @@ class FrameView:
         staged: Flaws of the staging in the shot.
         collisions: Overlaps of people with things or each other in the shot.
         built: Assets that the set itself shows instead of an object, such as its own pool.
+        aspect: Width of the picture by its height.
     """
 
     shot: ShotContext
@@ -41,6 +42,7 @@ class FrameView:
     staged: tuple[Flaw, ...] = ()
     collisions: tuple[Collision, ...] = ()
     built: frozenset[str] = frozenset()
+    aspect: float = 16 / 9
 
     @property
     def subjects(self) -> dict[str, SubjectView]:

@@ -23,8 +23,10 @@ TIGHT = ("MCU", "CU", "ECU")
 CROWDED = ("WS", "EWS", "FS")
 """Sizes that show a place: people who happen to be there may be seen."""
 _ONE_PERSON = ("single", "reaction", "ots")
-_HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 3.0}
-"""Metres from the first of a group to who is still held in the picture: who is farther makes all of them tiny."""
+_HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 2.6}
+"""Metres from the first of several to who is still held in the picture: who is farther makes all of them tiny."""
+_TOGETHER = ("group", "two_shot", "action")
+"""Kinds of shots that hold several people where they are near each other."""
 _NEARBY = 1.3
 """Metres from somebody within which a thing belongs to them: their table, their chair."""
 _OVER_THEM, _TALLER = 1.0, 0.5
@@ -322,7 +324,7 @@ class CameraBrief:
 
 
 def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str]) -> set[str]:
-    """Return which of a group's people are too far from its first to be held in a picture of its size.
+    """Return which of several people are too far from the first to be held in a picture of its size.
 
     Args:
         instruction: What the Director wants.
@@ -330,7 +332,7 @@ def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str])
         nodes: node_ids of the people, the first first.
     """
     people = [figure for node in nodes if (figure := drawn.figure(node)) is not None]
-    if instruction.kind != "group" or instruction.explicit or instruction.size not in _HELD:
+    if instruction.kind not in _TOGETHER or instruction.explicit or instruction.size not in _HELD:
         return set()
     reach = _HELD[instruction.size]
     return {each.node_id for each in people if math.dist(each.base[:2], people[0].base[:2]) > reach}

@@ -11,6 +11,7 @@ from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.agents.layout_artist.camera_start import looks_after, wants_shoulder
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
+from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.geometry.orbit import DOLLY, Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.reflection import Fault
@@ -71,9 +72,20 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
         if aside > 0:
             text = "the frame cuts the people at its sides"
             found.append(fault("squeezed", heads[0][1].node_id, 1.0 + 10 * aside, text, dolly=-2.0, ops="zoom_out"))
+        found += _apart(brief, camera, [subject for _, subject in heads])
     bends = any(figure is not None and brief.upright(figure) is not figure for figure, _ in heads)
     # The air above somebody bent is where they stood.
     return found if bends else found + _headroom(brief, [subject for _, subject in heads], over)
+
+
+def _apart(brief: CameraBrief, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
+    """People of a picture that is no wide shot stand together in it."""
+    faces = [(subject.face[0], subject.head_height) for subject in heads if subject.face is not None]
+    over = empty_middle(faces, camera.aspect) - MOST_GAP
+    if over <= 0 or brief.instruction.size in ("WS", "EWS"):
+        return []
+    text = "the middle between the people is empty"
+    return [fault("apart", heads[0].node_id, min(0.5 + 0.3 * over, 2.0), text, ops="orbit_left orbit_right")]
 
 
 def _thing(brief: CameraBrief, camera: Orbit, subjects: Sequence[SubjectView]) -> list[Fault]:

@@ -19,6 +19,7 @@ from storyblender.agents.layout_artist.camera_solids import aboard, body, holds,
 from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, start, wants_shoulder
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
+from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import hidden
 
@@ -74,6 +75,8 @@ _TURNED = 2.0
 """Points for an establishing shot that shows all of its people from behind; who walks into a place may show a back."""
 _HEADLESS, _SEEN = 1.2, 0.04
 """Points for a body without its head, from heads of that share of the picture's height."""
+_APART = 0.5
+"""Points for each head of empty middle between two people."""
 _NO_FACE = 0.6
 """Points for a face turned further away than the kind of shot allows, besides those for every degree."""
 _FROM_BEHIND = 100.0
@@ -246,6 +249,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
     solid = solids(dict(brief.props), brief.plan, take.hidden)
     wanted = SCALES[instruction.size].head
+    points += _gap(brief, camera)
     bodies = {figure.node_id: body(figure) for figure in there}
     for figure in there:
         others = [box for other in there if other is not figure for box in bodies[other.node_id]]
@@ -268,6 +272,17 @@ def _people(brief: CameraBrief, take: Take) -> float:
         elif figure.node_id in brief.strangers and instruction.kind not in ("establishing", "insert"):
             points += _back(brief, camera, figure) + _beheaded(camera, figure)
     return points
+
+
+def _gap(brief: CameraBrief, camera: Orbit) -> float:
+    """Weigh an empty middle between people who are apart: seen along their line they are nearer in the picture."""
+    people = brief.people if brief.instruction.size not in ("WS", "EWS") and brief.over is None else ()
+    if len(people) < 2 or brief.instruction.kind in ("establishing", "pov", "insert"):
+        return 0.0
+    across = project(camera, [figure.face for figure in people])[0][:, 0]
+    gap = empty_middle([(float(x), head_share(camera, each)) for x, each in zip(across, people, strict=True)],
+                       camera.aspect)  # fmt: skip
+    return min(_APART * max(0.0, gap - MOST_GAP), 2.0)
 
 
 def _beheaded(camera: Orbit, figure: Figure) -> float:

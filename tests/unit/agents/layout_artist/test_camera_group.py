@@ -26,7 +26,7 @@ NAMES = ("anna", "tom", "sam")
 
 @pytest.mark.parametrize("size", ["FS", "MWS", "MS"])
 def test_a_group_is_never_taken_from_beyond_the_walls(size: str) -> None:
-    view = brief(*APART, in_frame=NAMES, kind="action", size=size, focus_on_ids=NAMES)
+    view = brief(*APART, in_frame=NAMES, kind="action", size=size, focus_on_ids=NAMES, explicit=True)
     for turn in (0, 30, -70, 125, 180):
         take = start(view, turn)
         assert outside(ROOM, take.camera, take.hidden) < 0.03
@@ -186,7 +186,7 @@ def test_a_group_is_about_the_middle_when_it_is_drawn_whatever_its_walks_need() 
 
 def test_air_above_small_heads_is_no_fault() -> None:
     far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
-    wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna", "tom")}
+    wish = {"kind": "action", "size": "MWS", "focus_on_ids": ("anna", "tom"), "explicit": True}
     view = replace(brief(*far, in_frame=("anna", "tom"), **wish), plan=None)
     take = start(view)
     (look,) = NumberFinder(view.moments, {}).look([request(view, take)])

@@ -129,7 +129,9 @@ def test_who_is_embraced_after_putting_something_down_is_not_seen_with_it() -> N
         ("group", "MWS", 2.0, True),
         ("group", "MWS", 5.0, False),
         ("group", "WS", 5.0, True),
-        ("action", "MWS", 5.0, True),
+        ("action", "MWS", 5.0, False),
+        ("two_shot", "MS", 3.0, False),
+        ("action", "WS", 5.0, True),
     ],
 )
 def test_a_group_of_medium_size_holds_only_who_is_near(kind: str, size: str, x: float, held: bool) -> None:

@@ -1,0 +1,34 @@
+"""Two who are far apart are seen along their line, or one of them alone; never at the sides of an empty middle."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from test_camera_room import brief, person
+
+from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.geometry.framing import head_share, project
+from storyblender.geometry.gaps import MOST_GAP, empty_middle
+
+
+@pytest.mark.parametrize("apart", [1.2, 2.0, 2.5])
+def test_two_who_are_apart_are_near_each_other_in_the_picture(apart: float) -> None:
+    pair = person("anna", -apart / 2, 0.0, 90), person("tom", apart / 2, 0.0, -90)
+    wish = {"kind": "action", "size": "MS", "focus_on_ids": ("anna", "tom")}
+    view = replace(brief(*pair, in_frame=("anna", "tom"), **wish), plan=None)
+    camera = scouted(view)[0].camera
+    across = project(camera, [each.face for each in pair])[0][:, 0]
+    faces = [(float(x), head_share(camera, each)) for x, each in zip(across, pair, strict=True)]
+    assert empty_middle(faces, camera.aspect) < MOST_GAP + 1.5
+
+
+@pytest.mark.parametrize(
+    ("kind", "explicit", "held"), [("two_shot", False, 1), ("action", False, 1), ("action", True, 2)]
+)
+def test_who_is_too_far_off_for_the_size_is_left_out_unless_the_script_orders_it(
+    kind: str, explicit: bool, held: int
+) -> None:
+    pair = person("anna", -2.0, 0.0, 90), person("tom", 2.0, 0.0, -90)
+    wish = {"kind": kind, "size": "MS", "focus_on_ids": ("anna", "tom"), "explicit": explicit}
+    assert len(brief(*pair, in_frame=("anna", "tom"), **wish).people) == held
