@@ -20,11 +20,11 @@ from storyblender.pipeline.shooting import shoot_frames
 
 _WIDER: Final = ("person_missing", "people_missing", "face_out", "thing_missing", "nothing")
 _TIGHTER: Final = ("person_small", "flat", "void", "dark")
-_AROUND: Final = ("person_hidden", "face_hidden", "face_away", "foreground", "inside")
-_PASSING: Final = ("face_away", "face_hidden", "person_hidden", "person_missing", "thing_missing", "nothing")
+_AROUND: Final = ("person_hidden", "face_hidden", "foreground", "inside")
+_PASSING: Final = ("face_away", "backs", "face_hidden", "person_hidden", "person_missing", "thing_missing", "nothing")
 """Faults that may be gone at another moment of the shot."""
-_CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_hidden", "apart", "foreground", "void",
-                   "face_hidden", "face_out", "face_away", "nothing", "inside")  # fmt: skip
+_CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_hidden", "apart", "backs", "void",
+                   "foreground", "face_hidden", "face_out", "face_away", "nothing", "inside")  # fmt: skip
 """Faults of pictures that hold too much: a simpler one has fewer of them."""
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN: Final = 0.5

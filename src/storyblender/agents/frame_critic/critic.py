@@ -9,9 +9,10 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
+from storyblender.catalog.motions import clip_of
 from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.memory.measure import SubjectView
-from storyblender.memory.shot_context import CameraInstruction
+from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
 from storyblender.reflection import Critique, Fault
 
@@ -33,6 +34,8 @@ _FACES_FROM: ShotSize = "FS"
 """The widest shot size in which faces must be readable."""
 _PROFILE = 100.0
 """Most degrees between the face and the camera at which a face is readable."""
+_BACK = 118.0
+"""Degrees between the face and the camera from which somebody is seen from behind."""
 _STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.8, "crossing": 1.5, "late": 0.8}
 """Points lost for each kind of failed staging."""
 _TOUCHES, _INSIDE = 0.03, 0.10
@@ -52,6 +55,7 @@ class FrameCritic:
             *_people(draft),
             *_faces(draft),
             *_apart(draft),
+            *_backs(draft),
             *_things(draft),
             *_staging(draft),
             *_picture(draft),
@@ -88,9 +92,11 @@ def _people(view: FrameView) -> list[Fault]:
         if subject is None or subject.pixels < _LEAST_PERSON["EWS"]:
             found.append(_fault("person_missing", asset_id, 4.0 if central else 2.0, f"{asset_id} is not seen"))
         elif subject.pixels < least or (asset_id in meant and _tiny(subject, instruction.size)):
-            found.append(_fault("person_small", asset_id, 1.5, f"{asset_id} is too small to be read"))
+            found.append(
+                _fault("person_small", asset_id, 2.2 if central else 1.5, f"{asset_id} is too small to be read")
+            )
         elif central and _hidden(subject) > 0.6 and subject.face_visible < 0.5:
-            found.append(_fault("person_hidden", asset_id, 2.0, f"{asset_id} is {_hidden(subject):.0%} hidden"))
+            found.append(_fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden(subject):.0%} hidden"))
     others = [each for each in shot.shown if each not in main and each != instruction.pov_id]
     unseen = [each for each in others if (seen := view.subject(each)) is None or seen.pixels < _LEAST_PERSON["EWS"]]
     if not tight and unseen:
@@ -136,9 +142,9 @@ def _faces(view: FrameView) -> list[Fault]:
         if not (0 < x < 1 and 0 < y < 1):
             found.append(_fault("face_out", asset_id, 3.0, f"the face of {asset_id} is outside the picture"))
         elif subject.face_angle > _PROFILE:
-            found.append(_fault("face_away", asset_id, 2.0, f"the face of {asset_id} is turned away"))
+            found.append(_fault("face_away", asset_id, 2.5, f"the face of {asset_id} is turned away"))
         elif subject.face_visible < 0.4:
-            found.append(_fault("face_hidden", asset_id, 2.0, f"the face of {asset_id} is hidden"))
+            found.append(_fault("face_hidden", asset_id, 2.5, f"the face of {asset_id} is hidden"))
     return found
 
 
@@ -154,6 +160,26 @@ def _apart(view: FrameView) -> list[Fault]:
     if gap < _MOST_APART:
         return []
     return [_fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MOST_APART), 3.0), "the middle is empty")]
+
+
+def _backs(view: FrameView) -> list[Fault]:
+    """Check that those whom the picture is about do not all turn their backs: one over whose shoulder we look may."""
+    shot, instruction = view.shot, view.shot.camera_instruction
+    if instruction.kind in ("insert", "pov") or instruction.explicit or instruction.size == "EWS":
+        return []
+    shown = [view.subject(each) for each in instruction.focus_on_ids if each in shot.on_stage]
+    angles = [each.face_angle for each in shown if each is not None and each.node_id in view.people and each.pixels]
+    if not angles or min(angles) < _BACK or _leaving(shot):
+        return []
+    return [_fault("backs", instruction.focus_on_ids[0], 2.5, "everybody is seen from behind")]
+
+
+def _leaving(shot: ShotContext) -> bool:
+    """Return whether the first person of a shot is on the way: who walks off shows a back."""
+    return any(
+        clip_of(action.motion).speed is not None and action.asset_id in shot.camera_instruction.focus_on_ids[:1]
+        for action in shot.character_actions
+    )
 
 
 def _things(view: FrameView) -> list[Fault]:
@@ -173,7 +199,7 @@ def _things(view: FrameView) -> list[Fault]:
         if focus and instruction.kind == "insert" and (pixels < _LEAST_INSERT or _slight(subject, instruction)):
             found.append(_fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
         elif pixels < _LEAST_THING and (focus or not tight):
-            found.append(_fault("thing_missing", asset_id, 2.0 if focus else 1.5, f"{asset_id} is not seen"))
+            found.append(_fault("thing_missing", asset_id, 2.5 if focus else 1.5, f"{asset_id} is not seen"))
         elif asset.canonical is not None and asset.canonical.is_stand_in:
             found.append(_fault("stand_in", asset_id, 2.5 if focus else 1.5, f"{asset_id} is a plain stand-in"))
     return found

@@ -10,7 +10,16 @@ from storyblender.agents.frame_critic.frame_view import FrameView
 from storyblender.look.picture_measure import PictureMeasure, measure_picture
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.measure import CameraView, Collision, SubjectView
-from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, Flag, Flaw, ShotContext
+from storyblender.memory.shot_context import (
+    BodyState,
+    CameraInstruction,
+    CameraPose,
+    CameraState,
+    CharacterAction,
+    Flag,
+    Flaw,
+    ShotContext,
+)
 
 _CUP = Asset(
     asset_id="cup",
@@ -110,3 +119,45 @@ def test_flat_is_the_largest_plain_surface() -> None:
     measure = measure_picture(picture)
     assert measure.flat == pytest.approx(0.25, abs=0.03)
     assert measure_picture(np.full((90, 160, 3), 90, np.uint8)).flat == 1.0
+
+
+def _pair(size: str, *xs: float, head: float = 0.1, kind: str = "two_shot") -> FrameView:
+    faces = zip(("mara", "tom"), xs, strict=True)
+    subjects = tuple(_seen(who, 0.1, face=(x, 0.4), head_height=head) for who, x in faces)
+    instruction = CameraInstruction.model_validate({"focus_on_ids": ("mara", "tom"), "size": size, "kind": kind})
+    shot = _shot(
+        on_stage=("mara", "tom"), in_frame=("mara", "tom"), character_actions=(), camera_instruction=instruction
+    )
+    return _view(*subjects, shot=shot)
+
+
+@pytest.mark.parametrize(
+    ("view", "apart"),
+    [
+        (_pair("MS", 0.1, 0.9), True),
+        (_pair("MS", 0.3, 0.7), False),
+        (_pair("MS", 0.1, 0.9, head=0.3), False),
+        (_pair("WS", 0.1, 0.9), False),
+        (_pair("MS", 0.1, 0.9, kind="ots"), False),
+    ],
+)
+def test_people_at_the_sides_of_an_empty_middle_are_a_fault_of_pictures_that_are_not_wide(
+    view: FrameView, apart: bool
+) -> None:
+    assert ("apart" in _faults(view)) == apart
+
+
+def test_whom_the_camera_leaves_out_is_not_asked_for() -> None:
+    speaks = CharacterAction(asset_id="tom", action_description="speaks", motion="talk")
+    pose = CameraPose(pivot=(0, 0, 1), rotation=(1, 0, 0, 0), distance=3, lens=50)
+    for left, missing in (((), True), (("tom",), False)):
+        camera = CameraState(poses=(pose,), leaves_out=left)
+        shot = _shot(on_stage=("mara", "tom"), character_actions=(speaks,), camera=camera)
+        assert ("person_missing" in _faults(_view(_seen("mara", 0.2), shot=shot))) == missing
+
+
+def test_a_picture_of_backs_fails_unless_somebody_walks_off() -> None:
+    away = (_seen("mara", 0.2, face_angle=150.0), _GOOD[1])
+    assert "backs" in _faults(_view(*away))
+    walks = CharacterAction(asset_id="mara", action_description="walks off", motion="walk")
+    assert "backs" not in _faults(_view(*away, shot=_shot(character_actions=(walks,))))
