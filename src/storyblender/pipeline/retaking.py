@@ -27,8 +27,8 @@ _CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_h
                    "foreground", "face_hidden", "face_out", "face_away", "nothing", "inside")  # fmt: skip
 """Faults of pictures that hold too much: a simpler one has fewer of them."""
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
-_GAIN: Final = 0.5
-"""Least gain in score for which a retake replaces the take before it."""
+_GAIN, _GAIN_FROM_ABOVE = 0.5, 1.5
+"""Least gain in score for which a retake replaces the take before it: people look worse from above."""
 _RETAKES: Final = 5
 """Most retakes of one shot."""
 
@@ -56,11 +56,21 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
         again = {
             shot_name(shot.scene_id, shot.shot_id): (shot, choice)
             for shot in present
-            if (choice := _choice(step, shot, reviews[shot_name(shot.scene_id, shot.shot_id)])) is not None
+            if (choice := _choice(step, shot, _mendable(run, shot, reviews))) is not None
         }
         if again:
             reviews |= _taken_again(run, again, reviews)
     return reviews
+
+
+def _mendable(run: Run, shot: ShotContext, reviews: Mapping[str, FrameReview]) -> FrameReview:
+    """Return a shot's review without the things that no camera can show: they are not in the set, nor in a hand."""
+    review = reviews[shot_name(shot.scene_id, shot.shot_id)]
+    layout = run.graph.scene(shot.scene_id).layout
+    there = {item.asset_id for item in layout.objects} if layout is not None else set[str]()
+    there |= {state.asset_id for state in shot.prop_states if state.visible}
+    faults = tuple(fault for fault in review.faults if fault.kind != "thing_missing" or fault.subject in there)
+    return review.model_copy(update={"faults": faults})
 
 
 def _taken_again(
@@ -75,8 +85,8 @@ def _taken_again(
     after = review_frames(run, _present(run, former))
     worse = [
         shot.model_copy(update={"camera_retake": shot.camera_retake or CameraRetake()})
-        for name, (shot, _) in again.items()
-        if after[name].score < before[name].score + _GAIN
+        for name, (shot, choice) in again.items()
+        if after[name].score < before[name].score + (_GAIN_FROM_ABOVE if choice.angle == "high angle" else _GAIN)
     ]
     if worse:
         names = [shot_name(shot.scene_id, shot.shot_id) for shot in worse]

@@ -54,8 +54,13 @@ class ShotDraft:
 
     @property
     def explicit(self) -> bool:
-        """Whether the script ordered it."""
+        """Whether it is a picture of its own: a direction asks for it, or the script numbers it."""
         return self.note is not None or self.picture is not None
+
+    @property
+    def ordered(self) -> bool:
+        """Whether the script itself says how the camera sees it; a careful reader only advises."""
+        return self.note is not None and bool(self.note.phrase)
 
     @property
     def panel(self) -> int | None:

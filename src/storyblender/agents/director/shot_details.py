@@ -174,7 +174,7 @@ class ShotDetails:
             lens=_POV_LENS if draft.kind == "pov" else None,
             axis=draft.axis,
             description=wanted_camera(draft, self.company.names, capwords(self.scene.place)),
-            explicit=draft.explicit,
+            explicit=draft.ordered,
             through=draft.note.through if draft.note and draft.kind == "pov" else "",
         )
 

@@ -207,3 +207,12 @@ def test_the_line_under_a_direction_plays_in_its_shot(direction: str, line: str,
     (shot,) = (shot for shot in outline.shots if any(line.text == words for line in shot.lines))
     assert any(line.text.startswith(direction.rstrip(".")[:8]) for line in shot.lines) == played
     assert all(line.text != "No." for line in shot.lines) or not played
+
+
+def test_only_words_of_the_script_order_a_camera() -> None:
+    script = Script("Ann", "Bob")
+    script.action("Ann waves.", ("ann", "wave"), camera=CameraNote("CLOSE ON", size="CU", subject="Ann"))
+    script.action("Bob waves.", ("bob", "wave"), camera=CameraNote(size="CU", subject="Bob"))
+    written, advised = shots(script)
+    assert (written.ordered, advised.ordered) == (True, False)
+    assert written.explicit and advised.explicit, "both are pictures of their own"
