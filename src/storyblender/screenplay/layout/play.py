@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Sequence
 
 from storyblender.screenplay.fountain import kind_of_words, looks_like_cue, split_cue
@@ -93,6 +94,7 @@ class _Reader:
     def __init__(self, text: str) -> None:
         self.page = Page(text)
         self.lines = lines_of(text)
+        self.empty = [index for index, line in enumerate(self.lines) if not line.words]
         self.convention = find_convention(self.lines, _listed(self.lines))
         self.names = standing_names(self.lines)
         self.known = self.names | {match[1].upper() for match in _INTRODUCED.finditer(text)}
@@ -142,15 +144,18 @@ class _Reader:
             return True
         if line.words[0] in "([":
             return index > 3
-        told = " ".join(each.words for each in self._block(index))
-        return len(told) > 60 and told.rstrip("_*)").endswith((".", "!", "?")) and not element_of_label(line.words)
+        end = self._end_of_block(index)
+        ends = self.lines[end - 1].words.rstrip("_*)").endswith((".", "!", "?"))
+        told = " ".join(each.words for each in self.lines[index : min(end, index + 60)])
+        return ends and len(told) > 60 and not element_of_label(line.words)
 
     def _label(self, line: Line) -> Label | None:
         return spoken_line(line, self.convention) if self.convention else None
 
-    def _block(self, index: int) -> list[Line]:
-        end = next((i for i in range(index, len(self.lines)) if not self.lines[i].words), len(self.lines))
-        return self.lines[index:end]
+    def _end_of_block(self, index: int) -> int:
+        """Return the index of the first empty line from a line on."""
+        at = bisect_left(self.empty, index)
+        return self.empty[at] if at < len(self.empty) else len(self.lines)
 
     def _line(self) -> None:
         line = self.lines[self.at]
