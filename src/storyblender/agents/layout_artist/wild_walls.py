@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from storyblender.catalog.set_plan import Piece, SetPlan, Wall
-from storyblender.geometry.boxes import Box
+from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import hidden as hidden_from
 
@@ -17,6 +17,8 @@ _ON_WALL = 0.45
 _HUNG, _FLUSH = 0.3, 0.1
 """Metres above the floor from which a thing at a wall hangs on it; from the wall's face up to which a piece of the set
 does."""
+_LIFTED = 0.06
+"""Metres above the floor from which a thing stands on something; metres above a top that it may be."""
 _AT_TARGET = 0.3
 """Metres before a target that are its own: what it leans at is not in the way."""
 _CLOSE = 0.25
@@ -50,12 +52,34 @@ def taken_away(
             if slab.role == "ceiling" and eye[2] > slab.z - 0.15:
                 hidden[slab.node_id] = None
         for piece in plan.pieces:
-            if piece.wild and piece.footprint is not None:
-                width, depth = (size * piece.scale for size in piece.footprint)
-                box = Box(*piece.location, width, depth, 4.0, math.radians(piece.yaw))
-                if _crosses(box, eye, sights[: len(targets)]):
-                    hidden[piece.node_id] = None
-    return list(hidden)
+            if piece.wild and (box := _box_of(piece)) is not None and _crosses(box, eye, sights[: len(targets)]):
+                hidden[piece.node_id] = None
+    return list(hidden | _standing_on(plan, props, hidden))
+
+
+def _standing_on(plan: SetPlan, props: Mapping[str, Box], hidden: Mapping[str, None]) -> dict[str, None]:
+    """Return what stands on or in things and pieces of the set that are taken away: it would float without them."""
+    gone = [box for node, box in props.items() if node in hidden]
+    gone += [box for piece in plan.pieces if piece.node_id in hidden and (box := _box_of(piece)) is not None]
+    stays = [box for node, box in props.items() if node not in hidden]
+    return {
+        node: None
+        for node, box in props.items()
+        if box.z > _LIFTED and any(_carries(base, box) for base in gone) and not any(_carries(b, box) for b in stays)
+    }
+
+
+def _carries(base: Box, box: Box) -> bool:
+    """Return whether a thing is on another, or in it."""
+    return base is not box and base.z < box.z < base.top + _LIFTED and distance_to_point(base, box.x, box.y) < 0
+
+
+def _box_of(piece: Piece) -> Box | None:
+    """Return the room that a piece of the set takes, up to above people's heads; None without an outline."""
+    if piece.footprint is None:
+        return None
+    width, depth = (size * piece.scale for size in piece.footprint)
+    return Box(*piece.location, width, depth, 4.0, math.radians(piece.yaw))
 
 
 def _on_set(plan: SetPlan, target: Floats) -> Floats:

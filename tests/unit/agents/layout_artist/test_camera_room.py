@@ -150,3 +150,11 @@ def test_things_too_large_for_the_room_at_the_lens_of_their_size_take_a_wider_on
     shot = start(replace(view, props={"boiler": Box(0, 2, 0, 2.4, 1.5, 2.2)})).camera
     top, low = project(shot, [(0, 1.25, 2.2), (0, 1.25, 0)])[0][:, 1]
     assert shot.lens < 85 and 0 < top < low < 1
+
+
+def test_what_stands_on_a_thing_that_goes_with_its_wall_goes_too() -> None:
+    shelf, cup = Box(0.0, -2.8, 0.0, 1.6, 0.4, 0.9), Box(0.3, -2.8, 0.9, 0.1, 0.1, 0.1)
+    table, lamp = Box(1.5, 1.0, 0.0, 1.2, 0.8, 0.75), Box(1.5, 1.0, 0.75, 0.2, 0.2, 0.4)
+    props = {"shelf": shelf, "cup": cup, "lamp": lamp, "table": table}
+    hidden = taken_away(ROOM, props, [between((0, -4.5, 0.8), (0, 0, 0.5), 35.0, **FILM)], [np.array([0, 0, 0.5])])
+    assert {"front", "shelf", "cup"} <= {*hidden} and not {"lamp", "table"} & {*hidden}
