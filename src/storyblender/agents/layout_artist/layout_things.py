@@ -132,6 +132,7 @@ def laid_out(thing: Thing, asset_id: str) -> LayoutObject:
         relationship=thing.relationship,  # pyright: ignore[reportArgumentType]
         contact=thing.contact,
         direction=thing.direction,  # pyright: ignore[reportArgumentType]
+        fixed=thing.fixed and thing.floats and not thing.walks,
     )
 
 

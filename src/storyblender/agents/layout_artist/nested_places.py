@@ -15,6 +15,8 @@ from storyblender.memory.scene_context import Spot
 
 _ON_SEAT = 1.0
 """Metres: what is smaller is put on a seat of a vehicle."""
+_LARGE, _OUTSIDE = 0.4, 2.0
+"""Share of a room's width from which a thing is too large to stand in it; metres beyond a window that it is then."""
 _SILL = 0.12
 """Metres that a sill holds of a thing."""
 
@@ -34,6 +36,20 @@ def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
     yaw = base.yaw + (math.pi / 2 if size[1] > size[0] and base.width > base.depth else 0.0)
     x, y = base.to_world(*place[:2])
     stage.stand(asset_id, stage.box(asset_id, x, y, base.z + place[2], yaw), anchor=anchor.name)
+    return True
+
+
+def put_outside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
+    """Stand what is told to be behind a window or a door of a room outside, beyond the wall; return whether it was."""
+    fixture = stage.fixture(spot.anchor_id) if anchor.name not in stage.things else None
+    opening = fixture.kind if fixture is not None else stage.brief.props.get(stage.assets.get(anchor.name, ""))
+    size, base = size_of(stage.measure(asset_id)), anchor.box
+    x_min, x_max, y_min, y_max = stage.room
+    large = max(size[:2]) > _LARGE * min(x_max - x_min, y_max - y_min)
+    if opening not in ("window", "door") or not stage.brief.plan.indoor or not (large or spot.distance):
+        return False
+    x, y = base.to_world(0.0, base.depth / 2 + (_OUTSIDE if spot.distance is None else spot.distance) + size[1] / 2)
+    stage.stand(asset_id, stage.box(asset_id, x, y, 0.0, base.yaw), floats=True, fixed=True)
     return True
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of, size_of, tops_of
-from storyblender.agents.layout_artist.nested_places import at_wall, put_in, under
+from storyblender.agents.layout_artist.nested_places import at_wall, put_in, put_outside, under
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.geometry.boxes import Box, facing, separation, wrapped
 from storyblender.geometry.relations import BEARING, Thing, slid
@@ -111,6 +111,8 @@ def _relate(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> bool:
         kind = "under"
     elif anchor.walks or part:
         kind = "next_to" if kind in ("on", "in", "under", "over", "around") else kind
+    if kind == "behind" and put_outside(stage, asset_id, spot, anchor):
+        return True
     if kind == "in" and put_in(stage, asset_id, anchor):
         return True
     if kind in ("on", "in"):

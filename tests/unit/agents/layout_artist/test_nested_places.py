@@ -138,3 +138,12 @@ def test_what_is_on_the_sill_is_in_the_window_at_its_height() -> None:
 def test_what_belongs_on_a_wall_is_on_one_beside_its_anchor_too(thing: str, relation: str) -> None:
     x, y, _ = laid_out({thing: Spot(relation=relation, anchor_id="desk")}, "desk")[thing].location
     assert min(PLAN.size.x - x, x - PLAN.size.x_negative, PLAN.size.y - y) < 0.12
+
+
+@pytest.mark.parametrize("opening", ["door", "window"])
+@pytest.mark.parametrize("as_thing", [False, True])
+def test_a_house_behind_a_window_is_outside_in_front_of_it(opening: str, as_thing: bool) -> None:
+    told = {"house": Spot(relation="behind", anchor_id=opening, distance=8.0)}
+    at = laid_out({**({opening: Spot(relation="against")} if as_thing else {}), **told})
+    x, y, _ = at["house"].location
+    assert max(abs(x) - PLAN.size.x, abs(y) - PLAN.size.y) > 5.0
