@@ -27,7 +27,7 @@ class Hollow(NamedTuple):
 _VESSELS = {
     "cup": 0.3, "glass": 0.15, "beer_mug": 0.2, "wine_glass": 0.6, "chalice": 0.65, "bowl": 0.35, "pot": 0.2,
     "pan": 0.4, "cauldron": 0.3, "jug": 0.4, "jar": 0.1, "tin_can": 0.3, "vase": 0.6, "beaker": 0.1, "ashtray": 0.4,
-    "bucket": 0.3,
+    "bucket": 0.3, "mug": 0.5, "paper_cup": 0.8, "lunch_box": 0.6, "tire": 0.1,
     "basket": 0.35, "laundry_basket": 0.6, "trash_can": 0.7, "dumpster": 0.75, "barrel": 0.8, "bathtub": 0.24,
     "sink": 0.7, "trough": 0.55, "fountain": 0.3, "well": 0.6, "cradle": 0.5, "pram": 0.5, "wheelbarrow": 0.5,
     "shopping_cart": 0.5, "cart": 0.5, "crate": 0.7, "cardboard_box": 0.25, "chest": 0.35, "jewel_box": 0.3,

@@ -160,7 +160,7 @@ CARRIED: tuple[PropEntry, ...] = (
     held("pipe", "tobacco pipe", (0.035, 0.15, 0.06), {"body": "wood_dark"}, "A tobacco pipe."),
     held(
         "lighter",
-        "matches, matchbox, match",
+        "cigarette lighter, petrol lighter, gas lighter",
         (0.04, 0.014, 0.09),
         {"body": "chrome", "flame": "flame"},
         "A lighter with its flame.",

@@ -153,6 +153,42 @@ _HOME: tuple[PropEntry, ...] = (
         {"body": "plastic_black", "lid": "plastic"}, "A car battery."),
 )  # fmt: skip
 
+_TABLE: tuple[PropEntry, ...] = (
+    held("mug", "coffee mug, tea mug, enamel mug, tin mug, mug of coffee, mug of tea, mug of cocoa",
+        (0.115, 0.085, 0.095), {"body": "porcelain", "drink": "wood_black"}, "A mug."),
+    held("paper_cup", "takeaway cup, take-out cup, takeout coffee, takeaway coffee, styrofoam cup, plastic cup, "
+         "to-go cup, disposable cup, takeaway coffee cup, coffee to go", (0.09, 0.09, 0.15),
+        {"paper": "porcelain", "sleeve": "cardboard", "lid": "plastic_black"}, "A paper cup with a lid."),
+    held("water_bottle", "bottle of water, plastic bottle, plastic water bottle, mineral water, bottled water, "
+         "sports bottle, soda bottle", (0.066, 0.066, 0.22),
+        {"bottle": "glass", "label": "fabric_blue", "cap": "fabric_blue"}, "A plastic bottle of water."),
+    held("spoon", "teaspoon, tablespoon, soup spoon, dessert spoon, silver spoon, plastic spoon", (0.04, 0.17, 0.018),
+        {"metal": "silver"}, "A spoon."),
+    held("chopsticks", "chopstick, pair of chopsticks", (0.036, 0.24, 0.008), {"wood": "wood_red", "band": "gold"},
+        "Chopsticks."),
+    held("cookie", "cookies, biscuit, chocolate chip cookie, oatmeal cookie, cracker", (0.08, 0.08, 0.016),
+        {"dough": "cardboard", "chip": "wood_black"}, "A cookie."),
+    held("carrot", "carrots, raw carrot, parsnip", (0.05, 0.3, 0.05), {"root": "clay", "leaf": "leaves"}, "A carrot.",
+        {"color": "#c9661f"}),
+    held("lollipop", "lollypop, sucker, candy on a stick, toffee apple", (0.07, 0.014, 0.2),
+        {"candy": "fabric_red", "swirl": "wax"}, "A lollipop."),
+    held("cigarette_pack", "pack of cigarettes, packet of cigarettes, cigarette packet, box of cigarettes",
+        (0.056, 0.045, 0.1), {"card": "paper", "band": "fabric_red"}, "A packet of cigarettes."),
+    held("matchbox", "matches, match, box of matches, book of matches, matchbook, book matches", (0.036, 0.075, 0.016),
+        {"card": "cardboard", "label": "fabric_red"}, "A box of matches."),
+    held("razor", "safety razor, shaving razor, disposable razor", (0.042, 0.14, 0.026),
+        {"handle": "fabric_blue", "metal": "chrome"}, "A razor."),
+    held("soap", "bar of soap, soap bar, cake of soap, piece of soap", (0.09, 0.06, 0.032), {"soap": "wax"},
+        "A bar of soap."),
+    held("tissue_box", "box of tissues, kleenex box, box of kleenex, tissues box, paper tissues", (0.23, 0.12, 0.15),
+        {"card": "paper", "band": "fabric_blue"}, "A box of tissues.", {"color": "#b9c9d4"}),
+    held("toilet_roll", "toilet paper, roll of toilet paper, toilet tissue, kitchen roll, paper towel, paper towels",
+        (0.11, 0.11, 0.1), {"paper": "porcelain"}, "A roll of toilet paper."),
+    held("plunger", "toilet plunger, sink plunger, plumber's helper", (0.14, 0.14, 0.5),
+        {"rubber": "fabric_red", "wood": "wood_light"}, "A plunger."),
+    held("dice", "die, pair of dice", (0.046, 0.03, 0.016), {"body": "porcelain", "pip": "plastic_black"}, "Dice."),
+)  # fmt: skip
+
 _YARD: tuple[PropEntry, ...] = (
     entry("vehicle", "excavator", "digger, backhoe, jcb, mechanical digger, bulldozer, earthmover, steam shovel",
         (2.46, 7.2, 3.46), {"body": "paint", "track": "iron"}, "An excavator.", params={"color": "#d0a02a"}, seats=1),
@@ -170,5 +206,5 @@ _YARD: tuple[PropEntry, ...] = (
         "A pair of skis.", {"color": "#9c2622"}),
 )  # fmt: skip
 
-ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN + _HOME + _YARD
-"""By where they are found: hardware, the desk, on people, the home, outdoors."""
+ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN + _HOME + _TABLE + _YARD
+"""By where they are found: hardware, the desk, on people, the home, the table, outdoors."""

@@ -24,7 +24,7 @@ PANTRY: tuple[PropEntry, ...] = (
     ),
     held(
         "canteen",
-        "water bottle, flask, hip flask, wineskin, gourd bottle",
+        "flask, hip flask, wineskin, gourd bottle",
         (0.18, 0.07, 0.24),
         {"cover": "canvas", "metal": "steel"},
         "A round flask on a strap.",

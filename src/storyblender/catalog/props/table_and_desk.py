@@ -8,7 +8,7 @@ from storyblender.look.surface import Surface
 TABLE_AND_DESK: tuple[PropEntry, ...] = (
     held(
         "cup",
-        "coffee cup, tea cup, mug, teacup, coffee, tea",
+        "coffee cup, tea cup, teacup, coffee, tea",
         (0.15, 0.15, 0.085),
         {"body": "porcelain", "drink": "leather"},
         "A cup on its saucer.",
@@ -89,7 +89,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         {"body": "fabric_red", "stem": "wood_dark"},
         "An apple.",
     ),
-    held("fork", "spoon, cutlery, silverware", (0.025, 0.19, 0.012), {"body": "silver"}, "A fork."),
+    held("fork", "cutlery, silverware", (0.025, 0.19, 0.012), {"body": "silver"}, "A fork."),
     held("pan", "frying pan, skillet", (0.26, 0.46, 0.06), {"body": "iron"}, "A frying pan."),
     held(
         "book",
@@ -176,7 +176,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
     ),
     held(
         "knife",
-        "dagger, kitchen knife, blade, switchblade, letter opener",
+        "dagger, kitchen knife, blade, switchblade, straight razor, razor blade, letter opener",
         (0.03, 0.3, 0.03),
         {"handle": "wood_dark", "blade": "steel"},
         "A knife that points to -Y.",
