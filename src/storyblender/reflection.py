@@ -128,7 +128,10 @@ def reflect(
             if best is None or critique.score > best.critique.score:
                 best = kept
             if turn < horizon:
-                draft = author.refine(draft, critique, view)
+                refined = author.refine(draft, critique, view)
+                if refined == draft:  # nothing more comes of asking again
+                    break
+                draft = refined
                 listener(_refined(role, subject, turn + 1, draft, critique))
     assert best is not None
     return best

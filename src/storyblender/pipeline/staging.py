@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from dataclasses import replace
+
 from storyblender.agents.director.crowds import crowd_told, is_emptied
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief, measures_of
+from storyblender.agents.layout_artist.roomier import Room, larger, until_it_fits, without_dressing
 from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules, ways_of
 from storyblender.agents.layout_artist.told_places import told_relations
 from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
@@ -34,6 +38,7 @@ from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.packing import scene_assets
 from storyblender.pipeline.run import Run
+from storyblender.reflection import Outcome
 
 
 def stage(run: Run) -> None:
@@ -49,7 +54,25 @@ def stage(run: Run) -> None:
 def _stage_scene(run: Run, scene_id: int) -> None:
     name = scene_name(scene_id)
     environment = design(run, run.graph, scene_id)
-    plan = plan_of(environment)
+    same_place = run.graph.scene(scene_id).setup.reference_scene_id is not None  # it stays as large as it was
+
+    def stage_in(room: Room, faulty: Collection[Vec2]) -> tuple[tuple[SceneContext, LayoutBrief], Outcome[Layout]]:
+        return _laid_out(run, scene_id, larger(environment, 1.0 if same_place else room.grown), room, faulty)
+
+    fitted = until_it_fits(stage_in, threshold=run.settings.thresholds.get("spatial_planner", 8.0))
+    scene, brief = fitted.tried
+    scene = scene.model_copy(update={"layout": _with_crowd(run, brief, fitted.outcome.draft)})
+    run.commit("spatial_planner", f"layout of {name}", scene)
+    shots = _animate(run, scene_id)
+    scene, shots = _light(run, scene, shots)
+    run.commit("animator", f"motion and light of {name}", scene, *shots)
+
+
+def _laid_out(
+    run: Run, scene_id: int, environment: Environment, room: Room, faulty: Collection[Vec2]
+) -> tuple[tuple[SceneContext, LayoutBrief], Outcome[Layout]]:
+    """Dress a set and lay the scene out in it, without the dressing near what did not fit before."""
+    name, plan = scene_name(scene_id), plan_of(environment)
     scene = run.graph.scene(scene_id).model_copy(update={"environment": environment})
     own = tuple(asset for asset in scene_assets(run.graph, scene_id) if asset.asset_type == "object")
     told = told_relations(scene.setup, run.graph.shots_of(scene_id))
@@ -66,13 +89,10 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
     materialize(run, fresh)
     placements = {asset.asset_id: entry.placement for asset in run.graph.assets if (entry := _entry_of(asset))}
-    brief = layout_brief(run.graph, scene_id, plan, dressing.objects, dressing.pending, placements=placements)
-    layout = run.reflect("spatial_planner", name, brief, SpatialRules(), LayoutCritic()).draft
-    scene = scene.model_copy(update={"layout": _with_crowd(run, brief, layout)})
-    run.commit("spatial_planner", f"layout of {name}", scene)
-    shots = _animate(run, scene_id)
-    scene, shots = _light(run, scene, shots)
-    run.commit("animator", f"motion and light of {name}", scene, *shots)
+    standing = without_dressing(dressing.objects, plan, faulty, room.shed)
+    brief = layout_brief(run.graph, scene_id, plan, standing, dressing.pending, placements=placements)
+    brief = replace(brief, apart=room.apart)
+    return (scene, brief), run.reflect("spatial_planner", name, brief, SpatialRules(), LayoutCritic())
 
 
 def _with_crowd(run: Run, brief: LayoutBrief, layout: Layout) -> Layout:

@@ -442,3 +442,11 @@ def test_the_bar_and_the_counter_of_a_saloon_are_one() -> None:
     both = DressingView(SceneSetup(place="SALOON"), plan, (asset("bar"), asset("counter")))
     dressing = RulesSetDresser().propose(both)
     assert {"bar", "counter"} & {*dressing.pending, *(item.node_id for item in dressing.objects)} == {"bar"}
+
+
+def test_houses_that_are_seen_from_a_room_do_not_stand_in_it() -> None:
+    plan = plan_of(Environment(kit="living_room"))
+    view = DressingView(SceneSetup(place="LOUNGE"), plan, (asset("house"), asset("radio"), asset("crate")))
+    dressing = RulesSetDresser().propose(view)
+    assert "house" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
+    assert "crate" in {*dressing.pending, *(item.node_id for item in dressing.objects)}

@@ -43,6 +43,7 @@ class LayoutBrief:
         props: Catalog keys by asset id.
         told: Spots of things in the script, by asset id.
         deeds: Motions that each person does on the spot in their first shot, with the prop of each.
+        apart: Distances between people who stand together, times the usual.
     """
 
     scene_id: int
@@ -64,6 +65,7 @@ class LayoutBrief:
     props: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, Spot] = field(default_factory=dict)
     deeds: Mapping[str, tuple[tuple[str, str | None], ...]] = field(default_factory=dict)
+    apart: float = 1.0
 
 
 def measures_of(assets: Iterable[Asset]) -> dict[str, AssetMeasure]:

@@ -165,7 +165,7 @@ def _gather(stage: Stage, members: list[str]) -> None:
         box.turn_to(facing(*_towards_audience(x, y, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
-    radius = TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members))
+    radius = stage.brief.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
     x, y = stage.free_spot(stage.middle, radius + 0.45, lambda x, y: _bareness(stage, x, y))
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):

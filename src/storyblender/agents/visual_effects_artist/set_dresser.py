@@ -36,6 +36,8 @@ _STAGE: Vec2 = (0.0, 0.8)
 
 _TOGETHER = 1.8
 """Metres from a thing of the script to the furnishing that is replaced by another thing beside it."""
+_FILLS = 0.25
+"""Share of the floor that a thing takes which is too large for a room."""
 _VEHICLES = kin_of("car")
 """Vehicles: those in the script replace all vehicles of the kit."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
@@ -96,6 +98,7 @@ class RulesSetDresser:
                 for asset in view.objects
                 if asset.asset_id not in placed
                 and not _is_the_place(asset, view)
+                and not _is_outside(asset, view.plan)
                 and not (served and prop_of(asset) in _COUNTERS)
             ),
             dropped=(*dropped, *sorted(parked)),
@@ -186,6 +189,14 @@ def _is_the_place(asset: Asset, view: DressingView) -> bool:
         return False
     parts = {piece.part.replace("_", " ") for piece in view.plan.pieces}
     return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}
+
+
+def _is_outside(asset: Asset, plan: SetPlan) -> bool:
+    """Return whether a thing of the script can only be seen from a room: it is higher, and fills much of the floor."""
+    size, (width, depth, height) = plan.size, size_of_asset(asset)
+    ceiling = max((wall.base + wall.height for wall in plan.walls), default=math.inf)
+    floor = (size.x - size.x_negative) * (size.y - size.y_negative)
+    return plan.indoor and height > ceiling and width * depth > _FILLS * floor
 
 
 def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:
