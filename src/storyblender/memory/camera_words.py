@@ -44,6 +44,8 @@ def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], pl
     sentence = f"{'An' if form[0] in 'aeiou' else 'A'} {form} of {shown}"
     if instruction.over_id:
         sentence += f" over {names.get(instruction.over_id, instruction.over_id)}'s shoulder"
+    if instruction.behind:
+        sentence += " from behind"
     if instruction.pov_id:
         sentence += f" as {names.get(instruction.pov_id, instruction.pov_id)} sees it"
     move = "" if still else _MOVES.get(instruction.movement, instruction.movement)

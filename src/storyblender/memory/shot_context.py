@@ -111,6 +111,8 @@ class CameraInstruction(Frozen):
     """Written in the script: never overruled by taste."""
     through: str = ""
     """POV shots: what the camera looks through: ``binoculars``, ``keyhole``, ``scope``, ``window``."""
+    behind: bool = False
+    """The script shows its people from behind: ``his back to us``."""
 
 
 class CameraDecision(Frozen):

@@ -151,6 +151,12 @@ _TOLD_CAMERA = re.compile(
     r"|zooms?)\b(?:\s+(?:in|out|up|down|back|away|over|around|past|left|right|close))*",
     re.IGNORECASE,
 )
+_FROM_BEHIND = re.compile(
+    r"\b(?:seen|shown|shot|him|her|them|angle|view|close|on \w+),? from behind(?=\s*[.,;:]|\s*$)"
+    r"|(?:\b(?:his|her|their|its|with)|['’]s) backs? (?:is |are )?(?:turned )?(?:to|towards?) "
+    r"(?:us|(?:the )?(?:camera|viewer|reader|audience))\b",
+    re.IGNORECASE,
+)
 _INSIDE = re.compile(rf"(?<![\w'’]){_HOW}(?:{_MOVE})(?![A-Za-z]){_WAY}")
 _SPOKEN = re.compile(
     rf"\b(?:WE|(?:THE )?CAMERA)\s+(?:SLOWLY |QUICKLY |GENTLY |THEN |ALSO )*(?:{_SPOKEN_MOVE})(?![A-Za-z]){_WAY}",
@@ -189,6 +195,11 @@ def parse(sentence: str) -> tuple[CameraNote | None, Span]:
     before = _TRAILING_JOIN.sub("", sentence[: match.start()])
     note, after = _directed(sentence, match, match.start())
     return note, (0, len(before)) if len(before.split()) >= 2 else after
+
+
+def from_behind(words: str) -> bool:
+    """Return whether words show somebody from behind: ``seen from behind``, ``her back to camera``."""
+    return _FROM_BEHIND.search(words) is not None
 
 
 def without_direction(sentence: str) -> str:

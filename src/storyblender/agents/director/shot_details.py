@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from string import capwords
 
+from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import frames, shot_seconds
@@ -176,6 +177,7 @@ class ShotDetails:
             description=wanted_camera(draft, self.company.names, capwords(self.scene.place)),
             explicit=draft.ordered,
             through=draft.note.through if draft.note and draft.kind == "pov" else "",
+            behind=any(from_behind(self.text[beat.start : beat.end]) for beat in draft.beats),
         )
 
     def _modifications(self, units: Sequence[Unit]) -> list[AssetModification]:

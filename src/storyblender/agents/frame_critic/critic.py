@@ -129,7 +129,7 @@ def _faces(view: FrameView) -> list[Fault]:
     """Check that the faces of speakers and reacting people are readable, except over the shoulder or from far away."""
     shot, instruction = view.shot, view.shot.camera_instruction
     far = SHOT_SIZES.index(instruction.size) < SHOT_SIZES.index(_FACES_FROM)
-    if far or instruction.kind in ("insert", "establishing", "pov"):
+    if far or instruction.behind or instruction.kind in ("insert", "establishing", "pov"):
         return []
     reacting = [state.asset_id for state in shot.states if state.expression != "neutral"]
     wanted = [each for each in dict.fromkeys([*speakers(shot), *reacting]) if each in instruction.focus_on_ids]
@@ -145,7 +145,9 @@ def _faces(view: FrameView) -> list[Fault]:
             found.append(_fault("face_away", asset_id, 2.5, f"the face of {asset_id} is turned away"))
         elif subject.face_visible < 0.4:
             found.append(_fault("face_hidden", asset_id, 2.5, f"the face of {asset_id} is hidden"))
-    return found
+    # Of two who talk past a shoulder one face is seen.
+    turned = [fault for fault in found if fault.kind == "face_away"]
+    return found if len(turned) == len(wanted) else [fault for fault in found if fault not in turned]
 
 
 def _apart(view: FrameView) -> list[Fault]:
@@ -165,7 +167,7 @@ def _apart(view: FrameView) -> list[Fault]:
 def _backs(view: FrameView) -> list[Fault]:
     """Check that those whom the picture is about do not all turn their backs: one over whose shoulder we look may."""
     shot, instruction = view.shot, view.shot.camera_instruction
-    if instruction.kind in ("insert", "pov") or instruction.explicit or instruction.size == "EWS":
+    if instruction.kind in ("insert", "pov") or instruction.explicit or instruction.behind or instruction.size == "EWS":
         return []
     shown = [view.subject(each) for each in instruction.focus_on_ids if each in shot.on_stage]
     angles = [each.face_angle for each in shown if each is not None and each.node_id in view.people and each.pixels]

@@ -79,6 +79,8 @@ _APART = 0.5
 """Points for each head of empty middle between two people."""
 _NO_FACE = 0.6
 """Points for a face turned further away than the kind of shot allows, besides those for every degree."""
+_FACED = 3.0
+"""Points for a face where the script asks for a back."""
 _FROM_BEHIND = 100.0
 """Degrees from full face from which somebody is seen from behind."""
 _LOOKS_DOWN = -0.5
@@ -311,10 +313,14 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     lead = figure.node_id == brief.people[0].node_id if brief.people else True
     weight = 1.0 if lead else 0.6
     # Who walks off from the one over whose shoulder they are seen may show their back.
-    limit = min(face_limit(brief), math.inf if looks_after(brief) is not None and brief.in_stride else 75.0)
+    leaves = looks_after(brief) is not None and brief.in_stride
+    limit = min(face_limit(brief), math.inf if leaves or brief.instruction.behind else 75.0)
     turned = figure.turned_from(camera.position)
     points = weight * (2.0 * max(0.0, (turned - limit) / 60) + _NO_FACE * (turned > face_limit(brief)))
-    points += weight * _bent_from_behind(camera, figure)
+    if brief.instruction.behind:
+        points += weight * _FACED * (1 - _behind(camera, figure))
+    else:
+        points += weight * _bent_from_behind(camera, figure)
     if not _framed(camera, figure):
         return points + 3.0
     x = float(project(camera, [figure.face])[0][0, 0])

@@ -22,6 +22,8 @@ from storyblender.geometry.orbit import Orbit, orbit, pan, roll
 _OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
 """Degrees from full face at which a single is taken; wider sizes take ``_WIDE_OFF``."""
 _WIDE_OFF = 40.0
+_OFF_BACK = 30.0
+"""Most degrees from straight behind at which a back is shown that the script asks for."""
 _MASTER_ELEVATION, _INSERT_ELEVATION = 5.0, 30.0
 _MASTER_AZIMUTH = 14.0
 _SHORTEST = {"EWS": 0.22}
@@ -171,7 +173,8 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
             return framing.group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
-        return grouped(brief, lens, group_azimuth(brief) + turn, elevation)
+        around = turn + (180.0 if instruction.behind else 0.0)
+        return grouped(brief, lens, group_azimuth(brief) + around, elevation)
     if brief.in_stride and not _tight(brief):
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
@@ -213,6 +216,8 @@ def wants_shoulder(brief: CameraBrief) -> bool:
 
 def face_limit(brief: CameraBrief) -> float:
     """Return the degrees a focus face may be turned away: far on a walk, and away from who looks after it."""
+    if brief.instruction.behind:
+        return 180.0
     if brief.in_stride:
         return 150.0 if looks_after(brief) is None else 180.0
     if brief.over is not None and brief.instruction.explicit:
@@ -292,6 +297,8 @@ def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, eleva
 
 def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
     """Return from where one person is taken: matching the reverse, on the line's side, not where the cut would jump."""
+    if brief.instruction.behind:
+        return towards_audience(figure.yaw + 180.0, _OFF_BACK)
     if (matched := _reverse_azimuth(brief, figure)) is not None:
         return matched
     size = brief.instruction.size

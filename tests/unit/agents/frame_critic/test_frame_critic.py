@@ -161,3 +161,13 @@ def test_a_picture_of_backs_fails_unless_somebody_walks_off() -> None:
     assert "backs" in _faults(_view(*away))
     walks = CharacterAction(asset_id="mara", action_description="walks off", motion="walk")
     assert "backs" not in _faults(_view(*away, shot=_shot(character_actions=(walks,))))
+
+
+def test_of_two_who_talk_one_face_is_seen() -> None:
+    both = ("mara", "tom")
+    speak = tuple(CharacterAction(asset_id=who, action_description="speaks", motion="talk") for who in both)
+    instruction = CameraInstruction(focus_on_ids=both, size="MS", kind="two_shot")
+    shot = _shot(on_stage=both, in_frame=both, character_actions=speak, camera_instruction=instruction)
+    for second, away in ((20.0, False), (170.0, True)):
+        seen = (_seen("mara", 0.2, face_angle=170.0), _seen("tom", 0.2, face_angle=second))
+        assert ("face_away" in _faults(_view(*seen, shot=shot, people=frozenset(both)))) == away

@@ -1,0 +1,38 @@
+"""Whom the script shows from behind is seen from behind, and nobody asks for the face."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from test_camera_room import brief, person
+
+from storyblender.agents.director.camera_phrases import from_behind
+from storyblender.agents.layout_artist.camera_scout import scouted
+
+
+@pytest.mark.parametrize("yaw", [0, 90, 180])
+@pytest.mark.parametrize("size", ["FS", "MS"])
+def test_a_back_that_the_script_asks_for_is_shown(yaw: int, size: str) -> None:
+    anna = person("anna", 0.0, 0.0, yaw)
+    wish = {"kind": "action", "size": size, "focus_on_ids": ("anna",)}
+    for behind in (False, True):
+        view = replace(brief(anna, in_frame=("anna",), behind=behind, **wish), plan=None)
+        turned = anna.turned_from(scouted(view)[0].camera.position)
+        assert (turned > 120) == behind
+
+
+@pytest.mark.parametrize(
+    ("words", "behind"),
+    [
+        ("Tom at the window, his back to us.", True),
+        ("ANNA, seen from behind.", True),
+        ("Her back is turned to the camera as she sings.", True),
+        ("A dog jumps out from behind the shed.", False),
+        ("He has his back to the wall.", False),
+        ("A voice from behind the door.", False),
+        ("She comes back to us.", False),
+    ],
+)
+def test_the_words_for_a_back(words: str, behind: bool) -> None:
+    assert from_behind(words) == behind
