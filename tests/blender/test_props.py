@@ -15,7 +15,7 @@ from storyblender.blender.props.registry import builders  # noqa: E402
 from storyblender.blender.props.stand_in import build_stand_in  # noqa: E402
 from storyblender.catalog.props import PROPS  # noqa: E402
 from storyblender.catalog.stand_ins import STAND_INS  # noqa: E402
-from storyblender.catalog.writing import WRITING  # noqa: E402
+from storyblender.catalog.writing import SCREENS, WRITING  # noqa: E402
 from storyblender.errors import InputError  # noqa: E402
 from storyblender.memory.asset_sheet import AssetDimension  # noqa: E402
 
@@ -203,3 +203,19 @@ def test_what_stands_open_is_the_thing_at_the_size_of_the_closed_one(key):
     longest = int(np.argmax(PROPS[key].size))
     assert opened[longest] == pytest.approx(closed[longest], rel=0.1)
     assert max(opened) > 1.05 * max(closed) or np.prod(opened) > 1.1 * np.prod(closed)
+
+
+@pytest.mark.parametrize("key", ["candle", "laptop", "table_lamp", "television", "neon_sign"])
+def test_what_is_off_shines_no_more(key):
+    on, off = build_prop(key, {"on": True} if key == "television" else {}), {"unlit": True}
+    dark = build_prop(key, off)
+    shining = {slot.name for slot in on.mesh.materials if slot.name.startswith(("MT_screen", "MT_lamp_", "MT_neon"))}
+    left = {dark.mesh.materials[face.material_index].name for face in dark.mesh.polygons}
+    assert not left & (shining - {"MT_screen_off"}) and not any("flame" in name for name in left)
+
+
+@pytest.mark.parametrize("key", sorted(SCREENS))
+def test_who_calls_is_on_the_screen_and_within_it(key):
+    plain, calling = build_prop(key), build_prop(key, {"caller": True})
+    assert len(calling.mesh.polygons) == len(plain.mesh.polygons) + 4
+    assert calling.dimensions == pytest.approx(plain.dimensions, abs=0.02)

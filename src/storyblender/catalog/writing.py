@@ -31,7 +31,12 @@ class Writing:
 _PAPER = Writing("top", (0.0, 0.0), (0.86, 0.86), "paper", "plastic_black")
 _SCREEN = ("glass_dark", "lamp_cool")
 
+CALLS = frozenset(
+    {"call", "calls", "calling", "facetime", "skype", "zoom", "conference", "caller", "livestream", "selfie"}
+)
+"""Words about a screen that tell that somebody's face is on it."""
 WRITING: dict[str, Writing] = {
+    "door": Writing("front", (0.0, 0.2), (0.6, 0.09), "wood_dark", "brass"),
     "letter": _PAPER,
     "clipboard": Writing("top", (0.0, -0.06), (0.8, 0.7), "paper", "plastic_black"),
     "newspaper": Writing("top", (0.0, 0.32), (0.9, 0.26), "paper", "plastic_black"),
@@ -71,3 +76,5 @@ WRITING: dict[str, Writing] = {
     "bottle": Writing("front", (0.0, -0.2), (0.9, 0.24), "paper", "plastic_black"),
 }
 """Text area by prop key."""
+SCREENS = frozenset(key for key, area in WRITING.items() if (area.ground, area.ink) == _SCREEN)
+"""Keys of what has a screen."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.catalog.props import PROPS
+from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
-from storyblender.catalog.writing import MOST, WRITING
+from storyblender.catalog.writing import CALLS, MOST, SCREENS, WRITING
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Frozen, Vec3, content_hash
 from storyblender.reflection import Critique, Fault
@@ -90,6 +91,12 @@ class Recipe(Frozen):
         if not words.strip() or self.source != "catalog" or self.key not in WRITING:
             return self
         return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MOST]}})
+
+    def with_caller(self, told: str) -> Recipe:
+        """Return the recipe with somebody's face on its screen, if what is told of it says that they call."""
+        if self.source != "catalog" or self.key not in SCREENS or not CALLS & {*words_of(told)}:
+            return self
+        return self.model_copy(update={"params": {**self.params, "caller": True}})
 
     def canonical(self) -> CanonicalAsset:
         """Return the canonical asset as it is known before Blender has built it."""

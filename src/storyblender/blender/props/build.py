@@ -10,10 +10,10 @@ import numpy as np
 from storyblender.blender.mesh_builder import MeshBuilder
 from storyblender.blender.props.asleep import lie_down
 from storyblender.blender.props.darkened import put_out
-from storyblender.blender.props.lettering import write_on
+from storyblender.blender.props.lettering import face_on, write_on
 from storyblender.blender.props.registry import Anchors, PropSpec, builders
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.writing import WRITING
+from storyblender.catalog.writing import SCREENS, WRITING
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Anchor, AssetDimension, ParamValue
 from storyblender.memory.base import Vec3
@@ -56,6 +56,7 @@ def build_prop(
     entry = PROPS[key]
     given = dict(params or {})
     text = str(given.pop("text", "")) if key in WRITING else ""
+    caller = bool(given.pop("caller", False)) and key in SCREENS
     unlit = bool(given.pop("unlit", False)) and entry.lights
     unknown = sorted(set(given) - set(entry.params) - {"color", "material", "width", "depth", "height"})
     if unknown:
@@ -67,7 +68,7 @@ def build_prop(
     builder = MeshBuilder(key)
     anchors = builders()[key](builder, spec)
     mesh = builder.mesh()
-    if text and write_on(builder, mesh, WRITING[key], text):
+    if (caller and face_on(builder, mesh, WRITING[key])) or (text and write_on(builder, mesh, WRITING[key], text)):
         bpy.data.meshes.remove(mesh)
         mesh = builder.mesh()
     if spec.params.get("asleep") and key != "cat":

@@ -14,7 +14,7 @@ _BURNS = ("flame", "fire")
 
 def put_out(mesh: bpy.types.Mesh) -> None:
     """Take the flames out of a mesh and darken what else shines in it."""
-    names = [slot.name.split(".")[0] if slot else "" for slot in mesh.materials]
+    names = [slot.name.split(".")[0].removeprefix("MT_") if slot else "" for slot in mesh.materials]
     burning = {index for index, name in enumerate(names) if name.startswith(_BURNS)}
     if burning:
         shape = bmesh.new()

@@ -53,6 +53,37 @@ def write_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing, text: str) ->
     return True
 
 
+def face_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing) -> bool:
+    """Add the head and shoulders of somebody who calls to a builder, on the screen of the mesh built so far.
+
+    Args:
+        b: The builder of ``mesh``.
+        mesh: The mesh built so far.
+        place: The screen.
+
+    Returns:
+        Whether there was a screen.
+    """
+    frame = _frame(mesh, place)
+    if frame is None:
+        return False
+    middle, right, up, normal, width, height, proud = frame
+    lift = LIFT * max(0.25, min(width, height) / 0.3)
+    turn = np.linspace(0, 2 * np.pi, 28, endpoint=False)
+    size = min(width, height)
+    half = np.linspace(0, np.pi, 16)
+    shapes = (
+        ("plaster", np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * (width / 2, height / 2)),
+        ("fabric_blue", np.c_[0.42 * size * np.cos(half), -height / 2 + 0.34 * size * np.sin(half)]),
+        ("wood_dark", np.c_[0.19 * size * np.cos(turn), 0.09 * size + 0.25 * size * np.sin(turn)]),
+        ("wax", np.c_[0.155 * size * np.cos(turn), 0.04 * size + 0.2 * size * np.sin(turn)]),
+    )
+    for layer, (material, flat) in enumerate(shapes, 1):
+        corners = middle + normal * (proud + layer * lift) + np.outer(flat[:, 0], right) + np.outer(flat[:, 1], up)
+        b.polygon(material, corners)
+    return True
+
+
 def _frame(mesh: bpy.types.Mesh, place: Writing) -> tuple[Floats, Floats, Floats, Floats, float, float, float] | None:
     """Return centre, right, up and normal of the text surface, width and height of the text area, and the relief
     in front of it, in metres; None without a surface."""

@@ -3,7 +3,7 @@
 import pytest
 
 from storyblender.agents.concept_artist.generator import Generator
-from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile, Recipe
 from storyblender.agents.concept_artist.retriever import Retriever
 from storyblender.catalog.kinds import kinds
 from storyblender.catalog.meanings import MEANT_IN
@@ -299,3 +299,16 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
 )
 def test_a_phrase_means_the_thing_and_not_what_bears_one_of_its_words(phrase, key):
     assert Retriever(no_model).propose(request(phrase)).key == key
+
+
+@pytest.mark.parametrize(
+    ("key", "told", "shown"),
+    [
+        ("laptop", "shows the video call", True),
+        ("laptop", "an old laptop", False),
+        ("letter", "a letter about a call", False),
+    ],
+)
+def test_who_calls_is_on_a_screen_and_on_nothing_else(key, told, shown):
+    recipe = Recipe(source="catalog", key=key, score=10.0).with_caller(told)
+    assert recipe.params.get("caller", False) is shown
