@@ -106,6 +106,19 @@ def test_film_of_a_window_is_the_film_of_the_whole_picture(room, monkeypatch, tm
     assert np.abs(quick - film("whole")).mean() < 0.5
 
 
+def test_a_moving_point_of_view_is_seen_through_its_opening(room, tmp_path):
+    corners = []
+    for through in ("", "keyhole"):
+        (folder := tmp_path / f"seen {through}").mkdir()
+        (path,) = motion_frames.render_motion(
+            room, room.camera, range(1, 2), *SIZE, folder, render_stage.interior(), through=through
+        )
+        picture = np.asarray(Image.open(path).convert("L"), float)
+        corners.append(picture[:8, :8].mean())
+        assert picture.max() > 40
+    assert corners[1] < 20 < corners[0]
+
+
 def test_skin_is_told_in_shades_and_given_back(room):
     skull = next(obj for obj in room.objects if obj.name.startswith("ana_skin"))
     mesh, colors = skull.data, skull.data.color_attributes[0]

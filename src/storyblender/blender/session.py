@@ -194,9 +194,11 @@ class Session:
         hidden = job.shot.camera.hidden_node_ids
         try:
             with self._files.writing_tree(job.folder) as part:
-                return len(
-                    render_motion(scene, camera, frames, job.width, height, part, job.lighting, hidden_node_ids=hidden)
-                )
+                pictures = render_motion(
+                    scene, camera, frames, job.width, height, part, job.lighting,
+                    hidden_node_ids=hidden, through=job.shot.camera_instruction.through,
+                )  # fmt: skip
+                return len(pictures)
         finally:
             _remove_camera(camera)
 

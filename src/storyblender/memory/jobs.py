@@ -191,7 +191,9 @@ class MotionJob(Frozen):
         shot = self.shot.model_dump(mode="json", include={"camera", "lights", "duration"})
         lighting = self.lighting.model_dump(mode="json")
         start = self.pack.start_of(self.shot.shot_id)
-        return content_hash(DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.width, self.step)
+        through = self.shot.camera_instruction.through
+        parts = (DRAWING_VERSION, self.pack.path, start, shot, lighting, self.format, self.width, self.step)
+        return content_hash(*parts, *([through] if through else []))
 
 
 class StoryJob(Frozen):

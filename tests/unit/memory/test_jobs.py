@@ -36,6 +36,14 @@ def test_a_frame_is_named_by_its_look_and_moment_not_by_its_place_on_disk():
     assert FRAME.model_copy(update={"out": "elsewhere.png"}).digest == FRAME.digest
 
 
+@pytest.mark.parametrize("job", [FRAME, MOTION])
+def test_what_a_point_of_view_looks_through_is_another_picture(job):
+    instruction = CameraInstruction(size="MS", kind="pov", through="keyhole")
+    assert job.model_copy(update={"shot": job.shot.model_copy(update={"camera_instruction": instruction})}).digest != (
+        job.digest
+    )
+
+
 def test_new_golden_pictures_raise_the_drawing_version():
     """``golden/drawn_by.txt`` says which version drew them: raise it in ``memory/jobs.py``, then write both here."""
     version, digest = (GOLDEN / "drawn_by.txt").read_text().split()

@@ -21,6 +21,7 @@ from storyblender.blender.render.picture import write_jpeg
 from storyblender.blender.render.session import RenderSession
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure
+from storyblender.look.aperture import look_through
 from storyblender.look.atmosphere import add_rain
 from storyblender.look.exposure import with_shadows_raised
 from storyblender.look.grade import to_bytes, to_film
@@ -50,6 +51,7 @@ def render_motion(
     *,
     hidden_node_ids: Sequence[str] = (),
     in_frame: Sequence[str] | None = None,
+    through: str = "",
     seed: int = 0,
 ) -> tuple[Path, ...]:
     """Draw the frames of one shot, one JPEG for each, named by its number in five digits.
@@ -64,6 +66,7 @@ def render_motion(
         lighting: The scene's light plan as designed.
         hidden_node_ids: Wild walls, taken away for this shot.
         in_frame: asset_ids of the people who get lamps of their own; None is everybody.
+        through: What a point of view looks through, as the shot says it.
         seed: Of the rain.
     """
     if not frames:
@@ -92,7 +95,7 @@ def render_motion(
                 picture = with_shadows_raised(picture * gain, still.statistics.shadow_lift)
                 picture = add_rain(picture, depth, plan.rain, seed + number)
                 _paste(shown, add_lines(picture, depth, flat.view), window)
-            write_jpeg(shown, paths[-1])
+            write_jpeg(look_through(shown, through), paths[-1])
     return tuple(paths)
 
 
