@@ -5,7 +5,7 @@ from __future__ import annotations
 from storyblender.catalog.props.entry import PropEntry, entry, held
 
 ERRANDS: tuple[PropEntry, ...] = (
-    held("saw", "hand saw, handsaw, hacksaw, chainsaw", (0.14, 0.58, 0.025), {"handle": "wood"}, "A hand saw."),
+    held("saw", "hand saw, handsaw, hacksaw", (0.14, 0.58, 0.025), {"handle": "wood"}, "A hand saw."),
     held("screwdriver", "chisel, awl, file tool", (0.03, 0.22, 0.03), {"handle": "fabric_red"}, "A screwdriver."),
     held("drill", "power drill, electric drill, hairdryer, hair dryer, nail gun, glue gun", (0.07, 0.35, 0.21),
         {"body": "paint"},

@@ -206,5 +206,20 @@ _YARD: tuple[PropEntry, ...] = (
         "A pair of skis.", {"color": "#9c2622"}),
 )  # fmt: skip
 
-ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN + _HOME + _TABLE + _YARD
-"""By where they are found: hardware, the desk, on people, the home, the table, outdoors."""
+_TRADES: tuple[PropEntry, ...] = (
+    held("bullet", "bullets, cartridge, shell casing, shotgun shell, round of ammunition, silver bullet",
+        (0.014, 0.014, 0.06), {"case": "brass", "tip": "copper"}, "A cartridge."),
+    held("arrow", "arrows, hunting arrow, crossbow bolt", (0.03, 0.72, 0.03),
+        {"shaft": "wood_light", "head": "iron", "vane": "fabric_red"}, "An arrow."),
+    held("paper_plane", "paper airplane, paper aeroplane, folded paper plane", (0.17, 0.27, 0.05), {"paper": "paper"},
+        "A paper plane."),
+    held("chainsaw", "chain saw, power saw", (0.22, 0.82, 0.28), {"body": "paint", "bar": "steel"}, "A chainsaw.",
+        {"color": "#c4501f"}),
+    entry("street", "lawn_mower", "lawnmower, mower, push mower, grass cutter", (0.56, 1.45, 1.0),
+        {"body": "paint", "bag": "fabric"}, "A lawn mower.", params={"color": "#9c2622"}),
+    entry("fitting", "printer", "photocopier, copier, fax machine, fax, copy machine, laser printer, xerox machine",
+        (0.46, 0.44, 0.36), {"body": "plastic"}, "A printer.", placement="surface"),
+)  # fmt: skip
+
+ORDINARY: tuple[PropEntry, ...] = _HARDWARE + _DESK + _WORN + _HOME + _TABLE + _YARD + _TRADES
+"""By where they are found: hardware, the desk, on people, the home, the table, outdoors, trades."""
