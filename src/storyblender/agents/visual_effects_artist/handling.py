@@ -64,7 +64,7 @@ class Handling:
     ) -> None:
         """Do something with a prop, after going to it or having it in hand."""
         start, getting = self.sheet.start_of(person), motion.key in GETTING
-        if getting and person.hand_of(prop):
+        if (getting and person.hand_of(prop)) or (motion.key == "hold" and prop in person.on_body):
             return
         t = self._hands_freed(person, prop, start) if motion.hands == 2 else start
         where_it_is = motion.key in ("open", "close") and self._stands(prop)

@@ -234,3 +234,11 @@ def test_who_is_told_to_sit_on_a_fence_or_a_wall_sits_on_top(size: Vec3, thin: b
     (seat,) = seats_of((), size, on_top=True)
     assert seat.location[2] == size[2] and (max(map(abs, seat.location[:2])) < 0.2) == thin
     assert not seats_of((), size, asked=True)
+
+
+@pytest.mark.parametrize(("motion", "place"), [("hold", "under_arm"), ("take", None)])
+def test_what_is_under_an_arm_stays_there_until_a_hand_takes_it(motion: str, place: str | None) -> None:
+    ann = _state("ann").model_copy(update={"held": ("ball",), "grips": (("ball", "under_arm"),)})
+    deed = CharacterAction(asset_id="ann", action_description=motion, motion=motion, prop_id="ball")
+    _, props = _played(_shot(ann), _shot(ann, number=2, character_actions=(deed,)))
+    assert {state.asset_id: state.place for state in props[1]}["ball"] == place
