@@ -450,3 +450,9 @@ def test_houses_that_are_seen_from_a_room_do_not_stand_in_it() -> None:
     dressing = RulesSetDresser().propose(view)
     assert "house" not in {*dressing.pending, *(item.node_id for item in dressing.objects)}
     assert "crate" in {*dressing.pending, *(item.node_id for item in dressing.objects)}
+
+
+def test_a_small_place_stays_small_for_the_things_in_it() -> None:
+    view = EnvironmentView(SceneSetup(place="CLOSET"), footprints=((0.9, 0.3), (0.3, 0.3)))
+    plan = plan_of(RulesEnvironmentDesigner().propose(view))
+    assert plan.size.x - plan.size.x_negative < 2.6

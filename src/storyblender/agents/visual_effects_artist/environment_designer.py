@@ -21,6 +21,8 @@ _ROOM_FOR_ONE = 1.6
 """Square metres for each further person."""
 _SPARE = 3.0
 """Square metres of the script's own things that a kit's usual size has room for."""
+_BESIDE, _SHARE_BESIDE = 3.0, 0.6
+"""Metres of width beside the longest thing, and at most what share of a small kit's usual width."""
 _ROOM_TO_WALK = 2.2
 """Metres beyond the longest way somebody walks."""
 
@@ -118,7 +120,8 @@ def _wanted(view: EnvironmentView, kit: SetKit) -> Vec2:
     extra += max(0.0, 1.5 * sum(width * depth for width, depth in view.footprints) - _SPARE)
     scale = math.sqrt(1.0 + extra / usual)
     longest = max((max(size) for size in view.footprints), default=0.0)
-    width = max(kit.width.usual * scale, view.travel + _ROOM_TO_WALK, longest + 3.0)
+    beside = min(_BESIDE, _SHARE_BESIDE * kit.width.usual)
+    width = max(kit.width.usual * scale, view.travel + _ROOM_TO_WALK, longest + beside)
     return round(width, 1), round(kit.depth.usual * scale, 1)
 
 
