@@ -47,11 +47,10 @@ def test_words_of_size_scale_things_more_than_people() -> None:
     assert 1.03 < tall / plain < 1.1
 
 
-def test_the_head_noun_counts() -> None:
+def test_the_head_noun_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     assert only(estimate(thing("dressing table")))[1] == pytest.approx(max(PROPS["dressing_table"].size), abs=0.01)
-    told = " ".join([*PROPS, *(tag for entry in PROPS.values() for tag in entry.tags)])
-    noun = next(noun for noun in NOUNS if noun not in told)
-    assert only(estimate(thing(f"worn {noun}"))) == NOUNS[noun]
+    monkeypatch.setitem(NOUNS, "frobnicator", ("height", 1.23))
+    assert only(estimate(thing("worn frobnicator"))) == ("height", 1.23)
     assert 3.5 < only(estimate(thing("red sports car")))[1] < 5.5
 
 
