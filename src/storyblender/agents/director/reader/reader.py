@@ -273,6 +273,7 @@ def _close(stage: Stage) -> None:
     ]
     for unit in reading.units:
         unit.things = [thing for thing in unit.things if thing in known]
+        unit.spots = {each: spot for each, spot in unit.spots.items() if {each, spot.anchor_id or each} <= placed}
         unit.changes = [change for change in unit.changes if change.subject in known | {"light"}]
         unit.held = {person: kept for person, held in unit.held.items() if (kept := [t for t in held if t in known])}
         unit.posture = {

@@ -167,3 +167,11 @@ def test_several_come_behind_somebody(read_scene: Read) -> None:
     reading = read_scene(PEOPLE + "BOB (20, a man) nods. Kate enters, Joe and Bob behind her.")
     told = {(r.asset_id, r.kind, r.anchor_asset_id) for _, r in reading.relations}
     assert told == {("joe", "behind", "kate"), ("bob", "behind", "kate")}
+
+
+def test_nobody_is_placed_by_what_is_not_there(read_scene: Read) -> None:
+    reading = read_scene(
+        "At rise, NORA sits in turn on the chair beside the others. TIBOR stays in a hurry by what is left."
+    )
+    known = {thing.id for thing in reading.things} | {person.id for person in reading.people}
+    assert {spot.anchor_id for unit in reading.units for spot in unit.spots.values()} <= known | {"floor"}

@@ -48,6 +48,7 @@ _GRASP = frozenset({"hand", "finger", "grip", "grasp"})
 _AROUND = frozenset({"around", "round", "about"})
 _REACH = 6
 """Words from hands to what they are around."""
+_LEANT_ON = frozenset({"against", "on", "over"})
 _WORN_ON = frozenset({"shoulder", "back", "lap"})
 """``stands there with a pack on his back``: not in the hand."""
 _LONG = frozenset({"ladder", "stretcher", "plank"})
@@ -71,7 +72,7 @@ def settle(stage: Stage, deeds: Sequence[Deed], clause: Clause, roles: Roles) ->
     """Carry the outcome of deeds into the scene: postures, things in hand, vehicles."""
     for deed in deeds:
         posture = _POSTURE_OF_MOTION.get(deed.motion)
-        if posture:
+        if posture and _lasts(stage, deed, roles):
             stage.scene.posture[deed.actor] = (posture, _support(stage, deed, roles))
         elif deed.motion in _UPRIGHT:
             stage.scene.posture[deed.actor] = ("stand", None)
@@ -105,6 +106,13 @@ def _bear(stage: Stage, person: str, thing: str, at: int, between_teeth: bool = 
     if not any(deed.motion in ("hold", "carry") and deed.prop == thing for deed in own):
         motion = "carry" if not between_teeth and any(deed.motion in _TRAVEL for deed in own) else "hold"
         stage.unit.deeds.append(Deed(person, motion, thing, thing, at, "hold"))
+
+
+def _lasts(stage: Stage, deed: Deed, roles: Roles) -> bool:
+    """Not so where somebody leans forward for a moment, or opens the eyes sitting."""
+    if deed.motion == "wake":
+        return stage.scene.posture.get(deed.actor, ("", None))[0] == "asleep"
+    return deed.motion != "lean" or _support(stage, deed, roles) is not None or bool(roles.prepositions & _LEANT_ON)
 
 
 @rule("deeds.slips_away")
