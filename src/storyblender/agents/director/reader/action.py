@@ -19,11 +19,11 @@ from storyblender.agents.director.reader.depicted import without_depicted
 from storyblender.agents.director.reader.language.bare_places import say_bare_places
 from storyblender.agents.director.reader.language.body_parts import motion_of_part
 from storyblender.agents.director.reader.language.clauses import Clause, find_clauses
-from storyblender.agents.director.reader.language.phrases import Phrase, find_phrases
+from storyblender.agents.director.reader.language.phrases import find_phrases
 from storyblender.agents.director.reader.language.rewrite import regularise
-from storyblender.agents.director.reader.language.words import Word, joined
+from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.page.sentences import Sentence
-from storyblender.agents.director.reader.people.coreference import Referents, remember, resolve_owner, resolve_pronoun
+from storyblender.agents.director.reader.people.coreference import resolve_owner
 from storyblender.agents.director.reader.people.introduced import note_introductions
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles, resolve_objects, resolve_subject
@@ -34,7 +34,6 @@ from storyblender.agents.director.reader.stage import SentenceState, Stage
 from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
-_OBJECTLIKE = frozenset({"prop", "worn", "unknown", "set_piece"})
 _POSED = frozenset({"seat", "slump", "sprawl", "curl", "perch", "huddle", "crouch", "settle"})
 """``is slumped over the bar``: a posture, done by nobody else."""
 _OPENINGS = frozenset({"door", "doorway", "window", "threshold", "gate"})
@@ -43,7 +42,6 @@ _FOLLOWED = frozenset({"follow", "pursue", "chase"})
 """``walks out, followed by Mia``: it is Mia who follows."""
 _STATIVE = lexicon.words("stative")
 _SPOKEN = frozenset({"call", "shout", "yell"})
-_TRAVEL = frozenset({"walk", "run", "sneak", "stagger", "crawl", "climb", "jump", "ride", "drive"})
 _OPENING = 2
 """Words in which the subject of a sentence without a known verb stands: ``Her husband interposed.``"""
 _BEFORE_LOOK = lexicon.PREPOSITIONS | lexicon.DETERMINERS | lexicon.POSSESSIVES
@@ -51,7 +49,6 @@ _ADJECTIVES = 4
 """Words before a garment that may describe it."""
 _POSE_ON = {"knee": "kneel", "knees": "kneel", "back": "lie_down", "stomach": "lie_down", "belly": "lie_down"}
 """``is on her knees``, ``is flat on his back``."""
-_FROM = frozenset({"off", "from", "out of"})
 
 
 def read_action(stage: Stage, sentence: Sentence) -> None:
@@ -65,14 +62,13 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     phrases = say_bare_places(find_phrases(words))
     clauses = find_clauses(words, phrases)
     previous = stage.discourse.subjects
-    stage.sentence = SentenceState(words, pictured=elsewhere or _tells_of_elsewhere(joined(words), lately))
+    stage.sentence = SentenceState(words, pictured=elsewhere)
     noticing.notice_nouns(stage, phrases)
     distances.settle_apart(stage, words)
     settle_things(stage, phrases)
     if not clauses:
         note_fragment(stage, words, previous, sentence.paragraph.start)
         _name_people(stage)
-        _name_thing(stage, phrases)
         noun_places.relate_listed(stage, phrases)
     for index, clause in enumerate(clauses):
         _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
@@ -80,7 +76,6 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     subjects = stage.sentence.subjects
     distances.relate_apart(stage, words, subjects, previous)
     distances.relate_side_by_side(stage, sentence.words, subjects)
-    _leftover_pronouns(stage, subjects, previous)
     note_introductions(stage, sentence.words, sentence.end)
     note_worn(stage, phrases)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
@@ -107,11 +102,6 @@ def _note_bearing(stage: Stage, clauses: list[Clause], people: list[Person]) -> 
     note_tethers(stage, stage.sentence.words, here)
 
 
-def _tells_of_elsewhere(text: str, lately: list[str]) -> bool:
-    """Whether those a sentence names are not there: gone, or in a picture."""
-    return entrances.is_about_absence(text) or entrances.is_in_a_picture(text, lately)
-
-
 def _only_pictured(stage: Stage, shown: list[Word]) -> set[str]:
     """Who is seen on a screen and is not there: people by their names, and animals."""
     seen = [word.mention.candidates[0] for word in shown if word.mention and word.mention.candidates]
@@ -134,16 +124,6 @@ def _name_people(stage: Stage) -> None:
             stage.involve(person)
     if named:
         stage.sentence.subjects = named[:1]
-
-
-@rule("things.named_without_verb")
-def _name_thing(stage: Stage, phrases: list[Phrase]) -> None:
-    """A sentence without a clause: ``it`` may mean the last thing it names."""
-    for phrase in phrases:
-        if phrase.noun and phrase.noun.kind == "thing" and not phrase.noun.plural:
-            thing = stage.inventory.id_of(phrase.noun.key, stage.sentence.words[phrase.first].start)
-            if stage.inventory.class_of(thing) in ("prop", "set_piece"):
-                weigh(stage, [thing], ASIDE)
 
 
 def _read_clause(stage: Stage, clause: Clause, previous: list[Person], first: bool) -> None:
@@ -270,14 +250,3 @@ def _pose(stage: Stage, clause: Clause, roles: Roles) -> str | None:
         return "sit"
     at_opening = any(p.preposition in ("at", "in") and any(n.head in _OPENINGS for n in p.nouns) for p in roles.places)
     return "stand" if at_opening else None
-
-
-def _leftover_pronouns(stage: Stage, subjects: list[Person], previous: list[Person]) -> None:
-    """Pronouns outside every clause, for the record and for whose things are."""
-    for index, word in enumerate(stage.sentence.words):
-        kind = lexicon.PRONOUNS.get(word.low, "thing")
-        if kind == "thing" or word.mention or word.inserted or index in stage.sentence.pronouns:
-            continue
-        role = "possessor" if word.low in lexicon.POSSESSIVES else "object"
-        people = resolve_pronoun(stage, word.low, role, subjects, previous)
-        remember(stage, index, Referents(people))

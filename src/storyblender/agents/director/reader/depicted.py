@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
-from storyblender.agents.director.reader.language.morphology import FORMS, form_kind, singular
+from storyblender.agents.director.reader.language.morphology import FORMS, singular
 from storyblender.agents.director.reader.language.words import Word
 
 _IMAGES = lexicon.words("images")
@@ -19,8 +19,6 @@ _OPENING = 6
 """Words in which the place at the start of a sentence is told."""
 _RESTING = frozenset({"stand", "sit", "lie", "lean", "hang", "rest"})
 """``On the television stands a vase``: no picture of one."""
-_POINTING = lexicon.POSSESSIVES | {"the", "this", "that"}
-_AWAY = lexicon.PREPOSITIONS - {"of"}
 _STOPS = frozenset({",", ";", ".", ":", "!", "?", "--", "—", "–", "(", ")"})
 
 
@@ -32,11 +30,7 @@ def without_depicted(words: list[Word], lately: Sequence[str]) -> tuple[list[Wor
         lately: Head nouns of the things named before it, the last first.
     """
     start = _shown_from(words, lately)
-    kept, there, in_an_image = words[:start], list[Word](), False
-    for at, word in enumerate(kept):
-        in_an_image = at > 0 and _goes_on_in_an_image(kept, at, in_an_image)
-        there += [] if in_an_image else [word]
-    return there, words[start:]
+    return words[:start], words[start:]
 
 
 def _shown_from(words: Sequence[Word], lately: Sequence[str]) -> int:
@@ -76,31 +70,3 @@ def _opening_place(words: Sequence[Word], screen: bool) -> int:
             rests = form is not None and form.lemma in _RESTING
             return 0 if rests or words[at + 1].low in lexicon.PREPOSITIONS | {"of"} else at + 1
     return 0
-
-
-def _goes_on_in_an_image(words: Sequence[Word], at: int, before: bool) -> bool:
-    """Whether a word is in ``of a general on a white horse`` after a portrait.
-
-    Where the picture is has an article that points: ``of his wife on the desk``.
-
-    Args:
-        words: A sentence.
-        at: Index of the word; not 0.
-        before: Whether the word before it is in the picture.
-    """
-    word = words[at]
-    if word.low == "of" and singular(words[at - 1].low) in _IMAGES:
-        return True
-    if not before or word.verb or form_kind(word.low) in ("3sg", "past", "aux") or word.text in _STOPS - {","}:
-        return False
-    following = words[at + 1] if at + 1 < len(words) else word
-    if word.text == "," and not (following.low == "with" or following.mention):
-        return False
-    pointing = following.low in _POINTING and not (word.low == "at" and _is_limb(words, at + 2))
-    away = word.low in _AWAY and pointing
-    return not away and not (word.low == "and" and not following.mention)
-
-
-def _is_limb(words: Sequence[Word], at: int) -> bool:
-    """``with a lion at his feet``: feet in the picture."""
-    return at < len(words) and singular(words[at].low) in lexicon.BODY

@@ -13,7 +13,6 @@ from storyblender.agents.director.rules import rule
 
 _WAYS = ("closed", "camera", "up", "down", "left", "right")
 _OPENED = lexicon.BEARING["eyes_open"]
-_FILMING = frozenset({"camera", "lens", "audience"})
 _DENIED = re.compile(r"\b(?:not|n't|never|without|cannot)\b")
 
 

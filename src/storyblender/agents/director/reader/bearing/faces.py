@@ -15,10 +15,6 @@ _NOT = frozenset(
 )
 _LOOK_BACK = 4
 """Words before an expression in which a negation is looked for."""
-_COPULAS = frozenset(
-    {"is", "are", "was", "were", "looks", "look", "seems", "feels", "grows", "gets", "turns", "'s", "'re"}
-)
-_ANIMATE = frozenset({"who", "he", "she", "they", "both", "everybody", "everyone"})
 
 
 @rule("bearing.face")

@@ -25,11 +25,6 @@ _GRIPS: tuple[tuple[Grip, re.Pattern[str]], ...] = (
     ("mouth", lexicon.BEARING["grip_mouth"]),
     ("right", lexicon.BEARING["grip_hand"]),
 )
-_INNER: tuple[tuple[Grip, re.Pattern[str]], ...] = tuple(
-    (grip, re.compile(rf"(?:^|\s){pattern.pattern.removeprefix('^')}(?: [a-z]+)* (?:an?|the|his|her) (?:[a-z-]+ )?$"))
-    for grip, pattern in _GRIPS
-)
-"""The same phrases, placed before the thing."""
 _NOT_IN_HAND = lexicon.words("food") | lexicon.PARTS | lexicon.VEHICLES | lexicon.LIQUIDS
 _REACH = 7
 """Words after a thing within which its place on the body is looked for."""

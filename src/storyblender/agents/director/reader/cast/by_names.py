@@ -5,12 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
-from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import UPPER
-from storyblender.agents.director.reader.language.person_nouns import find_person_nouns
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reading import Person
-from storyblender.agents.director.rules import rule
 
 _NICKNAMED = re.compile(
     rf"(?<![{UPPER}])(?P<first>[{UPPER}]{{2,}}(?: [{UPPER}]{{2,}})?) "
@@ -24,13 +21,6 @@ _TAGGED = re.compile(
 _ALSO = re.compile(
     r"\b(?:[Kk]nown (?:to \w+ )?as|[Nn]icknamed|[Cc]alled|[Aa][Kk][Aa]|[Rr]eal name) "
     rf"[\"“'‘]?([{UPPER}][\w'’-]*)"
-)
-
-
-_NAMING = re.compile(
-    r"(?:(?:[Hh]is|[Hh]er) name is|[Tt]his (?:is|must be|would be|can only be)"
-    r"|[Ww]e (?:will |['’]ll )?(?:come to )?(?:know|call) (?:him|her)(?: as)?|[Mm]eet|[Nn]amed|[Cc]alled|[Kk]nown as)"
-    rf"\s+([{UPPER}][\w’'-]*(?: [{UPPER}][\w’'-]*)*)"
 )
 
 
@@ -57,29 +47,3 @@ def tagged_name(look: str, names: Collection[str]) -> str:
     """The name on a tag in brackets, ``(40s, name tag: MARGE)``, if it is a name of the script; else empty."""
     tag = _TAGGED.search(look)
     return tag.group(1) if tag and tag.group(1) in names else ""
-
-
-@rule("people.named_later")
-def named_later(roster: Roster, text: str) -> None:
-    """Call a person by the name that the text gives later.
-
-    ``A woman in a grey suit sits down. Her name is NANCY``: the woman is Nancy.
-
-    Args:
-        roster: The cast so far.
-        text: A paragraph of action.
-    """
-    naming = _NAMING.search(text)
-    people = roster.find(naming.group(1).strip()) if naming else []
-    if not naming or not people or people[0].role:
-        return
-    person = people[0]
-    for phrase in find_person_nouns(text[: naming.start()]):
-        if phrase.determiner in ("a", "an") and not phrase.plural:
-            person.role = phrase.noun
-            if person.gender == "unknown":
-                person.gender = lexicon.gender_of_word(phrase.noun)
-            roster.call(person, phrase.noun)
-            if phrase.adjectives:
-                roster.call(person, " ".join((*phrase.adjectives, phrase.noun)))
-            return

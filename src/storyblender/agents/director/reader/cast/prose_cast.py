@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.naming import LOWER, UPPER
-from storyblender.agents.director.reader.cast.absent_names import is_only_told_of
 from storyblender.agents.director.reader.cast.beasts import does_something
 from storyblender.agents.director.reader.cast.evidence import is_somebody
 from storyblender.agents.director.reader.cast.households import Kinship, is_family, link_kin, link_surnames
@@ -93,7 +92,7 @@ def find_prose_cast(script: Manuscript) -> Roster:
                 roles.append(_Role(paragraph.start + phrase.start, phrase, told[phrase.end : phrase.end + 60]))
     index = TextIndex(whole)
     distinct = {name: None for _, name in names}
-    absent = {name for name in distinct if is_only_told_of(name, index) or not is_somebody(name, index)}
+    absent = {name for name in distinct if not is_somebody(name, index)}
     names = [(at, name) for at, name in names if name not in absent]
     for at, name in sorted(names, key=lambda item: (-len(item[1].split()), item[0])):
         add_name(roster, at, name, whole, family)

@@ -29,30 +29,6 @@ _PICTURE_OF = re.compile(
     r"|\b(look|search|wait|ask|hop|long|hunt)(s|es|ed|ing|ed)?( around| everywhere| about| in vain)? for( \w+)?( \w+)?$"
 )
 _IMAGE = r"(?:picture|photo|photograph|snapshot|portrait|painting|drawing|sketch|poster|image)s?"
-_SHOWN = re.compile(
-    rf"\b{_IMAGE}\b.*\b(?:shows?|showed|depicts?|depicted)\b"
-    r"|^(?:it|they)(?: \w+)? (?:shows?|showed|depicts?|depicted) .*"
-    r"\b(?:standing|sitting|holding|smiling|frame|background)\b"
-)
-"""What a picture shows is not there."""
-_ANOTHER = re.compile(r"(?:another|one|a second) (?:of|with) ")
-_ABSENT = re.compile(r"\bnowhere\b|\b(is|are|has|have) (gone|vanished)\b")
-
-
-def is_about_absence(text: str) -> bool:
-    """Whether a sentence says that somebody is not there."""
-    return _ABSENT.search(text) is not None
-
-
-def is_in_a_picture(text: str, heads: Sequence[str]) -> bool:
-    """Whether a sentence tells what a picture shows: ``The photo shows Joe``, after a photo ``Another of Joe``.
-
-    Args:
-        text: The sentence in lower case.
-        heads: Nouns of the things named lately.
-    """
-    pictures = any(re.fullmatch(_IMAGE, head) for head in heads)
-    return _SHOWN.search(text) is not None or (pictures and _ANOTHER.match(text) is not None)
 
 
 @rule("people.subject_is_there", without=True)

@@ -30,7 +30,6 @@ _THING_NOUNS = lexicon.SET_PIECES | lexicon.PROPS
 _KIND_NOUNS = _THING_NOUNS | lexicon.SCENERY
 """What tells the kind of what stands behind it: a corner booth, a barn owl."""
 _PLAIN = re.compile(r"(?:[^\W_]|#)(?:[^\W_]|[#'’-])*$")
-_MANNER = lexicon.words("manner")
 _BARE = lexicon.ADJECTIVES | lexicon.words("manner")
 """``breathes hard``, ``stops dead``, ``lands flat``: alone they are no nouns."""
 _QUALITIES = (

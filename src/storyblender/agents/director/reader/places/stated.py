@@ -34,7 +34,6 @@ from storyblender.agents.director.rules import rule
 from storyblender.memory.vocabulary import RelationKind
 
 _ANCHORS = THINGS | {"scenery"}
-_GAZE = lexicon.words("gaze")
 _LYING = frozenset({"lie_down", "fall", "sleep"})
 """``sprawls across the bed`` is on it, who sits across the room is not."""
 _SINKING = frozenset({"fall", "collapse", "sink", "slump", "crumple", "tumble", "crash", "topple"})
