@@ -28,7 +28,7 @@ from storyblender.agents.director.reader.people.introduced import note_introduct
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
 from storyblender.agents.director.reader.people.roles import Roles, resolve_objects, resolve_subject
 from storyblender.agents.director.reader.people.things_meant import ASIDE, SEEN, weigh
-from storyblender.agents.director.reader.places import contents, distances, noun_places, relations
+from storyblender.agents.director.reader.places import distances, noun_places, relations
 from storyblender.agents.director.reader.places.settled import settle_things
 from storyblender.agents.director.reader.stage import SentenceState, Stage
 from storyblender.agents.director.reading import Person
@@ -79,7 +79,6 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     note_introductions(stage, sentence.words, sentence.end)
     note_worn(stage, phrases)
     noun_places.relate_noun_phrases(stage, phrases, subjects, previous)
-    contents.relate_filled(stage, words, phrases)
     states.drawn_weapons(stage, subjects or previous)
     changes.note_sounds(stage, clauses)
     _note_bearing(stage, clauses, subjects or previous)

@@ -50,7 +50,8 @@ def read_script(screenplay: Screenplay) -> Reading:
     script = open_manuscript(screenplay)
     reading = Reading(screenplay)
     watch(lambda: page_facts(reading))
-    roster = _find_people(script, reading)
+    with by_rule("people.described", 0, len(script.text)):
+        roster = _find_people(script, reading)
     sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
     stage = Stage(roster, Inventory(roster.ids), reading, script.tongue)
@@ -65,7 +66,6 @@ def read_script(screenplay: Screenplay) -> Reading:
     return reading
 
 
-@rule("people.described")
 def _find_people(script: Manuscript, reading: Reading) -> Roster:
     """Find the cast, with the looks that stand beside their names."""
     roster = find_prose_cast(script) if script.prose else find_cast(script)

@@ -130,8 +130,6 @@ class SentenceState:
     object_thing: str | None = None
     """The last thing in object position."""
     pictured: bool = False
-    goal: tuple[list[str], str] | None = None
-    """Who has walked to what in the clause before."""
 
 
 @dataclass(frozen=True)

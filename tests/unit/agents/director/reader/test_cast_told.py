@@ -76,18 +76,6 @@ def test_days_of_the_week_are_nobody() -> None:
     assert [*told("Nora sat down. The room was too small, and on Thursdays it was full. Nora sighed.\n")] == ["nora"]
 
 
-@pytest.mark.parametrize(
-    "story",
-    [
-        "Nora stood by a bust of Caesar. She put the hat beside Caesar and sighed. Nora left.\n",
-        "Nora found a kite. Edward had had such a one. Nora sighed.\n",
-    ],
-)
-def test_a_bust_and_who_had_been_before_are_nobody(story: str) -> None:
-    assert [*told(story)] == ["nora"]
-    assert not {"Caesar", "Edward"} & {thing.name.title() for thing in read_script(read(story, "prose")).things}
-
-
 def test_who_has_a_portrait_and_speaks_is_there() -> None:
     story = 'Nora looked at a portrait of Edward. "It is a poor likeness," said Edward. Nora laughed.\n'
     assert [*told(story)] == ["nora", "edward"]

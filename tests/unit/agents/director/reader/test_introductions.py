@@ -87,23 +87,6 @@ def _deeds(action: str, before: str = "") -> list[tuple[str, str]]:
     return [(deed.actor, deed.motion) for deed in reading.units[-1].deeds]
 
 
-@pytest.mark.parametrize(
-    ("intro", "cast"),
-    [
-        ("Two WIDOWS, EDNA MOLE (78) and MARGUERITE MOLE (70), wave.", ["EDNA MOLE", "MARGUERITE MOLE"]),
-        ("TWO COPS -- BAILEY and COOK -- wave.", ["BAILEY", "COOK"]),
-        ("Two GUARDS, bored, wave. EMIL and PABLO enter.", ["GUARD", "EMIL", "PABLO"]),
-    ],
-)
-def test_a_group_whose_members_are_named_is_those_members(intro: str, cast: list[str]) -> None:
-    assert [person.name for person in read_script(read(f"INT. ROOM - DAY\n\n{intro}\n", "fountain")).people] == cast
-
-
-def test_the_noun_of_a_named_group_means_all_of_it() -> None:
-    before = "Two WIDOWS, EDNA MOLE (78) and MARGUERITE MOLE (70), wave.\n\n"
-    assert _deeds("The widows stand up.", before) == [("edna_mole", "stand_up"), ("marguerite_mole", "stand_up")]
-
-
 def test_a_group_has_as_many_as_are_counted_in_small_letters() -> None:
     reading = read_script(read("INT. ROOM - DAY\n\nTwo elderly WIDOWS wave. Some SAILORS sing.\n", "fountain"))
     assert [(person.name, person.count) for person in reading.people] == [("WIDOW", 2), ("SAILOR", 3)]

@@ -47,25 +47,6 @@ def test_who_is_brought_in_is_somebody_else(told: tuple[str, ...], who: set[str]
     assert cast(*told) == who
 
 
-def test_who_speaks_is_not_whom_he_calls() -> None:
-    who = cast(
-        "Dane watched the ramp. A woman in a red scarf stood by the car. A man on a motorbike came up the ramp.",
-        'The courier held out an envelope. "You are Irina Volkova?"',
-        "Irina took the envelope. The courier rode away.",
-    )
-    assert who == {"Dane", "Irina", "courier"}
-
-
-def test_who_is_called_answers_first() -> None:
-    who = cast(
-        "The captain stood on the deck. The cabin boy washed his shirt. The cook came out of the galley.",
-        '"Nat!" shouted the captain. "Up the mast with you."',
-        "The boy dropped the shirt and ran.",
-        '"A sail!" cried Nat.',
-    )
-    assert who == {"captain", "cook", "Nat"}
-
-
 def test_a_dog_may_be_called_by_its_name() -> None:
     assert cast(
         "Anna stopped at the gate. An old dog lifted his head and barked.",
@@ -150,7 +131,6 @@ def test_a_surname_may_be_a_trade() -> None:
             {"Sir Dunstan"},
         ),
         (("Vera rode as far as Linz. The train stood still.",), {"Vera"}),
-        (("Ada waited. Then, in row F, a child gets up.",), {"Ada", "child"}),
         (("The tuner was blind. Greta stared.", '"Stop that," said Mr. Lux.'), {"Mr. Lux", "Greta"}),
         (("Tom sat down. The butler bowed.", '"Inspector Gale?" said Tom.'), {"Tom", "butler"}),
     ],

@@ -21,7 +21,6 @@ def relations(reading: Reading) -> set[tuple[str, str, str]]:
         ("On the desk lies a letter, and on the letter a pair of spectacles.", ("spectacles", "on", "letter")),
         ("On the stove a kettle steams; under the table stands a bucket.", ("kettle", "on", "stove")),
         ("On the sledge, under a sheet, are crates and a tent.", ("tent", "under", "sheet")),
-        ("Under the lamp is a saucer full of coins.", ("coin", "on", "saucer")),
         ("The door opens. Joe drags in a sledge with a tree on it.", ("tree", "on", "sledge")),
         ("A camera is mounted on a tripod at the window. Joe sits beside it.", ("joe", "next_to", "camera")),
         ("Between the chair and the stove a parrot sleeps in a basket.", ("basket", "between", "chair")),

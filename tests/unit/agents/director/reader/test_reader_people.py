@@ -35,13 +35,6 @@ def test_the_same_person_at_another_age_is_a_variant(read_scene: Read) -> None:
     assert reading.units[-1].deeds[0].actor == "edward"
 
 
-def test_a_name_told_later_is_not_a_second_person(read_scene: Read) -> None:
-    reading = read_scene("A woman in a grey suit sits at a desk. Her name is NANCY. She smiles.")
-    assert [person.id for person in reading.people] == ["nancy"]
-    assert reading.units[0].on_stage == ["nancy"]
-    assert reading.people[0].outfit == ("grey suit",)
-
-
 def test_several_in_one_name_are_a_group(read_scene: Read) -> None:
     reading = read_scene("TWO SAILORS wait by the door. VERA AND DUTCH enter.")
     assert next((p.id, p.kind, p.count) for p in reading.people) == ("sailor", "group", 2)

@@ -29,14 +29,6 @@ def test_who_goes_into_a_room_of_his_own_is_gone(read_scene: Read) -> None:
     assert read_scene(PEOPLE + "Joe heads for the door.\n\nKate sighs.").units[-1].on_stage == ["joe", "kate"]
 
 
-def test_whom_a_picture_shows_is_not_there(read_scene: Read) -> None:
-    reading = read_scene(
-        "TOM (9) and ANA (8) and JOE (40) sit.\n\nINT. HALL - DAY\n\nKATE (35, a woman) stands.\n\n"
-        "She picks up a picture of Tom and Ana. Another of Tom, Joe and Ana at the sea. The photo shows Tom standing."
-    )
-    assert reading.units[-1].on_stage == ["kate"]
-
-
 def test_prose_changes_scene_with_the_hour_and_knows_numbered_rooms() -> None:
     reading = read_script(
         read(

@@ -20,7 +20,6 @@ _DETERMINED = re.compile(
 """``that certain Messuage``, ``a Mortgage``."""
 _SAID = re.compile(rf"\b(?:{'|'.join(sorted(lexicon.SPEECH_VERBS))}|said|asked|cried)\s+$")
 _AFTER = re.compile(r"(?:,\s+(?:who|with|in|an?|the|his|her)\b[^.;,]{0,30},)?\s+(?:[a-z]+ly\s+)?([a-z]+)")
-_OWNED = re.compile(r"['’]s\s+(?:[a-z]+\s+)?([a-z]+)")
 _AGED = re.compile(r"\s*[,(]\s*(?:aged?\s)?\d\d?\b")
 _OPENS = re.compile(r"(?:^|[.!?;…”\"\n(\[—–-])\s*$")
 
@@ -41,7 +40,7 @@ def is_somebody(name: str, told: TextIndex) -> bool:
     for at in places:
         before, after = told.text[max(0, at - _REACH) : at], told.text[at + len(name) : at + len(name) + _REACH]
         determined = _is_determined(before)
-        if _AGED.match(after) or _SAID.search(before) or (not determined and (_acts(after) or _owns(after))):
+        if _AGED.match(after) or _SAID.search(before) or (not determined and _acts(after)):
             return True
         inside = inside or not (determined or _OPENS.search(before))
     return not places or (inside and (known or not _is_common(words)))
@@ -61,12 +60,6 @@ def _acts(after: str) -> bool:
     following = _AFTER.match(after)
     word = following.group(1) if following else ""
     return word in ("and", "who") or form_kind(word) in ("3sg", "past", "aux")
-
-
-def _owns(after: str) -> bool:
-    """``Corin's hand``, ``Corin's coat``."""
-    owned = _OWNED.match(after)
-    return owned is not None and singular(owned.group(1)) in lexicon.BODY | lexicon.WORN
 
 
 def _is_common(words: list[str]) -> bool:

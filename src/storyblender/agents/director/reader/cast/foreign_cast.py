@@ -41,10 +41,9 @@ def add_foreign(roster: Roster, script: Manuscript) -> None:
         if paragraph.kind != "action":
             continue
         text = without_quotations(without_brackets(paragraph.body))
-        words = [*_WORD.finditer(text)]
-        for at, match in enumerate(words):
+        for match in _WORD.finditer(text):
             english = _person_noun(match.group(), tongue)
-            if english and (match.group().isupper() or _acts(words, at, tongue)):
+            if english and match.group().isupper():
                 _add(roster, match.group(), english, paragraph.start + match.start())
     for person in roster.people:
         english = _person_noun(person.name.split()[-1], tongue)
@@ -65,12 +64,6 @@ def _person_noun(word: str, tongue: Tongue) -> str:
         return ""
     ends = [noun for noun in tongue.people if len(noun) >= _COMPOUND and low.endswith(noun)]
     return tongue.people[max(ends, key=len)] if ends else ""
-
-
-def _acts(words: list[re.Match[str]], at: int, tongue: Tongue) -> bool:
-    """``Der Kellner bringt``: a verb follows."""
-    following = words[at + 1].group().lower() if at + 1 < len(words) else ""
-    return following in tongue.verbs
 
 
 def _add(roster: Roster, word: str, english: str, at: int) -> None:

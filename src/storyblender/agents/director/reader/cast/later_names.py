@@ -91,7 +91,7 @@ def _name(roster: Roster, told: str, naming: Naming) -> None:
     """Give a name that is said to whom it belongs, if that is somebody without one."""
     known = roster.find(naming.name) or roster.find(naming.name.split()[-1]) or roster.find(naming.name.split()[0])
     named = known[0] if known else None
-    if named is not None and (named.first < naming.at or (_has_no_name(named) and not _is_nickname(named, told))):
+    if named is not None and (named.first < naming.at or _has_no_name(named)):
         return
     spoken_only = named is None
     if spoken_only and naming.way != "told" and (naming.way == "called" or not _is_a_name(naming.name)):
@@ -102,21 +102,13 @@ def _name(roster: Roster, told: str, naming: Naming) -> None:
         fitting = [each for each in roster.people if _can_be_called(roster, each, named, told, naming)]
     if not fitting:
         return
-    nameless = min(
-        fitting, key=lambda each: (not _introduces_himself(told, each, naming), _distance(told, each, naming))
-    )
+    nameless = min(fitting, key=lambda each: _distance(told, each, naming))
     if _distance(told, nameless, naming) > _NEAR:
         return
     if named is None:
         named = roster.add(naming.name, naming.at)
     roster.call(named, bare(naming.name))
     join(roster, named, nameless)
-
-
-def _is_nickname(named: Person, told: str) -> bool:
-    """``"Mouse," he said``: a noun with a capital and never with an article."""
-    noun = re.escape(named.role)
-    return named.name[0].isupper() and re.search(rf"\b(?i:an?|the|his|her|my) (?:[\w-]+ )?{noun}\b", told) is None
 
 
 def _is_a_name(name: str) -> bool:
@@ -130,12 +122,10 @@ def _can_be_called(roster: Roster, person: Person, named: Person | None, told: s
     animal = _has_no_name(person) and person.kind == "animal" and person.count == 1
     if not (is_nameless(person) or animal) or person in (named, roster.narrator):
         return False
-    speaks = _speaks(naming.tag, person) or _leads(told, person, naming)
     soon = (
         naming.way == "called" and "\n" not in told[naming.at : person.first] and person.first - naming.at < _ANSWERING
     )
-    introduced = person.first < naming.at or soon or speaks
-    if not introduced or (naming.way == "called" and speaks):
+    if not (person.first < naming.at or soon):
         return False
     gender = naming.gender if naming.gender != "thing" else "unknown"
     if not _agree(gender, person.gender) or (
@@ -159,30 +149,6 @@ def _may_bear(person: Person, name: str) -> bool:
     return not office or person.role in GENERIC | _YOUNG | lexicon.KIN or title in ranks
 
 
-def _speaks(tag: str, person: Person) -> bool:
-    """``said the mole``."""
-    return (
-        re.search(rf"\b(?:an?|the|her|his|my) (?:[\w-]+ )?{re.escape(person.role)}\b", tag[:40], re.IGNORECASE)
-        is not None
-    )
-
-
-def _introduces_himself(told: str, person: Person, naming: Naming) -> bool:
-    return naming.way == "own" and (_speaks(naming.tag, person) or _leads(told, person, naming))
-
-
-def _leads(told: str, person: Person, naming: Naming) -> bool:
-    """``The courier held out the envelope. "You are Irina?"``: whom the sentence before is about speaks."""
-    if person.kind == "animal" or not _agree(_tag_gender(naming.tag), person.gender):
-        return False
-    paragraph = told[: naming.at].rstrip(" ")
-    if paragraph.endswith("\n") and _tag_gender(naming.tag) == "unknown":
-        return False
-    sentence = re.split(r"[.!?\n]\s+", paragraph.rstrip().rstrip(".!?:,"))[-1]
-    opening = rf"\s*(?:(?:said|says|asked|asks|cried) )?(?:the|an?) (?:[\w-]+ )?{re.escape(person.role)}\b"
-    return re.match(opening, sentence, re.IGNORECASE) is not None
-
-
 def _tag_gender(tag: str) -> str:
     said = re.match(r"(?:\w+ )?(he|she)\b", tag, re.IGNORECASE)
     return lexicon.PRONOUNS.get(said.group(1).lower(), "unknown") if said else "unknown"
@@ -193,15 +159,7 @@ def _distance(told: str, person: Person, naming: Naming) -> int:
     places = list(_mentions(told, person))
     before = [naming.at - at for at in places if at < naming.at]
     after = [2 * (at - naming.at) for at in places if at >= naming.at and naming.way == "called"]
-    answers = (at for at in places if naming.way == "called" and 0 <= at - naming.at < _ANSWERING and _opens(told, at))
-    if any(naming.name.split()[0] not in told[naming.at : at] for at in answers):
-        return 0  # "Nat!" shouted the captain. The boy ran.
     return min([*before, *after], default=_NEAR + 1) + (person.kind == "animal") * _ANSWERING
-
-
-def _opens(told: str, at: int) -> bool:
-    """Whether a noun stands at the start of a paragraph: ``The boy``."""
-    return re.search(r"\n\s*The (?:[\w-]+ )?[\w-]+$", told[max(0, at - 40) : at]) is not None
 
 
 def _mentions(told: str, person: Person) -> tuple[int, ...]:

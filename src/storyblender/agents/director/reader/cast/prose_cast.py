@@ -18,7 +18,6 @@ from storyblender.agents.director.reader.cast.namings import namings, told_text
 from storyblender.agents.director.reader.cast.prose_names import add_name, names_in
 from storyblender.agents.director.reader.cast.spoken_names import announced, call_by_title, spoken_names, title_noun
 from storyblender.agents.director.reader.cast.trades import call_by_trade
-from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.agents.director.reader.language.person_nouns import PersonNoun, find_person_nouns
 from storyblender.agents.director.reader.language.text_index import TextIndex
 from storyblender.agents.director.reader.manuscript import Manuscript, without_quotations
@@ -219,17 +218,7 @@ def _is_apposed(role: _Role, text: str) -> bool:
     sentence = re.split(r"[.!?]", text[max(0, role.at - 90) : role.at])[-1]
     beside = re.search(r"\band (?:next to|beside|behind|with|between|in front of|on)\b", sentence)
     alone = _OPENING.fullmatch(sentence.strip())
-    return text[max(0, role.at - 2) : role.at] == ", " and beside is None and alone is None and not _acts(role)
-
-
-def _acts(role: _Role) -> bool:
-    """``in row F, a child gets up``: a subject, not what stands for the word before."""
-    following = re.match(r"\s+([a-z]+)(?:\s+([a-z]+))?", role.after)
-    if following is None:
-        return False
-    verb, then = following.group(1), following.group(2) or ""
-    kind = form_kind(verb)
-    return kind in ("3sg", "aux") or (kind == "past" and not (verb.endswith("ed") and then in lexicon.PREPOSITIONS))
+    return text[max(0, role.at - 2) : role.at] == ", " and beside is None and alone is None
 
 
 def _goes_by(roster: Roster, role: _Role, text: str) -> bool:

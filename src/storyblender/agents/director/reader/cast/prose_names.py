@@ -78,7 +78,7 @@ def names_in(text: str, start: int) -> list[tuple[int, str]]:
         before = text[max(0, at - 30) : at].lower()
         if before.endswith(": ") and " " not in name and not any(find_person_nouns(text[max(0, at - 60) : at])):
             continue
-        if _is_a_place(name) or re.search(r"\bmessrs\.?\s(?:[a-z]+ and )?$", before):
+        if re.search(r"\bmessrs\.?\s(?:[a-z]+ and )?$", before):
             continue
         known = first.strip(".") in _KNOWN
         if (
@@ -99,12 +99,6 @@ def _is_somewhere(name: str, before: str) -> bool:
         return True
     last = name.lower().split()[-1]
     return re.search(r"\bthe\s+$", before) is not None and not is_person_noun(last)
-
-
-def _is_a_place(name: str) -> bool:
-    """``Linden Street``, ``Anchor Café``, whatever the first word may be elsewhere."""
-    words = unaccented(name.lower()).split()
-    return len(words) > 1 and words[-1] in lexicon.PLACES and words[0].strip(".") not in lexicon.TITLES
 
 
 def _opens_like_a_name(name: str, following: str) -> bool:

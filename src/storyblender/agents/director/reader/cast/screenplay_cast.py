@@ -272,7 +272,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: _FullNames, text: st
     known = roster.find(name)
     if not known and full_names.have_part(name):
         return
-    other = None if known else worn_name(roster, name)
+    other = None if known else _apposed(roster, sighting, name, text) or worn_name(roster, name)
     if other:
         roster.call(other, bare(name))
     before = text[max(0, sighting.at - 40) : sighting.at]
@@ -341,6 +341,28 @@ def _are_numbered(name: str, full_names: _FullNames) -> bool:
     head = singular(name.split()[-1])
     plural = head != name.split()[-1].lower() and is_person_noun(head)
     return plural and full_names.number((" ".join([*name.split()[:-1], head.upper()]), head.upper()))
+
+
+def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
+    """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
+    left = text[max(0, sighting.at - 40) : sighting.at]
+    before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a |an |the )?$", left)
+    people = roster.find(before.group(1)) if before else []
+    if (
+        people
+        and people[0].role == bare(people[0].name) in lexicon.KIN
+        and left.endswith(", ")
+        and " " not in left[-2:-1]
+    ):
+        roster.rename(people[0], name)
+        roster.call(people[0], bare(name))
+        return people[0]
+    if not people or left.endswith(", ") or people[0].count > 1 or not is_person_noun(singular(name.split()[-1])):
+        return None
+    roster.call(people[0], bare(name))
+    roster.call(people[0], name.split()[-1].lower())
+    people[0].age = people[0].age or lexicon.AGE_WORDS.get(name.split()[0].lower(), "")
+    return people[0]
 
 
 def _newcomer(roster: Roster, sighting: _Sighting, name: str, before: str) -> Person:

@@ -250,7 +250,7 @@ def _at_place(stage: Stage, place: Place, motion: str) -> str | None:
 def _seat_walked_to(stage: Stage, person: Person) -> str | None:
     """``Walks over to the booth and sits down``: the booth."""
     units = stage.reading.units[-2:]
-    walked = [d for unit in units for d in unit.deeds if d.actor == person.id and d.motion in ("walk", "run")]
+    walked = [d for unit in units for d in unit.deeds if d.actor == person.id and d.motion in ("walk", "run", "pull")]
     return next((d.target for d in reversed(walked) if stage.inventory.head(d.target) in lexicon.SEATS), None)
 
 

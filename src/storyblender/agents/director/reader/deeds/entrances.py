@@ -28,7 +28,6 @@ _PICTURE_OF = re.compile(
     r"( the| a| my| his| her| our| their)?$"
     r"|\b(look|search|wait|ask|hop|long|hunt)(s|es|ed|ing|ed)?( around| everywhere| about| in vain)? for( \w+)?( \w+)?$"
 )
-_IMAGE = r"(?:picture|photo|photograph|snapshot|portrait|painting|drawing|sketch|poster|image)s?"
 
 
 @rule("people.subject_is_there", without=True)

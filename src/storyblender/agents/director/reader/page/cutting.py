@@ -21,7 +21,7 @@ from storyblender.agents.director.reader.page.told_places import ToldPlace, plac
 from storyblender.agents.director.reader.people.narrator import mark_narrator
 from storyblender.agents.director.reader.people.roster import Roster
 from storyblender.agents.director.reading import SceneReading
-from storyblender.agents.director.rules import rule
+from storyblender.agents.director.rules import by_rule
 
 _LOOKED_AT = 3
 """Paragraphs searched for a place under a heading that names none."""
@@ -61,17 +61,18 @@ class _Cutter:
 
     def cut(self) -> list[Sentence]:
         for index, paragraph in enumerate(self.script.paragraphs):
-            if paragraph.kind == "heading":
-                self._heading(index, paragraph)
-            elif paragraph.kind == "cue":
-                self.cue = paragraph
-            elif paragraph.kind != "cast":
-                self._told(index, paragraph)
+            headed = paragraph.kind == "heading"
+            with by_rule("place.heading" if headed else "place.told", paragraph.start, paragraph.end):
+                if headed:
+                    self._heading(index, paragraph)
+                elif paragraph.kind == "cue":
+                    self.cue = paragraph
+                elif paragraph.kind != "cast":
+                    self._told(index, paragraph)
         settle_sides(self.script.text, self.scenes, chat=self.page == "chat")
         return self.sentences
 
     # -- scenes ----------------------------------------------------------------------------------------------------
-    @rule("place.heading")
     def _heading(self, index: int, paragraph: Paragraph) -> None:
         self.intercut = None
         if index == self.read_ahead:
@@ -232,7 +233,6 @@ class _Cutter:
         return None
 
     # -- sentences -------------------------------------------------------------------------------------------------
-    @rule("place.told")
     def _told(self, index: int, paragraph: Paragraph) -> None:
         if not self.scenes:
             self._open(index, paragraph)

@@ -11,8 +11,6 @@ from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.people.roles import Place, Roles
 from storyblender.agents.director.reader.places.anchors import (
     BEARING,
-    BODY_OR_DRESS,
-    CLOTHS,
     CONTAINERS,
     FLOOR,
     SURFACES,
@@ -24,7 +22,7 @@ from storyblender.agents.director.reader.places.anchors import (
     solid_things,
 )
 from storyblender.agents.director.reader.places.contents import relate_contents
-from storyblender.agents.director.reader.places.place_verbs import BENT, HALTING, STATIVE
+from storyblender.agents.director.reader.places.place_verbs import BENT, STATIVE
 from storyblender.agents.director.reader.places.put_places import put, puts_something, relate_between
 from storyblender.agents.director.reader.places.stated import state_place
 from storyblender.agents.director.reader.places.supports import relate_supports
@@ -37,13 +35,9 @@ from storyblender.memory.vocabulary import RelationKind
 _BOARDING = frozenset(
     {"get", "climb", "step", "hop", "scramble", "slide", "jump", "clamber", "leap", "squeeze", "crawl"}
 )
-_FETCHING = frozenset({"pull", "take", "push", "carry", "pick_up"})
-_ONES_OWN = BODY_OR_DRESS | CLOTHS
 _LATELY = 4
 """Things back to a vehicle."""
 _LEAPING = frozenset({"jump", "climb", "ride", "fall"})
-_GOING = frozenset({"walk", "run", "sneak", "stagger", "crawl"})
-_UP_TO = frozenset({"to", "over to", "up to"})
 _PASSING = frozenset({"walk", "sneak"})
 _SIDES = frozenset({"to the left of", "to the right of"})
 _ON_THE_SIDE = re.compile(r"\bto (?:her|his|their) (left|right)\b|\bto the (left|right) of\b")
@@ -78,12 +72,10 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
             faced = [person.id for person in roles.people] + solid_things(stage, roles.things)
             faced = faced or located  # each other
             found.extend((subject, "facing", other) for subject in located for other in faced if other != subject)
-        found += _arrived(stage, clause, motion, located, bool(found))
         found += _boarded(stage, clause, roles, located)
         found += _lands_on(roles, motion, located)
         if clause.verb in _BOARDING and not clause.opening and not roles.things + roles.people:
             found += _aboard(stage, roles, located)
-    stage.sentence.goal = _goal(stage, roles, motion)
     if first and roles.subjects and not any(place.preposition in _SIDES and place.things for place in roles.places):
         _left_or_right(stage, roles.subjects)
     if puts_something(clause, roles, motion):
@@ -99,40 +91,6 @@ def _lands_on(roles: Roles, motion: str | None, located: list[str]) -> list[Stat
         return []
     bodies = [at_body(place) for place in roles.places if place.preposition in ("on", "onto", "on to", "in", "into")]
     return [(who, "on", body[1]) for who in located for body in bodies if body and body[0] in BEARING]
-
-
-def _arrived(stage: Stage, clause: Clause, motion: str | None, located: list[str], told: bool) -> list[Stated]:
-    """``crosses to the counter and bends over the case``, ``goes to the window and stands looking out``."""
-    goal = stage.sentence.goal
-    if goal is None or goal[0] != located or told or clause.opening:
-        return []
-    if motion in ("sit", "lie_down"):
-        return [(person, "on", goal[1]) for person in located if stage.inventory.head(goal[1]) in lexicon.SEATS]
-    stays = clause.verb in BENT | HALTING | {"stand", "wait", "lean", "stay", "linger"}
-    return [(person, "at", goal[1]) for person in located if stays]
-
-
-def _goal(stage: Stage, roles: Roles, motion: str | None) -> tuple[list[str], str] | None:
-    """Who walks to what: ``crosses to the counter``."""
-    if not roles.subjects:
-        return None
-    goers = [person.id for person in roles.subjects]
-    kept = stage.sentence.goal
-    if (
-        kept
-        and kept[0] == goers
-        and not roles.places
-        and all(stage.inventory.head(t) in _ONES_OWN for t in roles.things)
-    ):
-        return kept  # walks up to the throne, gathers her skirts and sits down
-    if roles.things and motion in _FETCHING and stage.inventory.head(roles.things[0]) in lexicon.SEATS:
-        return goers, roles.things[0]  # pulls up a chair and sits
-    if motion not in _GOING or roles.things + roles.people:
-        return None
-    to = next((place for place in roles.places if place.preposition in _UP_TO and place.things), None)
-    if to is None or stage.inventory.class_of(to.things[0]) != "set_piece":
-        return None
-    return goers, to.things[0]
 
 
 def _at_particle(clause: Clause, roles: Roles) -> Roles:
