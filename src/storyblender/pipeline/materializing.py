@@ -132,10 +132,11 @@ class ConceptArtist:
         if asset.asset_type == "character":
             canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
             return asset.model_copy(update={"canonical": canonical})
+        request = self._request(asset)
         recipe = reflect(
             "asset_retriever",
             asset.asset_id,
-            self._request(asset),
+            request,
             self._retriever,
             MatchCritic(),
             threshold=self._run.settings.thresholds.get("asset_retriever", RETRIEVAL_THRESHOLD),
@@ -150,7 +151,12 @@ class ConceptArtist:
             )
             self._run.tell(Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message))
         return asset.model_copy(
-            update={"canonical": recipe.with_caller(asset.description).written(asset.writing).canonical()}
+            update={
+                "canonical": recipe.in_state(request.state)
+                .with_caller(asset.description)
+                .written(asset.writing)
+                .canonical()
+            }
         )
 
     def _request(self, asset: Asset) -> AssetRequest:

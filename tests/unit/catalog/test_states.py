@@ -37,3 +37,9 @@ def test_flames_are_seen_with_what_burns() -> None:
 @pytest.mark.parametrize(("changes", "before"), [(["open"], "closed"), (["off", "on"], "on"), (["wet"], ""), ([], "")])
 def test_before_its_first_change_a_thing_was_otherwise(changes: list[str], before: str) -> None:
     assert state_at_first(changes) == before
+
+
+def test_what_was_out_at_first_shines_once_it_is_lit() -> None:
+    lit = look_in("candle", {"unlit": True}, "lit")
+    assert lit is not None and "unlit" not in lit.params
+    assert look_in("candle", {"unlit": True}, "off") is None

@@ -8,6 +8,7 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
+from storyblender.catalog.states import look_in
 from storyblender.catalog.writing import CALLS, MOST, SCREENS, WRITING
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Frozen, Vec3, content_hash
@@ -91,6 +92,11 @@ class Recipe(Frozen):
         if not words.strip() or self.source != "catalog" or self.key not in WRITING:
             return self
         return self.model_copy(update={"params": {**self.params, "text": words.strip()[:MOST]}})
+
+    def in_state(self, state: str) -> Recipe:
+        """Return the recipe of the thing in the state that it is in at first: a candle that is lit later is out."""
+        look = look_in(self.key, self.params, state) if self.source == "catalog" and state else None
+        return self if look is None or look.key != self.key else self.model_copy(update={"params": look.params})
 
     def with_caller(self, told: str) -> Recipe:
         """Return the recipe with somebody's face on its screen, if what is told of it says that they call."""

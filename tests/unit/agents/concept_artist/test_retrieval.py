@@ -312,3 +312,16 @@ def test_a_phrase_means_the_thing_and_not_what_bears_one_of_its_words(phrase, ke
 def test_who_calls_is_on_a_screen_and_on_nothing_else(key, told, shown):
     recipe = Recipe(source="catalog", key=key, score=10.0).with_caller(told)
     assert recipe.params.get("caller", False) is shown
+
+
+@pytest.mark.parametrize(
+    ("key", "state", "params"),
+    [
+        ("candle", "unlit", {"unlit": True}),
+        ("television", "on", {"on": True}),
+        ("book", "", {}),
+        ("vase", "broken", {}),
+    ],
+)
+def test_a_thing_is_at_first_as_it_was_before_it_changes(key, state, params):
+    assert Recipe(source="catalog", key=key, score=10.0).in_state(state).params == params
