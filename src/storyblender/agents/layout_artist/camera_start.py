@@ -38,7 +38,7 @@ _COMPANY = 6.0
 """Metres from a large thing within which people belong in a wide picture of it."""
 _EYES = 50.0
 """mm: eyes see no narrower than this, unless a longer lens is asked for."""
-_SQUATS = 0.6
+_SQUATS = 0.5
 """Metres that a face is lower than upright where a picture that cuts the body would lose it."""
 _SHOULDER_TURN, _LEAVING_TURN = 45.0, 20.0
 """Degrees to go round to where two are beside each other, and no longer one before the other's shoulder; sooner where

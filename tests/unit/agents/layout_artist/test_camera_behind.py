@@ -8,7 +8,10 @@ import pytest
 from test_camera_room import brief, person
 
 from storyblender.agents.director.camera_phrases import from_behind
+from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_scout import scouted
+from storyblender.agents.layout_artist.camera_start import start
+from storyblender.geometry.framing import project
 
 
 @pytest.mark.parametrize("yaw", [0, 90, 180])
@@ -36,3 +39,13 @@ def test_a_back_that_the_script_asks_for_is_shown(yaw: int, size: str) -> None:
 )
 def test_the_words_for_a_back(words: str, behind: bool) -> None:
     assert from_behind(words) == behind
+
+
+@pytest.mark.parametrize("drop", [0.55, 0.7, 0.9])
+def test_who_crouches_has_the_face_in_the_upper_half_of_a_medium_shot(drop: float) -> None:
+    up = person("anna", 0.0, 0.0, 0)
+    down = replace(up, face=(0.0, 0.0, up.face[2] - drop))
+    view = brief(down, in_frame=("anna",), kind="single", size="MS", focus_on_ids=("anna",))
+    view = replace(view, moments=(Moment(0, (up,)), Moment(20, (down,)), Moment(47, (down,))), plan=None)
+    (face,), _ = project(start(view).camera, [down.face])
+    assert face[1] < 0.5
