@@ -150,14 +150,8 @@ class ConceptArtist:
                 f"the library has no {asset.name or asset.asset_id}; the {name} stands in for it ({recipe.reason})"
             )
             self._run.tell(Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message))
-        return asset.model_copy(
-            update={
-                "canonical": recipe.in_state(request.state)
-                .with_caller(asset.description)
-                .written(asset.writing)
-                .canonical()
-            }
-        )
+        recipe = recipe.in_state(request.state).with_caller(asset.description).written(asset.writing)
+        return asset.model_copy(update={"canonical": recipe.canonical()})
 
     def _request(self, asset: Asset) -> AssetRequest:
         """Return an asset with what the first place where it is says about it."""
