@@ -46,6 +46,7 @@ def test_a_phrase_varies_a_prop():
     assert read_variant(PROPS["tire"], "a stack of bald tires") == {"stacked": True}
     assert read_variant(PROPS["shoe"], "muddy shoes") == {"pair": True}
     assert read_variant(PROPS["shoe"], "a lost shoe") == {}
+    assert read_variant(PROPS["ice_cream_scoop"], "an ice cream scoop") == {}
 
 
 def test_an_ordinary_thing_is_itself_by_all_its_names():

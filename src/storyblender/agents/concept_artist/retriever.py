@@ -53,6 +53,7 @@ _HEAPS: frozenset[str] = frozenset(
         "set",
         "row",
         "bundle",
+        "roll",
         "handful",
         "wad",
         "sheaf",

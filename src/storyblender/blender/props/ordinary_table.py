@@ -165,3 +165,18 @@ def dice(b: MeshBuilder, spec: PropSpec) -> Anchors:
                             segments=10,
                         )
     return pinch(0.0, 0.5 * h)
+
+
+@prop("chocolate_bar")
+def chocolate_bar(b: MeshBuilder, spec: PropSpec) -> Anchors:
+    """Build a bar of chocolate that lies flat, unwrapped at its end to -Y."""
+    (w, d, h), wrapper, foil = spec.size, spec.material("wrapper"), spec.material("foil")
+    b.box(spec.material("chocolate"), (0, 0, 0.35 * h), (0.92 * w, d, 0.7 * h))
+    for row in range(3):
+        for x in (-0.3, 0.0, 0.3):
+            middle = (x * w, (-0.44 + 0.12 * row) * d, 0.82 * h)
+            b.box(spec.material("chocolate"), middle, (0.26 * w, 0.1 * d, 0.3 * h), taper=0.8)
+    b.box(foil, (0, 0.12 * d, 0.48 * h), (0.96 * w, 0.7 * d, 0.92 * h), bevel=0.001)
+    b.box(wrapper, (0, 0.2 * d, 0.5 * h), (w, 0.6 * d, h), bevel=0.002)
+    b.box("wax", (0, 0.2 * d, h), (0.7 * w, 0.3 * d, 0.0006))
+    return two_hands((-0.5 * w, 0.2 * d, 0.5 * h), (0.2, -0.95, 0), (0.98, 0.1, 0), (0.5, 0.55, 0.5))

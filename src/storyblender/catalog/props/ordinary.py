@@ -170,6 +170,8 @@ _TABLE: tuple[PropEntry, ...] = (
         {"dough": "cardboard", "chip": "wood_black"}, "A cookie."),
     held("carrot", "carrots, raw carrot, parsnip", (0.05, 0.3, 0.05), {"root": "clay", "leaf": "leaves"}, "A carrot.",
         {"color": "#c9661f"}),
+    held("chocolate_bar", "bar of chocolate, candy bar, chocolate, bar of candy, piece of chocolate, snack bar",
+        (0.07, 0.16, 0.012), {"wrapper": "fabric_red", "chocolate": "wood_black", "foil": "silver"}, "A bar of chocolate."),
     held("lollipop", "lollypop, sucker, candy on a stick, toffee apple", (0.07, 0.014, 0.2),
         {"candy": "fabric_red", "swirl": "wax"}, "A lollipop."),
     held("cigarette_pack", "pack of cigarettes, packet of cigarettes, cigarette packet, box of cigarettes",

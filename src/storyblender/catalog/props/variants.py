@@ -314,7 +314,7 @@ def read_variant(entry: PropEntry, phrase: str) -> dict[str, ParamValue]:
     material = next((MATERIALS[word] for word in words if word in MATERIALS and word not in own), None)
     if material is not None and entry.materials and material != next(iter(entry.materials.values())):
         params["material"] = material
-    color = next((COLORS[word] for word in words if word in COLORS), None)
+    color = next((COLORS[word] for word in words if word in COLORS and word not in entry.name.split()), None)
     if color is not None and entry.materials:
         params["color"] = color
     for name, default in entry.params.items():

@@ -292,6 +292,8 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
         ("belt of old rocks", "rock"),
         ("one black shoe", "shoe"),
         ("stack of forms", "paper_stack"),
+        ("roll of duct tape", "tape_roll"),
+        ("chocolate bar", "chocolate_bar"),
         ("clothes on a line", "clothesline"),
         ("attic door", "door"),
         ("thin smoke", "smoke"),
