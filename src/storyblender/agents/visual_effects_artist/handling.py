@@ -67,7 +67,7 @@ class Handling:
         if (getting and person.hand_of(prop)) or (motion.key == "hold" and prop in person.on_body):
             return
         t = self._hands_freed(person, prop, start) if motion.hands == 2 else start
-        where_it_is = motion.key in ("open", "close") and self._stands(prop)
+        where_it_is = motion.key in ("open", "close", "type") and self._stands(prop)
         t = self._gone_to(person, prop, ACROSS if where_it_is else FETCH if getting else AT_HAND, t)
         lies = self._within_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None
@@ -203,7 +203,7 @@ class Handling:
             self.company.wear(person, prop)
 
     def _stands(self, prop: str) -> bool:
-        """Tell whether a thing is opened where it stands, not in the hand: a box, a case."""
+        """Tell whether a thing is opened or typed on where it stands, not in the hand: a box, a case, a laptop."""
         size = self.company.size_of(prop)
         return size is not None and size[1] > BOX
 

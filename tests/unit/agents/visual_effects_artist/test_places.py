@@ -56,6 +56,7 @@ ASSETS = (
     _asset("counter", (2.4, 0.6, 1.1)),
     _asset("bucket", (0.3, 0.3, 0.3)),
     _asset("ball", (0.1, 0.1, 0.1)),
+    _asset("laptop", (0.34, 0.3, 0.23)),
     _asset("ann", (0.5, 0.3, 1.7), person=True),
     _asset("bo", (0.5, 0.3, 1.7), person=True),
 )
@@ -69,6 +70,7 @@ LAYOUT = Layout(
         _at("bar_counter", -3.0, -3.5, 180),
         _at("bucket", -4.0, 0.0),
         _at("ball", 2.0, 3.5),
+        LayoutObject(node_id="laptop", asset_id="laptop", location=(0, 1.8, 0.75)),
         _at("ann", -1, -1),
         _at("bo", 1, -1),
     ),
@@ -242,3 +244,11 @@ def test_what_is_under_an_arm_stays_there_until_a_hand_takes_it(motion: str, pla
     deed = CharacterAction(asset_id="ann", action_description=motion, motion=motion, prop_id="ball")
     _, props = _played(_shot(ann), _shot(ann, number=2, character_actions=(deed,)))
     assert {state.asset_id: state.place for state in props[1]}["ball"] == place
+
+
+@pytest.mark.parametrize(("motion", "moved"), [("type", False), ("take", True)])
+def test_a_laptop_on_a_table_stays_there_while_somebody_types(motion: str, moved: bool) -> None:
+    deed = CharacterAction(asset_id="ann", action_description=motion, motion=motion, prop_id="laptop")
+    ann = _state("ann", relation="in_front_of", anchor_id="dining_table")
+    _, props = _played(_shot(ann, character_actions=(deed,)), _shot(ann, number=2))
+    assert ("laptop" in {state.asset_id for state in props[1]}) is moved
