@@ -15,7 +15,7 @@ from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.acts import ACTS
-from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.catalog.motions import MOTIONS, SEATED, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2
 from storyblender.geometry.stations import Station
@@ -32,12 +32,6 @@ LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
 BLOWS = frozenset({"hit", "punch", "slap"})
 """Blows that things get too."""
-IN_PLACE: Mapping[str, str] = {
-    "hit": "slam", "punch": "raise_fist", "push": "offer", "push_away": "halt", "pull": "row", "bow": "nod",
-    "bend": "look_down", "curtsy": "nod", "recoil": "flinch", "cower": "cover_face", "dance": "clap",
-    "stamp": "raise_fist", "guard": "raise_fist",
-}  # fmt: skip
-"""Motion of a standing body -> what somebody does who stays in their seat."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
 """What is done with somebody where somebody is named."""
 STEP = 0.05
@@ -60,15 +54,8 @@ class Actions:
 
     def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""
-        motion = clip_of(action.motion)
-        partner = self.company.people.get(action.target_id or "")
-        partner = partner if partner is not None and partner.present and partner is not person else None
         prop = self.company.prop_of(action)
-        if partner is None and motion.reach == "person":
-            if motion.key in BLOWS and (prop is not None or self.company.floor.thing(action.target_id) is not None):
-                motion = self._blow_on_thing(person)
-            else:
-                partner = self._nearest(person)
+        motion, partner = self._with_whom(action, person, prop)
         if person.entering and not person.acted and self.company.opens_a_door(action):
             return  # the door swings for who comes in
         if motion.key in ("idle", "stand"):
@@ -76,9 +63,7 @@ class Actions:
                 start = self.sheet.start_of(person)
                 self.sheet.done(person, start, self.sheet.rise(person, start))
             return
-        if motion.key in ("jump", "climb") and (
-            self._get_onto(action, motion, person) or self._cross(action, motion, person)
-        ):
+        if motion.key in ("jump", "climb") and self._get_over(action, motion, person):
             return
         if motion.key == "put_down" and partner is not None and prop is None:
             return  # who was lifted has been put down
@@ -150,7 +135,7 @@ class Actions:
         if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
             return MOTIONS["walk"]
         if motion.before and person.posture not in motion.before and self._stays(person):
-            return MOTIONS[IN_PLACE.get(motion.key, "idle")]
+            return MOTIONS[SEATED.get(motion.key, "idle")]
         if instead is None or motion.key not in WITH_SOMEBODY:
             return motion
         key = WITH_SOMEBODY[motion.key]
@@ -161,9 +146,21 @@ class Actions:
         state = self.ends.get(person.asset_id)
         return state is not None and not person.upright and state.posture == person.posture
 
-    def _blow_on_thing(self, person: Person) -> Motion:
-        """Return the motion for hitting a thing: with what is in both hands, with a tool, or with the fist."""
-        return MOTIONS[("slam", "hammer", "drum")[min(2, len(person.held))]]
+    def _with_whom(self, action: CharacterAction, person: Person, prop: str | None) -> tuple[Motion, Person | None]:
+        """Return the motion of an action and the other person in it.
+
+        A thing is hit with what is in both hands, with a tool, or with the fist; whom the script does not name is the
+        nearest.
+        """
+        motion = clip_of(action.motion)
+        partner = self.company.people.get(action.target_id or "")
+        if partner is not None and partner.present and partner is not person:
+            return motion, partner
+        if motion.reach != "person":
+            return motion, None
+        if motion.key in BLOWS and (prop is not None or self.company.floor.thing(action.target_id) is not None):
+            return MOTIONS[("slam", "hammer", "drum")[min(2, len(person.held))]], None
+        return motion, self._nearest(person)
 
     def _met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
         """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``.
@@ -189,13 +186,16 @@ class Actions:
         """Return what a person's next action is about."""
         return next((a.target_id for a in later if a.asset_id == person.asset_id), None)
 
+    def _get_over(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
+        return self._get_onto(action, motion, person) or self._cross(action, motion, person)
+
     def _get_onto(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
         """Climb or leap onto a thing that the script leaves somebody on; tell whether it does."""
-        state, thing = self.ends.get(person.asset_id), self.company.floor.thing(action.target_id, person.place)
-        on_it = state is not None and state.spot is not None and state.spot.relation == "on"
-        if not on_it or state is None or state.spot is None or thing is None:
+        state, floor = self.ends.get(person.asset_id), self.company.floor
+        thing = floor.thing(action.target_id, person.place)
+        if state is None or state.spot is None or state.spot.relation != "on" or thing is None:
             return False
-        if self.company.floor.thing(state.spot.anchor_id, person.place) is not thing:
+        if floor.thing(state.spot.anchor_id, person.place) is not thing:
             return False
         start = self.sheet.start_of(person)
         if self.company.places.seat(person, state) is not None:
@@ -204,7 +204,7 @@ class Actions:
         top = self.company.places.station(person, state.spot)
         if top is None or top.z <= 0:
             return False
-        foot = self.company.floor.free_near(thing.rim(person.place), person.k, self.company.others(person))
+        foot = floor.free_near(thing.rim(person.place), person.k, self.company.others(person))
         t = self.sheet.go(person, foot, facing(foot, (top.x, top.y)), start)
         person.spot, person.place, person.yaw, person.z, person.acted = state.spot, (top.x, top.y), top.yaw, top.z, True
         seconds = natural_seconds(MOTIONS[motion.key])

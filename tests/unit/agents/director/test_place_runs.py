@@ -12,7 +12,10 @@ from storyblender.agents.director.reader import read_script
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read
 
-SCRIPT = "INT. SHED - DAY\n\nAda (40) sits on a chair. In the kitchen Tom (30) cooks soup. Ada laughs. Tom tastes the soup.\n"
+SCRIPT = """INT. SHED - DAY
+
+Ada (40) sits on a chair. In the kitchen Tom (30) cooks soup. Ada laughs. Tom tastes the soup.
+"""
 
 
 def split(places: list[int]) -> Reading:
