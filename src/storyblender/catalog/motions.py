@@ -21,7 +21,7 @@ TURN_STEP_SECONDS = 0.26
 AIMED: frozenset[str] = frozenset({"put_down", "look"})
 """Motions whose mark is where a thing goes or where somebody looks, not where they go."""
 
-SEATED: dict[str, str] = {
+IN_THEIR_SEAT: dict[str, str] = {
     "hit": "slam", "punch": "raise_fist", "push": "offer", "push_away": "halt", "pull": "row", "bow": "nod",
     "bend": "look_down", "curtsy": "nod", "recoil": "flinch", "cower": "cover_face", "dance": "clap",
     "stamp": "raise_fist", "guard": "raise_fist",

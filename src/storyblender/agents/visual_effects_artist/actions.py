@@ -15,7 +15,7 @@ from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.acts import ACTS
-from storyblender.catalog.motions import MOTIONS, SEATED, Motion, clip_of, natural_seconds
+from storyblender.catalog.motions import IN_THEIR_SEAT, MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2
 from storyblender.geometry.stations import Station
@@ -135,7 +135,7 @@ class Actions:
         if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
             return MOTIONS["walk"]
         if motion.before and person.posture not in motion.before and self._stays(person):
-            return MOTIONS[SEATED.get(motion.key, "idle")]
+            return MOTIONS[IN_THEIR_SEAT.get(motion.key, "idle")]
         if instead is None or motion.key not in WITH_SOMEBODY:
             return motion
         key = WITH_SOMEBODY[motion.key]
