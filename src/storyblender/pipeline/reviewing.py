@@ -20,7 +20,7 @@ from storyblender.pipeline.shooting import frame_picture
 from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
 from storyblender.reflection import Critique, Fault
 
-CRITIC_VERSION = 3
+CRITIC_VERSION = 4
 """Raised with every change of the critic's rules: kept reviews are then redone."""
 
 

@@ -36,6 +36,8 @@ _OUT_OF = (
 _UNSTAGED = ("intercut", "split_screen", "match_cut")
 _TIGHT = ("MCU", "CU", "ECU")
 """Sizes that hold one face."""
+_SHOWS_FACES = ("action", "single", "reaction", "group", "two_shot")
+"""Kinds of shots that turn to the faces of their people unless the script shows them from behind."""
 _POV_LENS = 35.0
 """mm: about what an eye takes in."""
 
@@ -177,7 +179,8 @@ class ShotDetails:
             description=wanted_camera(draft, self.company.names, capwords(self.scene.place)),
             explicit=draft.ordered,
             through=draft.note.through if draft.note and draft.kind == "pov" else "",
-            behind=any(from_behind(self.text[beat.start : beat.end]) for beat in draft.beats),
+            behind=draft.kind in _SHOWS_FACES
+            and any(from_behind(self.text[beat.start : beat.end]) for beat in draft.beats),
         )
 
     def _modifications(self, units: Sequence[Unit]) -> list[AssetModification]:

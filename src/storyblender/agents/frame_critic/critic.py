@@ -40,7 +40,7 @@ _STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.
 """Points lost for each kind of failed staging."""
 _TOUCHES, _INSIDE = 0.03, 0.10
 """Metres of overlap between bodies: the least that counts, and the least that is plainly visible."""
-_MOST_APART = MOST_GAP + 1.0
+_MOST_APART = MOST_GAP
 """Heads between two neighbours from which a picture of people has an empty middle."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
 _DARK = 0.08
@@ -231,12 +231,13 @@ def _picture(view: FrameView) -> list[Fault]:
     found: list[Fault] = []
     if seen.void > _MOST_VOID:
         found.append(_fault("void", "", 1 + 10 * (seen.void - _MOST_VOID), f"{seen.void:.0%} of the picture is empty"))
-    if picture.flat > _MOST_FLAT and seen.sky < 0.3:
+    masked = bool(view.shot.camera_instruction.through)
+    if picture.flat > _MOST_FLAT and seen.sky < 0.3 and not masked:
         severity = 1 + 6 * (picture.flat - _MOST_FLAT)
         found.append(_fault("flat", "", severity, f"{picture.flat:.0%} of the picture is one plain surface"))
     if seen.foreground > _MOST_FOREGROUND and kind not in ("pov", "establishing", "ots"):
         found.append(_fault("foreground", "", 2.0, f"{seen.foreground:.0%} of the picture is blocked in front"))
-    if picture.brightness < _DARK:
+    if picture.brightness < _DARK and not masked:
         found.append(_fault("dark", "", 2.0, "the picture is too dark to be read"))
     if seen.inside or seen.below_floor:
         found.append(_fault("inside", "", 4.0, f"the camera is inside {', '.join(seen.inside) or 'the floor'}"))
