@@ -64,7 +64,6 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
     previous = stage.discourse.subjects
     stage.sentence = SentenceState(words, pictured=elsewhere)
     noticing.notice_nouns(stage, phrases)
-    distances.settle_apart(stage, words)
     settle_things(stage, phrases)
     if not clauses:
         note_fragment(stage, words, previous, sentence.paragraph.start)
@@ -74,7 +73,6 @@ def read_action(stage: Stage, sentence: Sentence) -> None:
         _read_clause(stage, clause, stage.sentence.subjects or previous, first=index == 0)
     entrances.named_enter(stage, words, clauses)
     subjects = stage.sentence.subjects
-    distances.relate_apart(stage, words, subjects, previous)
     distances.relate_side_by_side(stage, sentence.words, subjects)
     note_introductions(stage, sentence.words, sentence.end)
     note_worn(stage, phrases)

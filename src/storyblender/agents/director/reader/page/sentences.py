@@ -18,7 +18,6 @@ _ON_A_SCREEN = re.compile(
     r"\b(screen|screens|monitor|monitors|tv|television|photo|photograph|picture|painting|dream|flashback|video|mirror)\b"
 )
 _SHOWING = re.compile(r"\b(?:show|depict)(?:s|ed)\b(?! up)")
-_NAMING_MARKS = frozenset({":", "--", "—", "–"})
 _LONGEST = 150
 """Words of the longest sentence that is read as one; so the time to read a page does not depend on where it has stops.
 """
@@ -70,7 +69,7 @@ def action_sentences(paragraph: Paragraph, scene: int, roster: Roster) -> list[S
     words = mark_mentions(tokenize(body, paragraph.start), roster)
     sentences: list[Sentence] = []
     for whole in split_sentences(words):
-        for run, pictured in _named_at_last(whole) or _at_colon(whole):
+        for run, pictured in _at_colon(whole):
             sentences.append(Sentence(paragraph, scene, run[0].start, run[-1].end, run, pictured=pictured))
     for at, camera in paragraph.cameras:
         _attach(sentences, camera, at, paragraph, scene)
@@ -113,25 +112,6 @@ def of_readable_length(words: list[Word]) -> list[list[Word]]:
         parts.append(words[at:end])
         at = end
     return [*parts, words[at:]] if at < len(words) else parts
-
-
-def _named_at_last(words: list[Word]) -> list[tuple[list[Word], bool]]:
-    """``A lone rider comes up the street -- CASS WEATHERBY, 60s``: the rider is she; none where nobody is named so."""
-    for at in range(1, len(words) - 1):
-        name = words[at + 1].mention
-        if (
-            words[at].text not in _NAMING_MARKS
-            or name is None
-            or name.kind == "group"
-            or not words[at + 1].text.isupper()
-        ):
-            continue
-        people = [w.mention for w in words[:at] if w.mention and w.mention.head not in lexicon.ANIMALS]
-        somebody = [mention for mention in people if mention.kind == "generic" and not mention.candidates]
-        if len(somebody) == len(people) == 1 and somebody[0].determiner in ("a", "an"):
-            somebody[0].kind, somebody[0].candidates = "name", name.candidates
-            return [(words[:at], False), (words[at + 1 :], False)]
-    return []
 
 
 def _at_colon(words: list[Word]) -> list[tuple[list[Word], bool]]:

@@ -22,7 +22,6 @@ from storyblender.agents.director.reader.places.anchors import (
     kind_at_body,
     leans_on_a_stick,
 )
-from storyblender.agents.director.reader.places.contents import listed
 from storyblender.agents.director.reader.places.place_verbs import TOUCHING
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person
@@ -103,7 +102,7 @@ def relate_listed(stage: Stage, phrases: list[Phrase]) -> None:
     head = stage.inventory.head(before)
     if not text.endswith(":") or before is None or not (head in CONTAINERS or head in _BOARDS):
         return
-    for noun in listed(phrases, 0):
+    for noun in _listed(phrases, 0):
         thing = stage.inventory.id_of(noun.key, stage.sentence.words[noun.index].start)
         if noun.kind == "thing" and stage.inventory.class_of(thing) in ("prop", "worn"):
             stage.relate(thing, "in" if head in CONTAINERS else "on", before)
@@ -131,7 +130,7 @@ def _relate(
         return
     if first.head in ("left", "right") and first.possessor is not None and preposition in ("to", "on", "at"):
         kind = "left_of" if first.head == "left" else "right_of"
-    anchors = listed(phrases, at + 1)[: 2 if kind == "between" else 1]
+    anchors = _listed(phrases, at + 1)[: 2 if kind == "between" else 1]
     at_side = first.head in lexicon.BODY and first.possessor is not None and preposition in ("at", "by")
     at_window = kind == "at" and first.head in OPENINGS and noun.kind == "thing" and noun.head in lexicon.SET_PIECES
     if kind not in _OF_THE_NOUN and not at_side and not at_window:
@@ -308,3 +307,20 @@ def _anchors(
     ):
         return []
     return [person.id for person in found.people] + ([found.thing] if found.thing else [])
+
+
+def _listed(phrases: list[Phrase], index: int) -> list[NounPhrase]:
+    """The nouns of a list that starts at an index: ``a lamp, two clocks and a vase``."""
+    nouns: list[NounPhrase] = []
+    while index < len(phrases):
+        noun = phrases[index].noun
+        if noun is None:
+            break
+        nouns.append(noun)
+        measured = [phrase.text for phrase in phrases[index + 1 : index + 2]] == ["of"]
+        index += 2 if measured and index + 2 < len(phrases) and phrases[index + 2].noun else 0
+        after = [phrase.text for phrase in phrases[index + 1 : index + 3]]
+        if not after or after[0] not in (",", "and"):
+            break
+        index += 3 if after == [",", "and"] else 2
+    return nouns

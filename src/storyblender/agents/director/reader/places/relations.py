@@ -21,7 +21,6 @@ from storyblender.agents.director.reader.places.anchors import (
     is_the_place,
     solid_things,
 )
-from storyblender.agents.director.reader.places.contents import relate_contents
 from storyblender.agents.director.reader.places.place_verbs import BENT, STATIVE
 from storyblender.agents.director.reader.places.put_places import put, puts_something, relate_between
 from storyblender.agents.director.reader.places.stated import state_place
@@ -82,7 +81,6 @@ def relate_clause(stage: Stage, clause: Clause, roles: Roles, motion: str | None
         found += put(stage, clause, roles)
     for subject, kind, anchor in _seat_beside(stage, roles, motion, found):
         stage.relate(subject, kind, anchor)
-    relate_contents(stage, clause, roles)
 
 
 def _lands_on(roles: Roles, motion: str | None, located: list[str]) -> list[Stated]:
