@@ -71,7 +71,7 @@ def act(stage: Stage, clause: Clause, roles: Roles, motion: str) -> list[Deed]:
     if motion in ("touch", "stand") and _only_a_pose(stage, clause, roles, motion):
         return []
     target, prop = find_target(stage, clause, roles, motion)
-    target, prop = _at_other_end(stage, roles, motion, target, prop)
+    target, prop = _both_ends(stage, roles, motion, target, prop) or (target, prop)
     distance = _distance(stage) if motion in _TRAVEL else None
     actors = roles.people if clause.verb in _CAUSING and roles.people else roles.subjects
     if len(actors) > 2:
@@ -161,18 +161,16 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
     return target, prop
 
 
-@rule("deeds.other_end", without=(None, None))
-def _at_other_end(
-    stage: Stage, roles: Roles, motion: str, target: str | None, prop: str | None
-) -> tuple[str | None, str | None]:
-    """Where a thing is put, from where or whom it is taken, and with what something is worked on.
+@rule("deeds.other_end")
+def _both_ends(stage: Stage, roles: Roles, motion: str, target: str | None, prop: str | None) -> tuple[str, str] | None:
+    """Where a thing is put, from where or whom it is taken, and with what something is worked on: target and prop.
 
     ``sets the pistol in the drawer``: the drawer is the target, the pistol in the hand; ``wipes the bulb with a
-    duster``: the bulb, and the duster.
+    duster``: the bulb, and the duster. None where no other end is told.
     """
     thing = prop or (target if target and not stage.person(target) else None)
     if thing is None or (target and target != thing):
-        return target, prop
+        return None
     ends = _ENDS.get(motion, frozenset())
     for place in roles.places:
         others = [other for other in (*(p.id for p in place.people), *place.things) if other != thing]
@@ -182,7 +180,7 @@ def _at_other_end(
             return solid[0], thing
         if place.preposition == "with" and motion in _WORKED and place.things and not place.people:
             return thing, place.things[0]
-    return target, prop
+    return None
 
 
 def _owner_of_part(stage: Stage, clause: Clause, roles: Roles) -> str | None:
