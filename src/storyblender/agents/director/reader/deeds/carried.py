@@ -78,13 +78,18 @@ def come_back(stage: Stage) -> None:
     scenes, units = stage.reading.scenes, stage.reading.units
     here = scenes[stage.scene.index]
     places = {here.id, here.reference} - {None}
-    earlier = [
-        index
-        for index, scene in enumerate(scenes[: stage.scene.index])
-        if {scene.id, scene.reference} & places and scene.time == here.time
-    ]
-    last = next((at for at in range(len(units) - 1, -1, -1) if earlier and units[at].scene == earlier[-1]), None)
-    if last is None or not here.place or "LATER" in here.time_written:
+    earlier = next(
+        (
+            index
+            for index in range(stage.scene.index - 1, -1, -1)
+            if {scenes[index].id, scenes[index].reference} & places and scenes[index].time == here.time
+        ),
+        None,
+    )
+    if earlier is None or not here.place or "LATER" in here.time_written:
+        return
+    last = next((at for at in range(len(units) - 1, -1, -1) if units[at].scene == earlier), None)
+    if last is None:
         return
     seen = {person for unit in units[last + 1 :] for person in (*unit.on_stage, *unit.people)}
     left = units[last]
