@@ -241,14 +241,16 @@ def garments(words: str) -> tuple[Garment, ...]:
     """Return the garments that a description names, from the inside out; the last one named wins a place.
 
     Args:
-        words: e.g. ``white dinner jacket, black bow tie``. A colour holds for the next garment named.
+        words: e.g. ``white dinner jacket, black bow tie``. A colour holds for the next garment named; a garment named
+            again without one, ``cream suit, jacket``, is the same one.
     """
     chosen: dict[str, Garment] = {}
     implied: dict[str, Garment] = {}
     for keys, color in _named_garments(words.lower()):
         first, *others = keys.split()
         key, _, own = first.partition(":")
-        chosen[key] = Garment(key=key, color=color or cloth_color(own))
+        if key not in chosen or color or own:
+            chosen[key] = Garment(key=key, color=color or cloth_color(own))
         for key, _, own in (other.partition(":") for other in others):
             implied[key] = Garment(key=key, color=color if own == "same" else cloth_color(own))
     return tuple(sorted((implied | chosen).values(), key=lambda garment: GARMENTS[garment.key].layer))

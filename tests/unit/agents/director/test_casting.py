@@ -166,3 +166,8 @@ def test_a_womans_swimming_costume_is_no_trunks() -> None:
     for gender, key in (("female", "swimsuit"), ("male", "swim_trunks")):
         look = cast(Person("kim", "Kim", gender=gender, outfit=("green swimming costume",)))
         assert [garment.key for garment in look.garments] == [key]
+
+
+def test_a_garment_named_again_without_a_colour_is_the_same_garment() -> None:
+    (jacket,) = (garment for garment in garments("cream linen suit, jacket") if garment.key == "jacket")
+    assert jacket.color == next(each.color for each in garments("cream linen suit") if each.key == "jacket")
