@@ -27,10 +27,10 @@ POSE = CameraPose(pivot=(0, 0, 0), rotation=(1, 0, 0, 0), distance=2, lens=35)
 DESK = CanonicalAsset(source="catalog", key="desk", dimensions=(1.6, 0.8, 0.76), digest="d", geometry_hash="g")
 
 
-def report(*flaws: Flaw, second: tuple[float, float, float] = (2, 0, 0)) -> Inspection:
+def report(*flaws: Flaw, second: tuple[float, float, float] = (1, 0, 0)) -> Inspection:
     """Inspect two desks and one shot, whose camera left these flaws."""
     desks = (
-        LayoutObject(node_id="desk_1", asset_id="desk", location=(0, 0, 0)),
+        LayoutObject(node_id="desk_1", asset_id="desk", location=(-1, 0, 0)),
         LayoutObject(node_id="desk_2", asset_id="desk", location=second),
     )
     size = SceneSize(x=4, x_negative=-4, y=4, y_negative=-4)
@@ -90,7 +90,7 @@ def test_a_long_story_says_how_many_scenes_are_checked() -> None:
 
 def test_layout_violations_are_counted_by_kind() -> None:
     assert value(report(), "layout violations") == ("0", True)
-    crowded = report(second=(0.5, 0.2, 0))
+    crowded = report(second=(-0.5, 0.2, 0))
     assert value(crowded, "layout violations") == ("1 (penetration 1)", False)
     assert not crowded.clean and "the desk" in crowded.findings[0]
 

@@ -21,7 +21,7 @@ from storyblender.screenplay.source import read
         ("front door of the inn", True),
         ("lounge window", True),
         ("steep hill", True),
-        ("purple storm", True),
+        ("evening sky", True),
         ("town with many roofs", True),
         ("red kettle", False),
         ("house of cards", False),
