@@ -18,6 +18,7 @@ from storyblender.memory.jobs import (
 )
 from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneSize, Sky
 from storyblender.memory.shot_context import CameraPose, CameraState
+from storyblender.pipeline import retaking
 from storyblender.project import Project
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.studio import Studio
@@ -78,7 +79,7 @@ class Stage:
         self.folder, self.engine = folder, StandInEngine(folder)
         self.told: list[str] = []
         monkeypatch.setattr("storyblender.studio.BlenderEngine", self._engine)
-        monkeypatch.setattr("storyblender.pipeline.retaking._RETAKES", retakes)
+        monkeypatch.setattr(retaking, "_STEPS", retaking._STEPS[:retakes])
         plan(folder)
 
     def render(self, *shots: str, wide: int = 160) -> Counter[str]:

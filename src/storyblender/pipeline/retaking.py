@@ -1,7 +1,7 @@
 """Retakes: a frame that does not tell its lines is taken again until it does, and the best take is kept.
 
-First another camera, then another moment of the shot, then simpler shots: whoever speaks or acts alone, and the
-subject in a plain medium shot. What still fails is on the checklist with its reasons.
+First another camera, then another moment of the shot, then a simpler shot: a plain medium shot of whoever speaks or
+acts, or else of the subject. What still fails is on the checklist with its reasons.
 """
 
 from __future__ import annotations
@@ -29,8 +29,6 @@ _CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_h
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN, _GAIN_FROM_ABOVE = 0.5, 1.5
 """Least gain in score for which a retake replaces the take before it: people look worse from above."""
-_RETAKES: Final = 5
-"""Most retakes of one shot."""
 
 
 def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
@@ -51,7 +49,7 @@ def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, Fr
     # In another look, or after an undo, the project is drawn without retakes.
     may_retake = run.settings.look == run.made_in_look and not run.project.has_undone
     untried = [key for key in keys if run.graph.shot(*key).camera_retake is None]
-    for step in _STEPS[:_RETAKES] if may_retake else ():
+    for step in _STEPS if may_retake else ():
         present = [run.graph.shot(*key) for key in untried]
         again = {
             shot_name(shot.scene_id, shot.shot_id): (shot, choice)
@@ -134,21 +132,21 @@ def _choice(step: _Step, shot: ShotContext, review: FrameReview) -> CameraRetake
     return None if same else choice
 
 
-def _another_camera(shot: ShotContext, review: FrameReview, by: int = 1) -> CameraRetake | None:
-    """Return a camera from another height or ``by`` sizes away that may fix a frame's worst fault."""
+def _another_camera(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
+    """Return a camera from another height or the next size that may fix a frame's worst fault."""
     instruction = shot.camera_instruction
     kinds = (*_WIDER, *_TIGHTER, *_AROUND)
     faults = [fault for fault in review.faults if fault.kind in kinds]
     if not faults or instruction.kind == "insert":
         return None
     worst = max(faults, key=lambda fault: fault.severity).kind
-    if worst in _AROUND and by == 1 and instruction.angle == "eye-level":
+    if worst in _AROUND and instruction.angle == "eye-level":
         return CameraRetake(angle="high angle")
     if instruction.explicit:
         # An ordered size stays: what does not fit in it may be seen from another side, or not at all.
-        from_above = by == 1 and instruction.angle == "eye-level" and worst in _UNSEEN
+        from_above = instruction.angle == "eye-level" and worst in _UNSEEN
         return CameraRetake(angle="high angle") if from_above else None
-    at = SHOT_SIZES.index(instruction.size) + (by if worst in _TIGHTER else -by)
+    at = SHOT_SIZES.index(instruction.size) + (1 if worst in _TIGHTER else -1)
     return CameraRetake(size=SHOT_SIZES[at]) if 0 <= at <= SHOT_SIZES.index("CU") else None
 
 
@@ -159,25 +157,19 @@ def _another_moment(shot: ShotContext, review: FrameReview) -> CameraRetake | No
     return CameraRetake(moment="end")
 
 
-def _alone(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
-    """Return a single of who speaks in the shot, or else acts in it."""
+def _simpler(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
+    """Return a single of who speaks in the shot, or else acts in it, or else of the subject."""
     instruction = shot.camera_instruction
+    if not _may_be_simpler(shot, review):
+        return None
     told = [*speakers(shot), *(action.asset_id for action in actions_to_see(shot))]
     shown = [each for each in told if each in shot.on_stage and each != instruction.pov_id]
-    if not shown or not _may_be_simpler(shot, review):
-        return None
+    if not shown:
+        lead = [each for each in instruction.focus_on_ids if each in shot.on_stage] or [*instruction.focus_on_ids]
+        return CameraRetake(kind="single", size="MS", angle="eye-level", focus_on_ids=(lead[0],)) if lead else None
     used = {name for deed in actions_to_see(shot) for name in (deed.prop_id, deed.target_id) if name}
     props = [each for each in instruction.focus_on_ids if each in used and each not in shot.on_stage]
     return CameraRetake(kind="single", size="MS", angle="eye-level", focus_on_ids=(shown[0], *props))
-
-
-def _plain(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
-    """Return a plain medium shot of the subject, whatever else the shot was about."""
-    focus = shot.camera_instruction.focus_on_ids
-    if not focus or not _may_be_simpler(shot, review):
-        return None
-    lead = next((each for each in focus if each in shot.on_stage), focus[0])
-    return CameraRetake(kind="single", size="MS", angle="eye-level", focus_on_ids=(lead,))
 
 
 def _may_be_simpler(shot: ShotContext, review: FrameReview) -> bool:
@@ -188,11 +180,5 @@ def _may_be_simpler(shot: ShotContext, review: FrameReview) -> bool:
 
 
 _Step = Callable[[ShotContext, FrameReview], CameraRetake | None]
-_STEPS: Final[tuple[_Step, ...]] = (
-    _another_camera,
-    lambda shot, review: _another_camera(shot, review, 2),
-    _another_moment,
-    _alone,
-    _plain,
-)
+_STEPS: Final[tuple[_Step, ...]] = (_another_camera, _another_moment, _simpler)
 """What is tried for a poor frame, in order; each step starts from the best take so far."""
