@@ -49,7 +49,8 @@ Moments = Callable[[ShotContext], Sequence[Moment]]
 def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     """Return the frame that tells the shot: when the last of its strongest actions has reached its key pose.
 
-    The script or the user may name the moment instead.
+    The script or the user may ask for the start of the shot, or for its end: its last action at its key pose, not what
+    people do with their hands after it. A shot whose subjects do nothing shows what others do in it.
 
     Args:
         shot: The shot with its cues.
@@ -57,12 +58,18 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
     """
     focus = set(shot.camera_instruction.focus_on_ids)
     last = max(0, shot.duration - 1)
-    if shot.moment is not None:
-        return {"start": min(_OPENING, last), "middle": last // 2, "end": last}[shot.moment]
-    cues = [cue for cue in shot.cues if cue.asset_id in focus and cue.start < last and cue.clip not in _AT_REST]
+    if shot.moment == "start":
+        return min(_OPENING, last)
+    done = [cue for cue in shot.cues if cue.start < last and cue.clip not in _AT_REST]
+    cues = [cue for cue in done if cue.asset_id in focus] or [cue for cue in done if cue.asset_id in shot.on_stage]
     if not cues:
-        return round(last * _REST)
-    cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues), item.start))
+        return last if shot.moment == "end" else round(last * _REST)
+    if shot.moment == "end":
+        cue = max(cues, key=lambda item: item.start)
+        if clip_of(cue.clip).speed is not None or clip_of(cue.clip).after is not None:
+            return last
+    else:
+        cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues), item.start))
     motion = clip_of(cue.clip)
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     arrives = together and motion.speed is not None

@@ -155,6 +155,8 @@ def _nearest_in_room(stage: Stage, anchor: Box, wish: Station) -> Station:
 
 def _has_its_own_seat(stage: Stage, anchor: Thing) -> bool:
     """Return whether a seat faces a thing, such as a piano's stool: people who do not play stand at its ends."""
+    if anchor.name not in stage.assets:  # a part of the set
+        return False
     seats = anchors_of(stage.measure(stage.assets[anchor.name]), "seat")
     return any(seat.direction[1] > 0.5 for seat in seats)
 

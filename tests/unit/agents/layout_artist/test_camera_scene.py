@@ -240,10 +240,19 @@ def test_a_blow_is_drawn_when_it_has_landed_however_long_the_shot_is() -> None:
     assert 24 + 12 < story_moment(shot) < 24 + 36
 
 
-@pytest.mark.parametrize(("moment", "low", "high"), [("start", 0, 5), ("end", 195, 199)])
+@pytest.mark.parametrize(("moment", "low", "high"), [("start", 0, 5), ("middle", 30, 60), ("end", 120, 150)])
 def test_the_script_may_name_the_moment(moment: str, low: int, high: int) -> None:
     instruction = CameraInstruction(focus_on_ids=AXIS, kind="action", size="MS")
-    act = Cue(asset_id="anna", clip="punch", start=24, target_id="tom")
-    shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=instruction, duration=200, cues=(act,))
+    acts = tuple(
+        Cue(asset_id="anna", clip=clip, start=at, target_id="tom") for clip, at in (("punch", 24), ("nod", 120))
+    )
+    shot = ShotContext(scene_id=1, shot_id=1, camera_instruction=instruction, duration=200, cues=acts)
     shot = ShotContext.model_validate({**shot.model_dump(), "moment": moment})
     assert low <= story_moment(shot) <= high
+
+
+def test_a_shot_whose_subject_does_nothing_shows_what_somebody_else_does() -> None:
+    instruction = CameraInstruction(focus_on_ids=("cup",), kind="action", size="MS")
+    act = Cue(asset_id="anna", clip="punch", start=24, target_id="tom")
+    shot = ShotContext(scene_id=1, shot_id=1, on_stage=AXIS, camera_instruction=instruction, duration=200, cues=(act,))
+    assert 24 + 12 < story_moment(shot) < 24 + 36

@@ -289,6 +289,11 @@ def test_who_is_by_a_thing_outside_the_playing_area_stands_at_its_edge_with_thei
     assert math.dist(at["ana"].location, at["ben"].location) < 1.3
 
 
+def test_who_is_at_a_part_of_the_set_stands_there() -> None:
+    at = solved(brief((), [("ana", "at", "window"), ("ben", "at", "corner")], ["ana", "ben"]))
+    assert {"ana", "ben"} <= at.keys()
+
+
 def test_with_whom_somebody_stands_is_read_from_the_scenes_first_words() -> None:
     people = [
         Asset(asset_id=each, asset_type="character", description="", name=each.title())
