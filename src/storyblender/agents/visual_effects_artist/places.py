@@ -30,6 +30,8 @@ _TOO_NEAR = 0.42
 _DOOR_NEAR = 0.9
 """Least metres from a vehicle's centre line at which a door counts as one of that side."""
 _LIE = ("lie", "asleep")
+_BY_THE_SAME = 1.8
+"""Metres to somebody who sits at the thing that one stands beside."""
 _IN_THE_AIR: tuple[Posture, ...] = ("hang", "float", "upside_down")
 _CLIMBED, _FOOTING = 1.3, 0.3
 """Metres: people do not stand on higher or narrower things, unless the script gives a height."""
@@ -161,7 +163,8 @@ class Places:
             name: Id of the anchor.
             person: The person at the spot; people are never their own anchor.
         """
-        other = self.people.get(name or "")
+        holder = next((each for each in self.people.values() if each.hand_of(name or "")), None)
+        other = holder or self.people.get(name or "")  # in front of the pistol is in front of who aims it
         if other is not None and other is not person:
             return (
                 (Box(*other.place, 0.0, 0.5, 0.36, 1.7 * other.k, other.yaw), "person", None) if other.present else None
@@ -202,6 +205,13 @@ class Places:
         room = float(clearance(np.array([point]), self.floor.obstacles())[0]) if self.floor.inside(point) else -1.0
         return round(cost + _TIGHT * max(0.0, BODY * person.k + 0.02 - room), 4)
 
+    def _nearest_at(self, person: Person, station: Station) -> Person | None:
+        """Return who sits or works near a place: who comes to stand beside a piano turns to its player."""
+        here = (station.x, station.y)
+        others = [each for each in self.people.values() if each.present and each is not person and not each.upright]
+        near = [each for each in others if math.dist(each.place, here) < _BY_THE_SAME]
+        return min(near, key=lambda each: math.dist(each.place, here), default=None)
+
     def _turned(self, person: Person, spot: Spot, station: Station, anchor: Box | None) -> Station:
         """Return a station with the facing and the height that the script gives."""
         yaw, here = station.yaw, (station.x, station.y)
@@ -209,6 +219,8 @@ class Places:
             yaw = 0.0
         elif spot.facing == "away" and anchor is not None:
             yaw = facing(here[0] - anchor.x, here[1] - anchor.y)
+        elif spot.facing is None and spot.relation == "next_to" and (other := self._nearest_at(person, station)):
+            yaw = cheated(facing(other.place[0] - here[0], other.place[1] - here[1]))
         elif spot.facing is not None and (found := self.anchor(spot.facing, person)) is not None:
             yaw = cheated(facing(found[0].x - here[0], found[0].y - here[1]))
         height = spot.height if spot.height is not None else station.z

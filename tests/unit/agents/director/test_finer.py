@@ -18,6 +18,9 @@ from storyblender.agents.director.finer import UNREAD, finer
         ("hold", "clutch", "clutches his chest", "clutch_chest"),
         ("play_music", "play", "plays the violin", "violin"),
         ("open", "open", "opens the gate", "open"),
+        ("hold", "hold", "holds her hand", "hold_hands"),
+        ("take", "take", "takes him by the hand", "hold_hands"),
+        ("hold", "hold", "sits at a table with a glass in his hand", "hold"),
     ],
 )
 def test_words_make_a_motion_finer(motion: str, verb: str, words: str, act: str) -> None:

@@ -252,3 +252,18 @@ def test_a_laptop_on_a_table_stays_there_while_somebody_types(motion: str, moved
     ann = _state("ann", relation="in_front_of", anchor_id="dining_table")
     _, props = _played(_shot(ann, character_actions=(deed,)), _shot(ann, number=2))
     assert ("laptop" in {state.asset_id for state in props[1]}) is moved
+
+
+def test_in_front_of_what_somebody_holds_is_in_front_of_them() -> None:
+    armed = _state("bo").model_copy(update={"held": ("ball",)})
+    before = _state("ann", relation="in_front_of", anchor_id="ball", distance=1.0)
+    (shot,), _ = _played(_shot(armed, before))
+    assert math.dist(shot["ann"].end.location, shot["bo"].end.location) == pytest.approx(1.0, abs=0.4)
+
+
+def test_who_stands_next_to_a_table_turns_to_who_sits_at_it() -> None:
+    seated = _state("bo", "sit", "chair_r")
+    (shot,), _ = _played(_shot(seated, _state("ann", relation="next_to", anchor_id="chair_r")))
+    (ax, ay, _), (bx, by, _) = shot["ann"].end.location, shot["bo"].end.location
+    ahead = math.sin(math.radians(shot["ann"].end.yaw)), -math.cos(math.radians(shot["ann"].end.yaw))
+    assert ahead[0] * (bx - ax) + ahead[1] * (by - ay) > 0
