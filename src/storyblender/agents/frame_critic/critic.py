@@ -95,6 +95,8 @@ def _people(view: FrameView) -> list[Fault]:
             found.append(
                 _fault("person_small", asset_id, 2.2 if central else 1.5, f"{asset_id} is too small to be read")
             )
+        elif central and _beheaded(subject, instruction.size):
+            found.append(_fault("face_out", asset_id, 2.2, f"the head of {asset_id} is cut by the frame"))
         elif central and _hidden(subject) > 0.6 and subject.face_visible < 0.5:
             found.append(_fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden(subject):.0%} hidden"))
     others = [each for each in shot.shown if each not in main and each != instruction.pov_id]
@@ -111,6 +113,12 @@ def _tiny(subject: SubjectView, size: ShotSize) -> bool:
         return False
     _, top, _, bottom = subject.box
     return bottom - top < _LEAST_WIDE[size] and subject.head_height < 0.13 * _LEAST_WIDE[size]
+
+
+def _beheaded(subject: SubjectView, size: ShotSize) -> bool:
+    """Return whether the top of the picture cuts a head in a size that shows all of it."""
+    whole = SHOT_SIZES.index(size) <= SHOT_SIZES.index("MS")
+    return whole and subject.face is not None and 0 < subject.face[1] < 0.45 * subject.head_height
 
 
 def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool:

@@ -179,3 +179,10 @@ def test_the_mask_of_a_point_of_view_is_no_plain_wall() -> None:
         instruction = CameraInstruction(focus_on_ids=("mara",), size="MS", kind="pov", through=through)
         faults = _faults(_view(*_GOOD, shot=_shot(camera_instruction=instruction), picture=picture))
         assert bool(faults & {"flat", "dark"}) == minded
+
+
+@pytest.mark.parametrize(("size", "y", "cut"), [("FS", 0.04, True), ("FS", 0.2, False), ("CU", 0.04, False)])
+def test_a_head_cut_by_the_top_of_the_picture_fails_where_all_of_it_is_wanted(size: str, y: float, cut: bool) -> None:
+    shot = _shot(camera_instruction=CameraInstruction.model_validate({"focus_on_ids": ("mara",), "size": size}))
+    view = _view(_seen("mara", 0.2, face=(0.5, y), head_height=0.14), _seen("cup", 0.01), shot=shot)
+    assert any("cut by the frame" in fault.message for fault in FrameCritic().judge(view).faults) == cut
