@@ -245,7 +245,7 @@ def costume(
     seed: int,
     worn_by_others: Sequence[tuple[Garment, ...]] = (),
 ) -> tuple[Garment, ...]:
-    """Return what somebody wears by trade, else by the age.
+    """Return the outfit of a person by trade, else by the age of the story.
 
     Args:
         role: What the story says they are.

@@ -19,14 +19,14 @@ TURN_STEP = 55.0
 TURN_STEP_SECONDS = 0.26
 
 AIMED: frozenset[str] = frozenset({"put_down", "look"})
-"""Motions whose mark is where a thing goes or where somebody looks, not where they go."""
+"""Motions whose mark is where a thing goes or where a person looks, not where the person goes."""
 
 IN_THEIR_SEAT: dict[str, str] = {
     "hit": "slam", "punch": "raise_fist", "push": "offer", "push_away": "halt", "pull": "row", "bow": "nod",
     "bend": "look_down", "curtsy": "nod", "recoil": "flinch", "cower": "cover_face", "dance": "clap",
     "stamp": "raise_fist", "guard": "raise_fist",
 }  # fmt: skip
-"""Motion of a standing body -> what somebody does who stays in their seat."""
+"""Motion of a standing body -> motion of a person who stays seated."""
 
 MOTIONS: Catalog[Motion] = Catalog(
     "motion",

@@ -34,7 +34,7 @@ _SCREEN = ("glass_dark", "lamp_cool")
 CALLS = frozenset(
     {"call", "calls", "calling", "facetime", "skype", "zoom", "conference", "caller", "livestream", "selfie"}
 )
-"""Words about a screen that tell that somebody's face is on it."""
+"""Words about a screen that tell of a face on it."""
 WRITING: dict[str, Writing] = {
     "door": Writing("front", (0.0, 0.2), (0.6, 0.09), "wood_dark", "brass"),
     "letter": _PAPER,

@@ -155,7 +155,7 @@ class CameraRetake(CameraDecision):
 
     kind: ShotKind | None = None
     focus_on_ids: tuple[Identifier, ...] | None = None
-    """Whom a simpler picture is about."""
+    """Subjects of a simpler picture."""
     moment: Moment | None = None
 
     @property
@@ -231,7 +231,7 @@ class PropState(Frozen):
     hand: Hand | None = None
     """None where it is held in no hand: it is in their clothes, or on their body."""
     place: BodyPlace | None = None
-    """Where on the body of who has it, if no hand holds it."""
+    """Where the prop is on its owner's body, if no hand holds it."""
 
 
 _Quarter = Annotated[float, Field(ge=-1.01, le=1.01)]

@@ -1,7 +1,7 @@
 """Retakes: a frame that does not tell its lines is taken again until it does, and the best take is kept.
 
-First another camera, then another moment of the shot, then a simpler shot: a plain medium shot of whoever speaks or
-acts, or else of the subject. What still fails is on the checklist with its reasons.
+First another camera, then another moment of the shot, then a simpler shot: a plain medium shot of the
+speaker or actor, or else of the subject. What still fails is on the checklist with its reasons.
 """
 
 from __future__ import annotations

@@ -99,7 +99,7 @@ class Recipe(Frozen):
         return self if look is None or look.key != self.key else self.model_copy(update={"params": look.params})
 
     def with_caller(self, told: str) -> Recipe:
-        """Return the recipe with somebody's face on its screen, if what is told of it says that they call."""
+        """Return the recipe with a caller's face on its screen, if its description tells of a call."""
         if self.source != "catalog" or self.key not in SCREENS or not CALLS & {*words_of(told)}:
             return self
         return self.model_copy(update={"params": {**self.params, "caller": True}})

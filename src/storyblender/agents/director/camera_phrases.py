@@ -198,7 +198,7 @@ def parse(sentence: str) -> tuple[CameraNote | None, Span]:
 
 
 def from_behind(words: str) -> bool:
-    """Return whether words show somebody from behind: ``seen from behind``, ``her back to camera``."""
+    """Return whether words show a person from behind: ``seen from behind``, ``her back to camera``."""
     return _FROM_BEHIND.search(words) is not None
 
 

@@ -393,8 +393,7 @@ class _SceneCoverage:
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
         long = listener and word_count(unit.text) > _SPEECH and unit.panel is None
-        cut = middle_of_speech(self.text, unit) if long else None
-        if cut is None:
+        if not long or (cut := middle_of_speech(self.text, unit)) is None:
             return
         draft.beats = [Beat(unit, unit.start, cut[0])]
         reaction = self._add("reaction", "MCU", [listener])

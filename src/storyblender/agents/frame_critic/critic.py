@@ -35,7 +35,7 @@ _FACES_FROM: ShotSize = "FS"
 _PROFILE = 100.0
 """Most degrees between the face and the camera at which a face is readable."""
 _BACK = 118.0
-"""Degrees between the face and the camera from which somebody is seen from behind."""
+"""Degrees between face and camera from which a person counts as seen from behind."""
 _STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.8, "crossing": 1.5, "late": 0.8}
 """Points lost for each kind of failed staging."""
 _TOUCHES, _INSIDE = 0.03, 0.10
@@ -173,7 +173,7 @@ def _apart(view: FrameView) -> list[Fault]:
 
 
 def _backs(view: FrameView) -> list[Fault]:
-    """Check that those whom the picture is about do not all turn their backs: one over whose shoulder we look may."""
+    """Check that not all subjects of the picture turn their backs; the one over whose shoulder it looks may."""
     shot, instruction = view.shot, view.shot.camera_instruction
     if instruction.kind in ("insert", "pov") or instruction.explicit or instruction.behind or instruction.size == "EWS":
         return []

@@ -43,7 +43,7 @@ class Bystander:
     Attributes:
         posture: ``stand`` or ``sit``.
         variant: Which person.
-        location: Floor point below it; of who sits, the front edge of the seat at sitting height.
+        location: Floor point below it; of a sitter, the front edge of the seat at sitting height.
         yaw: Radians.
         seat: node_id of the seat.
     """
@@ -77,7 +77,7 @@ def bystanders(brief: LayoutBrief, layout: Layout, count: int, lanes: Sequence[B
 
 
 def _seated(stage: Stage, people: Sequence[Vec2], most: int, wanted: set[str]) -> list[Bystander]:
-    """Return who sits: on seats that are nobody's, the nearest to the story first."""
+    """Return the seated figures: on free seats, those nearest to the story's people first."""
     open_to_all: list[tuple[float, Bystander]] = []
     for name, anchor in free_seats(stage):
         base = stage.things[name].box
@@ -100,7 +100,7 @@ def _seated(stage: Stage, people: Sequence[Vec2], most: int, wanted: set[str]) -
 
 
 def _standing(stage: Stage, people: Sequence[Vec2], count: int) -> list[Bystander]:
-    """Return who stands, in groups of one to three where there is room for them."""
+    """Return the standing figures, in groups of one to three where there is room."""
     x0, x1, y0, y1 = stage.room
     grid = [(x, y) for x in np.arange(x0 + 0.5, x1 - 0.4, _GRID) for y in np.arange(y0 + 0.5, y1 - 0.4, _GRID)]
     found: list[Bystander] = []
@@ -143,7 +143,7 @@ def placed(
     Args:
         found: Where they are.
         assets: The figure that each of them is.
-        measures: Of the figures: who sits is set down by the place of the seat below them.
+        measures: Of the figures: a sitter is placed by the seat anchor below.
     """
     objects: list[LayoutObject] = []
     for number, (each, asset) in enumerate(zip(found, assets, strict=True)):

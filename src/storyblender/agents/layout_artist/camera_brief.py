@@ -24,7 +24,7 @@ CROWDED = ("WS", "EWS", "FS")
 """Sizes that show a place: people who happen to be there may be seen."""
 _ONE_PERSON = ("single", "reaction", "ots")
 _HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 2.6}
-"""Metres from the first of several to who is still held in the picture: who is farther makes all of them tiny."""
+"""Metres from the first subject within which others stay in the picture; farther ones would make all of them tiny."""
 _TOGETHER = ("group", "two_shot", "action")
 """Kinds of shots that hold several people where they are near each other."""
 _NEARBY = 1.3

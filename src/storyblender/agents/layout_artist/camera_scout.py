@@ -277,7 +277,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
 
 
 def _gap(brief: CameraBrief, camera: Orbit) -> float:
-    """Weigh an empty middle between people who are apart: seen along their line they are nearer in the picture."""
+    """Penalise an empty middle between people far apart: a camera along their line brings them together."""
     people = brief.people if brief.instruction.size not in ("WS", "EWS") and brief.over is None else ()
     if len(people) < 2 or brief.instruction.kind in ("establishing", "pov", "insert"):
         return 0.0

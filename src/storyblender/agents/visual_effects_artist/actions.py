@@ -142,15 +142,15 @@ class Actions:
         return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
 
     def _stays(self, person: Person) -> bool:
-        """Tell whether the script keeps somebody in their posture, such as seated, to the end of the shot."""
+        """Tell whether the script keeps a person in a posture, such as seated, to the end of the shot."""
         state = self.ends.get(person.asset_id)
         return state is not None and not person.upright and state.posture == person.posture
 
     def _with_whom(self, action: CharacterAction, person: Person, prop: str | None) -> tuple[Motion, Person | None]:
         """Return the motion of an action and the other person in it.
 
-        A thing is hit with what is in both hands, with a tool, or with the fist; whom the script does not name is the
-        nearest.
+        A thing is hit with what is in both hands, with a tool, or with the fist. A partner without a name in the
+        script is the nearest person.
         """
         motion = clip_of(action.motion)
         partner = self.company.people.get(action.target_id or "")
@@ -190,7 +190,7 @@ class Actions:
         return self._get_onto(action, motion, person) or self._cross(action, motion, person)
 
     def _get_onto(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
-        """Climb or leap onto a thing that the script leaves somebody on; tell whether it does."""
+        """Climb or leap onto a thing if the person's spot at the end of the shot is on it; tell whether that is so."""
         state, floor = self.ends.get(person.asset_id), self.company.floor
         thing = floor.thing(action.target_id, person.place)
         if state is None or state.spot is None or state.spot.relation != "on" or thing is None:

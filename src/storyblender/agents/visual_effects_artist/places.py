@@ -31,7 +31,7 @@ _DOOR_NEAR = 0.9
 """Least metres from a vehicle's centre line at which a door counts as one of that side."""
 _LIE = ("lie", "asleep")
 _BY_THE_SAME = 1.8
-"""Metres to somebody who sits at the thing that one stands beside."""
+"""Metres to a seated person, for a person who stands beside the same thing."""
 _IN_THE_AIR: tuple[Posture, ...] = ("hang", "float", "upside_down")
 _CLIMBED, _FOOTING = 1.3, 0.3
 """Metres: people do not stand on higher or narrower things, unless the script gives a height."""
@@ -206,7 +206,7 @@ class Places:
         return round(cost + _TIGHT * max(0.0, BODY * person.k + 0.02 - room), 4)
 
     def _nearest_at(self, person: Person, station: Station) -> Person | None:
-        """Return who sits or works near a place: who comes to stand beside a piano turns to its player."""
+        """Return the nearest seated or kneeling person: a person who stops beside a piano turns to its player."""
         here = (station.x, station.y)
         others = [each for each in self.people.values() if each.present and each is not person and not each.upright]
         near = [each for each in others if math.dist(each.place, here) < _BY_THE_SAME]

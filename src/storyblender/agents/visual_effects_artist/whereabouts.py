@@ -26,7 +26,7 @@ def whereabouts(
         shot: The shot.
         touched: Asset ids of props that have left their places in the layout.
         lying: Positions of what nobody has.
-        holder: Who has a prop.
+        holder: The person with the prop.
         assets: Of the scene, by asset id.
     """
     states, instruction = [], shot.camera_instruction

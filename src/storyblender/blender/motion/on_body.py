@@ -104,7 +104,7 @@ def _edgewise(size: Vector, upright: bool = True) -> Matrix:
 
 
 def _on_lap(who: Performer, size: Vector) -> Matrix:
-    """Return the matrix of a thing that stands on the thighs of a sitter, its front to who sits."""
+    """Return the matrix of a thing that stands on a sitter's thighs, its front towards the sitter."""
     joints = [who.bones.joint[f"{bone}.{side}"] for bone in ("thigh", "shin") for side in "LR"]
     middle = sum(joints, Vector()) / 4
     base = who.to_world(middle) + Vector((0, 0, who.m.lap + 0.015))

@@ -54,7 +54,7 @@ def write_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing, text: str) ->
 
 
 def face_on(b: MeshBuilder, mesh: bpy.types.Mesh, place: Writing) -> bool:
-    """Add the head and shoulders of somebody who calls to a builder, on the screen of the mesh built so far.
+    """Add a caller's head and shoulders to a builder, on the screen of the mesh built so far.
 
     Args:
         b: The builder of ``mesh``.

@@ -88,7 +88,7 @@ def _unit_facts(unit: Unit, number: int) -> Iterator[Fact]:
 
 
 def _deed_told(deed: Deed) -> str:
-    """Return a deed in words: actor, motion, and whom or what it is for."""
+    """Return a deed in words: actor, motion, target and prop."""
     return " ".join(filter(None, (deed.actor, deed.motion, deed.target, deed.prop if deed.prop != deed.target else "")))
 
 
@@ -126,7 +126,7 @@ def reasons_of(reading: Reading, ledger: Ledger) -> list[Reason]:
 
 
 def _plain(said: Fact | Decision) -> tuple[str, str]:
-    """Return a fact as it is compared: of a deed who does what, because its target may be dropped later."""
+    """Return a fact as it is compared: of a deed only actor and motion, because its target may be dropped later."""
     return said.kind, " ".join(said.what.split()[:2]) if said.kind == "deed" else said.what
 
 

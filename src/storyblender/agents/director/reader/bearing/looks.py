@@ -32,7 +32,7 @@ _LOOKS = lexicon.BUILD | lexicon.HAIR | (lexicon.FACE - {"eyes", "tired", "lined
 _UNSAID = lexicon.ANIMALS | {"like", "as", "if", "enough", "too"}
 _DETERMINING = lexicon.DETERMINERS | lexicon.POSSESSIVES | {"'s", "own"}
 _INSIDE = 2
-"""Phrases back from a garment to who is in it."""
+"""Phrases back from a garment to its wearer."""
 _MOST = 4
 """Most hair descriptions kept per person."""
 _FRAGMENT = 7
@@ -86,7 +86,7 @@ def note_fragment(stage: Stage, words: Sequence[Word], people: Sequence[Person],
 
 @rule("looks.worn")
 def note_worn(stage: Stage, phrases: Sequence[Phrase]) -> None:
-    """Add a garment that is somebody's (``tips his hat``) or that somebody is in (``a boy in a torn coat``).
+    """Add a garment that a person owns (``tips his hat``) or wears (``a boy in a torn coat``).
 
     Args:
         stage: The state after the clauses of the sentence, in which owners are known.
@@ -105,7 +105,7 @@ def note_worn(stage: Stage, phrases: Sequence[Phrase]) -> None:
 
 
 def _who_is_in(stage: Stage, phrases: Sequence[Phrase], index: int) -> Person | None:
-    """Whom the noun before ``in`` means, if it is one person."""
+    """Return the person that the noun before ``in`` means, if it is one."""
     if index < _INSIDE or phrases[index - 1].text not in ("in", "wearing"):
         return None
     noun = phrases[index - _INSIDE].noun

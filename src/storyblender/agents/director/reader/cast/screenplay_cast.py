@@ -178,7 +178,7 @@ def _in_camera_notes(paragraph: Paragraph, cues: set[str]) -> list[_Sighting]:
 
 
 def _rule_of_person(name: str, before: str, after: str, cues: set[str], written: TextIndex) -> str:
-    """Return the rule by which words in capitals name somebody; empty for a noise, a thing or a camera."""
+    """Return the rule by which words in capitals name a person; empty for a noise, a thing or a camera."""
     base = _ARTICLE_OR_COUNT.sub("", name)
     if holds("people.cue", base in cues or name in cues):
         return "people.cue"

@@ -68,7 +68,7 @@ def _bring(stage: Stage, people: Sequence[Person]) -> None:
 
 @rule("people.still_there")
 def come_back(stage: Stage) -> None:
-    """Put on stage whoever was left at a place that the story comes back to, as they were left.
+    """Put people back on stage, as they were, when the story returns to the place where it left them.
 
     The hour is the same, and nobody has seen them anywhere else since.
 

@@ -163,7 +163,7 @@ def find_target(stage: Stage, clause: Clause, roles: Roles, motion: str) -> tupl
 
 @rule("deeds.other_end")
 def _both_ends(stage: Stage, roles: Roles, motion: str, target: str | None, prop: str | None) -> tuple[str, str] | None:
-    """Where a thing is put, from where or whom it is taken, and with what something is worked on: target and prop.
+    """Return target and prop: where a thing is put, where it is taken from, and the tool of a work.
 
     ``sets the pistol in the drawer``: the drawer is the target, the pistol in the hand; ``wipes the bulb with a
     duster``: the bulb, and the duster. None where no other end is told.

@@ -109,7 +109,7 @@ def _bear(stage: Stage, person: str, thing: str, at: int, between_teeth: bool = 
 
 
 def _lasts(stage: Stage, deed: Deed, roles: Roles) -> bool:
-    """Not so where somebody leans forward for a moment, or opens the eyes sitting."""
+    """Not so where a person leans forward for a moment, or opens the eyes sitting."""
     if deed.motion == "wake":
         return stage.scene.posture.get(deed.actor, ("", None))[0] == "asleep"
     return deed.motion != "lean" or _support(stage, deed, roles) is not None or bool(roles.prepositions & _LEANT_ON)
