@@ -183,7 +183,7 @@ def _rule_of_person(name: str, before: str, after: str, cues: set[str], written:
     if holds("people.cue", base in cues or name in cues):
         return "people.cue"
     if re.search(r" (?:DE|DEL|DI|VON|OF) ", base) and base.split()[-1] in cues:
-        return ""  # LA PALMA DE OFELIA
+        return ""  # LA MANO DE ROSA
     part = " " in base and {base.split()[0], base.split()[-1]} & cues and base.split()[-1].lower() not in _THINGS
     if holds("people.part_of_cue", part):
         return "people.part_of_cue"
