@@ -7,7 +7,6 @@ every offset in a paragraph's body is an offset in the script.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
@@ -16,6 +15,7 @@ from storyblender.agents.director import camera_phrases
 from storyblender.agents.director.lexicon.foreign import Tongue, tongue_of
 from storyblender.agents.director.naming import UPPER
 from storyblender.agents.director.reader.language.morphology import form_kind
+from storyblender.agents.director.reader.page.capitals import usually_written
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
 
@@ -32,8 +32,6 @@ _SENTENCE_END = re.compile(
     r"(?<=[.!?])(?<!\bMR\.)(?<!\bDR\.)(?<!\bMS\.)(?<!\bST\.)(?<!\bMRS\.)(?<!\bMr\.)(?<!\bDr\.)(?<!\bMs\.)(?<!\bSt\.)"
     rf"(?<!\bMrs\.)(?<!\b[A-Z]\.)\s+(?=[{UPPER}\"“'‘0-9#])"
 )
-_RAISED = re.compile(r"((?:\A|[.!?])\s*)?([^\W\d_]+)")
-"""A word, with the full stop or the start of the text right before it."""
 _LONGEST = 1000
 """Characters of what is searched for a camera direction at once."""
 QUOTATION = re.compile(
@@ -75,11 +73,8 @@ class Manuscript:
 
     screenplay: Screenplay
     paragraphs: list[Paragraph]
-
-    @property
-    def text(self) -> str:
-        """The characters all offsets count."""
-        return self.screenplay.text
+    text: str
+    """The characters all offsets count, with action in its usual capitals."""
 
     @cached_property
     def tongue(self) -> Tongue | None:
@@ -114,7 +109,7 @@ def without_quotations(text: str) -> str:
 
 def open_manuscript(screenplay: Screenplay) -> Manuscript:
     """Lay out a screenplay for reading."""
-    recase = _recasing(screenplay)
+    text = usually_written(screenplay)
     told: list[tuple[int, ParagraphKind, list[Element]]] = []
     for index, element in enumerate(screenplay.elements):
         kind = _KINDS.get(element.kind)
@@ -123,8 +118,8 @@ def open_manuscript(screenplay: Screenplay) -> Manuscript:
             pieces.append(element)
         elif kind:
             told.append((index, kind, [element]))
-    paragraphs = [_paragraph(screenplay, index, _joined(pieces), kind, recase) for index, kind, pieces in told]
-    return Manuscript(screenplay, paragraphs)
+    paragraphs = [_paragraph(screenplay, text, index, _joined(pieces), kind) for index, kind, pieces in told]
+    return Manuscript(screenplay, paragraphs, text)
 
 
 def _joined(pieces: list[Element]) -> Element:
@@ -134,54 +129,13 @@ def _joined(pieces: list[Element]) -> Element:
     return pieces[-1].model_copy(update={"start": pieces[0].start, "text": " ".join(piece.text for piece in pieces)})
 
 
-def _recasing(screenplay: Screenplay) -> Callable[[str], str] | None:
-    """Return what gives action its usual capitals, if a script writes it all in capitals or all without."""
-    told = [element.text for element in screenplay.elements if element.kind == "action" and " " in element.text.strip()]
-    names = _spoken_names(screenplay)
-    if told and not any(letter.islower() for text in told for letter in text):
-        return lambda text: _lowered(text, names)
-    if told and not any(letter.isupper() for text in told for letter in text):
-        return lambda text: _raised(text, names)
-    return None
-
-
-def _spoken_names(screenplay: Screenplay) -> set[str]:
-    return {word for element in screenplay.elements if element.kind == "cue" for word in element.name.split()}
-
-
-def _raised(text: str, names: set[str]) -> str:
-    """Action in small letters as it is usually written: sentences begin with a capital, and so do those who speak."""
-    low = {name.lower() for name in names}
-
-    def write(match: re.Match[str]) -> str:
-        opening, word = match.groups()
-        starts = opening is not None
-        raised = word.capitalize() if (starts or word in low) and len(word.capitalize()) == len(word) else word
-        return f"{opening or ''}{raised}"
-
-    return _RAISED.sub(write, text)
-
-
-def _lowered(text: str, names: set[str]) -> str:
-    """Action in capitals as it is usually written: only those who speak keep theirs."""
-
-    def write(match: re.Match[str]) -> str:
-        word = match.group(0)
-        return word if word in names or len(word.lower()) != len(word) else word.lower()
-
-    return re.sub(r"[^\W\d_]+", write, text)
-
-
 def _only_comment(between: str) -> bool:
     """Whether a note or cut text, and no blank line, divides two pieces of one paragraph."""
     return between.strip() != "" and not blanked(_MARKUP, between).strip() and not re.search(r"\n\s*\n", between)
 
 
-def _paragraph(
-    screenplay: Screenplay, index: int, element: Element, kind: ParagraphKind, recase: Callable[[str], str] | None
-) -> Paragraph:
-    raw = blanked(_MARKUP, screenplay.text[element.start : element.end])
-    raw = recase(raw) if recase and kind == "action" else raw
+def _paragraph(screenplay: Screenplay, text: str, index: int, element: Element, kind: ParagraphKind) -> Paragraph:
+    raw = blanked(_MARKUP, text[element.start : element.end])
     paragraph = Paragraph(
         kind, index, element.start, element.end, element.text, raw, element.name, element.extension, element.dual,
         element.scene_number, element.picture, body=raw,
