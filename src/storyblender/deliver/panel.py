@@ -13,7 +13,7 @@ from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline
 from storyblender.memory.shot_context import ShotContext
 from storyblender.memory.vocabulary import Movement
 from storyblender.screenplay.comments import without_comments
-from storyblender.screenplay.fountain import strip_emphasis
+from storyblender.screenplay.cues import strip_emphasis
 
 Way = Literal["left", "right", "up", "down", "in", "out"]
 """Where a camera goes or turns, as its picture shows it."""

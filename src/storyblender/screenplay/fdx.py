@@ -13,7 +13,8 @@ from defusedxml import DefusedXmlException
 from defusedxml.sax import parseString
 
 from storyblender.errors import InputError
-from storyblender.screenplay.fountain import kind_of_words, split_cue
+from storyblender.screenplay.cues import split_cue
+from storyblender.screenplay.fountain import kind_of_words
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _KIND: dict[str, ElementKind] = {

@@ -10,14 +10,16 @@ import re
 from typing import NamedTuple
 
 from storyblender.screenplay.comments import blank, find_comments
+from storyblender.screenplay.cues import looks_like_cue, plain_line, split_cue, strip_emphasis
 from storyblender.screenplay.headings import is_heading, scene_label, split_number
 from storyblender.screenplay.layout.front import titled
 from storyblender.screenplay.layout.labels import element_of_label
+from storyblender.screenplay.layout.spacing import Row, line_spacing
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 from storyblender.screenplay.series import closes_series, item_mark, opens_series
 
 _SECTION = re.compile(
-    r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"
+    r"(?:END (?:OF )?)?(?:TEASER|COLD OPEN(?:ING)?|TAG|SCENE [A-Z]|ACT (?:ONE|TWO|THREE|FOUR|FIVE|SIX|[IVX]+|\d+))\.?"
     r"|(?:BEGIN |START |END (?:OF )?)?(?:[A-Z' -]*\bMONTAGE\b|SERIES OF SHOTS\b)(?:[ :.–—-][^a-z]*)?"
     r"|(?:BEGIN |START |END (?:OF )?)?(?:FLASH[ -]?(?:BACK|FORWARD)|DREAM|FANTASY)(?: SEQUENCE)?[:.]?"
     r"|(?:BACK|RETURN) TO (?:THE )?PRESENT(?: DAY)?[:.]?"
@@ -29,19 +31,17 @@ _SCENE_NUMBER = re.compile(r"#([\w.\-–()]+)#$")
 _TRANSITION = re.compile(
     r"[^a-z]*\bTO:|(?:FADE (?:IN|OUT|TO BLACK|TO WHITE)|CUT TO BLACK|SMASH CUT|DISSOLVE)[^a-z]{0,3}|THE END\.?"
 )
-_CONTINUED = re.compile(r"\s*\b(?:CONT['’]?D|CONTINUED|CONTINUING)\b\.?\s*", re.IGNORECASE)
 _PAGE_FURNITURE = re.compile(r"\(?CONTINUED\)?:?(?: ?\(\d+\))?|\d{1,3}\.")
 """What a printed page repeats at its head and foot."""
-_CAMERA_LEAD = re.compile(r"(?:CLOSE|EXTREME|WIDE|INSERT|ANGLE|POV|TRACKING|BACK TO SCENE|INTERCUT|MONTAGE)\b")
 _TITLE_KEY = re.compile(r"([^\W\d_][\w ]{0,30}):[ \t]*(.*)")
+_MANNER = re.compile(r"\((?=[^)]*[A-Z])[^a-z()]+\)")
+"""A bracket in capitals inside a speech, as in sitcoms: how its next words are said."""
+_LONGEST_NAME = 4
+"""Words of a name above a speech in capitals."""
 _MARK = re.compile(r"#+|[>=~]?")
 _KNOWN_TITLE_KEYS = {
     "title", "credit", "author", "authors", "source", "notes", "draft date", "date", "contact", "copyright", "revision",
 }  # fmt: skip
-_EMPHASIS = re.compile(
-    r"(?<!\\)(?P<stars>\*{1,3})(?=[^\s*])(?P<starred>[^\n]{0,400}?[^\s\\*])(?P=stars)"
-    r"|(?<![\\\w])_(?=\S)(?P<lined>[^\n]{0,400}?[^\s\\])_(?!\w)"
-)
 
 
 class _Line(NamedTuple):
@@ -73,27 +73,6 @@ def parse(text: str, path: str = "") -> Screenplay:
         InputError: A boneyard or a note is opened and never closed.
     """
     return _Reader(text, path).read()
-
-
-def strip_emphasis(text: str) -> str:
-    """Return ``text`` without ``*``, ``**``, ``***`` and ``_`` markup; escaped marks become themselves."""
-    previous = None
-    while text != previous:
-        previous = text
-        text = _EMPHASIS.sub(lambda match: match["starred"] or match["lined"], text)
-    return re.sub(r"\\([*_])", r"\1", text)
-
-
-def split_cue(cue: str) -> tuple[str, str, bool]:
-    """Return the name, the extension without CONT'D in capitals, and whether it is a dual-dialogue cue."""
-    name = cue.strip()
-    dual = name.endswith("^")
-    name = name.removesuffix("^").rstrip()
-    extensions: list[str] = []
-    while name.endswith(")") and (opening := name.rfind("(")) > 0:
-        extensions.insert(0, _CONTINUED.sub("", name[opening + 1 : -1]).strip())
-        name = name[:opening].rstrip()
-    return name, ", ".join(part.upper() for part in extensions if part), dual
 
 
 def kind_of_words(words: str) -> ElementKind | None:
@@ -142,7 +121,8 @@ class _Reader:
         for number, raw in enumerate(self.text.split("\n"), 1):
             lines.append(_Line(number, start, raw, self.shown[start : start + len(raw)]))
             start += len(raw) + 1
-        return lines
+        spacing = line_spacing([Row(len(line.raw) - len(line.raw.lstrip()), line.words) for line in lines])
+        return [line for index, line in enumerate(lines) if index not in spacing]
 
     def _title_page(self) -> tuple[tuple[str, str], ...]:
         first = next((index for index, line in enumerate(self.lines) if line.words), len(self.lines))
@@ -191,17 +171,25 @@ class _Reader:
         forced = self._forced(words)
         if forced is not None:
             return forced
+        words = plain_line(words)
         told = kind_of_words(words)
         if told == "heading" and (before or words == words.upper()):
             return "heading"
         if told not in (None, "heading") and before and (after or _LISTS_SHOTS.search(words) or opens_series(words)):
             return told
-        if self.labelled and before and len(words) <= 80 and scene_label(words):
-            return "heading"
+        label = scene_label(words) if before and len(words) <= 80 else None
+        if label and (self.labelled or label.end() == len(words)):
+            return "heading" if self.labelled else "section"
         labelled = element_of_label(words[item_mark(words) :] if self.series else words)
         if labelled and labelled[0] != "section":
             return labelled[0]
-        return "cue" if before and not after and looks_like_cue(words) else "action"
+        named = before and not after and looks_like_cue(words)
+        return "cue" if named and not self._goes_on_loud(index) else "action"
+
+    def _goes_on_loud(self, index: int) -> bool:
+        """Return whether a long line in capitals goes on in capitals: action on the page of a sitcom."""
+        below = self.lines[index + 1].words
+        return len(self.lines[index].words.split()) > _LONGEST_NAME and below == below.upper() and below[0] != "("
 
     def _ends_shot(self, index: int) -> bool:
         """Return whether a line is a cut, so that a heading may follow without a blank line."""
@@ -238,6 +226,9 @@ class _Reader:
             number, start, end = self._without_number(start, end)
         elif kind in ("title", "sound"):
             words = self.shown[start:end]
+            if plain_line(words) != words:
+                start, end = start + len(words) - len(words.lstrip("_*")), start + len(words.rstrip("_*"))
+                words = self.shown[start:end]
             mark = item_mark(words) if self.series else 0
             labelled = element_of_label(words[mark:])
             start += mark + (labelled[1] if labelled else 0)
@@ -269,7 +260,14 @@ class _Reader:
         start = self.lines[first].start + len(self.lines[first].shown) - len(self.lines[first].shown.lstrip())
         start += self.text[start] == "!"
         start += item_mark(self.lines[first].words) if self.series else 0
-        self._add_pieces("action", start, self._end_of(self.at - 1))
+        self._add_pieces("action", *self._unbracketed(start, self._end_of(self.at - 1)))
+
+    def _unbracketed(self, start: int, end: int) -> tuple[int, int]:
+        """Return the span inside the brackets of action that is all in brackets, as in sitcoms."""
+        start, end = self._trim(start, end)
+        words = self.shown[start:end]
+        whole = words[:1] == "(" and words.find(")") == len(words) - 1 and len(words.split()) > 1
+        return (start + 1, end - 1) if whole else (start, end)
 
     def _speech(self) -> None:
         line = self.lines[self.at]
@@ -286,12 +284,15 @@ class _Reader:
             while self._speech_goes_on(kind):
                 self.at += 1
             lyric = kind == "lyric"
-            said = self.shown.rfind(")", self.lines[first].start, self._end_of(self.at - 1)) + 1
-            if kind == "parenthetical" and self.shown[said : self._end_of(self.at - 1)].strip():
-                self._add_pieces(kind, self.lines[first].start, said, dual=dual)
-                self._add_pieces("dialogue", said, self._end_of(self.at - 1), dual=dual)
-                continue
+            said = self.shown.find(")", self.lines[first].start, self._end_of(self.at - 1)) + 1
             start = self.lines[first].start + (self.lines[first].shown.find("~") + 1 if lyric else 0)
+            if kind == "parenthetical" and self.shown[said : self._end_of(self.at - 1)].strip():
+                self._add_pieces(kind, start, said, dual=dual)
+                kind, start = "dialogue", said
+            for manner in _MANNER.finditer(self.shown, start, self._end_of(self.at - 1)) if kind == "dialogue" else ():
+                self._add_pieces(kind, start, manner.start(), dual=dual)
+                self._add_pieces("parenthetical", *manner.span(), dual=dual)
+                start = manner.end()
             self._add_pieces(kind, start, self._end_of(self.at - 1), dual=dual)
 
     def _in_speech(self, index: int) -> bool:
@@ -308,8 +309,9 @@ class _Reader:
     def _speech_goes_on(self, kind: ElementKind) -> bool:
         if not self._in_speech(self.at) or kind == "lyric":
             return False
-        if kind == "parenthetical":
-            return ")" not in self.lines[self.at - 1].words
+        before = self.lines[self.at - 1].words
+        if kind == "parenthetical" and (")" not in before or before.endswith(")")):
+            return ")" not in before
         return self._speech_kind(self.lines[self.at].words) == "dialogue"
 
     def _end_of(self, index: int) -> int:
@@ -386,15 +388,3 @@ class _Reader:
                     line=self._line_at(comment.start),
                 )
             )
-
-
-def looks_like_cue(words: str) -> bool:
-    """Return whether a line is a name in capitals, with or without brackets behind it."""
-    name = split_cue(words[:120])[0]
-    letters = [letter for letter in name if letter.isalpha()]
-    if not letters or name != name.upper() or len(name) > 60 or _CAMERA_LEAD.match(name) or " - " in name:
-        return False
-    if name.endswith((":", "!", "?", "...", "…")) or (name.endswith(".") and len(name.split()[-1]) > 4):
-        return False
-    caseless = all(letter.lower() == letter.upper() for letter in letters)
-    return not caseless or (len(name) <= 12 and not re.search(r"[。，！？、；：]", name))

@@ -12,6 +12,7 @@ from storyblender.errors import InputError
 from storyblender.screenplay import fdx, fountain, prose
 from storyblender.screenplay.headings import is_heading
 from storyblender.screenplay.layout import chat, columns, comic, picture_book, play
+from storyblender.screenplay.layout.featured import list_featured
 from storyblender.screenplay.model import Screenplay, ScriptFormat
 
 MAX_BYTES: Final = 20_000_000
@@ -85,7 +86,7 @@ def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Scree
         format = _sniff(text, path)
     screenplay = fdx.parse(text, path) if format == "fdx" else _parse(text, format, path)
     _refuse_empty(screenplay)
-    return screenplay
+    return screenplay.model_copy(update={"elements": list_featured(screenplay.text, screenplay.elements)})
 
 
 def _parse(text: str, format: ScriptFormat, path: str) -> Screenplay:

@@ -7,7 +7,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from storyblender.errors import InputError
-from storyblender.screenplay.fountain import parse, split_cue, strip_emphasis
+from storyblender.screenplay.cues import split_cue, strip_emphasis
+from storyblender.screenplay.fountain import parse
 from storyblender.screenplay.model import Element, Screenplay
 from storyblender.screenplay.source import read
 

@@ -14,7 +14,7 @@ from storyblender.memory.camera_words import camera_sentence, listed
 from storyblender.memory.shot_context import CameraInstruction
 from storyblender.memory.vocabulary import Expression, Mood
 from storyblender.screenplay.comments import without_comments
-from storyblender.screenplay.fountain import strip_emphasis
+from storyblender.screenplay.cues import strip_emphasis
 
 _MOODS: Final[dict[Mood, str]] = {
     "happy": "happ|smil|grin|laugh|cheer|joy|delight|amus|beam|excited|proud|playful",

@@ -6,6 +6,7 @@ import re
 from bisect import bisect_right
 from typing import NamedTuple
 
+from storyblender.screenplay.layout.spacing import Row, line_spacing
 from storyblender.screenplay.model import Element, ElementKind
 
 _EMPHASIS = re.compile(r"(?<![\w*])([*_]{1,3})(?=\S)([^*_\n]{1,300}?)(?<=\S)\1(?![\w*])")
@@ -28,7 +29,7 @@ class Line(NamedTuple):
 
 
 def lines_of(text: str) -> list[Line]:
-    """Return the lines of a text in order; a blank line has no words."""
+    """Return the lines of a text in order; a blank line has no words, and one that only spaces a speech is left out."""
     found: list[Line] = []
     position = 0
     for number, raw in enumerate(text.split("\n"), 1):
@@ -36,7 +37,8 @@ def lines_of(text: str) -> list[Line]:
         lead = raw[: len(raw) - len(raw.lstrip())] if words else ""
         found.append(Line(number, position + len(lead), words, len(lead.expandtabs(4))))
         position += len(raw) + 1
-    return found
+    spacing = line_spacing([Row(line.indent, line.words) for line in found])
+    return [line for index, line in enumerate(found) if index not in spacing]
 
 
 def blocks_of(lines: list[Line]) -> list[list[Line]]:

@@ -6,7 +6,8 @@ import re
 from bisect import bisect_left
 from collections.abc import Sequence
 
-from storyblender.screenplay.fountain import kind_of_words, looks_like_cue, split_cue
+from storyblender.screenplay.cues import looks_like_cue, split_cue
+from storyblender.screenplay.fountain import kind_of_words
 from storyblender.screenplay.headings import (
     heading_words,
     is_heading,

@@ -6,7 +6,8 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 
-from storyblender.screenplay.fountain import kind_of_words, looks_like_cue, split_cue
+from storyblender.screenplay.cues import looks_like_cue, split_cue
+from storyblender.screenplay.fountain import kind_of_words
 from storyblender.screenplay.layout.labels import element_of_label
 from storyblender.screenplay.layout.lines import Line, plain
 

@@ -145,13 +145,15 @@ def _read(stage: Stage, sentence: Sentence) -> None:
         _open_scene(stage, sentence)
     elif units:
         clear_exits(stage)
+    text = stage.reading.screenplay.text
+    start = max(sentence.paragraph.start, len(text[: sentence.start].rstrip("_*")))
     unit = Unit(
         sentence.beside or "action",
         sentence.scene,
         sentence.paragraph.element,
-        sentence.start,
+        start,
         sentence.end,
-        stage.reading.screenplay.text[sentence.start : sentence.end],
+        text[start : sentence.end],
         picture=sentence.paragraph.picture,
     )
     units.append(unit)

@@ -129,8 +129,12 @@ def _does_something(phrase: PersonNoun, text: str) -> bool:
     form = FORMS.get(arriving.group(1)) if arriving else None
     if form and form.kind in _FINITE and form.lemma in lexicon.INVERTING:
         return True
+    several = phrase.plural or phrase.noun in lexicon.CROWDS
     after = _FOLLOWING.match(text, phrase.end)
-    return after is not None and _is_verb(after.group(1), phrase.plural or phrase.noun in lexicon.CROWDS)
+    if after is None or _is_verb(after.group(1), several):
+        return after is not None
+    described = re.match(r"\s+(?:in|on|with|of|at|from|behind|by)\s[^.;,]*", text[phrase.end :])
+    return described is not None and any(form_kind(word) == "3sg" for word in described.group().split())
 
 
 def _is_verb(word: str, several: bool) -> bool:

@@ -15,7 +15,7 @@ from storyblender.agents.director.reader.language.morphology import form_kind
 from storyblender.screenplay.model import Element, ElementKind, Screenplay
 
 _TOLD: frozenset[ElementKind] = frozenset({"action", "shot"})
-_MOSTLY = 0.6
+_MOSTLY = 0.8
 """Share of capitals among the letters of its action from which a page is written in capitals."""
 _SENTENCE_WORDS = 5
 """Fewest words of a sentence in capitals on an ordinary page: fewer are a noise, a place, a title or a name."""

@@ -1,0 +1,53 @@
+"""Words of a screenplay's page: emphasis, and the names above speeches."""
+
+from __future__ import annotations
+
+import re
+
+_CONTINUED = re.compile(r"\s*\b(?:CONT['’]?D|CONTINUED|CONTINUING)\b\.?\s*", re.IGNORECASE)
+_CAMERA_LEAD = re.compile(r"(?:CLOSE|EXTREME|WIDE|INSERT|ANGLE|POV|TRACKING|BACK TO SCENE|INTERCUT|MONTAGE)\b")
+_EMPHASIS = re.compile(
+    r"(?<!\\)(?P<stars>\*{1,3})(?=[^\s*])(?P<starred>[^\n]{0,400}?[^\s\\*])(?P=stars)"
+    r"|(?<![\\\w])_(?=\S)(?P<lined>[^\n]{0,400}?[^\s\\])_(?!\w)"
+)
+_UNDERLINED = re.compile(r"([_*]{1,3})(?=[^\s_*])([^_*\n]+)\1(\s*\([^)\n]*\))?")
+"""A whole line in emphasis, or all but a bracket at its end."""
+
+
+def plain_line(words: str) -> str:
+    """Return a line without the emphasis that goes around it: ``_INT. ROOM - DAY_``."""
+    whole = _UNDERLINED.fullmatch(words) if words[:1] in ("_", "*") else None
+    return whole[2] + (whole[3] or "") if whole else words
+
+
+def strip_emphasis(text: str) -> str:
+    """Return ``text`` without ``*``, ``**``, ``***`` and ``_`` markup; escaped marks become themselves."""
+    previous = None
+    while text != previous:
+        previous = text
+        text = _EMPHASIS.sub(lambda match: match["starred"] or match["lined"], text)
+    return re.sub(r"\\([*_])", r"\1", text)
+
+
+def split_cue(cue: str) -> tuple[str, str, bool]:
+    """Return the name, the extension without CONT'D in capitals, and whether it is a dual-dialogue cue."""
+    name = cue.strip()
+    dual = name.endswith("^")
+    name = name.removesuffix("^").rstrip()
+    extensions: list[str] = []
+    while name.endswith(")") and (opening := name.rfind("(")) > 0:
+        extensions.insert(0, _CONTINUED.sub("", name[opening + 1 : -1]).strip())
+        name = name[:opening].rstrip()
+    return name, ", ".join(part.upper() for part in extensions if part), dual
+
+
+def looks_like_cue(words: str) -> bool:
+    """Return whether a line is a name in capitals, with or without brackets behind it."""
+    name = split_cue(words[:120])[0]
+    letters = [letter for letter in name if letter.isalpha()]
+    if not letters or name != name.upper() or len(name) > 60 or _CAMERA_LEAD.match(name) or " - " in name:
+        return False
+    if name.endswith((":", "!", "?", "...", "…")) or (name.endswith(".") and len(name.split()[-1]) > 4):
+        return False
+    caseless = all(letter.lower() == letter.upper() for letter in letters)
+    return not caseless or (len(name) <= 12 and not re.search(r"[。，！？、；：]", name))
