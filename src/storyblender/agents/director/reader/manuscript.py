@@ -14,8 +14,8 @@ from typing import Literal
 from storyblender.agents.director import camera_phrases
 from storyblender.agents.director.lexicon.foreign import Tongue, tongue_of
 from storyblender.agents.director.naming import UPPER
+from storyblender.agents.director.reader.capitals import usually_written
 from storyblender.agents.director.reader.language.morphology import form_kind
-from storyblender.agents.director.reader.page.capitals import usually_written
 from storyblender.agents.director.reading import CameraNote
 from storyblender.screenplay.model import Element, Screenplay
 

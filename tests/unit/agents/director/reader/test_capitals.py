@@ -7,7 +7,7 @@ import re
 import pytest
 
 from storyblender.agents.director.reader import read_script
-from storyblender.agents.director.reader.page.capitals import usually_written
+from storyblender.agents.director.reader.capitals import usually_written
 from storyblender.agents.director.reading import Reading
 from storyblender.screenplay.source import read
 
