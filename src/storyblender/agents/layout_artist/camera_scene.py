@@ -37,8 +37,12 @@ _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
 _TAKES = ("pick_up", "take", "catch")
 """Clips after which a thing is in the hand."""
-_AT_REST = ("idle", "look", "listen", "turn")
+_AT_REST = ("idle", "look", "listen", "turn", "face")
 """Clips that tell nothing by themselves."""
+_SPOKEN = ("talk", "shout", "whisper")
+"""Clips of speech."""
+_FIRST_STRESS = 1.1
+"""Seconds into a speech at which the hands of who speaks are raised; later they rest between the phrases."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
 Faces = tuple[Vec3, Vec3]
@@ -69,14 +73,15 @@ def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
         if clip_of(cue.clip).speed is not None or clip_of(cue.clip).after is not None:
             return last
     else:
-        cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues), item.start))
+        cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues, shot), item.start))
     motion = clip_of(cue.clip)
     together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
     arrives = together and motion.speed is not None
     insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
     share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
     start, length = _span(cue, shot, played)
-    return min(last, start + round(length * share))
+    told = round(length * share)
+    return min(last, start + (min(told, round(_FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
 
 
 def _span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue]) -> tuple[int, int]:
@@ -101,24 +106,27 @@ def _length(cue: Cue, shot: ShotContext) -> int:
     return until if stays else min(until, round(motion.seconds * _FPS))
 
 
-def _is_prelude(cue: Cue, cues: Sequence[Cue]) -> bool:
-    """Tell whether a cue only takes up a thing that the same person then uses."""
-    used = (each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start)
-    return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in used)
+def _is_prelude(cue: Cue, cues: Sequence[Cue], shot: ShotContext) -> bool:
+    """Tell whether a cue only takes up a thing that the same person then uses, or only frees a hand for what comes."""
+    after = [each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start]
+    if cue.clip == "put_down":
+        told = (action for action in shot.character_actions if action.asset_id == cue.asset_id)
+        return bool(after) and not any(clip_of(action.motion).key == "put_down" for action in told)
+    return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in after)
 
 
 def _strength(cue: Cue, shot: ShotContext) -> int:
     """Rank what a shot is remembered by: what people do to each other 3, a deed, a sign or a shout 2, words 1, a way 0.
 
-    What goes on in the background, as somebody's playing or reading does, counts as words.
+    What has gone on since before the shot, as somebody's playing or reading may, counts as words.
     """
     motion = clip_of(cue.clip)
     if motion.speed is not None:
         return 0
     if cue.clip == "shout":
         return 2
-    goes_on = motion.stretches and not motion.before
-    if motion.reach == "self" and motion.after is None and (goes_on or not motion.hands):
+    goes_on = cue.lasting and not cue.start
+    if goes_on or (motion.reach == "self" and motion.after is None and not motion.hands):
         return 1
     to_somebody = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
     return 3 if to_somebody and motion.reach != "self" else 2

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import across, is_vessel, seat_aboard
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, CueSheet
+from storyblender.agents.visual_effects_artist.deeds import Deeds
 from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
 from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.meetings import Meetings
@@ -15,23 +16,17 @@ from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.catalog.acts import ACTS
-from storyblender.catalog.motions import IN_THEIR_SEAT, MOTIONS, Motion, clip_of, natural_seconds
+from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2
 from storyblender.geometry.stations import Station
 from storyblender.memory.shot_context import BodyState, CharacterAction
 from storyblender.memory.vocabulary import Posture
 
-WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
-"""What is done with somebody instead of something."""
 ASIDE = frozenset({"look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "check_watch"})
 """Looks in a direction, not at a person or thing: the body does not turn."""
 HANDSET = 0.12
 """Metres of the second largest extent: a larger telephone stays where it stands."""
-LIGHTER = 0.82
-"""Share of one's own stature up to which one lifts somebody."""
-BLOWS = frozenset({"hit", "punch", "slap"})
-"""Blows that things get too."""
 WITH_PARTNER = frozenset({"take", "catch", "push", "dance"})
 """What is done with somebody where somebody is named."""
 STEP = 0.05
@@ -49,13 +44,13 @@ class Actions:
 
     def __init__(self, company: Company, sheet: CueSheet, ends: Mapping[str, BodyState] | None = None) -> None:
         self.company, self.sheet, self.ends = company, sheet, ends or {}
-        self.hands = Handling(company, sheet)
+        self.deeds, self.hands = Deeds(company, self.ends), Handling(company, sheet)
         self.meetings = Meetings(company, sheet, self.hands)
 
     def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""
-        prop = self.company.prop_of(action)
-        motion, partner = self._with_whom(action, person, prop)
+        prop = self.deeds.prop_of(action)
+        motion, partner = self.deeds.with_whom(action, person, prop)
         if person.entering and not person.acted and self.company.opens_a_door(action):
             return  # the door swings for who comes in
         if motion.key in ("idle", "stand"):
@@ -67,7 +62,7 @@ class Actions:
             return
         if motion.key == "put_down" and partner is not None and prop is None:
             return  # who was lifted has been put down
-        motion = self._meant(action, motion, person, partner if prop is None else None)
+        motion = self.deeds.meant(action, motion, person, prop, partner if prop is None else None)
         if self.meetings.already(motion, person, partner):
             return
         if motion.speed is not None:
@@ -80,7 +75,7 @@ class Actions:
             self.meetings.meet(action, motion, person, partner, prop, later)
         elif prop is not None and motion.hands and not self._worked_on(action, motion, person, prop):
             self._use(action, motion, person, prop, later)
-        elif motion.reach == "thing" or motion.key == "jump":
+        elif motion.reach == "thing" or motion.key in ("jump", "touch"):
             self._at_thing(action, motion, person)
         else:
             self._sign(action, motion, person, partner)
@@ -130,38 +125,6 @@ class Actions:
         person.spot = state.spot
         return self.company.places.station(person, state.spot)
 
-    def _meant(self, action: CharacterAction, motion: Motion, person: Person, instead: Person | None) -> Motion:
-        """Return what is done: with somebody instead of a thing, or going where there is nothing to climb."""
-        if motion.key == "climb" and self.company.floor.thing(action.target_id) is None:
-            return MOTIONS["walk"]
-        if motion.before and person.posture not in motion.before and self._stays(person):
-            return MOTIONS[IN_THEIR_SEAT.get(motion.key, "idle")]
-        if instead is None or motion.key not in WITH_SOMEBODY:
-            return motion
-        key = WITH_SOMEBODY[motion.key]
-        return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
-
-    def _stays(self, person: Person) -> bool:
-        """Tell whether the script keeps a person in a posture, such as seated, to the end of the shot."""
-        state = self.ends.get(person.asset_id)
-        return state is not None and not person.upright and state.posture == person.posture
-
-    def _with_whom(self, action: CharacterAction, person: Person, prop: str | None) -> tuple[Motion, Person | None]:
-        """Return the motion of an action and the other person in it.
-
-        A thing is hit with what is in both hands, with a tool, or with the fist. A partner without a name in the
-        script is the nearest person.
-        """
-        motion = clip_of(action.motion)
-        partner = self.company.people.get(action.target_id or "")
-        if partner is not None and partner.present and partner is not person:
-            return motion, partner
-        if motion.reach != "person":
-            return motion, None
-        if motion.key in BLOWS and (prop is not None or self.company.floor.thing(action.target_id) is not None):
-            return MOTIONS[("slam", "hammer", "drum")[min(2, len(person.held))]], None
-        return motion, self._nearest(person)
-
     def _met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
         """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``.
 
@@ -176,11 +139,6 @@ class Actions:
             if partner is not None and partner.present and meets:
                 return partner
         return None
-
-    def _nearest(self, person: Person) -> Person | None:
-        """Return who is meant where the script does not say with whom."""
-        others = [p for p in self.company.people.values() if p.present and p is not person]
-        return min(others, key=lambda p: math.dist(p.place, person.place), default=None)
 
     def _next_of(self, person: Person, later: Sequence[CharacterAction]) -> str | None:
         """Return what a person's next action is about."""

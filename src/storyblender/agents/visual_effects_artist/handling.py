@@ -41,9 +41,9 @@ floor."""
 HIGHEST, FROM_FLOOR, TOO_FAR = 1.0, 0.6, 1.25
 """Metres: the highest top on which who sits or leans puts something down, and who is on the floor; from where on they
 get up and go to what the script names."""
-BAG, BULK, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.2, 0.06, 0.34, 0.6
-"""Metres: a bag is longer, and a case thicker, a ring smaller; how far beside one a bag is put down, and how far from
-others."""
+BAG, STICK, BULK, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.06, 0.2, 0.06, 0.34, 0.6
+"""Metres: a bag is longer, a stick thinner, and a case thicker, a ring smaller; how far beside one a bag is put
+down, and how far from others."""
 ASIDE = math.radians(60)
 """What is farther aside than this is turned to before it is handled."""
 
@@ -108,9 +108,12 @@ class Handling:
         return self.put_aside(person, [held for held in person.held.values() if held != prop and self._is_bag(held)], t)
 
     def _is_bag(self, prop: str, bulk: float = 0.0) -> bool:
-        """Tell whether a thing is as long as a bag, and as thick: what is bulky stands on the floor, not on a table."""
+        """Tell whether a thing is as long as a bag, and as thick: what is bulky stands on the floor, not on a table.
+
+        A stick is as long and no bag: it stays in the hand.
+        """
         size = self.company.size_of(prop)
-        return size is not None and size[2] >= BAG and size[0] >= bulk
+        return size is not None and size[2] >= BAG and size[1] >= STICK and size[0] >= bulk
 
     def put_aside(self, person: Person, props: Sequence[str], t: float) -> float:
         """Put what is in somebody's hands on the floor beside them, if they stand; return the end.
@@ -161,9 +164,11 @@ class Handling:
 
     def _in_clothes(self, person: Person, prop: str) -> bool:
         """Tell whether a thing is small enough to come out of somebody's clothes, by a free hand."""
-        size = self.company.size_of(prop)
-        fits = size is not None and all(side < room for side, room in zip(size, POCKET, strict=True))
-        return fits and self.company.holder(prop) is None and person.free_hand() is not None
+        return (
+            fits_in_clothes(self.company.size_of(prop))
+            and self.company.holder(prop) is None
+            and person.free_hand() is not None
+        )
 
     def _picked_up(self, person: Person, prop: str, lies: Vec3, t: float) -> float:
         """Take a prop from where it lies, with the left hand what is on the left; return the end."""
@@ -335,6 +340,11 @@ class Handling:
             return t
         yaw = facing(person.place, spot[:2])
         return self.sheet.face(person, yaw, t) if abs(turn_between(person.yaw, yaw)) > ASIDE else t
+
+
+def fits_in_clothes(size: Sequence[float] | None) -> bool:
+    """Tell whether a thing is small enough for somebody's clothes, by its extents, the smallest first."""
+    return size is not None and all(side < room for side, room in zip(size, POCKET, strict=True))
 
 
 def _mark_of(person: Person, prop: str, spot: Vec3) -> Mark:

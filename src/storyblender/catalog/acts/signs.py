@@ -164,6 +164,14 @@ SIGNS: tuple[Act, ...] = (
             40, 10)),
             gaze="hands"),
     )),
+    Act("pocket", "put in a pocket", ("slip into a pocket", "tuck away", "put away"), (
+        Key(0.6, 1.0, lead=HandPose((-0.24, 0.24, -0.34), (-0.9, 0.1, 0.2), (0.05, -1, 0.1), (0.9, 0.1, -0.4),
+                                    at.GRIP), nod=(14, 0, 0), gaze="hands"),
+    )),
+    Act("hide_behind", "hide behind what one holds", ("hide behind a fan", "hide behind a newspaper"), (
+        Key(0.6, 1.4, lead=HandPose((-0.03, 0.30, -0.12), (-0.3, 0.4, 0.85), (-0.9, -0.3, 0), (0.7, 0.2, -0.9),
+                                    at.GRIP, "head", tool=((0, 0, 1), (0, 1, 0))), nod=(8, 0, 0), gaze="down"),
+    ), stays=True),
     Act("offer", "hold something out", ("hold out", "proffer", "present"), (
         Key(0.6, 1.4, lead=at.OFFERED, spine=(6, 0, 6), gaze="target"),
     )),

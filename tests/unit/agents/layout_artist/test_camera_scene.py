@@ -256,3 +256,41 @@ def test_a_shot_whose_subject_does_nothing_shows_what_somebody_else_does() -> No
     act = Cue(asset_id="anna", clip="punch", start=24, target_id="tom")
     shot = ShotContext(scene_id=1, shot_id=1, on_stage=AXIS, camera_instruction=instruction, duration=200, cues=(act,))
     assert 24 + 12 < story_moment(shot) < 24 + 36
+
+
+def _shown(*cues: dict[str, object], told: tuple[str, ...] = (), length: int = 300) -> int:
+    instruction = CameraInstruction(focus_on_ids=AXIS, kind="action", size="MS")
+    acts = tuple(Cue.model_validate({"asset_id": "anna", **cue}) for cue in cues)
+    does = tuple(CharacterAction(asset_id="anna", action_description=each, motion=each) for each in told)
+    shot = ShotContext(
+        scene_id=1,
+        shot_id=1,
+        on_stage=AXIS,
+        camera_instruction=instruction,
+        duration=length,
+        cues=acts,
+        character_actions=does,
+    )
+    return story_moment(shot)
+
+
+def test_a_face_alone_is_no_moment() -> None:
+    walk = {"clip": "walk", "start": 5}
+    assert _shown({"clip": "face", "start": 0}, walk) == _shown(walk)
+    assert _shown({"clip": "face", "start": 0}) > 100
+
+
+def test_what_is_told_is_shown_and_not_what_frees_the_hands_for_it() -> None:
+    cues = ({"clip": "put_down", "start": 10, "prop_id": "bag"}, {"clip": "drum", "start": 60, "duration": 60})
+    assert _shown(*cues, told=("drum",)) >= 60
+    assert _shown(*cues[:1], told=("put_down",)) < 60
+
+
+def test_what_goes_on_since_before_the_shot_yields_to_what_is_done_in_it() -> None:
+    goes_on = {"clip": "work", "start": 0, "lasting": True, "target_id": "desk"}
+    assert _shown(goes_on, {"clip": "drum", "start": 120, "duration": 60}, told=("drum",)) >= 120
+
+
+def test_a_speech_is_drawn_while_its_first_words_are_stressed() -> None:
+    assert _shown({"clip": "talk", "start": 24, "duration": 240}) < 24 + 36
+    assert _shown({"clip": "talk", "start": 24, "duration": 24}) == 24 + 12
