@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import pytest
+from tests.every import every
 
 from storyblender.catalog.motions import MOTIONS, clip_of
 from storyblender.catalog.props import PROPS
@@ -14,13 +14,13 @@ from storyblender.memory.history import changes_between
 from storyblender.samples import asset_of, story_of
 
 
-@pytest.mark.parametrize("key", SETS)
+@every("key", SETS)
 def test_the_picture_of_a_set_is_of_that_set(key: str) -> None:
     story = story_of("sets", key)
     assert story is not None and kit_of(story.scenes[0].setup) == key
 
 
-@pytest.mark.parametrize("key", MOTIONS)
+@every("key", MOTIONS)
 def test_the_picture_of_a_motion_is_of_that_motion_and_of_things_there_are(key: str) -> None:
     story = story_of("motions", key)
     assert story is not None

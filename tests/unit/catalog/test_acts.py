@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from tests.every import every
 
 from storyblender.catalog.acts import ACTS, Act
 from storyblender.catalog.expressions import EXPRESSIONS, FACE_UNITS, expression_of
 from storyblender.catalog.motions import MOTIONS, clip_of
 
 
-@pytest.mark.parametrize("act", ACTS.values(), ids=list(ACTS))
+@every("act", ACTS.values())
 def test_an_act_can_be_played(act: Act) -> None:
     assert 0.15 < act.telling < 0.98
     assert all(key.face in (None, *EXPRESSIONS) for key in (*act.keys, *act.partner))

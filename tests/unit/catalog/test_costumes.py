@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
+from tests.every import every
 
 from storyblender.catalog.costumes import _CHILDRENS, _EVERYDAY, _TRADES, Age, _sewn, age_of, costume
 from storyblender.catalog.garments import GARMENTS
@@ -46,9 +49,7 @@ def test_who_has_no_trade_wears_the_age() -> None:
     assert worn("doctor", years=8).isdisjoint({"lab_coat", "stethoscope"}) and "backpack" in worn("pupil", years=9)
 
 
-@pytest.mark.parametrize("age", ["today", "medieval", "west", "victorian", "classic"])
-@pytest.mark.parametrize("gender", ["male", "female"])
-@pytest.mark.parametrize("years", [8.0, 40.0])
+@every("age gender years", product(("today", "medieval", "west", "victorian", "classic"), ("male", "female"), (8, 40)))
 def test_four_people_of_a_story_are_told_apart_by_their_clothes(age: Age, gender: str, years: float) -> None:
     outfits: list[tuple[Garment, ...]] = []
     for seed in (3, 3, 7, 11):
@@ -56,7 +57,7 @@ def test_four_people_of_a_story_are_told_apart_by_their_clothes(age: Age, gender
     assert len(set(outfits)) == 4
 
 
-@pytest.mark.parametrize(
+@every(
     "outfit",
     sorted(
         {

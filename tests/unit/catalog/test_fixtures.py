@@ -1,4 +1,5 @@
 import pytest
+from tests.every import every
 
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.sets import SETS, plan_of
@@ -26,7 +27,7 @@ def test_what_is_no_part_of_the_set_is_not_found() -> None:
     assert fixtures_called(KITCHEN, None) == []
 
 
-@pytest.mark.parametrize("kit", [key for key, kit in SETS.items() if kit.indoor])
+@every("kit", [key for key, kit in SETS.items() if kit.indoor])
 def test_every_wall_faces_its_room(kit: str) -> None:
     plan = plan_of(Environment(kit=kit))
     middle = (plan.size.x + plan.size.x_negative) / 2, (plan.size.y + plan.size.y_negative) / 2

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
+from tests.every import every
 
 from storyblender.catalog.cuts import Footwear, Legs, Skirt, Top
 from storyblender.catalog.garments import GARMENTS, OUTER_LAYER, dressed
@@ -25,7 +28,7 @@ def test_the_promised_garments_exist() -> None:
     assert set(GARMENTS) >= set(PROMISED.split())
 
 
-@pytest.mark.parametrize("key", GARMENTS)
+@every("key", GARMENTS)
 def test_what_a_garment_covers_is_sewn(key: str) -> None:
     spec = GARMENTS[key]
     kinds = {type(piece) for piece in spec.pieces}
@@ -36,14 +39,12 @@ def test_what_a_garment_covers_is_sewn(key: str) -> None:
         assert all(0 <= channel <= 1 for channel in hex_color(color))
 
 
-@pytest.mark.parametrize("gender", ["female", "male"])
-@pytest.mark.parametrize("age", [1, 8, 30, 80])
-@pytest.mark.parametrize("seed", range(5))
+@every("gender age seed", product(("female", "male"), (1, 8, 30, 80), range(5)))
 def test_an_empty_wardrobe_gets_a_whole_outfit(gender: str, age: int, seed: int) -> None:
     assert _covered(dressed(_wear(age=age), gender, seed)) >= {"upper", "lower", "feet"}
 
 
-@pytest.mark.parametrize("key", GARMENTS)
+@every("key", GARMENTS)
 def test_one_named_garment_is_completed(key: str) -> None:
     for gender in ("female", "male"):
         outfit = dressed(_wear(key), gender, 1)

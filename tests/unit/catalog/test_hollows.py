@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import pytest
+from tests.every import every
 
 from storyblender.catalog.hollows import HOLLOWS, OPEN_ABOVE, inside
 from storyblender.catalog.props import PROPS
 
 
-@pytest.mark.parametrize("key", sorted(HOLLOWS))
-def test_hollows_are_props_of_the_catalog(key: str) -> None:
-    assert key in PROPS
-
-
-@pytest.mark.parametrize("key", sorted(HOLLOWS))
+@every("key", sorted(HOLLOWS))
 def test_a_small_thing_lies_within_the_outline_between_bottom_and_rim(key: str) -> None:
     size = PROPS[key].size
     x, y, z = inside(key, size, (0.1 * size[0], 0.1 * size[1], 0.05)) or (9.0, 9.0, 9.0)
     assert abs(x) <= size[0] / 2 and abs(y) <= size[1] / 2 and 0 < z < size[2]
 
 
-@pytest.mark.parametrize("key", sorted(OPEN_ABOVE))
+@every("key", sorted(OPEN_ABOVE))
 def test_five_things_lie_side_by_side_in_what_is_open_above(key: str) -> None:
     size = PROPS[key].size
     places = [inside(key, size, (0.05 * size[0], 0.05 * size[1], 0.02), before) for before in range(5)]

@@ -1,4 +1,5 @@
 import pytest
+from tests.every import every
 
 from storyblender.catalog.materials import MATERIALS, hex_color
 from storyblender.catalog.props import PROPS, variants
@@ -20,7 +21,7 @@ def test_every_pattern_a_material_names_exists():
     assert not {entry.pattern for entry in MATERIALS.values() if entry.pattern} - set(patterns.PATTERNS)
 
 
-@pytest.mark.parametrize("key", [key for key, entry in MATERIALS.items() if entry.pattern])
+@every("key", [key for key, entry in MATERIALS.items() if entry.pattern])
 def test_a_pattern_keeps_the_mean_of_its_colour(key):
     """A red brick wall must not come out grey; the mean of the picture lies near the mix of its two colours."""
     entry = MATERIALS[key]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from tests.every import every
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.states import look_in, state_at_first
 
 
-@pytest.mark.parametrize("key", sorted(key for key, entry in PROPS.items() if entry.params.get("open") is False))
+@every("key", sorted(key for key, entry in PROPS.items() if entry.params.get("open") is False))
 def test_what_can_open_opens_and_closes_again(key: str) -> None:
     opened = look_in(key, {}, "open")
     assert opened is not None and opened.params["open"] is True and not opened.added
@@ -16,7 +17,7 @@ def test_what_can_open_opens_and_closes_again(key: str) -> None:
     assert look_in(key, {"open": True}, "closed") is not None
 
 
-@pytest.mark.parametrize("key", sorted(key for key, entry in PROPS.items() if entry.lights))
+@every("key", sorted(key for key, entry in PROPS.items() if entry.lights))
 def test_what_shines_is_dark_when_it_is_off(key: str) -> None:
     dark = look_in(key, {}, "off")
     assert dark is not None and (dark.params.get("unlit") or False in dark.params.values())

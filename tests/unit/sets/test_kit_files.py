@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.every import every
 
 from storyblender.agents.visual_effects_artist.furniture import prop_size
 from storyblender.catalog.footprints import piece_boxes
@@ -121,7 +123,7 @@ def test_the_examples_of_the_guide_make_a_kit(tmp_path: Path) -> None:
     assert len(open_air.backdrops) == 12 and not open_air.indoor
 
 
-@pytest.mark.parametrize("key", FILES)
+@every("key", FILES)
 def test_a_kit_is_described_and_its_plan_is_of_its_sort(key: str) -> None:
     kit = SETS[key]
     assert kit.description.endswith(".") and len(kit.description) > 40
@@ -129,21 +131,19 @@ def test_a_kit_is_described_and_its_plan_is_of_its_sort(key: str) -> None:
     assert not kit.counterpart or SETS[kit.counterpart].indoor != kit.indoor
 
 
-@pytest.mark.parametrize("size", ["least", "usual", "most"])
-@pytest.mark.parametrize("key", FILES)
-def test_nothing_stands_in_anything_else(key: str, size: str) -> None:
+@every("key size period", product(FILES, ("least", "usual", "most"), ("past", "classic", "modern")))
+def test_nothing_stands_in_anything_else(key: str, size: str, period: str) -> None:
     kit = SETS[key]
-    for period in ("past", "classic", "modern"):
-        params = {"width": getattr(kit.width, size), "depth": getattr(kit.depth, size), "period": period}
-        plan = plan_of(Environment(kit=key, params=params, seed=3))
-        standing = [box for box in _boxes(plan) if box[1].height > 0.06]
-        clashes = [
-            (a, b)
-            for index, (a, first) in enumerate(standing)
-            for b, second in standing[:index]
-            if penetration(first, second, 0.03)[0] > (0.25 if "chair" in a + b or "stool" in a + b else 0.06)
-        ]
-        assert not clashes, period
+    params = {"width": getattr(kit.width, size), "depth": getattr(kit.depth, size), "period": period}
+    plan = plan_of(Environment(kit=key, params=params, seed=3))
+    standing = [box for box in _boxes(plan) if box[1].height > 0.06]
+    clashes = [
+        (a, b)
+        for index, (a, first) in enumerate(standing)
+        for b, second in standing[:index]
+        if penetration(first, second, 0.03)[0] > (0.25 if "chair" in a + b or "stool" in a + b else 0.06)
+    ]
+    assert not clashes
 
 
 def _boxes(plan: SetPlan) -> list[tuple[str, Box]]:

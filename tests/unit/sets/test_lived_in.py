@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 
-import pytest
+from tests.every import every
 
 from storyblender.agents.visual_effects_artist.furniture import prop_size
 from storyblender.agents.visual_effects_artist.set_dresser import DressingView, RulesSetDresser
@@ -43,8 +44,7 @@ def test_every_word_of_the_belongings_is_known() -> None:
     assert {*HUNG, *STANDING, *PROPS} >= ONE
 
 
-@pytest.mark.parametrize("size", ["least", "usual"])
-@pytest.mark.parametrize("key", LIVED_IN)
+@every("key size", product(LIVED_IN, ("least", "usual")))
 def test_what_is_kept_stands_in_nothing_and_in_nobodys_way(key: str, size: str) -> None:
     room = plan(key, size=size)
     others = [(item.node_id, box(item)) for item in room.furnishings if item.prop not in ("curtain", "rug")]
@@ -58,7 +58,7 @@ def test_what_is_kept_stands_in_nothing_and_in_nobodys_way(key: str, size: str) 
         assert own.z > 0.2 or penetration(own, stage)[0] <= 0.0
 
 
-@pytest.mark.parametrize("key", LIVED_IN)
+@every("key", LIVED_IN)
 def test_nothing_hangs_over_a_door_or_a_window(key: str) -> None:
     room = plan(key)
     hung = [(item.node_id, box(item)) for item in kept(room) if PROPS[item.prop].placement == "wall"]

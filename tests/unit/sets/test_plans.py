@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Callable
+from functools import cache
 
 import pytest
+from tests.every import every
 
 from storyblender.agents.visual_effects_artist.furniture import prop_size
 from storyblender.catalog.footprints import piece_boxes, stage_box
 from storyblender.catalog.materials import MATERIALS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import ParamValue
-from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.set_plan import Backdrop, SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.catalog.sets.finishes import FINISHES, finish_of
 from storyblender.errors import InputError
@@ -23,7 +26,9 @@ PERIODS = ("past", "classic", "modern")
 SIZES = ("least", "usual", "most")
 
 
+@cache
 def plans() -> list[tuple[str, SetPlan]]:
+    """Return the plans of all kits, at three sizes and in three periods, and with their options."""
     result = []
     for key, kit in SETS.items():
         for size in SIZES:
@@ -36,7 +41,17 @@ def plans() -> list[tuple[str, SetPlan]]:
     return result
 
 
-PLANS = plans()
+def plans_where(wanted: Callable[[SetPlan], object]) -> Callable[[], list[tuple[str, SetPlan]]]:
+    return lambda: [(name, plan) for name, plan in plans() if wanted(plan)]
+
+
+def is_wide(plan: SetPlan) -> bool:
+    """Return False for corridors and carriages, which are narrow by nature."""
+    return min(SETS[plan.kit].width.usual, SETS[plan.kit].depth.usual) > 4
+
+
+def land(plan: SetPlan) -> list[Backdrop]:
+    return [card for card in plan.backdrops if card.kind in ("hills", "treeline")]
 
 
 def boxes(plan: SetPlan, *, required_only: bool = False) -> list[tuple[str, Box]]:
@@ -50,15 +65,13 @@ def boxes(plan: SetPlan, *, required_only: bool = False) -> list[tuple[str, Box]
     return found + [(piece.node_id, box) for piece in plan.pieces for box in piece_boxes(piece) if box.z < 1.6]
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans_where(is_wide))
 def test_the_middle_is_free(name: str, plan: SetPlan) -> None:
     inside = [node for node, box in boxes(plan) if box.z < 1.5 and penetration(box, stage_box(plan))[0] > 0.05]
-    kit = SETS[plan.kit]
-    if min(kit.width.usual, kit.depth.usual) > 4:  # corridors and carriages are narrow by nature
-        assert not inside
+    assert not inside
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans)
 def test_required_furniture_does_not_collide(name: str, plan: SetPlan) -> None:
     standing = boxes(plan, required_only=True)
     clashes = [
@@ -71,7 +84,7 @@ def test_required_furniture_does_not_collide(name: str, plan: SetPlan) -> None:
     assert not clashes
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans)
 def test_ids_are_unique_and_marks_are_on_stage(name: str, plan: SetPlan) -> None:
     ids = [
         item.node_id
@@ -87,24 +100,26 @@ def test_ids_are_unique_and_marks_are_on_stage(name: str, plan: SetPlan) -> None
             assert plan.size.y_negative <= mark.location[1] <= plan.size.y
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
-def test_a_plan_is_closed_to_the_void(name: str, plan: SetPlan) -> None:
-    if plan.indoor:
-        assert {wall.node_id for wall in plan.walls} == {"wall_front", "wall_right", "wall_back", "wall_left"}
-        assert {slab.role for slab in plan.slabs} >= {"floor", "ceiling"}
-        windows = [wall for wall in plan.walls if any(opening.kind == "window" for opening in wall.openings)]
-        assert len(plan.backdrops) >= len(windows)
-    else:
-        seen = {round(math.degrees(math.atan2(*_middle(card.corners)))) // 45 for card in plan.backdrops}
-        facades = sum(piece.part == "facade" for piece in plan.pieces)
-        assert len(seen) >= 6 or facades >= 4
+@every("name plan", plans_where(lambda plan: plan.indoor))
+def test_a_room_is_closed_to_the_void(name: str, plan: SetPlan) -> None:
+    assert {wall.node_id for wall in plan.walls} == {"wall_front", "wall_right", "wall_back", "wall_left"}
+    assert {slab.role for slab in plan.slabs} >= {"floor", "ceiling"}
+    windows = [wall for wall in plan.walls if any(opening.kind == "window" for opening in wall.openings)]
+    assert len(plan.backdrops) >= len(windows)
+
+
+@every("name plan", plans_where(lambda plan: not plan.indoor))
+def test_an_open_place_has_something_all_round(name: str, plan: SetPlan) -> None:
+    seen = {round(math.degrees(math.atan2(*_middle(card.corners)))) // 45 for card in plan.backdrops}
+    facades = sum(piece.part == "facade" for piece in plan.pieces)
+    assert len(seen) >= 6 or facades >= 4
 
 
 def _middle(corners: tuple[tuple[float, float, float], ...]) -> tuple[float, float]:
     return (corners[0][0] + corners[1][0]) / 2, (corners[0][1] + corners[1][1]) / 2
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans_where(lambda plan: any(wall.openings for wall in plan.walls)))
 def test_openings_lie_in_their_walls_and_apart(name: str, plan: SetPlan) -> None:
     for wall in plan.walls:
         length, at = math.dist(wall.start, wall.end), 0.0
@@ -116,14 +131,14 @@ def test_openings_lie_in_their_walls_and_apart(name: str, plan: SetPlan) -> None
 
 
 def test_every_furnishing_is_in_the_catalog() -> None:
-    wanted = {item.prop for _, plan in PLANS for item in plan.furnishings}
+    wanted = {item.prop for _, plan in plans() for item in plan.furnishings}
     assert sorted(wanted - set(PROPS)) == []
 
 
 def test_finishes_name_materials_that_exist() -> None:
-    used = {wall.material for _, plan in PLANS for wall in plan.walls}
-    used |= {wall.dado for _, plan in PLANS for wall in plan.walls if wall.dado}
-    used |= {slab.material for _, plan in PLANS for slab in plan.slabs}
+    used = {wall.material for _, plan in plans() for wall in plan.walls}
+    used |= {wall.dado for _, plan in plans() for wall in plan.walls if wall.dado}
+    used |= {slab.material for _, plan in plans() for slab in plan.slabs}
     assert {finish_of(key).material for key in (*used, *FINISHES)} <= set(MATERIALS)
 
 
@@ -144,26 +159,21 @@ def test_unknown_kits_and_parameters_are_refused(bad: Environment) -> None:
         plan_of(bad)
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans_where(lambda plan: not plan.indoor and land(plan)))
 def test_open_land_runs_out_at_its_ends(name: str, plan: SetPlan) -> None:
-    land = [card for card in plan.backdrops if card.kind in ("hills", "treeline")]
-    if plan.indoor or not land:
-        return
-    rises = [(card.corners[low][2], card.corners[high]) for card in land for low, high in ((0, 3), (1, 2))]
+    rises = [(card.corners[low][2], card.corners[high]) for card in land(plan) for low, high in ((0, 3), (1, 2))]
     for foot, (x, y, top) in rises:
         meets = sum(math.dist((x, y, top), other) < 1e-6 for _, other in rises)
         assert meets > 1 or top - foot < 0.6, f"a square edge at {x:.0f}, {y:.0f}"
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans)
 def test_no_step_is_so_high_that_people_would_stand_in_it(name: str, plan: SetPlan) -> None:
     assert [slab.node_id for slab in plan.slabs if slab.role == "block" and slab.z > 0.1] == []
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS, ids=[name for name, _ in PLANS])
+@every("name plan", plans_where(lambda plan: plan.indoor))
 def test_nothing_stands_in_a_wall(name: str, plan: SetPlan) -> None:
-    if not plan.indoor:
-        return
     inside = Box(0, 0, 0, 2 * plan.size.x, plan.size.y - plan.size.y_negative, 9.0)
     poking = {}
     for node, box in boxes(plan):

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
+from tests.every import every
 
 from storyblender.agents.visual_effects_artist.environment_designer import (
     EnvironmentCritic,
@@ -100,7 +102,7 @@ def test_a_story_of_today_has_modern_rooms_and_one_word_makes_no_story_of_today(
     assert modern.params.get("period") == "modern"
 
 
-@pytest.mark.parametrize("kit", list(SETS))
+@every("kit", SETS)
 def test_no_set_has_what_its_time_does_not_know(kit: str) -> None:
     unknown = {
         "past": {"fridge", "television", "telephone", "computer", "car", "pendant_lamp", "table_lamp", "radio"},
@@ -202,7 +204,7 @@ def test_dressing_is_shared_between_scenes() -> None:
     assert all(item.origin == "dressing" for item in ids[0].values())
 
 
-@pytest.mark.parametrize("kit", list(SETS))
+@every("kit", SETS)
 def test_every_kit_is_dressed_without_faults(kit: str) -> None:
     view = DressingView(SceneSetup(), plan_of(Environment(kit=kit, seed=5)))
     assert not DressingCritic().judge(RulesSetDresser().propose(view), view).faults
@@ -247,9 +249,7 @@ def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):
     return LightingView(setup, plan_of(environment), environment)
 
 
-@pytest.mark.parametrize("weather", list(WEATHERS))
-@pytest.mark.parametrize("time", list(HOURS))
-@pytest.mark.parametrize("kit", ["cafe", "interrogation", "street", "forest"])
+@every("kit time weather", product(("cafe", "interrogation", "street", "forest"), HOURS, WEATHERS))
 def test_every_hour_and_weather_passes_the_critic(kit: str, time: str, weather: str) -> None:
     view = lighting_of(kit, time, weather)
     outcome = reflect("lighting_arranger", kit, view, RulesLightingArranger(), LightingCritic())

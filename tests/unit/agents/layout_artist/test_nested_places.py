@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from itertools import product
 
 import pytest
+from tests.every import every
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief
 from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
@@ -64,9 +66,7 @@ def local(item: LayoutObject, anchor: LayoutObject) -> tuple[float, float, float
     )
 
 
-@pytest.mark.parametrize("relation", ["in", "inside"])
-@pytest.mark.parametrize("holder", HOLDERS)
-@pytest.mark.parametrize("thing", SMALL)
+@every("thing holder relation", product(SMALL, HOLDERS, ("in", "inside")))
 def test_what_is_in_a_hollow_thing_is_between_its_bottom_and_its_rim(thing: str, holder: str, relation: str) -> None:
     at = laid_out({thing: Spot(relation=relation, anchor_id=holder)}, holder)
     x, y, z = local(at[thing], at[holder])
@@ -74,8 +74,7 @@ def test_what_is_in_a_hollow_thing_is_between_its_bottom_and_its_rim(thing: str,
     assert abs(x) <= width / 2 and abs(y) <= depth / 2 + 1e-6 and 0 < z < height
 
 
-@pytest.mark.parametrize("table", TABLES)
-@pytest.mark.parametrize("thing", SMALL)
+@every("thing table", product(SMALL, TABLES))
 def test_what_is_on_a_table_touches_its_top(thing: str, table: str) -> None:
     at = laid_out({thing: Spot(relation="on", anchor_id=table)}, table)
     x, y, z = local(at[thing], at[table])
@@ -83,8 +82,7 @@ def test_what_is_on_a_table_touches_its_top(thing: str, table: str) -> None:
     assert abs(x) <= width / 2 and abs(y) <= depth / 2 and z == pytest.approx(height, abs=0.02)
 
 
-@pytest.mark.parametrize("table", TABLES)
-@pytest.mark.parametrize("thing", SMALL)
+@every("thing table", product(SMALL, TABLES))
 def test_what_is_under_a_table_is_on_the_floor_below_it_towards_its_front(thing: str, table: str) -> None:
     at = laid_out({thing: Spot(relation="under", anchor_id=table)}, table)
     x, y, z = local(at[thing], at[table])

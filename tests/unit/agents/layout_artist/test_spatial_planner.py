@@ -3,6 +3,7 @@ import math
 from dataclasses import replace
 
 import pytest
+from tests.every import every
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
 from storyblender.agents.layout_artist.layout_stage import Stage
@@ -88,7 +89,7 @@ def forward(item: LayoutObject) -> tuple[float, float]:
     return math.sin(yaw), -math.cos(yaw)
 
 
-@pytest.mark.parametrize("kit", list(SETS))
+@every("kit", SETS)
 def test_every_set_takes_people_and_things_without_a_fault(kit: str) -> None:
     view = brief(["table", "jewel_box", "painting"], [("jewel_box", "on", "table")], ["ana", "ben", "cal"])
     view = LayoutBrief(**{**view.__dict__, "plan": plan(kit), "groups": (("ana", "ben"),)})
