@@ -11,10 +11,10 @@ storyboard: $(READY)  ## Make the example storyboard into out/casablanca.storybo
 	$(BIN)/storyblender make examples/casablanca.fountain --out out/casablanca.storyboard
 
 test: $(READY)  ## Run the tests that CI runs
-	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "not slow"
+	$(BIN)/python -m pytest -n 2 -m "not slow"
 
 test-all: $(READY)  ## Run every test, the slow ones too
-	$(BIN)/python -m pytest -n 2 --dist loadgroup
+	$(BIN)/python -m pytest -n 2
 
 check: $(READY)  ## Lint, types, layers
 	$(BIN)/ruff check .

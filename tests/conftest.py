@@ -1,11 +1,36 @@
-"""Shared fixtures, and the clean end of a process that used Blender."""
+"""Which process runs which test, and the clean end of a process that used Blender."""
 
 from __future__ import annotations
 
 import os
 import sys
+from pathlib import Path
 
 import pytest
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
+
+MADE_ONCE = {"test_make.py", "test_story_blend.py", "test_undo.py"}
+"""Files of ``tests/e2e`` that look at the same made project."""
+
+
+class FileByFile(LoadScopeScheduling):
+    """A file stays on one process, in order: Blender is one global state, and what a module makes is made once.
+
+    The files come as they are collected: those that take long, ``blender`` and ``e2e``, before the unit tests, which
+    fill the end evenly.
+    """
+
+    def _split_scope(self, nodeid: str) -> str:
+        """Return what is run on one process together: the file, or the files that share a made project."""
+        file = nodeid.partition("::")[0]
+        return "the made project" if Path(file).name in MADE_ONCE else file
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> FileByFile:
+    config.option.loadscopereorder = False
+    return FileByFile(config, log)
 
 
 @pytest.hookimpl(trylast=True)
@@ -19,11 +44,3 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     session.config.storyblender_exit = int(exitstatus)  # type: ignore[attr-defined]
-
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Blender is one global state: the tests of a file that uses it stay together on one process, in order."""
-    for item in items:
-        if "tests/blender/" in item.nodeid:
-            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))

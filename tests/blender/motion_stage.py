@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 from mathutils import Matrix, Quaternion, Vector
@@ -20,9 +21,14 @@ FPS = 24
 
 def build_bodies(*who: str) -> dict[str, Body]:
     """A man and a girl, or who is asked for of man, woman and girl."""
+    return {name: _body(name) for name in who or ("man", "girl")}
+
+
+@cache
+def _body(name: str) -> Body:
     cast = {"man": (40, "male"), "woman": (28, "female"), "girl": (8, "female")}
-    looks = {name: CharacterLook(age=cast[name][0], gender=cast[name][1]) for name in who or ("man", "girl")}
-    return {name: build_person(name, look, 1).body for name, look in looks.items()}
+    age, gender = cast[name]
+    return build_person(name, CharacterLook(age=age, gender=gender), 1).body
 
 
 def mark_at(who: str, x: float, y: float, yaw: float = 0.0, posture: Posture = "stand", **fields: object) -> Mark:

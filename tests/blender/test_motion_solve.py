@@ -19,6 +19,7 @@ from tests.blender.motion_stage import (
     table_at,
     world_at,
 )
+from tests.every import every
 
 from storyblender.blender.motion.clips import CLIPS
 from storyblender.blender.motion.measures import measure
@@ -221,7 +222,8 @@ def test_the_catalog_and_the_clips_agree() -> None:
     assert set(CLIPS) == set(MOTIONS)
 
 
-@pytest.mark.parametrize("clip", sorted(CLIPS))
+@pytest.mark.timeout(400)
+@every("clip", sorted(CLIPS))
 def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[str, Body], clip: str) -> None:
     furniture = {"table": table_at(0, 1.2), "chair": chair_at(-1.6, 0.5)}
     props = {"cup": StageProp(world_at(0.2, 0.98, 0.75), (0.08, 0.08, 0.1))}

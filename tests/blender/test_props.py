@@ -4,6 +4,8 @@ import pytest
 pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 
+from tests.every import every  # noqa: E402
+
 from storyblender.blender.materials import material  # noqa: E402
 from storyblender.blender.measure.hashing import geometry_hash  # noqa: E402
 from storyblender.blender.measure.surfaces import find_tops  # noqa: E402
@@ -39,8 +41,7 @@ def test_two_in_a_boat_have_room_for_their_knees():
     assert 0.95 < abs(stern.location[1] - rower.location[1]) < 1.2
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("key", PROPS)
+@every("key", PROPS)
 def test_a_prop_stands_on_the_origin_with_its_anchors_on_it(key):
     build = build_prop(key, seed=3)
     cloud = points(build.mesh)
@@ -139,7 +140,7 @@ def test_a_bed_is_lain_on_under_its_headboard():
     assert any(anchor.kind == "bed" for anchor in bed.anchors)
 
 
-@pytest.mark.parametrize("key", STAND_INS)
+@every("key", STAND_INS)
 def test_a_stand_in_is_a_plain_shape_of_one_material(key):
     build = build_stand_in(key)
     assert len(build.mesh.materials) == 1
@@ -179,7 +180,7 @@ def test_a_picture_of_hair_shows_the_head_only(tmp_path):
     assert widths[1] > 2 * widths[0], "its top is nearer"
 
 
-@pytest.mark.parametrize("key", [key for key, entry in PROPS.items() if "asleep" in entry.params])
+@every("key", [key for key, entry in PROPS.items() if "asleep" in entry.params])
 def test_an_animal_that_sleeps_lies_low_with_its_head_on_the_floor(key):
     awake, asleep = build_prop(key), build_prop(key, {"asleep": True})
     assert asleep.dimensions[2] < 0.85 * awake.dimensions[2]
@@ -188,7 +189,7 @@ def test_an_animal_that_sleeps_lies_low_with_its_head_on_the_floor(key):
     assert front[:, 2].min() < 0.2 * asleep.dimensions[2]
 
 
-@pytest.mark.parametrize("key", WRITING)
+@every("key", WRITING)
 def test_words_are_laid_on_the_side_that_is_read(key):
     plain, written = build_prop(key), build_prop(key, {"text": "HELLO THERE"})
     assert len(written.mesh.polygons) > len(plain.mesh.polygons) + 20

@@ -14,7 +14,7 @@ from PIL import Image
 from storyblender.project import read_project_graph
 from tests.e2e.conftest import SMALL, made, storyblender
 
-pytestmark = [pytest.mark.blender, pytest.mark.timeout(900), pytest.mark.xdist_group("project")]
+pytestmark = [pytest.mark.blender, pytest.mark.timeout(900)]
 
 
 def shots(project: Path) -> list[str]:

@@ -13,7 +13,7 @@ import pytest
 
 from tests.e2e.conftest import storyblender
 
-pytestmark = [pytest.mark.blender, pytest.mark.timeout(900), pytest.mark.xdist_group("project")]
+pytestmark = [pytest.mark.blender, pytest.mark.timeout(900)]
 
 READ = """
 import bpy, json, os, sys

@@ -10,7 +10,7 @@ from storyblender.memory.base import shot_name
 from storyblender.project import read_project_graph
 from tests.e2e.conftest import storyblender
 
-pytestmark = [pytest.mark.blender, pytest.mark.timeout(900), pytest.mark.xdist_group("project")]
+pytestmark = [pytest.mark.blender, pytest.mark.timeout(900)]
 
 
 def done(*arguments: str | Path) -> str:

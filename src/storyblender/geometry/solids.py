@@ -211,16 +211,17 @@ def box_uv(vertices: Floats, faces: Sequence[Sequence[int]], grain: bool) -> Flo
     sizes = np.array([len(face) for face in faces], int)
     starts = np.cumsum(sizes) - sizes
     layout = np.zeros((int(sizes.sum()), 2))
-    for size in np.unique(sizes).tolist():  # all quads at once, all triangles at once
+    for size in {len(face) for face in faces}:  # all quads at once, all triangles at once
         these = np.flatnonzero(sizes == size)
         points = vertices[np.array([faces[index] for index in these])]
-        x, y, z = np.moveaxis(points, 2, 0)
-        after_x, after_y, after_z = (np.roll(axis, -1, axis=1) for axis in (x, y, z))
-        crosses = (y * after_z - z * after_y, z * after_x - x * after_z, x * after_y - y * after_x)
-        axis = np.abs([part.sum(axis=1) for part in crosses]).argmax(axis=0)
+        after = np.concatenate((points[:, 1:], points[:, :1]), axis=1)
+        (x, y, z), (after_x, after_y, after_z) = points.transpose(2, 0, 1), after.transpose(2, 0, 1)
+        crosses = np.stack((y * after_z - z * after_y, z * after_x - x * after_z, x * after_y - y * after_x))
+        axis = np.abs(crosses.sum(axis=2)).argmax(axis=0)
         flat = np.take_along_axis(points, _OTHER_AXES[axis][:, None, :], axis=2)
         if grain:
-            tall = np.ptp(flat[:, :, 1], axis=1) > np.ptp(flat[:, :, 0], axis=1)
+            spans = flat.max(axis=1) - flat.min(axis=1)
+            tall = spans[:, 1] > spans[:, 0]
             flat[tall] = flat[tall][:, :, ::-1]
         layout[starts[these][:, None] + np.arange(size)] = flat
     return layout

@@ -107,13 +107,9 @@ def jukebox(builder: MeshBuilder, spec: PieceSpec) -> None:
     with builder.at((0, 0, 0), (90, 0, 0)):
         builder.extrude(finish("wood_red"), arch, 0.5)
     for radius, key in ((0.37, "pane_warm"), (0.29, "paint_red"), (0.24, "pane_cool")):
-        ring = [(-radius, -0.51 - 0.1 * (0.4 - radius), 0.3), (-radius, -0.51 - 0.1 * (0.4 - radius), 1.0)]
-        ring += [
-            (-radius * np.cos(t), -0.51 - 0.1 * (0.4 - radius), 1.0 + radius * np.sin(t))
-            for t in np.linspace(0, np.pi, 9)
-        ]
-        ring += [(radius, -0.51 - 0.1 * (0.4 - radius), 1.0), (radius, -0.51 - 0.1 * (0.4 - radius), 0.3)]
-        builder.tube(finish(key), ring, 0.035, segments=6)
+        y = -0.51 - 0.1 * (0.4 - radius)
+        arc = [(-radius * np.cos(t), y, 1.0 + radius * np.sin(t)) for t in np.linspace(0, np.pi, 9)]
+        builder.tube(finish(key), [(-radius, y, 0.3), *arc, (radius, y, 0.3)], 0.035, segments=6)
     builder.box(finish("pane_cool"), (0, -0.51, 1.05), (0.4, 0.02, 0.34))
     builder.box(finish("chrome"), (0, -0.52, 0.78), (0.46, 0.05, 0.1), bevel=0.01)
     for x in np.linspace(-0.2, 0.2, 7):
