@@ -12,10 +12,10 @@ from storyblender.agents.director.casting import called, cast, describe, introdu
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.creatures import describe_creature, size_of
 from storyblender.agents.director.draft import Beat, ShotDraft
-from storyblender.agents.director.era import told_and_said
 from storyblender.agents.director.left_behind import left_behind
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground, lighting, walls
+from storyblender.agents.director.reader.era import told_and_said
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
 from storyblender.agents.director.staging import Staging

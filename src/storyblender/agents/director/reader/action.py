@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader import noticing
+from storyblender.agents.director.reader.bearing.calls import note_calls
 from storyblender.agents.director.reader.bearing.eyes import note_gaze
 from storyblender.agents.director.reader.bearing.faces import note_faces_told
 from storyblender.agents.director.reader.bearing.grips import note_grips, note_had
@@ -96,6 +97,7 @@ def _note_bearing(stage: Stage, clauses: list[Clause], people: list[Person]) -> 
     note_gaze(stage, here)
     note_lasting(stage, clauses, here)
     note_grips(stage, stage.sentence.words, here)
+    note_calls(stage, here)
     note_tethers(stage, stage.sentence.words, here)
 
 

@@ -8,12 +8,14 @@ from collections import Counter
 
 from storyblender.agents.director import lexicon
 from storyblender.agents.director.reader.action import read_action
+from storyblender.agents.director.reader.bearing.calls import keep_calls
 from storyblender.agents.director.reader.beside import act_beside
 from storyblender.agents.director.reader.cast.foreign_cast import add_foreign
 from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
 from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
 from storyblender.agents.director.reader.deeds.carried import bring_along, come_back
 from storyblender.agents.director.reader.deeds.exits import clear_exits
+from storyblender.agents.director.reader.era import told_and_said
 from storyblender.agents.director.reader.foreign import read_foreign
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import Manuscript, open_manuscript
@@ -27,6 +29,7 @@ from storyblender.agents.director.reader.stage import SceneState, Stage
 from storyblender.agents.director.reader.why import page_facts, stage_facts
 from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
 from storyblender.agents.director.rules import by_rule, rule, watch
+from storyblender.catalog.costumes import age_of
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -54,7 +57,7 @@ def read_script(screenplay: Screenplay) -> Reading:
         roster = _find_people(script, reading)
     sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
-    stage = Stage(roster, Inventory(roster.ids), reading, script.tongue)
+    stage = Stage(roster, Inventory(roster.ids), reading, script.tongue, age=age_of(*told_and_said(screenplay)))
     watch(lambda: stage_facts(stage))
     if script.tongue:
         reason = f"the page is in {script.tongue.name}: what people do is told by a table of common words"
@@ -197,6 +200,7 @@ def _stay(stage: Stage, sentence: Sentence) -> None:
 def _note_the_stage(stage: Stage) -> None:
     """Write into the unit the people present, their postures and the things in their hands."""
     unit = stage.unit
+    keep_calls(stage)
     unit.on_stage = list(stage.scene.on)
     unit.posture = dict(stage.scene.posture)
     unit.held = {person: list(things) for person, things in stage.scene.held.items() if things}
@@ -225,6 +229,7 @@ def _look_at(stage: Stage, camera: CameraNote) -> str | None:
 def _open_scene(stage: Stage, sentence: Sentence) -> None:
     prose = stage.reading.screenplay.format == "prose"
     before = stage.scene
+    stage.intercut = stage.intercut and not stage.reading.scenes[sentence.scene].heading
     stage.scene = SceneState(sentence.scene, before=_on_their_feet(before))
     stage.inventory.open_scene(sentence.start)
     first = [word.low for word in sentence.words[:_CARRIED]]

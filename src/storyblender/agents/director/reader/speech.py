@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.bearing.calls import is_far_end, joins, take_call
 from storyblender.agents.director.reader.page.sentences import Sentence, Speech
 from storyblender.agents.director.reader.people.look import years
 from storyblender.agents.director.reader.people.people_meant import resolve_mention
@@ -42,7 +43,7 @@ _MANNER = {
 }  # fmt: skip
 _ON_THE_PHONE = re.compile(
     r"^\W*(?:tele|cell)?phone\W*$"
-    r"|\b(?:on|into|over|in|by|to|answers|answering) (?:(?:the|his|her|a) )?(?:tele|cell)?phone\b"
+    r"|\b(?:on|into|over|in|by|answers|answering) (?:(?:the|his|her|a) )?(?:(?:tele|cell)?phone|receiver|cell|mobile)\b"
 )
 """``(on phone)``, ``(into the telephone)``: a person who picks up a phone may still talk to a person present."""
 _VOCATIVE = re.compile(
@@ -71,7 +72,8 @@ def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
     speaker = _narrated_speaker(stage, speech) if prose else stage.find(speech.name)
     unit.kind, unit.text, unit.parenthetical, unit.dual = "dialogue", speech.text, speech.parenthetical, speech.dual
     unit.speaker_name = speech.name.title() if speech.name else speaker.name if speaker else ""
-    unit.off_screen = bool(_OFF.search(speech.extension))
+    far = is_far_end(stage, speaker, speech.extension) if speaker else None
+    unit.off_screen = bool(_OFF.search(speech.extension)) if far is None else far
     if speaker is None:
         return
     unit.speaker = speaker.id
@@ -85,6 +87,8 @@ def speak(stage: Stage, sentence: Sentence, speech: Speech) -> None:
         return
     stage.enter(speaker)
     stage.involve(speaker)
+    if far is False or _ON_THE_PHONE.search(speech.parenthetical.lower()) or joins(stage, speaker):
+        take_call(stage, speaker)
     _say(stage, speaker, speech, prose, sentence.start)
 
 
@@ -125,14 +129,15 @@ def _unnamed_speaker(stage: Stage, speech: Speech) -> Person | None:
 def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) -> None:
     unit, discourse = stage.unit, stage.discourse
     device = _INTO.search(speech.parenthetical.lower())
-    manner = _manner(speech, prose, device.group(1) if device else "")
+    manner = _manner(speech, prose, device)
     said_already = lexicon.MOTION_OF_VERB.get(speech.verb) if prose else None
     told = [d for d in unit.deeds if d.motion in _SAYING or (d.actor == speaker.id and d.motion == said_already)]
     named = next((stage.person(d.target or "") for d in told if d.actor == speaker.id and d.target), None)
-    listener = None if device else named or _listener(stage, speaker, speech, prose)
-    if device:
-        noun = {"cell": "phone", "receiver": "phone", "telephone": "phone"}.get(device.group(1), device.group(1))
-        thing = stage.inventory.id_of(noun, at)
+    called = speaker.id in stage.calls and not _TO.match(speech.parenthetical.lower())
+    manner = "phone" if called and manner == "talk" else manner
+    listener = None if device or called else named or _listener(stage, speaker, speech, prose)
+    if device and not called:
+        thing = stage.inventory.id_of(device.group(1), at)
         stage.inventory.seen(thing, "handled")
         unit.things.append(thing)
     unit.deeds = [deed for deed in unit.deeds if deed not in told]
@@ -145,14 +150,12 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
     if listener:
         stage.discourse.raise_(listener, 0.4)
     discourse.subjects = [speaker]
-    discourse.last_speaker, discourse.last_listener = (None, None) if device else (speaker, listener)
+    discourse.last_speaker, discourse.last_listener = (None, None) if device or called else (speaker, listener)
 
 
-def _manner(speech: Speech, prose: bool, device: str) -> str:
-    """Talk, whisper, shout or phone."""
+def _manner(speech: Speech, prose: bool, device: re.Match[str] | None) -> str:
+    """Talk, whisper or shout."""
     parenthetical = speech.parenthetical.lower()
-    if _ON_THE_PHONE.search(parenthetical) or device in ("phone", "cell", "receiver"):
-        return "phone"
     if _QUIET.search(parenthetical):
         return "whisper"
     if speech.sung or _SUNG.search(parenthetical):

@@ -14,6 +14,7 @@ from storyblender.agents.director.reader.language.words import Word, key_of
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Unit
+from storyblender.catalog.costumes import Age
 from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.shot_context import Flag
 from storyblender.memory.vocabulary import Posture, RelationKind
@@ -158,6 +159,14 @@ class Stage:
     sentence: SentenceState = field(default_factory=SentenceState)
     scene_dressed: dict[str, int] = field(default_factory=dict)
     """Person -> the first scene that describes their clothes."""
+    age: Age | None = None
+    """The age the story plays in, where its words tell."""
+    calls: dict[str, int] = field(default_factory=dict)
+    """Who has a phone at the ear -> the place where they took the call."""
+    called_from: set[int] = field(default_factory=set)
+    """Places where a call was taken."""
+    intercut: bool = False
+    """Whether the pictures go between two places."""
     unread: list[UnreadAct] = field(default_factory=list)
     """Acts of the current sentence that have no motion of their own."""
 

@@ -1,10 +1,11 @@
-"""Activities that last: on the phone, painting, driving, playing; until the person does something else."""
+"""Activities that last: painting, driving, playing; until the person does something else. Calls: ``calls.py``."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader.bearing.calls import ACTIVITY
 from storyblender.agents.director.reader.language.clauses import Clause
 from storyblender.agents.director.reader.language.words import joined
 from storyblender.agents.director.reader.stage import Stage
@@ -12,7 +13,7 @@ from storyblender.agents.director.reading import Person
 from storyblender.agents.director.rules import rule
 
 _LASTING = frozenset(
-    {"phone", "write", "drive", "ride", "play_music", "cook", "clean", "work", "read", "type", "dance", "smoke", "eat"}
+    {"write", "drive", "ride", "play_music", "cook", "clean", "work", "read", "type", "dance", "smoke", "eat"}
     | {"sing", "search", "cut", "stir", "swim", "pray", "drink", "aim"}
 )
 """Motions that may continue through the following lines."""
@@ -21,7 +22,7 @@ _BESIDE_IT = frozenset(
     | {"stand", "sit", "think"}
 )
 """Deeds that do not interrupt a lasting activity."""
-_ON_THE_PHONE, _OVER = lexicon.BEARING["on_the_phone"], lexicon.BEARING["over"]
+_OVER = lexicon.BEARING["over"]
 
 
 @rule("bearing.activity")
@@ -38,15 +39,15 @@ def note_lasting(stage: Stage, clauses: Sequence[Clause], people: Sequence[Perso
     progressive = {clause.at for clause in clauses if clause.participle and not clause.negated and not clause.unreal}
     over = _OVER.search(text) is not None
     for deed in stage.unit.deeds:
-        if deed.actor in going_on and (over or deed.motion not in _BESIDE_IT | {going_on[deed.actor]}):
+        if going_on.get(deed.actor, ACTIVITY) != ACTIVITY and (
+            over or deed.motion not in _BESIDE_IT | {going_on[deed.actor]}
+        ):
             _end(stage, deed.actor)
         if deed.motion in _LASTING and deed.at in progressive and not over:
             _begin(stage, deed.actor, deed.motion)
     for person in people:
-        if over and person.id in going_on:
+        if over and going_on.get(person.id, ACTIVITY) != ACTIVITY:
             _end(stage, person.id)
-        elif _ON_THE_PHONE.search(text) and not over and person.kind == "human" and not stage.sentence.pictured:
-            _begin(stage, person.id, "phone")
 
 
 def _begin(stage: Stage, person: str, motion: str) -> None:

@@ -19,7 +19,7 @@ _INTERCUT = re.compile(
 )
 _BETWEEN = re.compile(r"\s*(?:/|&|,|\bAND\b|\bWITH\b|\bBETWEEN\b|\s[-–—]+\s)\s*", re.IGNORECASE)
 _SIDE = re.compile(r"(?:INT|EXT)\.?\s+", re.IGNORECASE)
-_OFF = re.compile(r"O\.?S|V\.?O|SCREEN|PHONE|FILTER|RADIO|OFF", re.IGNORECASE)
+_OFF = re.compile(r"O\.?S|V\.?O|SCREEN|(?<!INTO )PHONE|FILTER|RADIO|OFF", re.IGNORECASE)
 
 
 @rule("page.intercut", without=[])
@@ -91,10 +91,10 @@ class Intercut:
         for sentence in told:
             named = self._named(sentence)
             home = named if named is not None else self._home(sentence, cue)
-            if named is not None:
-                self._settle(sentence, named)
             if home is not None:
                 self.at = home
+            if named is not None or home is not None:
+                self._settle(sentence, self.at)
             wanted = self.places[self.at]
             if scenes[-1].place != wanted.place:
                 first = next((scene for scene in scenes if scene.place == wanted.place), None)
@@ -134,31 +134,32 @@ class Intercut:
         )
 
     def _home(self, sentence: Sentence, cue: Paragraph | None) -> int | None:
+        """Return the index of the place of whoever speaks or is told of: one seen first is where nobody was yet."""
         if sentence.speech:
-            return self.homes.get(cue.name.lower()) if cue and not _OFF.search(cue.extension) else None
-        people = [word.mention for word in sentence.words if word.mention and len(word.mention.candidates) == 1]
-        return next(
-            (
-                self.homes[name]
-                for mention in people
-                for name in _names(mention.candidates[0].aliases)
-                if name in self.homes
-            ),
-            None,
-        )
+            seen = cue is not None and not _OFF.search(cue.extension)
+            return self.homes.get(cue.name.lower(), self._unseen()) if cue and seen else None
+        people = _people(sentence)
+        known = (self.homes[name] for names in people for name in names if name in self.homes)
+        return next(known, self._unseen() if people else None)
+
+    def _unseen(self) -> int | None:
+        """Return the index of the one place where nobody has been seen."""
+        empty = {*range(len(self.places))} - {*self.homes.values()}
+        return empty.pop() if len(empty) == 1 else None
 
     def _settle(self, sentence: Sentence, home: int) -> None:
         if sentence.speech:
             if sentence.speech.name and not _OFF.search(sentence.speech.extension):
                 self.homes.setdefault(sentence.speech.name.lower(), home)
             return
-        first = next(
-            (word.mention for word in sentence.words if word.mention and len(word.mention.candidates) == 1), None
-        )
-        if first is not None:
-            for name in _names(first.candidates[0].aliases):
-                self.homes[name] = home
+        people = _people(sentence)
+        for names in people[:1]:
+            self.homes |= dict.fromkeys(names, home)
+        for names in people[1:]:
+            self.homes |= {name: home for name in names if name not in self.homes}
 
 
-def _names(aliases: Sequence[str]) -> list[str]:
-    return [alias.lower() for alias in aliases]
+def _people(sentence: Sentence) -> list[list[str]]:
+    """Return the names of each person that a sentence names."""
+    mentions = [word.mention for word in sentence.words if word.mention and len(word.mention.candidates) == 1]
+    return [[alias.lower() for alias in mention.candidates[0].aliases] for mention in mentions]
