@@ -96,7 +96,7 @@ class Stage:
         """Return every file that is no record of runs, by name."""
         files = (path for path in self.folder.rglob("*") if path.is_file())
         names = {path.relative_to(self.folder).as_posix(): path for path in files}
-        passed = (".lock", "outputs.jsonl", "trace.jsonl", "graph.json")
+        passed = (".lock", "outputs.jsonl", "trace.jsonl", "drafts.jsonl", "graph.json")
         return {
             name: path.read_bytes()
             for name, path in sorted(names.items())

@@ -7,6 +7,7 @@ checkpoint brought up to HEAD on opening. Killed at any instant, the folder open
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from datetime import datetime
 from functools import cached_property
@@ -19,12 +20,15 @@ from storyblender import history_files
 from storyblender.errors import InputError, ProjectLocked, Rejected
 from storyblender.folder import Folder
 from storyblender.history_files import GRAPH, HEAD, HISTORY, Saved, commit_name
+from storyblender.memory.base import content_hash
 from storyblender.memory.gatekeeper import Gatekeeper
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit, apply, changes_between
 from storyblender.outputs import Outputs
 from storyblender.trace import Event
 
+TRACE, DRAFTS = "trace.jsonl", "drafts.jsonl"
+"""What the crew proposed and how it scored, and the drafts themselves by digest."""
 SCRIPTS = "history/scripts"
 """A copy of each script that was planned, and of its corrected reading, named by the plan's digest."""
 KEPT_READING = "reading.json"
@@ -71,6 +75,7 @@ class Project:
         self.graph, self.revision, self._digest = saved.graph, saved.revision, saved.digest
         self._redoable = True
         """There may be undone commits: to look for them takes longer the longer the history is."""
+        self._drafts: set[str] = set()
         self.notices = saved.notices
         """What a person should know about how the project was found, one sentence each."""
         if self.notices:
@@ -163,8 +168,14 @@ class Project:
         return Saved(self.graph, self.revision, self._digest)
 
     def record(self, event: Event) -> None:
-        """Append an event to ``trace.jsonl``."""
-        self.files.append("trace.jsonl", event.model_dump_json(exclude_defaults=True) + "\n")
+        """Append an event to ``trace.jsonl``, and its draft, once, to ``drafts.jsonl``."""
+        if event.draft:
+            digest = content_hash(event.draft)
+            if digest not in self._drafts:
+                self.files.append(DRAFTS, json.dumps({"digest": digest, "draft": event.draft}) + "\n")
+                self._drafts.add(digest)
+            event = event.model_copy(update={"draft": digest})
+        self.files.append(TRACE, event.model_dump_json(exclude_defaults=True) + "\n")
 
     def _refuse_foreign(self) -> None:
         """Refuse a file, and a folder of something else, before a lock is put there."""

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from reprlib import Repr
-from typing import Generic, Protocol, TypeVar
+from typing import Generic, Literal, ParamSpec, Protocol, TypeVar
 
-from storyblender.memory.base import Frozen
+from pydantic import TypeAdapter
+
+from storyblender.memory.base import Frozen, content_hash
 from storyblender.trace import Event, Listener, silent
 
-View = TypeVar("View", contravariant=True)
+Subject = ParamSpec("Subject")
+View = TypeVar("View")
 Draft = TypeVar("Draft")
+Seen = TypeVar("Seen", contravariant=True)
 Judged = TypeVar("Judged", contravariant=True)
 
 
@@ -47,30 +53,31 @@ class Critique(Frozen):
         return cls(score=max(1.0, 10.0 - sum(fault.severity for fault in faults)), faults=faults)
 
 
-class Policy(Protocol[View, Draft]):
+class Policy(Protocol[Seen, Draft]):
     """Phi and Psi of one role: rules or a language model."""
 
-    def propose(self, view: View) -> Draft:
+    def propose(self, view: Seen) -> Draft:
         """Make the first draft from the role's projection of the graph."""
         ...
 
-    def refine(self, draft: Draft, critique: Critique, view: View) -> Draft:
+    def refine(self, draft: Draft, critique: Critique, view: Seen) -> Draft:
         """Return a better draft that answers the critique."""
         ...
 
 
-class Critic(Protocol[View, Judged]):
+class Critic(Protocol[Seen, Judged]):
     """R: judges a draft; an engine critic computes, a vision critic looks."""
 
-    def judge(self, draft: Judged, view: View) -> Critique:
+    def judge(self, draft: Judged, view: Seen) -> Critique:
         """Score the draft."""
         ...
 
 
 @dataclass(frozen=True)
-class Outcome(Generic[Draft]):
+class Outcome(Generic[View, Draft]):
     """What a reflection ended with."""
 
+    view: View
     draft: Draft
     critique: Critique
     turns: int
@@ -82,62 +89,127 @@ class Outcome(Generic[Draft]):
         return not self.critique.faults
 
 
+class Format(Protocol[Seen, Draft]):
+    """How the drafts of a role are written down, so that a run can be replayed from them."""
+
+    def write(self, draft: Draft) -> str:
+        """Return a draft as JSON."""
+        ...
+
+    def read(self, text: str, view: Seen) -> Draft:
+        """Return the draft that was written for a view.
+
+        Raises:
+            ValueError: The text is no draft of this role.
+        """
+        ...
+
+
+@dataclass(frozen=True)
+class Typed(Generic[Draft]):
+    """The format of drafts that are values of one type.
+
+    Attributes:
+        kind: The type; pydantic writes and reads it.
+    """
+
+    kind: type[Draft]
+
+    def write(self, draft: Draft) -> str:
+        """Return a draft as JSON."""
+        return _adapter_of(self.kind).dump_json(draft).decode()
+
+    def read(self, text: str, view: object) -> Draft:
+        """Return the draft that was written.
+
+        Raises:
+            ValueError: The text is no draft of this type.
+        """
+        return _adapter_of(self.kind).validate_json(text)
+
+
+@dataclass(frozen=True)
+class Role(Generic[Subject, View, Draft]):
+    """One member of the crew.
+
+    Attributes:
+        name: For the trace and the settings, e.g. ``spatial_planner``.
+        project: The projection: from the graph and a subject to all that the role's policies may know.
+        policies: Who answers, in order; each hands over to the next where it does not converge. The last is rules.
+        critic: Scores every draft.
+        drafts: How drafts are written down.
+        threshold: tau, accept at this score.
+        horizon: T_max, refinements before handing over.
+    """
+
+    name: str
+    project: Callable[Subject, View]
+    policies: tuple[Policy[View, Draft], ...]
+    critic: Critic[View, Draft]
+    drafts: Format[View, Draft]
+    threshold: float = 8.0
+    horizon: int = 5
+
+
+def view_digest(view: object) -> str:
+    """Return the digest of a view: who sees the same proposes the same."""
+    return content_hash(_adapter_of(type(view)).dump_python(view, mode="json"))
+
+
+_adapter_of = cache(TypeAdapter)
+"""How pydantic writes the values of a type; it takes a while to find out."""
+
+
 def reflect(
-    role: str,
-    subject: str,
-    view: View,
-    policy: Policy[View, Draft],
-    critic: Critic[View, Draft],
-    *,
-    threshold: float = 8.0,
-    horizon: int = 5,
-    fallback: Policy[View, Draft] | None = None,
-    listener: Listener = silent,
-) -> Outcome[Draft]:
+    role: Role[Subject, View, Draft], subject: str, view: View, listener: Listener = silent
+) -> Outcome[View, Draft]:
     """Run Eq. 1 and return the accepted draft, or the best one seen.
 
     Args:
-        role: Name of the role, for the trace.
+        role: Whose decision it is.
         subject: What is being decided, for the trace.
         view: The role's projection of the graph (C).
-        policy: Proposes (Phi) and refines (Psi).
-        critic: Scores (R).
-        threshold: tau, accept at this score.
-        horizon: T_max, refinements before handing over.
-        fallback: Takes the context over (Omega) where the policy did not converge.
         listener: Receives one event per step.
 
     Returns:
-        The first draft at or over the threshold; else the best of all, with ``handed_over`` set if the
-        fallback made it.
+        The first draft at or over the threshold; else the best of all, with ``handed_over`` set if it is not of the
+        role's first policy.
     """
-    best: Outcome[Draft] | None = None
-    for handed_over, author in ((False, policy), (True, fallback)):
-        if author is None:
-            continue
-        if handed_over:
-            listener(Event(kind="handover", role=role, subject=subject, message="the fallback takes over"))
+    best: Outcome[View, Draft] | None = None
+    for place, author in enumerate(role.policies):
+        if place:
+            listener(Event(kind="handover", role=role.name, subject=subject, message="the next policy takes over"))
         draft = author.propose(view)
-        listener(Event(kind="propose", role=role, subject=subject, message=_SHORT.repr(draft)))
-        for turn in range(horizon + 1):
-            critique = critic.judge(draft, view)
-            kept = Outcome(draft, critique, turn, handed_over)
-            listener(_scored(role, subject, kept))
-            if critique.score >= threshold:
-                return kept
+        listener(_told(role, "propose", subject, draft))
+        for turn in range(role.horizon + 1):
+            critique = role.critic.judge(draft, view)
+            kept = Outcome(view, draft, critique, turn, place > 0)
+            listener(_scored(role.name, subject, kept))
             if best is None or critique.score > best.critique.score:
                 best = kept
-            if turn < horizon:
+            if critique.score >= role.threshold:
+                return _accepted(role, subject, kept, listener)
+            if turn < role.horizon:
                 refined = author.refine(draft, critique, view)
                 if refined == draft:  # nothing more comes of asking again
                     break
                 draft = refined
-                listener(_refined(role, subject, turn + 1, draft, critique))
-    assert best is not None
-    return best
+                listener(_told(role, "refine", subject, draft, turn + 1, critique))
+    if best is None:
+        raise ValueError(f"{role.name} has no policy")
+    return _accepted(role, subject, best, listener)
 
 
-def _scored(role: str, subject: str, outcome: Outcome[Draft]) -> Event:
+def _accepted(
+    role: Role[Subject, View, Draft], subject: str, outcome: Outcome[View, Draft], listener: Listener
+) -> Outcome[View, Draft]:
+    """Return the outcome, after telling which draft answers which view."""
+    seen, draft = view_digest(outcome.view), role.drafts.write(outcome.draft)
+    listener(Event(kind="accept", role=role.name, subject=subject, turn=outcome.turns, view=seen, draft=draft))
+    return outcome
+
+
+def _scored(role: str, subject: str, outcome: Outcome[View, Draft]) -> Event:
     return Event(
         kind="score",
         role=role,
@@ -148,11 +220,26 @@ def _scored(role: str, subject: str, outcome: Outcome[Draft]) -> Event:
     )
 
 
-def _refined(role: str, subject: str, turn: int, draft: object, critique: Critique) -> Event:
-    """The new draft, and the fixes that the critic gave for the one before."""
+def _told(
+    role: Role[Subject, View, Draft],
+    kind: Literal["propose", "refine"],
+    subject: str,
+    draft: Draft,
+    turn: int = 0,
+    critique: Critique | None = None,
+) -> Event:
+    """Return the event of a new draft, with the fixes that the critic gave for the one before."""
     fixes = (
         f"{fault.kind} {fault.subject}: " + ", ".join(f"{name} {value}" for name, value in fault.fix.items())
-        for fault in critique.faults
+        for fault in (critique.faults if critique is not None else ())
         if fault.fix
     )
-    return Event(kind="refine", role=role, subject=subject, turn=turn, message=_SHORT.repr(draft), details=tuple(fixes))
+    return Event(
+        kind=kind,
+        role=role.name,
+        subject=subject,
+        turn=turn,
+        message=_SHORT.repr(draft),
+        details=tuple(fixes),
+        draft=role.drafts.write(draft),
+    )

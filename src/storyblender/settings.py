@@ -18,11 +18,11 @@ from storyblender.memory.base import Frozen
 from storyblender.memory.jobs import Look
 from storyblender.settings_file import REMEMBERED, SettingsFile, short
 
-Role = Literal[
-    "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser", "spatial_planner", "animator",
-    "lighting_arranger",
+RoleName = Literal[
+    "director", "shot_director", "asset_retriever", "dimension_estimator", "environment_designer", "set_dresser",
+    "spatial_planner", "animator", "lighting_arranger", "camera_operator",
 ]  # fmt: skip
-"""Who reflects as it is told here."""
+"""The members of the crew."""
 Lens = Annotated[float, Field(ge=4, le=1200)]
 """mm."""
 
@@ -83,9 +83,9 @@ class Settings(Frozen):
     build: Path | None = None
     """A folder on another disk that takes the place of ``build/`` in the project. In ``storyblender.toml`` it is named
     from there. One folder for each project."""
-    thresholds: dict[Role, Annotated[float, Field(ge=0, le=10)]] = {}
-    """tau by role; the paper's 8 where not given."""
-    horizons: dict[Role, Annotated[int, Field(ge=1, le=100)]] = {}
+    thresholds: dict[RoleName, Annotated[float, Field(ge=0, le=10)]] = {}
+    """tau by role; the role's own where not given, mostly the paper's 8."""
+    horizons: dict[RoleName, Annotated[int, Field(ge=1, le=100)]] = {}
     """T_max by role."""
 
     @model_validator(mode="after")
@@ -99,6 +99,10 @@ class Settings(Frozen):
         if frames >= self.fps:
             raise ValueError(f"start_timecode ends in frame {frames}, and there are {self.fps} frames a second")
         return self
+
+    def limits(self, role: RoleName, threshold: float = 8.0, horizon: int = 5) -> tuple[float, int]:
+        """Return tau and T_max of a role: those that were given, else the role's own."""
+        return self.thresholds.get(role, threshold), self.horizons.get(role, horizon)
 
     @classmethod
     def load(cls, script: Path | None = None, project: Path | None = None, **overrides: Any) -> Settings:

@@ -24,6 +24,7 @@ from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
+from storyblender.crew import rules_crew
 from storyblender.edits import camera_decision, decide_cameras, redo_edit, undo_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
@@ -310,7 +311,7 @@ class Studio:
             self._project(folder, build) as project,
             BlenderEngine(project.folder, models, jobs, build=build, ahead=ahead) as engine,
         ):
-            run = Run(project, engine, load_embedder, self._settings, self._listener)
+            run = Run(project, engine, rules_crew(self._settings, load_embedder), self._settings, self._listener)
             adopt_earlier_outputs(run)
             yield run
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 from storyblender.memory.base import Frozen
 
-EventKind = Literal["stage", "propose", "score", "refine", "handover", "commit", "reject", "warning"]
+EventKind = Literal["stage", "propose", "score", "refine", "accept", "handover", "commit", "reject", "warning"]
 
 
 class Event(Frozen):
@@ -22,6 +22,10 @@ class Event(Frozen):
     score: float | None = None
     message: str = ""
     details: tuple[str, ...] = ()
+    view: str = ""
+    """Digest of what the role saw."""
+    draft: str = ""
+    """The whole draft as JSON; in ``trace.jsonl`` its digest, by which ``drafts.jsonl`` has it."""
     step: int | None = None
     """Progress: this many of ``total`` are done."""
     total: int | None = None

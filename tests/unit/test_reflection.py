@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from storyblender.reflection import Critique, Fault, reflect
+from storyblender.reflection import Critique, Fault, Outcome, Role, Typed, reflect
 from storyblender.trace import Event
 
 
@@ -26,9 +26,11 @@ class Scale:
         )
 
 
-def run(policy: Climber, fallback: Climber | None = None, horizon: int = 5) -> tuple[object, list[Event]]:
+def run(policy: Climber, fallback: Climber | None = None, horizon: int = 5) -> tuple[Outcome[str, float], list[Event]]:
     events: list[Event] = []
-    outcome = reflect("role", "x", "view", policy, Scale(), horizon=horizon, fallback=fallback, listener=events.append)
+    policies = (policy,) if fallback is None else (policy, fallback)
+    role = Role("role", str, policies, Scale(), Typed(float), horizon=horizon)
+    outcome = reflect(role, "x", "view", events.append)
     return outcome, events
 
 
@@ -41,7 +43,7 @@ def test_refines_until_the_threshold() -> None:
 def test_every_proposal_score_and_fix_is_told() -> None:
     _, events = run(Climber(7, 10))
     assert [(event.kind, event.turn, event.message) for event in events] == [
-        ("propose", 0, "7"), ("score", 0, ""), ("refine", 1, "8"), ("score", 1, ""),
+        ("propose", 0, "7"), ("score", 0, ""), ("refine", 1, "8"), ("score", 1, ""), ("accept", 1, ""),
     ]  # fmt: skip
     assert events[2].details == ("low : add 1.0",)
 

@@ -44,7 +44,7 @@ def test_a_project_remembers_its_settings(tmp_path: Path) -> None:
     ("text", "says"),
     [
         ("lens_kit = [35, -3]", r"storyblender.toml:1: setting 'lens_kit.1' cannot be -3; it should be greater"),
-        ("[thresholds]\nbaker = 3", r"'thresholds.baker' cannot be 'baker'; it should be 'asset_retriever'"),
+        ("[thresholds]\nbaker = 3", r"'thresholds.baker' cannot be 'baker'; it should be 'director'"),
         ("[horizons]\nanimator = 0", r"'horizons.animator' cannot be 0"),
         ("colour = 1", r"storyblender.toml:1: there is no setting 'colour'; it is one of look, "),
     ],

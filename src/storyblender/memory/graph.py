@@ -72,6 +72,13 @@ class ContinuityMemoryGraph(Frozen):
         """Return the scene with that id. Raises KeyError."""
         return _find(self.scenes, scene_id, "scene_id")
 
+    def assets_of(self, scene_id: int) -> tuple[Asset, ...]:
+        """Return every asset that a scene shows: the script's and the dressing."""
+        scene = self.scene(scene_id)
+        placed = {item.asset_id for item in scene.layout.objects} if scene.layout else set[str]()
+        wanted = placed | set(scene.setup.asset_ids)
+        return tuple(asset for asset in self.assets if asset.asset_id in wanted)
+
     def shots_of(self, scene_id: int) -> tuple[ShotContext, ...]:
         """Return the shots of a scene in order."""
         return tuple(shot for shot in self.shots if shot.scene_id == scene_id)
@@ -79,6 +86,29 @@ class ContinuityMemoryGraph(Frozen):
     def shot(self, scene_id: int, shot_id: int) -> ShotContext:
         """Return one shot. Raises KeyError."""
         return _find(self.shots_of(scene_id), shot_id, "shot_id")
+
+    def outline_of(self, scene_id: int) -> SceneOutline | None:
+        """Return the words of a scene, if the outline has it."""
+        return next((outline for outline in self.outline if outline.scene_id == scene_id), None)
+
+    def people_in(self, scene_id: int) -> int:
+        """Return how many characters are on stage at once in a scene, at most."""
+        return max((len(shot.on_stage) for shot in self.shots_of(scene_id)), default=0)
+
+    @property
+    def told(self) -> str:
+        """All that the story tells: title, summary, headings and lines of action."""
+        headings = [scene.heading for scene in self.outline]
+        return "\n".join([self.title, self.story_summary, *headings, *self._texts("action")])
+
+    @property
+    def said(self) -> str:
+        """All that its people say."""
+        return "\n".join(self._texts("dialogue"))
+
+    def _texts(self, kind: str) -> list[str]:
+        lines = (line for scene in self.outline for shot in scene.shots for line in shot.lines)
+        return [line.text for line in lines if line.kind == kind]
 
 
 def _find(items: tuple[_T, ...], wanted: object, field: str) -> _T:

@@ -16,7 +16,6 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import GEOMETRY_VERSION, CutJob, PackRef, SequenceFile, StoryJob
-from storyblender.pipeline.packing import scene_assets
 from storyblender.pipeline.run import Run
 
 STORY = "story.blend"
@@ -154,7 +153,7 @@ def _story_job(run: Run, packs: Sequence[PackRef], sequence: SequenceFile | None
     ids = {pack.scene_id for pack in packs} if sequence is None else set(sequence.scene_ids)
     assets: tuple[Asset, ...] = graph.assets
     if sequence is not None:
-        shown = {asset.asset_id for scene_id in sequence.scene_ids for asset in scene_assets(graph, scene_id)}
+        shown = {asset.asset_id for scene_id in sequence.scene_ids for asset in graph.assets_of(scene_id)}
         assets = tuple(asset for asset in graph.assets if asset.asset_id in shown)
     return StoryJob(
         format=graph.format,

@@ -116,6 +116,7 @@ def film_scene(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> tuple[d
         measures_of(graph.assets),
         viewfinder.moments,
         viewfinder,
+        operator=run.crew.camera_operator,
         kit=run.settings.lens_kit,
         listener=events.append,
     )

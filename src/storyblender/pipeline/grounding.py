@@ -6,9 +6,6 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
-from storyblender.agents.director.breakdown import storyboard
-from storyblender.agents.director.places_by_meaning import place_by_meaning
-from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reader.why import Reason, reasons_of
 from storyblender.agents.director.reading import Reading
 from storyblender.agents.director.reading_file import is_reading_of, read_reading, write_reading
@@ -110,9 +107,7 @@ def explain(run: Run, script: Path) -> list[Reason]:
 def _understood(run: Run, screenplay: Screenplay, corrected: Path | None) -> Reading:
     if corrected is not None:
         return read_reading(corrected, screenplay)
-    reading = read_script(screenplay)
-    place_by_meaning(reading, lambda: run.embedder)
-    return reading
+    return run.reflect(run.crew.director, screenplay.title or "script", screenplay).draft
 
 
 def _keep(run: Run, digest: str, sources: Mapping[str, bytes]) -> None:
@@ -152,7 +147,7 @@ def _log(run: Run) -> list[Commit]:
 
 def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMemoryGraph:
     settings = DirectorSettings(shots_per_scene=run.settings.shots_per_scene, fps=run.settings.fps)
-    board = storyboard(reading, settings)
+    board = run.reflect(run.crew.shot_director, script.name, reading, settings).draft
     return ContinuityMemoryGraph(
         title=reading.screenplay.title or script.stem.replace("_", " ").title(),
         script_name=script.name,

@@ -2,36 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
-from storyblender.agents.concept_artist.generator import Generator
-from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile
-from storyblender.agents.concept_artist.retriever import Retriever
-from storyblender.agents.layout_artist.dimension_estimator import (
-    DimensionCritic,
-    DimensionRules,
-    knows_size,
-    tells_size,
-)
-from storyblender.catalog.costumes import Age, age_of
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, ModelFile
+from storyblender.agents.layout_artist.dimension_estimator import knows_size, tells_size
+from storyblender.catalog.costumes import age_of
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.sets import SETS
-from storyblender.catalog.sets.places import kit_of
-from storyblender.catalog.states import state_at_first
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset
-from storyblender.memory.base import Vec3
-from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.model_content import content_of
 from storyblender.pipeline.asset_files import assets_to_build, note_asset
 from storyblender.pipeline.run import Run
-from storyblender.reflection import reflect
 from storyblender.trace import Event
 
 MODEL_SUFFIXES = (".glb", ".gltf", ".blend", ".obj")
@@ -83,16 +69,7 @@ def _sized(run: Run, assets: list[Asset]) -> list[Asset]:
     named = [asset for asset in assets if asset.origin != "dressing" and asset.dimension is None]
     if not named:
         return assets
-    setups = [scene.setup for scene in run.graph.scenes]
-    outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
-    rooms: dict[str, Vec3] = {}
-    for setup in setups:
-        kit = SETS[kit_of(setup)]
-        room = (kit.width.most, kit.depth.most, kit.height.usual)
-        for asset_id in set(setup.asset_ids) - outdoors:
-            rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)
-    rules = DimensionRules(rooms)
-    sizes = run.reflect("dimension_estimator", "assets", named, rules, DimensionCritic()).draft
+    sizes = run.reflect(run.crew.dimension_estimator, "assets", run.graph, named).draft
     return [_with_size(asset, sizes[asset.asset_id]) if asset.asset_id in sizes else asset for asset in assets]
 
 
@@ -116,10 +93,8 @@ class ConceptArtist:
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        self._retriever = Retriever(lambda: run.embedder)
-        self._generator = Generator(lambda: run.embedder)
         self._models = model_files(run.settings.models)
-        self._means = MEANT_IN.get(_age_of(run.graph), {})
+        self._means = MEANT_IN.get(age_of(run.graph.told, run.graph.said), {})
 
     def give_up(self, path: str) -> None:
         """Look past a model that cannot be used."""
@@ -132,55 +107,17 @@ class ConceptArtist:
         if asset.asset_type == "character":
             canonical = CanonicalAsset(source="person", key="person", dimensions=(0.5, 0.4, 1.7), digest="")
             return asset.model_copy(update={"canonical": canonical})
-        request = self._request(asset)
-        recipe = reflect(
-            "asset_retriever",
-            asset.asset_id,
-            request,
-            self._retriever,
-            MatchCritic(),
-            threshold=self._run.settings.thresholds.get("asset_retriever", RETRIEVAL_THRESHOLD),
-            horizon=self._run.settings.horizons.get("asset_retriever", 1),
-            fallback=self._generator,
-            listener=self._run.tell,
-        ).draft
+        role = self._run.crew.asset_retriever
+        outcome = self._run.reflect(role, asset.asset_id, self._run.graph, asset, self._models, self._means)
+        recipe = outcome.draft
         if recipe.score < RETRIEVAL_THRESHOLD:
             name = PROPS[recipe.key].name if recipe.source == "catalog" else recipe.key.replace("_", " ")
             message = (
                 f"the library has no {asset.name or asset.asset_id}; the {name} stands in for it ({recipe.reason})"
             )
             self._run.tell(Event(kind="warning", role="asset_generator", subject=asset.asset_id, message=message))
-        recipe = recipe.in_state(request.state).with_caller(asset.description).written(asset.writing)
+        recipe = recipe.in_state(outcome.view.state).with_caller(asset.description).written(asset.writing)
         return asset.model_copy(update={"canonical": recipe.canonical()})
-
-    def _request(self, asset: Asset) -> AssetRequest:
-        """Return an asset with what the first place where it is says about it."""
-        scenes = self._run.graph.scenes
-        setup = next((scene.setup for scene in scenes if asset.asset_id in scene.setup.asset_ids), None)
-        if setup is None:
-            return AssetRequest(asset=asset, models=self._models)
-        changes = [change for shot in self._run.graph.shots for change in shot.asset_modifications]
-        states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
-        state = state_at_first(states) or ("open" if self._is_looked_into(asset.asset_id) else "")
-        weather = setup.weather if setup.scene_type == "outdoor" else ""
-        means = {**self._means, **SETS[kit_of(setup)].meanings}
-        return AssetRequest(asset=asset, models=self._models, means=means, weather=weather, state=state)
-
-    def _is_looked_into(self, asset_id: str) -> bool:
-        """Return whether the script tells of a thing inside another: that one is open, so that the thing is seen."""
-        relations = (relation for scene in self._run.graph.scenes for relation in scene.setup.relations)
-        told = [(relation.kind, relation.anchor_asset_id) for relation in relations]
-        spots = (spot for shot in self._run.graph.shots for spot in shot.thing_spots.values())
-        told += [(spot.relation, spot.anchor_id) for spot in spots if spot.anchor_id is not None]
-        return ("in", asset_id) in told or ("inside", asset_id) in told
-
-
-def _age_of(graph: ContinuityMemoryGraph) -> Age:
-    """Return the age that a story plays in, by its headings and its lines."""
-    lines = [line for scene in graph.outline for shot in scene.shots for line in shot.lines]
-    told = [graph.title, *(scene.heading for scene in graph.outline)]
-    told += [line.text for line in lines if line.kind == "action"]
-    return age_of("\n".join(told), "\n".join(line.text for line in lines if line.kind == "dialogue"))
 
 
 def model_files(folder: Path | None) -> tuple[ModelFile, ...]:

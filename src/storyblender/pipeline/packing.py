@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from concurrent.futures import Future
 
-from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, SceneJob
@@ -36,14 +35,6 @@ def pack_scenes(run: Run) -> None:
 def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
     """Return what the engine needs to build a scene."""
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
-    assets = scene_assets(graph, scene_id)
+    assets = graph.assets_of(scene_id)
     states = assets_in_states(assets, shots)
     return SceneJob(scene=scene, shots=shots, assets=assets, fps=graph.format.fps, in_states=states)
-
-
-def scene_assets(graph: ContinuityMemoryGraph, scene_id: int) -> tuple[Asset, ...]:
-    """Return every asset that a scene shows: the script's and the dressing."""
-    scene = graph.scene(scene_id)
-    placed = {item.asset_id for item in scene.layout.objects} if scene.layout else set()
-    wanted = placed | set(scene.setup.asset_ids)
-    return tuple(asset for asset in graph.assets if asset.asset_id in wanted)

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
-from typing import TypeVar
+from typing import ParamSpec, TypeVar
 
+from storyblender.crew import Crew
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import Look, PackRef
 from storyblender.outputs import Outputs
-from storyblender.ports import Embedder
 from storyblender.project import Project
-from storyblender.reflection import Critic, Outcome, Policy, reflect
-from storyblender.settings import REMEMBERED, Role, Settings
+from storyblender.reflection import Outcome, Role, reflect
+from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import Event, Listener
 
+Given = ParamSpec("Given")
 View = TypeVar("View")
 Draft = TypeVar("Draft")
 
@@ -33,7 +34,7 @@ class Run:
     Attributes:
         project: The open project; the only place where the graph lives.
         engine: Blender.
-        load_embedder: Loads the sentence model when retrieval first needs it.
+        crew: Who decides.
         settings: As the user gave them.
         listener: Hears every event.
         packs: Scene id to the pack in use, as the staging made them.
@@ -41,15 +42,10 @@ class Run:
 
     project: Project
     engine: BlenderEngine
-    load_embedder: Callable[[], Embedder]
+    crew: Crew
     settings: Settings
     listener: Listener
     packs: dict[int, PackRef] = field(default_factory=dict)
-
-    @cached_property
-    def embedder(self) -> Embedder:
-        """Likeness of meaning, for retrieval."""
-        return self.load_embedder()
 
     @cached_property
     def made_in_look(self) -> Look:
@@ -129,23 +125,14 @@ class Run:
             self.tell(Event(kind="commit", role=author, message=reason, turn=commit.revision))
 
     def reflect(
-        self,
-        role: Role,
-        subject: str,
-        view: View,
-        policy: Policy[View, Draft],
-        critic: Critic[View, Draft],
-        fallback: Policy[View, Draft] | None = None,
-    ) -> Outcome[Draft]:
-        """Run Eq. 1 with the role's threshold and horizon from the settings."""
-        return reflect(
-            role,
-            subject,
-            view,
-            policy,
-            critic,
-            threshold=self.settings.thresholds.get(role, 8.0),
-            horizon=self.settings.horizons.get(role, 5),
-            fallback=fallback,
-            listener=self.tell,
-        )
+        self, role: Role[Given, View, Draft], subject: str, *args: Given.args, **kwargs: Given.kwargs
+    ) -> Outcome[View, Draft]:
+        """Let a role decide (Eq. 1).
+
+        Args:
+            role: Of the crew.
+            subject: What is being decided, for the trace.
+            args: What the role's projection takes.
+            kwargs: Likewise.
+        """
+        return reflect(role, subject, role.project(*args, **kwargs), self.tell)

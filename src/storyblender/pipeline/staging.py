@@ -3,40 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 
 from storyblender.agents.director.crowds import crowd_told, is_emptied
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
-from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief, measures_of
+from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures_of
 from storyblender.agents.layout_artist.roomier import Room, larger, until_it_fits, without_dressing
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules, ways_of
-from storyblender.agents.layout_artist.told_places import told_relations
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
-from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
-from storyblender.agents.visual_effects_artist.environment_designer import (
-    EnvironmentCritic,
-    EnvironmentView,
-    RulesEnvironmentDesigner,
-)
+from storyblender.agents.layout_artist.spatial_planner import ways_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
-from storyblender.agents.visual_effects_artist.lighting_arranger import (
-    LightingCritic,
-    LightingView,
-    RulesLightingArranger,
-)
-from storyblender.agents.visual_effects_artist.period import is_today
-from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
 from storyblender.catalog.costumes import age_of
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Vec2, scene_name
+from storyblender.memory.base import Vec2, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
-from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneContext
+from storyblender.memory.history import replace
+from storyblender.memory.scene_context import Environment, Layout, SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.materializing import materialize
-from storyblender.pipeline.packing import scene_assets
 from storyblender.pipeline.run import Run
 from storyblender.reflection import Outcome
 
@@ -56,12 +40,12 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     environment = design(run, run.graph, scene_id)
     same_place = run.graph.scene(scene_id).setup.reference_scene_id is not None  # it stays as large as it was
 
-    def stage_in(room: Room, faulty: Collection[Vec2]) -> tuple[tuple[SceneContext, LayoutBrief], Outcome[Layout]]:
+    def stage_in(room: Room, faulty: Collection[Vec2]) -> tuple[SceneContext, Outcome[LayoutBrief, Layout]]:
         return _laid_out(run, scene_id, larger(environment, 1.0 if same_place else room.grown), room, faulty)
 
-    fitted = until_it_fits(stage_in, threshold=run.settings.thresholds.get("spatial_planner", 8.0))
-    scene, brief = fitted.tried
-    scene = scene.model_copy(update={"layout": _with_crowd(run, brief, fitted.outcome.draft)})
+    fitted = until_it_fits(stage_in, threshold=run.crew.spatial_planner.threshold)
+    layout = _with_crowd(run, fitted.outcome.view, fitted.outcome.draft)
+    scene = fitted.tried.model_copy(update={"layout": layout})
     run.commit("spatial_planner", f"layout of {name}", scene)
     shots = _animate(run, scene_id)
     scene, shots = _light(run, scene, shots)
@@ -70,29 +54,19 @@ def _stage_scene(run: Run, scene_id: int) -> None:
 
 def _laid_out(
     run: Run, scene_id: int, environment: Environment, room: Room, faulty: Collection[Vec2]
-) -> tuple[tuple[SceneContext, LayoutBrief], Outcome[Layout]]:
+) -> tuple[SceneContext, Outcome[LayoutBrief, Layout]]:
     """Dress a set and lay the scene out in it, without the dressing near what did not fit before."""
     name, plan = scene_name(scene_id), plan_of(environment)
     scene = run.graph.scene(scene_id).model_copy(update={"environment": environment})
-    own = tuple(asset for asset in scene_assets(run.graph, scene_id) if asset.asset_type == "object")
-    told = told_relations(scene.setup, run.graph.shots_of(scene_id))
-    setup = scene.setup.model_copy(update={"relations": told})
-    dressing = run.reflect(
-        "set_dresser",
-        name,
-        DressingView(setup, plan, own, _crowd(run.graph, scene_id)),
-        RulesSetDresser(),
-        DressingCritic(),
-    ).draft
+    dressing = run.reflect(run.crew.set_dresser, name, replace(run.graph, scene), scene_id).draft
     known = {asset.asset_id for asset in run.graph.assets}
     fresh = [asset for asset in dressing.assets if asset.asset_id not in known]
     run.commit("set_dresser", f"set and dressing of {name}", scene, *fresh)
     materialize(run, fresh)
     placements = {asset.asset_id: entry.placement for asset in run.graph.assets if (entry := _entry_of(asset))}
     standing = without_dressing(dressing.objects, plan, faulty, room.shed)
-    brief = layout_brief(run.graph, scene_id, plan, standing, dressing.pending, placements=placements)
-    brief = replace(brief, apart=room.apart)
-    return (scene, brief), run.reflect("spatial_planner", name, brief, SpatialRules(), LayoutCritic())
+    role, pending = run.crew.spatial_planner, dressing.pending
+    return scene, run.reflect(role, name, run.graph, scene_id, plan, standing, pending, placements, room.apart)
 
 
 def _with_crowd(run: Run, brief: LayoutBrief, layout: Layout) -> Layout:
@@ -100,11 +74,11 @@ def _with_crowd(run: Run, brief: LayoutBrief, layout: Layout) -> Layout:
     graph = run.graph
     size = brief.plan.size
     area = (size.x - size.x_negative) * (size.y - size.y_negative)
-    count = _crowd_told(graph, brief.scene_id, area) - _crowd(graph, brief.scene_id)
+    count = _crowd_told(graph, brief.scene_id, area) - graph.people_in(brief.scene_id)
     if count <= 0:
         return layout
     found = bystanders(brief, layout, count, ways_of(brief, layout))
-    age = age_of(*_told_and_said(graph))
+    age = age_of(graph.told, graph.said)
     params = [{"posture": each.posture, "variant": each.variant, "age": age} for each in found]
     figures = [dressing_asset("background_figure", dict(each)) for each in params]
     known = {asset.asset_id for asset in graph.assets}
@@ -138,80 +112,28 @@ def _entry_of(asset: Asset) -> PropEntry | None:
 
 def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment:
     """Return the set that a scene of a graph gets."""
-    scene = graph.scene(scene_id)
-    reference = scene.setup.reference_scene_id
-    footprints: list[Vec2] = []
-    for asset in scene_assets(graph, scene_id):
-        if asset.asset_type == "object" and asset.canonical is not None:
-            footprints.append(asset.canonical.dimensions[:2])
-    walks = [action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions]
-    story = _told_and_said(graph)
-    view = EnvironmentView(
-        setup=scene.setup,
-        footprints=tuple(footprints),
-        people=_crowd(graph, scene_id),
-        travel=max(walks, default=0.0),
-        reference=graph.scene(reference).environment if reference is not None else None,
-        story=graph.story_summary,
-        headings=" / ".join(outline.heading for outline in graph.outline),
-        age=age_of(*story),
-        today=is_today("\n".join(story)),
-    )
-    designer = RulesEnvironmentDesigner()
-    return run.reflect("environment_designer", scene_name(scene_id), view, designer, EnvironmentCritic()).draft
-
-
-def _told_and_said(graph: ContinuityMemoryGraph) -> tuple[str, str]:
-    """Return all that the story tells, and what its people say."""
-    lines = [line for scene in graph.outline for shot in scene.shots for line in shot.lines]
-    headings = [scene.heading for scene in graph.outline]
-    told = [graph.title, graph.story_summary, *headings, *(line.text for line in lines if line.kind == "action")]
-    return "\n".join(told), "\n".join(line.text for line in lines if line.kind == "dialogue")
+    return run.reflect(run.crew.environment_designer, scene_name(scene_id), graph, scene_id).draft
 
 
 def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
-    graph = run.graph
-    scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
-    assert scene.layout is not None and scene.environment is not None, "set and layout come before motion"
-    view = AnimatorView(
-        scene_id=scene_id,
-        layout=scene.layout,
-        plan=plan_of(scene.environment),
-        assets=scene_assets(graph, scene_id),
-        shots=shots,
-        outline=next((outline for outline in graph.outline if outline.scene_id == scene_id), None),
-        fps=graph.format.fps,
-    )
-    draft = run.reflect("animator", scene_name(scene_id), view, AnimatorRules(), AnimatorCritic()).draft
+    draft = run.reflect(run.crew.animator, scene_name(scene_id), run.graph, scene_id).draft
     staged = {staging.shot_id: staging for staging in draft.shots}
-    return tuple(staged[shot.shot_id].applied(shot) for shot in shots)
+    return tuple(staged[shot.shot_id].applied(shot) for shot in run.graph.shots_of(scene_id))
 
 
 def _light(
     run: Run, scene: SceneContext, shots: tuple[ShotContext, ...]
 ) -> tuple[SceneContext, tuple[ShotContext, ...]]:
     """Light the scene, and every shot from which on the script changes the light."""
-    assert scene.environment is not None, "the set comes before its light"
-    view = LightingView(
-        scene.setup,
-        plan_of(scene.environment),
-        scene.environment,
-        scene.layout,
-        scene_assets(run.graph, scene.scene_id),
-    )
-    arranger = RulesLightingArranger()
-    lighting = run.reflect("lighting_arranger", scene_name(scene.scene_id), view, arranger, LightingCritic()).draft
-    current: Lighting = lighting
+    role, graph = run.crew.lighting_arranger, run.graph
+    lighting = current = run.reflect(role, scene_name(scene.scene_id), graph, scene.scene_id).draft
     lit: list[ShotContext] = []
     for shot in shots:
         if shot.new_lighting_description:
-            changed = arranger.change(current, shot.new_lighting_description, view)
+            name, words = shot_name(shot.scene_id, shot.shot_id), shot.new_lighting_description
+            changed = run.reflect(role, name, graph, scene.scene_id, current, words).draft
             if changed != current:
                 current = changed
                 shot = shot.model_copy(update={"lighting": changed})
         lit.append(shot)
     return scene.model_copy(update={"lighting": lighting}), tuple(lit)
-
-
-def _crowd(graph: ContinuityMemoryGraph, scene_id: int) -> int:
-    return max((len(shot.on_stage) for shot in graph.shots_of(scene_id)), default=0)

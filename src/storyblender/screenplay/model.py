@@ -46,6 +46,7 @@ class Screenplay(Frozen):
     """A script as read: decoded text, title page, elements in reading order."""
 
     path: str = ""
+    """Name of the file, without its folder: the same script is the same everywhere."""
     format: ScriptFormat
     text: str
     """Decoded, newlines as \\n. For FDX the plain text that the elements were laid into."""

@@ -60,7 +60,8 @@ def load(path: Path) -> Screenplay:
     Raises:
         InputError: The file cannot be used; the message says why and what to do.
     """
-    return read(decode(_bytes(path), path), _FORMAT_OF_SUFFIX.get(path.suffix.lower()), str(path))
+    text, format = decode(_bytes(path), path), _FORMAT_OF_SUFFIX.get(path.suffix.lower())
+    return read(text, format, str(path)).model_copy(update={"path": path.name})
 
 
 def read(text: str, format: ScriptFormat | None = None, path: str = "") -> Screenplay:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 import pytest
+from tests.crew import RULES
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -67,7 +68,7 @@ def test_only_what_changed_is_compiled_and_what_a_person_changed_is_kept(
 
     def compiled(graph: ContinuityMemoryGraph) -> list[Any]:
         compiler.asked.clear()
-        run = Run(project, cast(BlenderEngine, compiler), lambda: pytest.fail("no words"), Settings(), told.append)
+        run = Run(project, cast(BlenderEngine, compiler), RULES, Settings(), told.append)
         run.packs.update(packs)
         monkeypatch.setattr(Run, "graph", graph)
         Compilation(run).finish()
@@ -121,7 +122,7 @@ def test_a_long_story_is_a_file_a_sequence_and_a_cut_that_links_them(
                 for number in numbers
             ),
         )  # fmt: skip
-        run = Run(project, cast(BlenderEngine, compiler), lambda: pytest.fail("no words"), Settings(), told.append)
+        run = Run(project, cast(BlenderEngine, compiler), RULES, Settings(), told.append)
         for number in numbers:
             path = f"{number}.{longer == number}.blend"
             run.packs[number] = PackRef(scene_id=number, path=path, starts=((1, 1),))

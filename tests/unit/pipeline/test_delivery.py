@@ -6,8 +6,8 @@ import io
 from pathlib import Path
 from typing import cast
 
-import pytest
 from PIL import Image
+from tests.crew import RULES
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -36,7 +36,7 @@ def story() -> ContinuityMemoryGraph:
 
 def test_only_a_contact_sheet_that_shows_something_new_is_written(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
-        run = Run(project, cast(BlenderEngine, None), lambda: pytest.fail("no words"), Settings(), silent)
+        run = Run(project, cast(BlenderEngine, None), RULES, Settings(), silent)
         frames = {f"SC010_SH{number:03d}": project.path(f"thumbnails/{number}.jpg") for number in range(70)}
         for number in range(70):
             project.outputs.write(f"thumbnails/{number}.jpg", jpeg(number))
@@ -60,7 +60,7 @@ def test_a_shot_has_its_clip_until_it_looks_otherwise(tmp_path: Path) -> None:
         shots = ("SC010_SH010", "SC010_SH020")
         segments = {name: project.outputs.write(f"build/film/{name[-1:-4:-1]}.mp4", name) for name in shots}
         project.commit(story(), "user", "a story")
-        run = Run(project, cast(BlenderEngine, None), lambda: pytest.fail("no words"), Settings(), silent)
+        run = Run(project, cast(BlenderEngine, None), RULES, Settings(), silent)
         assert clip_paths(run) == {}
         _place_clips(run, segments)
         placed = clip_paths(run)

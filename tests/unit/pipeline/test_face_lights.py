@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import cast
 
-import pytest
+from tests.crew import RULES
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.asset_sheet import Asset
@@ -29,7 +29,7 @@ def report(name: str) -> FrameReport:
 
 def run_in(project: Project, look: Look) -> Run:
     engine = cast(BlenderEngine, None)
-    return Run(project, engine, lambda: pytest.fail("no words are compared"), Settings(look=look), silent)
+    return Run(project, engine, RULES, Settings(look=look), silent)
 
 
 def keep(run: Run, report: FrameReport) -> None:

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
+from tests.crew import RULES
 
 from storyblender.geometry.framing import Figure
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -82,7 +83,7 @@ def test_stopped_it_keeps_the_scenes_that_are_done(
 
     monkeypatch.setattr(filming, "film_scene", film_scene)
     with Project(tmp_path / "p") as project:
-        run = Run(project, cast(Any, SimpleNamespace(processes=2)), cast(Any, None), Settings(), lambda _: None)
+        run = Run(project, cast(Any, SimpleNamespace(processes=2)), RULES, Settings(), lambda _: None)
         with pytest.raises(KeyboardInterrupt):
             film(run)
     with Project(tmp_path / "p") as project:

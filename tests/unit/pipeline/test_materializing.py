@@ -8,14 +8,15 @@ from types import SimpleNamespace
 from typing import cast
 
 import pytest
+from tests.crew import RULES
 
+from storyblender.agents.concept_artist import recipe
 from storyblender.errors import EngineError
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import AssetJob
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import SceneContext, SceneSetup
-from storyblender.pipeline import materializing
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
 from storyblender.reflection import reflect
@@ -63,10 +64,10 @@ def quick_run(
         settings=settings,
         engine=Builder(broken, notes),
         outputs=SimpleNamespace(note=lambda name: None),
-        embedder=None,
         tell=told.append,
         progress=lambda *_: None,
-        reflect=lambda role, subject, view, policy, critic: reflect(role, subject, view, policy, critic),
+        crew=RULES,
+        reflect=lambda role, subject, *given: reflect(role, subject, role.project(*given), told.append),
         commit=lambda author, reason, *items: kept.extend(items),
     )
     return cast(Run, run)
@@ -114,7 +115,7 @@ def test_a_model_that_was_changed_is_another_model(tmp_path: Path) -> None:
 
 def test_dressing_of_one_more_scene_does_not_look_at_every_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     seen: list[SceneSetup] = []
-    monkeypatch.setattr(materializing, "kit_of", lambda setup: seen.append(setup) or "room")
+    monkeypatch.setattr(recipe, "kit_of", lambda setup: seen.append(setup) or "room")
     lamp = Asset(asset_id="set_lamp", asset_type="object", description="a lamp", name="lamp", origin="dressing")
     setup = SceneSetup(asset_ids=("set_lamp",))
     scenes = tuple(SceneContext(scene_id=number, setup=setup) for number in range(1, 50))

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import cast
 
+from tests.crew import crew_of
 from tests.stand_in_engine import StandInEngine
 
 from storyblender.engine.blender_engine import BlenderEngine
@@ -36,7 +37,7 @@ def calls_per_shot(folder: Path, scenes: int) -> dict[str, float]:
     script.write_text(SCENE * scenes)
     with Project(folder / f"{scenes}.storyboard") as project:
         settings = Settings(look="fast", width=320, animatic=False)
-        run = Run(project, cast(BlenderEngine, StandInEngine(project.folder)), lambda: None, settings, silent)  # type: ignore[arg-type]
+        run = Run(project, cast(BlenderEngine, StandInEngine(project.folder)), crew_of(settings), settings, silent)  # type: ignore[arg-type]
         ground(run, script)
         materialize(run)
         counts = {"stage": counted(lambda: stage(run)), "pack": counted(lambda: pack_scenes(run))}

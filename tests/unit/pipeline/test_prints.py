@@ -6,8 +6,8 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
 
-import pytest
 from PIL import Image
+from tests.crew import RULES
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.pipeline.prints import PRINT_WIDTH, THUMBNAIL_WIDTH, make_prints
@@ -24,7 +24,7 @@ def test_only_new_pictures_are_printed_and_no_print_is_wider_than_it_is_shown(tm
     engine = cast(BlenderEngine, SimpleNamespace(processes=2))
     told: list[Event] = []
     with Project(tmp_path / "p") as project:
-        run = Run(project, engine, lambda: pytest.fail("no words are compared"), Settings(), told.append)
+        run = Run(project, engine, RULES, Settings(), told.append)
         first = make_prints(run, frames)
         for made, width in ((first.large, PRINT_WIDTH), (first.small, THUMBNAIL_WIDTH)):
             with Image.open(made["SC010_SH020"]) as picture:

@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from tests.crew import RULES
 
 from storyblender.edits import decide_cameras, redo_edit, undo_edit
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -78,7 +79,7 @@ class Stage:
             decide_cameras(self._run(project), [shot_of(project.graph, words)], decision)
 
     def _run(self, project: Project) -> Run:
-        return Run(project, None, lambda: pytest.fail("unused"), Settings(), lambda _: None)  # type: ignore[arg-type]
+        return Run(project, None, RULES, Settings(), lambda _: None)  # type: ignore[arg-type]
 
     def stage(self) -> ContinuityMemoryGraph:
         """Stand in for the crew: something in every field that it fills."""

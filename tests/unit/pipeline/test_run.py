@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import cast
 
 import pytest
+from tests.crew import RULES
 
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import Rejected
@@ -19,9 +20,7 @@ from storyblender.trace import Event
 def test_what_the_gatekeeper_refuses_is_told_and_kept(tmp_path: Path) -> None:
     told: list[Event] = []
     with Project(tmp_path / "p") as project:
-        run = Run(
-            project, cast(BlenderEngine, None), lambda: pytest.fail("no words are compared"), Settings(), told.append
-        )
+        run = Run(project, cast(BlenderEngine, None), RULES, Settings(), told.append)
         with pytest.raises(Rejected):
             run.commit("set_dresser", "dresses", SceneContext(scene_id=1, setup=SceneSetup(asset_ids=("nobody",))))
     assert [(event.kind, event.role, event.message) for event in told] == [("reject", "set_dresser", "dresses")]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
 import pytest
+from tests.crew import RULES
 from tests.every import every
 
 from storyblender.agents.visual_effects_artist.environment_designer import (
@@ -17,7 +19,6 @@ from storyblender.agents.visual_effects_artist.environment_designer import (
 from storyblender.agents.visual_effects_artist.furniture import prop_of, prop_size
 from storyblender.agents.visual_effects_artist.light_level import metered
 from storyblender.agents.visual_effects_artist.lighting_arranger import (
-    LightingCritic,
     LightingView,
     RulesLightingArranger,
     light_place,
@@ -252,7 +253,7 @@ def lighting_of(kit: str, time: str, weather: str = "clear", words: str = ""):
 @every("kit time weather", product(("cafe", "interrogation", "street", "forest"), HOURS, WEATHERS))
 def test_every_hour_and_weather_passes_the_critic(kit: str, time: str, weather: str) -> None:
     view = lighting_of(kit, time, weather)
-    outcome = reflect("lighting_arranger", kit, view, RulesLightingArranger(), LightingCritic())
+    outcome = reflect(RULES.lighting_arranger, kit, view)
     assert outcome.accepted
     assert len(outcome.draft.lights) <= MOST_LIGHTS
 
@@ -275,21 +276,23 @@ def test_rain_and_fog_are_in_the_air() -> None:
 def test_the_lights_go_out_and_come_back() -> None:
     view, arranger = lighting_of("cafe", "night"), RulesLightingArranger()
     lit = arranger.propose(view)
-    dark = arranger.change(lit, "Suddenly the lights go out.", view)
+    dark = arranger.propose(replace(view, current=lit, change="Suddenly the lights go out."))
     assert dark.set_luminance < lit.set_luminance / 2
     assert not any(light.role == "practical" for light in dark.lights)
-    assert arranger.change(dark, "The lamps flicker back on.", view) == lit
+    assert arranger.propose(replace(view, current=dark, change="The lamps flicker back on.")) == lit
 
 
 def test_words_that_change_no_light_change_nothing() -> None:
     view, arranger = lighting_of("office", "day"), RulesLightingArranger()
     lit = arranger.propose(view)
-    assert arranger.change(lit, "He signs the letter.", view) is lit
+    assert arranger.propose(replace(view, current=lit, change="He signs the letter.")) is lit
 
 
 def test_the_sun_goes_down_over_a_scene() -> None:
     view, arranger = lighting_of("beach", "day"), RulesLightingArranger()
-    assert arranger.change(arranger.propose(view), "The sun sets.", view) != arranger.propose(view)
+    assert arranger.propose(replace(view, current=arranger.propose(view), change="The sun sets.")) != arranger.propose(
+        view
+    )
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,7 @@ _OF_KIND: dict[str, str] = {"set_piece": "furnishing", "vehicle": "vehicle", "an
 """Kind of thing -> its class where nothing else is known; everything else is a small thing."""
 
 
-class Generator:
+class RulesAssetGenerator:
     """The policy that builds a stand-in for a thing that the library does not have.
 
     Args:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
+from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.places import kit_of
 from storyblender.catalog.stand_ins import DEFAULT, STAND_INS
-from storyblender.catalog.states import look_in
+from storyblender.catalog.states import look_in, state_at_first
 from storyblender.catalog.writing import CALLS, MOST, SCREENS, WRITING
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Frozen, Vec3, content_hash
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.reflection import Critique, Fault
 
 RETRIEVAL_THRESHOLD = 7.0
@@ -61,6 +65,39 @@ class AssetRequest(Frozen):
         described = self.asset.description.split()
         whole = len(described) <= _PHRASE and self.asset.description.lower().endswith(f" {name.lower()}")
         return self.asset.description if whole else name
+
+
+def asset_request(
+    graph: ContinuityMemoryGraph, asset: Asset, models: tuple[ModelFile, ...], means: Mapping[str, str]
+) -> AssetRequest:
+    """Return the Concept Artist's projection of the graph: an asset with what the first place where it is says of it.
+
+    Args:
+        graph: With the Director's plan.
+        asset: The object.
+        models: The user's own models.
+        means: What plain words mean in the story's age.
+    """
+    setup = next((scene.setup for scene in graph.scenes if asset.asset_id in scene.setup.asset_ids), None)
+    if setup is None:
+        return AssetRequest(asset=asset, models=models)
+    changes = [change for shot in graph.shots for change in shot.asset_modifications]
+    states = [change.state for change in changes if change.asset_id == asset.asset_id and change.state]
+    return AssetRequest(
+        asset=asset,
+        models=models,
+        means={**means, **SETS[kit_of(setup)].meanings},
+        weather=setup.weather if setup.scene_type == "outdoor" else "",
+        state=state_at_first(states) or ("open" if _is_looked_into(graph, asset.asset_id) else ""),
+    )
+
+
+def _is_looked_into(graph: ContinuityMemoryGraph, asset_id: str) -> bool:
+    """Return whether the script tells of a thing inside another: that one is open, so that the thing is seen."""
+    told = [(each.kind, each.anchor_asset_id) for scene in graph.scenes for each in scene.setup.relations]
+    spots = (spot for shot in graph.shots for spot in shot.thing_spots.values())
+    told += [(spot.relation, spot.anchor_id) for spot in spots if spot.anchor_id is not None]
+    return ("in", asset_id) in told or ("inside", asset_id) in told
 
 
 class Recipe(Frozen):

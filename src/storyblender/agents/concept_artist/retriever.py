@@ -87,7 +87,7 @@ class _Match:
     reason: str
 
 
-class Retriever:
+class RulesAssetRetriever:
     """The policy that searches the built-in catalog and the user's folder of models.
 
     Args:

@@ -225,15 +225,15 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
             )
     for written in file.units:
         unit, where = written.unit, f"unit {written.number}"
-        _refuse_unknown(_people_of(unit), people, where, "person", path)
-        _refuse_unknown(_things_of(unit), known, where, "thing", path)
+        _refuse_unknown(people_of(unit), people, where, "person", path)
+        _refuse_unknown(things_of(unit), known, where, "thing", path)
         _refuse_unknown(unit.gaze.values(), {*known, *get_args(GazeDirection)}, where, "person or thing", path)
         motions = [*unit.activities.values(), *(deed.motion for deed in unit.deeds)]
         _refuse_unknown([key for key in motions if key], {*CLIP_OF, *MOTIONS}, where, "motion", path)
         _refuse_camera_words(unit.camera, where, path)
 
 
-def _people_of(unit: Unit) -> list[str]:
+def people_of(unit: Unit) -> list[str]:
     """Return every id of a unit that must be a person's."""
     lists = (
         unit.on_stage, unit.entering, unit.leaving, unit.people, unit.posture, unit.held, unit.expressions, unit.gaze,
@@ -244,7 +244,7 @@ def _people_of(unit: Unit) -> list[str]:
     return named + [each for each in (unit.speaker, unit.to) if each is not None]
 
 
-def _things_of(unit: Unit) -> list[str]:
+def things_of(unit: Unit) -> list[str]:
     """Return every id in a unit that may be a thing's or a person's."""
     gripped = (thing for grips in unit.grips.values() for thing in grips)
     tied = (each for tether in unit.tethers for each in (tether.holder, tether.held))

@@ -19,7 +19,7 @@ from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraState, Flaw
 from storyblender.ports import Viewfinder
-from storyblender.reflection import Critique, Policy, reflect
+from storyblender.reflection import Critique, Role, Typed, reflect
 from storyblender.trace import Listener, silent
 
 _ORBIT, _RISE, _PAN, _ROLL = 15.0, 10.0, 0.08, 4.0
@@ -41,9 +41,10 @@ OPERATIONS: dict[str, Callable[[Orbit], Orbit]] = {
 
 _FIRST, _FIXES, _NEXT = 3, 4, 3
 """Takes that are looked at: first of the scout's list, of the fixes, and of the list where no fix helps."""
-_ENOUGH = 9.25
-"""Points: what is left then is not worth ten looks."""
-_TURNS = 3
+CAMERA_THRESHOLD = 9.25
+"""Points (tau): what is left then is not worth ten looks."""
+CAMERA_HORIZON = 3
+"""Refinements (T_max)."""
 _LOOKS = 20
 """Most looks that one shot is worth."""
 _ANSWERED = 2
@@ -51,7 +52,7 @@ _ANSWERED = 2
 
 
 @dataclass(frozen=True)
-class CameraRules:
+class RulesCameraOperator:
     """The Camera Operator without a model: greedy steps over the critic's fixes."""
 
     critic: CameraCritic
@@ -60,7 +61,7 @@ class CameraRules:
     def propose(self, view: CameraBrief) -> Take:
         """Return the scout's first place, or the best of his first few where that is not good enough."""
         first = self._scouted(view)[0]
-        if self.critic.judge(first, view).score >= _ENOUGH:
+        if self.critic.judge(first, view).score >= CAMERA_THRESHOLD:
             return first
         best, _ = self._best(self._scouted(view)[:_FIRST], view)
         return best or first
@@ -122,34 +123,38 @@ def _applied(camera: Orbit, numbers: Mapping[str, float]) -> Orbit:
     return pan(camera, numbers.get("pan_x", 0.0), numbers.get("pan_y", 0.0))
 
 
+CameraRole = Role[..., CameraBrief, Take]
+Operator = Callable[[Viewfinder], CameraRole]
+"""The Camera Operator for one shot: its critic looks through the engine's eye, and counts its looks."""
+
+
+def rules_operator(
+    viewfinder: Viewfinder, threshold: float = CAMERA_THRESHOLD, horizon: int = CAMERA_HORIZON
+) -> CameraRole:
+    """Return the Camera Operator without a model, for one shot.
+
+    Args:
+        viewfinder: The engine's eye.
+        threshold: tau.
+        horizon: T_max.
+    """
+    critic = CameraCritic(viewfinder)
+    rules = RulesCameraOperator(critic)
+    return Role("camera_operator", CameraBrief, (rules,), critic, Typed(Take), threshold, horizon)
+
+
 def operate(
-    brief: CameraBrief,
-    viewfinder: Viewfinder,
-    *,
-    policy: Policy[CameraBrief, Take] | None = None,
-    listener: Listener = silent,
+    brief: CameraBrief, viewfinder: Viewfinder, operator: Operator = rules_operator, listener: Listener = silent
 ) -> CameraState:
     """Return the camera of a shot with its score and what the critic still minds.
 
     Args:
         brief: The shot.
         viewfinder: The engine's eye.
-        policy: Another policy than the rules; the rules take over where it does not converge.
+        operator: The member of the crew who decides.
         listener: Receives the trace.
     """
-    critic = CameraCritic(viewfinder)
-    rules = CameraRules(critic)
-    outcome = reflect(
-        "camera_operator",
-        shot_name(brief.scene_id, brief.shot_id),
-        brief,
-        policy or rules,
-        critic,
-        threshold=_ENOUGH,
-        horizon=_TURNS,
-        fallback=rules if policy is not None else None,
-        listener=listener,
-    )
+    outcome = reflect(operator(viewfinder), shot_name(brief.scene_id, brief.shot_id), brief, listener)
     residual = tuple(
         Flaw(kind=fault.kind, subject=fault.subject, weight=fault.severity, message=fault.message)
         for fault in outcome.critique.faults

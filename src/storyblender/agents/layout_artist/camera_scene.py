@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment, far_off
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
-from storyblender.agents.layout_artist.camera_operator import operate, side_used
+from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
@@ -164,6 +164,7 @@ def shoot_scene(
     moments: Moments,
     viewfinder: Viewfinder,
     *,
+    operator: Operator = rules_operator,
     kit: tuple[float, ...] = (),
     listener: Listener = silent,
 ) -> dict[int, CameraState]:
@@ -176,6 +177,7 @@ def shoot_scene(
         measures: By asset id.
         moments: Faces of a shot.
         viewfinder: The engine's eye.
+        operator: The member of the crew who decides.
         kit: mm of the lenses at hand; any lens where it is empty.
         listener: Receives the trace.
     """
@@ -199,7 +201,7 @@ def shoot_scene(
                 side=sides.get(axis, 0),
                 reverse=_reverse(instruction.focus_on_ids, answered.get(axis)),
             )
-        state = shot.camera or _leaving_out(operate(brief, viewfinder, listener=listener), shot, brief)
+        state = shot.camera or _leaving_out(operate(brief, viewfinder, operator, listener), shot, brief)
         cameras[shot.shot_id] = state
         previous = Cut(instruction, state, brief.subjects(brief.moments[-1]) if brief.moments else ())
         if axis is not None:

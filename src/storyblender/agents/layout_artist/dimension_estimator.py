@@ -6,6 +6,7 @@ says; words of size in the description scale both. What people sit on and work a
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,9 +16,12 @@ from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD
 from storyblender.catalog.bodies import typical_stature
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import TOY_WORDS
+from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets.places import kit_of
 from storyblender.look.surface import Surface
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CharacterLook
 from storyblender.memory.base import Vec3
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.reflection import Critique, Fault
 
 Side = Literal["width", "depth", "height"]
@@ -84,38 +88,60 @@ _PLAUSIBLE = (0.003, 60.0)
 
 
 @dataclass(frozen=True)
-class DimensionRules:
-    """The Dimension Estimator without a model; its draft is asset id -> dimension.
+class DimensionView:
+    """What the Dimension Estimator sees.
 
     Attributes:
+        assets: To be sized, with what they are made from.
         rooms: Width, depth and height in metres of the smallest room of what is never outdoors, by asset_id.
     """
 
+    assets: tuple[Asset, ...]
     rooms: Mapping[str, Vec3] = field(default_factory=dict[str, Vec3])
 
-    def propose(self, view: Sequence[Asset]) -> dict[str, AssetDimension]:
+
+def dimension_view(graph: ContinuityMemoryGraph, assets: Sequence[Asset]) -> DimensionView:
+    """Return the Dimension Estimator's projection of the graph.
+
+    Args:
+        graph: With the places of the Director's plan.
+        assets: To be sized, with what they are made from.
+    """
+    setups = [scene.setup for scene in graph.scenes]
+    outdoors = {asset_id for setup in setups if setup.scene_type == "outdoor" for asset_id in setup.asset_ids}
+    rooms: dict[str, Vec3] = {}
+    for setup in setups:
+        kit = SETS[kit_of(setup)]
+        room = (kit.width.most, kit.depth.most, kit.height.usual)
+        for asset_id in set(setup.asset_ids) - outdoors:
+            rooms[asset_id] = min(rooms.get(asset_id, room), room, key=math.prod)
+    sized = {asset.asset_id for asset in assets}
+    return DimensionView(tuple(assets), {key: room for key, room in rooms.items() if key in sized})
+
+
+class RulesDimensionEstimator:
+    """The Dimension Estimator without a model; its draft is asset id -> dimension."""
+
+    def propose(self, view: DimensionView) -> dict[str, AssetDimension]:
         """Return exactly one dimension for each asset."""
-        return {asset.asset_id: estimate(asset, self.rooms.get(asset.asset_id)) for asset in view}
+        return {asset.asset_id: estimate(asset, view.rooms.get(asset.asset_id)) for asset in view.assets}
 
     def refine(
-        self, draft: dict[str, AssetDimension], critique: Critique, view: Sequence[Asset]
+        self, draft: dict[str, AssetDimension], critique: Critique, view: DimensionView
     ) -> dict[str, AssetDimension]:
         """Replace what the critic minds by the rules' own estimate."""
         wrong = {fault.subject for fault in critique.faults}
-        return self.propose([asset for asset in view if asset.asset_id in wrong]) | {
-            asset_id: dimension for asset_id, dimension in draft.items() if asset_id not in wrong
-        }
+        return {name: size if name in wrong else draft[name] for name, size in self.propose(view).items()}
 
 
-@dataclass(frozen=True)
 class DimensionCritic:
     """Exactly one plausible value for each asset, and people within human reach."""
 
-    def judge(self, draft: dict[str, AssetDimension], view: Sequence[Asset]) -> Critique:
+    def judge(self, draft: dict[str, AssetDimension], view: DimensionView) -> Critique:
         """Score ten less two for each asset that is wrong."""
         faults = [
             Fault(kind="dimension", subject=asset.asset_id, severity=2.0, message=f"{asset.asset_id}: {problem}")
-            for asset in view
+            for asset in view.assets
             if (problem := _problem(asset, draft.get(asset.asset_id)))
         ]
         return Critique.of(tuple(faults))

@@ -90,8 +90,8 @@ def layout_brief(
     plan: SetPlan,
     dressed: tuple[LayoutObject, ...] = (),
     pending: tuple[str, ...] | None = None,
-    measures: Mapping[str, AssetMeasure] | None = None,
     placements: Mapping[str, str] | None = None,
+    apart: float = 1.0,
 ) -> LayoutBrief:
     """Read a scene's brief from the graph.
 
@@ -101,8 +101,8 @@ def layout_brief(
         plan: Its set.
         dressed: From the Set Dresser.
         pending: Likewise; None takes every object of the scene that is not dressed.
-        measures: By asset id; None reads them from the asset sheet.
         placements: By asset id, from the prop catalog.
+        apart: Distances between people who stand together, times the usual.
     """
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
     objects = {asset.asset_id for asset in graph.assets if asset.asset_type == "object"}
@@ -132,7 +132,7 @@ def layout_brief(
     return LayoutBrief(
         scene_id=scene_id,
         setup=scene.setup,
-        measures=measures if measures is not None else measures_of(graph.assets),
+        measures=measures_of(graph.assets),
         plan=plan,
         dressed=dressed,
         pending=tuple(asset_id for asset_id in pending if asset_id not in held),
@@ -149,6 +149,7 @@ def layout_brief(
         props=props_of(graph.assets),
         told=told_places(scene.setup, shots),
         deeds=_deeds(shots, props_of(graph.assets)),
+        apart=apart,
     )
 
 

@@ -31,7 +31,7 @@ _RESERVED = (0.6, 0.5)
 
 
 @dataclass(frozen=True)
-class SpatialRules:
+class RulesSpatialPlanner:
     """The Spatial Planner without a model."""
 
     def propose(self, view: LayoutBrief) -> Layout:

@@ -9,14 +9,16 @@ from __future__ import annotations
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal
 from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Layout
 from storyblender.memory.shot_context import Blocking, Cue, Mark, PropState, ShotContext
 from storyblender.reflection import Critique
 
-__all__ = ["AnimatorDraft", "AnimatorRules", "AnimatorView", "ShotStaging"]
+__all__ = ["AnimatorDraft", "AnimatorView", "RulesAnimator", "ShotStaging"]
 
 
 class AnimatorView(Frozen):
@@ -32,6 +34,26 @@ class AnimatorView(Frozen):
     outline: SceneOutline | None = None
     """For the words of the speeches."""
     fps: int = 24
+
+
+def animator_view(graph: ContinuityMemoryGraph, scene_id: int) -> AnimatorView:
+    """Return the Animator's projection of the graph.
+
+    Args:
+        graph: With the scene's set and layout.
+        scene_id: Of the scene.
+    """
+    scene = graph.scene(scene_id)
+    assert scene.layout is not None and scene.environment is not None, "set and layout come before motion"
+    return AnimatorView(
+        scene_id=scene_id,
+        layout=scene.layout,
+        plan=plan_of(scene.environment),
+        assets=graph.assets_of(scene_id),
+        shots=graph.shots_of(scene_id),
+        outline=graph.outline_of(scene_id),
+        fps=graph.format.fps,
+    )
 
 
 class ShotStaging(Frozen):
@@ -69,7 +91,7 @@ class AnimatorDraft(Frozen):
         return {shot.shot_id: shot.duration for shot in self.shots}
 
 
-class AnimatorRules:
+class RulesAnimator:
     """The Animator without a model."""
 
     def propose(self, view: AnimatorView) -> AnimatorDraft:

@@ -6,12 +6,13 @@ import math
 import re
 from dataclasses import dataclass
 
-from storyblender.agents.visual_effects_artist.period import BEFORE, PERIOD_OF_AGE, period_of
-from storyblender.catalog.costumes import Age
+from storyblender.agents.visual_effects_artist.period import BEFORE, PERIOD_OF_AGE, is_today, period_of
+from storyblender.catalog.costumes import Age, age_of
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.sets import SETS, SetKit, plan_of
 from storyblender.catalog.sets.places import kit_of
 from storyblender.memory.base import Vec2, content_hash
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Environment, SceneSetup
 from storyblender.reflection import Critique, Fault
 
@@ -52,6 +53,30 @@ class EnvironmentView:
     headings: str = ""
     age: Age = "today"
     today: bool = False
+
+
+def environment_view(graph: ContinuityMemoryGraph, scene_id: int) -> EnvironmentView:
+    """Return the Environment Designer's projection of the graph.
+
+    Args:
+        graph: With the Director's plan and the script's own assets.
+        scene_id: Of the scene.
+    """
+    scene = graph.scene(scene_id)
+    reference = scene.setup.reference_scene_id
+    things = (asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object")
+    walks = (action.distance or 0.0 for shot in graph.shots_of(scene_id) for action in shot.character_actions)
+    return EnvironmentView(
+        setup=scene.setup,
+        footprints=tuple(asset.canonical.dimensions[:2] for asset in things if asset.canonical is not None),
+        people=graph.people_in(scene_id),
+        travel=max(walks, default=0.0),
+        reference=graph.scene(reference).environment if reference is not None else None,
+        story=graph.story_summary,
+        headings=" / ".join(outline.heading for outline in graph.outline),
+        age=age_of(graph.told, graph.said),
+        today=is_today(f"{graph.told}\n{graph.said}"),
+    )
 
 
 class RulesEnvironmentDesigner:

@@ -6,10 +6,17 @@ Faces are not lit here: key, fill and rim of a shot are solved by the renderer f
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from storyblender.agents.visual_effects_artist.exterior_light import exterior
 from storyblender.agents.visual_effects_artist.interior_light import interior
-from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS, LightingView, burning_lamps, strongest
+from storyblender.agents.visual_effects_artist.lighting_view import (
+    MOST_LIGHTS,
+    LightingView,
+    burning_lamps,
+    lighting_view,
+    strongest,
+)
 from storyblender.catalog.light_recipes import DARKENED, MOON, mix
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.memory.base import Color
@@ -17,7 +24,7 @@ from storyblender.memory.scene_context import Environment, Lighting, SceneSetup
 from storyblender.memory.vocabulary import TimeOfDay
 from storyblender.reflection import Critique, Fault
 
-__all__ = ["LightingCritic", "LightingView", "RulesLightingArranger", "light_place", "lights_out"]
+__all__ = ["LightingCritic", "LightingView", "RulesLightingArranger", "light_place", "lighting_view", "lights_out"]
 
 _SWITCHES = r"turn(s|ed)?|switch(es|ed)?|flip(s|ped)?|snuff(s|ed)?|blow(s|n)?"
 _OUT = (
@@ -59,9 +66,8 @@ class RulesLightingArranger:
     """Lights by recipe (notes: sets and light, 1.4; director, 4.5)."""
 
     def propose(self, view: LightingView) -> Lighting:
-        """Return the light plan of a scene."""
-        lighting = exterior(view) if view.plan.under_the_sky else interior(view)
-        return _described(lighting, view.setup.lighting_description)
+        """Return the light plan of a scene, or the light after a change of it; words of no known change change none."""
+        return _of_scene(view) if view.current is None else _changed(view.current, view)
 
     def refine(self, draft: Lighting, critique: Critique, view: LightingView) -> Lighting:
         """Keep the strongest lamps; raise the level where it would be too dark to read."""
@@ -75,29 +81,24 @@ class RulesLightingArranger:
             update["face_luminance"] = draft.set_luminance * 1.2
         return draft.model_copy(update=update)
 
-    def change(self, current: Lighting, description: str, view: LightingView) -> Lighting:
-        """Return the light after a change that the script states, e.g. ``The lights go out``.
 
-        Args:
-            current: The light until now.
-            description: The script's or the Director's words.
-            view: As for ``propose``.
+def _of_scene(view: LightingView) -> Lighting:
+    lighting = exterior(view) if view.plan.under_the_sky else interior(view)
+    return _described(lighting, view.setup.lighting_description)
 
-        Returns:
-            The new plan; ``current`` itself if the words name no change of light that is known.
-        """
-        words = description.lower()
-        hour = next((time for pattern, time in _HOUR_WORDS if re.search(pattern, words)), None)
-        if hour is not None and hour != view.setup.time_of_day:
-            setup = view.setup.model_copy(update={"time_of_day": hour})
-            return self.propose(LightingView(setup, view.plan, view.environment, view.layout, view.assets))
-        if re.search(_OUT, words):
-            return lights_out(current, indoor=view.plan.indoor)
-        if re.search(_ON, words):
-            lit = view.setup.model_copy(update={"lighting_description": ""})
-            plan = self.propose(LightingView(lit, view.plan, view.environment, view.layout, view.assets))
-            return plan if _practicals(plan) else _lamps_burn(plan, view)
-        return _described(current, description)
+
+def _changed(current: Lighting, view: LightingView) -> Lighting:
+    """Return the light after a change; the current light itself if the words name no change that is known."""
+    words = view.change.lower()
+    hour = next((time for pattern, time in _HOUR_WORDS if re.search(pattern, words)), None)
+    if hour is not None and hour != view.setup.time_of_day:
+        return _of_scene(replace(view, setup=view.setup.model_copy(update={"time_of_day": hour})))
+    if re.search(_OUT, words):
+        return lights_out(current, indoor=view.plan.indoor)
+    if re.search(_ON, words):
+        plan = _of_scene(replace(view, setup=view.setup.model_copy(update={"lighting_description": ""})))
+        return plan if _practicals(plan) else _lamps_burn(plan, view)
+    return _described(current, words)
 
 
 class LightingCritic:

@@ -10,9 +10,11 @@ from storyblender.catalog.light_recipes import LAMPS
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.called import called
 from storyblender.catalog.set_plan import SetPlan
+from storyblender.catalog.sets import plan_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Color, Vec3
-from storyblender.memory.scene_context import Environment, Layout, Light, SceneSetup
+from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
 
 MOST_LIGHTS = 20
 """Lamps a plan may have; every one costs time in every frame."""
@@ -30,6 +32,8 @@ class LightingView:
         environment: Its seed decides which side the sun comes from.
         layout: Where lamp props stand; without it the plan's furnishings count.
         assets: To know which of the layout's objects are lamps.
+        current: The light until now, where the script changes it.
+        change: The words of the change, e.g. ``The lights go out``.
     """
 
     setup: SceneSetup
@@ -37,6 +41,25 @@ class LightingView:
     environment: Environment
     layout: Layout | None = None
     assets: tuple[Asset, ...] = ()
+    current: Lighting | None = None
+    change: str = ""
+
+
+def lighting_view(
+    graph: ContinuityMemoryGraph, scene_id: int, current: Lighting | None = None, change: str = ""
+) -> LightingView:
+    """Return the Lighting Arranger's projection of the graph.
+
+    Args:
+        graph: With the scene's set and layout.
+        scene_id: Of the scene.
+        current: The light until now, where the script changes it.
+        change: The words of the change.
+    """
+    scene = graph.scene(scene_id)
+    assert scene.environment is not None, "the set comes before its light"
+    plan, assets = plan_of(scene.environment), graph.assets_of(scene_id)
+    return LightingView(scene.setup, plan, scene.environment, scene.layout, assets, current, change)
 
 
 def burning_lamps(view: LightingView, share: float) -> tuple[Light, ...]:

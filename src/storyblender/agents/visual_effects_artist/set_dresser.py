@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from storyblender.agents.layout_artist.told_places import told_relations
 from storyblender.agents.visual_effects_artist.furniture import (
     TUCKED,
     Standing,
@@ -24,10 +25,11 @@ from storyblender.agents.visual_effects_artist.furniture import (
 )
 from storyblender.catalog.props.kin import kin_of
 from storyblender.catalog.set_plan import Furnishing, SetPlan
-from storyblender.catalog.sets import SETS
+from storyblender.catalog.sets import SETS, plan_of
 from storyblender.geometry.boxes import penetration
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Frozen, Identifier, Vec2
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import LayoutObject, SceneSetup
 from storyblender.reflection import Critique, Fault
 
@@ -72,6 +74,24 @@ class Dressing(Frozen):
     """Asset ids of the script's objects that the Spatial Planner has to place."""
     dropped: tuple[str, ...] = ()
     """node_ids of furnishings that were left out."""
+
+
+def dressing_view(graph: ContinuityMemoryGraph, scene_id: int) -> DressingView:
+    """Return the Set Dresser's projection of the graph.
+
+    Args:
+        graph: With the scene's environment.
+        scene_id: Of the scene.
+    """
+    scene = graph.scene(scene_id)
+    assert scene.environment is not None, "the set comes before its dressing"
+    told = told_relations(scene.setup, graph.shots_of(scene_id))
+    return DressingView(
+        setup=scene.setup.model_copy(update={"relations": told}),
+        plan=plan_of(scene.environment),
+        objects=tuple(asset for asset in graph.assets_of(scene_id) if asset.asset_type == "object"),
+        people=graph.people_in(scene_id),
+    )
 
 
 class RulesSetDresser:

@@ -2,17 +2,19 @@
 
 import pytest
 
-from storyblender.agents.concept_artist.generator import Generator
-from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, MatchCritic, ModelFile, Recipe
-from storyblender.agents.concept_artist.retriever import Retriever
+from storyblender.agents.concept_artist.generator import RulesAssetGenerator
+from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, AssetRequest, ModelFile, Recipe
+from storyblender.agents.concept_artist.retriever import RulesAssetRetriever
 from storyblender.catalog.kinds import kinds
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import singular, words_of
 from storyblender.catalog.sets import SETS
+from storyblender.crew import rules_crew
 from storyblender.library.embedder import load_embedder
 from storyblender.memory.asset_sheet import Asset
 from storyblender.reflection import reflect
+from storyblender.settings import Settings
 
 KNOWN = {
     "old wooden chair": "chair", "dressing table": "dressing_table", "jewelry box": "jewel_box", "motorcar": "car",
@@ -39,7 +41,7 @@ def embedder():
 
 @pytest.fixture(scope="module")
 def retriever(embedder):
-    return Retriever(lambda: embedder)
+    return RulesAssetRetriever(lambda: embedder)
 
 
 def request(name, models=()):
@@ -66,7 +68,7 @@ def no_model():
 
 
 def test_words_alone_need_no_model():
-    assert Retriever(no_model).propose(request("red leather armchair")).params == {
+    assert RulesAssetRetriever(no_model).propose(request("red leather armchair")).params == {
         "material": "leather",
         "color": "#9c2622",
     }
@@ -84,7 +86,7 @@ def test_words_alone_need_no_model():
 )
 def test_the_words_before_a_noun_choose_among_its_kinds(phrase, key):
     asset = Asset(asset_id="it", asset_type="object", description=phrase, name=phrase.split()[-1])
-    assert Retriever(no_model).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).key == key
 
 
 def test_a_word_that_only_begins_like_another_is_not_like_it(retriever):
@@ -102,8 +104,8 @@ def test_a_word_that_only_begins_like_another_is_not_like_it(retriever):
 def test_an_umbrella_is_up_in_the_rain_only():
     asset = Asset(asset_id="it", asset_type="object", description="", name="umbrella")
     wet = AssetRequest(asset=asset, weather="rain")
-    assert Retriever(no_model).propose(wet).params == {"up": True}
-    assert Retriever(no_model).propose(AssetRequest(asset=asset)).params == {}
+    assert RulesAssetRetriever(no_model).propose(wet).params == {"up": True}
+    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).params == {}
 
 
 def test_a_model_of_the_user_wins_over_the_catalog(retriever):
@@ -141,22 +143,19 @@ def test_a_model_is_found_by_its_own_name_in_any_folder_and_by_what_it_means(ret
 )
 def test_a_model_that_has_the_noun_wins_whatever_the_order_of_its_words(phrase, path):
     models = (ModelFile(path=path, name=path), ModelFile(path="car-key.glb", name="car key"))
-    assert Retriever(no_model).propose(request(phrase, models)).key == path
-    assert Retriever(no_model).propose(request("car", models)).source == "catalog", "a car key is a key"
+    assert RulesAssetRetriever(no_model).propose(request(phrase, models)).key == path
+    assert RulesAssetRetriever(no_model).propose(request("car", models)).source == "catalog", "a car key is a key"
 
 
 def test_of_several_models_the_one_that_shares_most_words_is_taken():
     names = ("chair-dining", "chair-red", "chair-office", "chair")
     models = tuple(ModelFile(path=f"{name}.glb", name=name) for name in names)
     for phrase, path in (("chair", "chair.glb"), ("red chair", "chair-red.glb"), ("office chair", "chair-office.glb")):
-        assert Retriever(no_model).propose(request(phrase, models)).key == path
+        assert RulesAssetRetriever(no_model).propose(request(phrase, models)).key == path
 
 
-def test_the_generator_takes_over(embedder, retriever):
-    outcome = reflect(
-        "asset_retriever", "it", request("dragon statue"), retriever, MatchCritic(),
-        threshold=RETRIEVAL_THRESHOLD, horizon=1, fallback=Generator(lambda: embedder),
-    )  # fmt: skip
+def test_the_generator_takes_over(embedder):
+    outcome = reflect(rules_crew(Settings(), lambda: embedder).asset_retriever, "it", request("dragon statue"))
     assert outcome.handed_over
     assert (outcome.draft.source, outcome.draft.key) == ("catalog", "statue")
     assert outcome.draft.canonical().match_score < RETRIEVAL_THRESHOLD
@@ -174,19 +173,19 @@ def test_the_generator_takes_over(embedder, retriever):
 )
 def test_an_unknown_thing_is_of_its_kind(embedder, name, kind, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=name, tags=(kind,))
-    assert Generator(lambda: embedder).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetGenerator(lambda: embedder).propose(AssetRequest(asset=asset)).key == key
 
 
 @pytest.mark.parametrize("kind", ["animal", "vehicle"])
 def test_an_unknown_creature_or_vehicle_is_always_one(embedder, kind):
     asset = Asset(asset_id="it", asset_type="object", description="", name="frobnicator", tags=(kind,))
-    recipe = Generator(lambda: embedder).propose(AssetRequest(asset=asset))
+    recipe = RulesAssetGenerator(lambda: embedder).propose(AssetRequest(asset=asset))
     assert PROPS[recipe.key].category == kind
 
 
 def test_a_stand_in_has_the_colour_that_is_told():
     asset = Asset(asset_id="it", asset_type="object", description="green velvet chaise longue", name="chaise longue")
-    recipe = Generator(no_model).propose(AssetRequest(asset=asset))
+    recipe = RulesAssetGenerator(no_model).propose(AssetRequest(asset=asset))
     assert recipe.key == "armchair" and recipe.params["color"] == "#3c6a42"
 
 
@@ -217,7 +216,7 @@ def test_every_listed_kind_is_a_prop_and_no_name_of_the_catalog():
 )
 def test_common_things_are_built_and_no_stand_ins(name, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=name)
-    assert Retriever(no_model).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).key == key
 
 
 @pytest.mark.parametrize(
@@ -241,7 +240,7 @@ def test_common_things_are_built_and_no_stand_ins(name, key):
 def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
     view = AssetRequest(asset=asset, means=dict(SETS[kit].meanings))
-    assert Retriever(no_model).propose(view).key == key
+    assert RulesAssetRetriever(no_model).propose(view).key == key
 
 
 @pytest.mark.parametrize(
@@ -257,7 +256,7 @@ def test_a_plain_word_means_what_it_means_in_its_place(kit, word, key):
 )
 def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=word)
-    assert Retriever(no_model).propose(AssetRequest(asset=asset, means=dict(MEANT_IN[age]))).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset, means=dict(MEANT_IN[age]))).key == key
 
 
 @pytest.mark.parametrize(
@@ -271,7 +270,7 @@ def test_a_plain_word_means_what_it_means_in_its_age(age, word, key):
 )
 def test_a_word_with_two_meanings_means_what_its_kind_says(kind, name, key):
     asset = Asset(asset_id="it", asset_type="object", description=name, name=name, tags=(kind,))
-    assert Retriever(no_model).propose(AssetRequest(asset=asset)).key == key
+    assert RulesAssetRetriever(no_model).propose(AssetRequest(asset=asset)).key == key
 
 
 def test_what_words_mean_in_a_place_is_in_the_catalog():
@@ -300,7 +299,7 @@ def test_what_words_mean_in_a_place_is_in_the_catalog():
     ],
 )
 def test_a_phrase_means_the_thing_and_not_what_bears_one_of_its_words(phrase, key):
-    assert Retriever(no_model).propose(request(phrase)).key == key
+    assert RulesAssetRetriever(no_model).propose(request(phrase)).key == key
 
 
 @pytest.mark.parametrize(

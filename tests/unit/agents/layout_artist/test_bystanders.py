@@ -8,7 +8,7 @@ import pytest
 
 from storyblender.agents.layout_artist.bystanders import bystanders, placed
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures_of, props_of
-from storyblender.agents.layout_artist.spatial_planner import SpatialRules, ways_of
+from storyblender.agents.layout_artist.spatial_planner import RulesSpatialPlanner, ways_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.set_dresser import DressingView, RulesSetDresser
 from storyblender.catalog.bystanders import BYSTANDER
@@ -47,7 +47,7 @@ def brief(kit: str) -> LayoutBrief:
 @pytest.mark.parametrize("kit", ["cafe", "bar", "square", "street", "lobby", "park"])
 def test_a_crowd_finds_room_and_leaves_the_story_its_own(kit: str) -> None:
     scene = brief(kit)
-    layout = SpatialRules().propose(scene)
+    layout = RulesSpatialPlanner().propose(scene)
     people = [item.location for item in layout.objects if item.asset_id in ("ada", "tom")]
     lanes = ways_of(scene, layout)
     found = bystanders(scene, layout, 14, lanes)
@@ -63,12 +63,12 @@ def test_a_crowd_finds_room_and_leaves_the_story_its_own(kit: str) -> None:
 
 def test_nobody_is_put_where_there_is_no_room() -> None:
     scene = brief("elevator")
-    assert len(bystanders(scene, SpatialRules().propose(scene), 20, [])) < 6
+    assert len(bystanders(scene, RulesSpatialPlanner().propose(scene), 20, [])) < 6
 
 
 def test_figures_are_few_and_their_copies_many() -> None:
     scene = brief("cafe")
-    layout = SpatialRules().propose(scene)
+    layout = RulesSpatialPlanner().propose(scene)
     found = bystanders(scene, layout, 20, [])
     assets = [dressing_asset("background_figure", {"posture": each.posture, "variant": each.variant}) for each in found]
     objects = placed(found, assets, measures_of(assets))

@@ -9,7 +9,7 @@ import pytest
 
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment, orbit_of
 from storyblender.agents.layout_artist.camera_critic import CameraCritic
-from storyblender.agents.layout_artist.camera_operator import CameraRules, operate, side_used
+from storyblender.agents.layout_artist.camera_operator import RulesCameraOperator, operate, side_used
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.boxes import Box, corners, distance_to_point
@@ -187,7 +187,7 @@ def test_the_servo_walks_around_what_hides_the_subject() -> None:
     critic = CameraCritic(finder)
     straight = start(view, turn=-start(view).camera.azimuth)
     assert "hidden" in {fault.kind for fault in critic.judge(straight, view).faults}
-    better = CameraRules(critic).refine(straight, critic.judge(straight, view), view)
+    better = RulesCameraOperator(critic).refine(straight, critic.judge(straight, view), view)
     assert critic.judge(better, view).score > critic.judge(straight, view).score
     assert shoot(view)[1] == ()
 

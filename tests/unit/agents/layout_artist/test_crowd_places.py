@@ -1,9 +1,11 @@
 import itertools
 import math
+from dataclasses import replace
+
+from tests.crew import RULES
 
 from storyblender.agents.layout_artist.crowd_places import crowds_of
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
 from storyblender.catalog.sets import plan_of
 from storyblender.memory.measure import AssetMeasure
 from storyblender.memory.scene_context import Environment, LayoutObject, SceneSetup
@@ -30,7 +32,7 @@ def _laid_out() -> dict[str, LayoutObject]:
         states=tuple(BodyState(asset_id=name) for name in people),
         groups=(("ana", "ben"),),
     )
-    outcome = reflect("spatial_planner", "SC010", view, SpatialRules(), LayoutCritic(), threshold=9.9, horizon=3)
+    outcome = reflect(replace(RULES.spatial_planner, threshold=9.9, horizon=3), "SC010", view)
     assert outcome.critique.faults == ()
     return {item.node_id: item for item in outcome.draft.objects}
 

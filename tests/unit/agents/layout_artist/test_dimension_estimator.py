@@ -3,7 +3,13 @@ from typing import Literal
 import pytest
 
 from storyblender.agents.concept_artist.recipe import Recipe
-from storyblender.agents.layout_artist.dimension_estimator import NOUNS, DimensionCritic, DimensionRules, estimate
+from storyblender.agents.layout_artist.dimension_estimator import (
+    NOUNS,
+    DimensionCritic,
+    DimensionView,
+    RulesDimensionEstimator,
+    estimate,
+)
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.stand_ins import STAND_INS
 from storyblender.memory.asset_sheet import Asset, AssetDimension, CanonicalAsset, CharacterLook
@@ -80,17 +86,17 @@ def test_every_draft_of_the_rules_passes_the_critic() -> None:
         person(age=90).model_copy(update={"asset_id": "elder"}),
         Asset(asset_id="dog", asset_type="character", description="a dog"),
     ]
-    draft = DimensionRules().propose(assets)
-    assert DimensionCritic().judge(draft, assets).faults == ()
+    draft = RulesDimensionEstimator().propose(DimensionView(assets))
+    assert DimensionCritic().judge(draft, DimensionView(assets)).faults == ()
 
 
 def test_the_critic_wants_exactly_one_value_and_the_rules_repair_it() -> None:
     assets = [thing("apple"), person()]
     draft = {"apple": AssetDimension(width=0.1, height=0.1), "someone": AssetDimension(height=4.0)}
-    critique = DimensionCritic().judge(draft, assets)
+    critique = DimensionCritic().judge(draft, DimensionView(assets))
     assert {fault.subject for fault in critique.faults} == {"apple", "someone"}
-    repaired = DimensionRules().refine(draft, critique, assets)
-    assert DimensionCritic().judge(repaired, assets).score == 10
+    repaired = RulesDimensionEstimator().refine(draft, critique, DimensionView(assets))
+    assert DimensionCritic().judge(repaired, DimensionView(assets)).score == 10
 
 
 def made_of(key: str, name: str, *tags: str, source: Literal["catalog", "stand_in"] = "catalog") -> Asset:
@@ -116,7 +122,7 @@ def test_a_tree_that_was_brought_into_a_room_ends_below_its_ceiling() -> None:
     side, height = only(estimate(tree, room))
     assert side == "height"
     assert 2.0 < height < room[2]
-    assert DimensionRules({"it": room}).propose([tree])["it"].height == height
+    assert RulesDimensionEstimator().propose(DimensionView((tree,), {"it": room}))["it"].height == height
 
 
 def test_nothing_is_larger_than_its_room() -> None:

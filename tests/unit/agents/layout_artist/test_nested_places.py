@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from itertools import product
 
 import pytest
+from tests.crew import RULES
 from tests.every import every
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
@@ -50,7 +50,7 @@ def laid_out(told: Mapping[str, Spot], *others: str, plan: SetPlan = PLAN) -> di
         props={key: key for key in things},
         told=told,
     )
-    outcome = reflect("spatial_planner", "1", view, SpatialRules(), LayoutCritic(), threshold=8.0, horizon=3)
+    outcome = reflect(RULES.spatial_planner, "SC010", view)
     assert outcome.critique.faults == ()
     return {item.asset_id: item for item in outcome.draft.objects}
 

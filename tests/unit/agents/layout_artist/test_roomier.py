@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
+from tests.crew import RULES
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures_of
 from storyblender.agents.layout_artist.roomier import ROOMS, Fitted, Room, larger, until_it_fits, without_dressing
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
 from storyblender.agents.visual_effects_artist.set_dresser import DressingView, RulesSetDresser
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.base import Vec2
@@ -21,17 +22,20 @@ from storyblender.reflection import Critique, Fault, Outcome, reflect
 EMPTY = Layout(scene_size=SceneSize(x=2, x_negative=-2, y=2, y_negative=-2))
 
 
-def outcome(score: float) -> Outcome[Layout]:
+BRIEF = LayoutBrief(1, SceneSetup(), {}, plan_of(Environment(kit="closet")))
+
+
+def outcome(score: float) -> Outcome[LayoutBrief, Layout]:
     fault = Fault(kind="penetration", subject="sofa", message="in the wall", severity=10 - score)
     item = LayoutObject(node_id="sofa", asset_id="sofa", location=(1.0, 0.5, 0.0))
     draft = EMPTY.model_copy(update={"objects": (item,)})
-    return Outcome(draft, Critique(score=score, faults=(fault,) if score < 10 else ()), 0, False)
+    return Outcome(BRIEF, draft, Critique(score=score, faults=(fault,) if score < 10 else ()), 0, False)
 
 
 def tried(scores: list[float]) -> tuple[Fitted[int], list[Collection[Vec2]]]:
     told: list[Collection[Vec2]] = []
 
-    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[int, Outcome[Layout]]:
+    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[int, Outcome[LayoutBrief, Layout]]:
         told.append(faulty)
         return len(told), outcome(scores[len(told) - 1])
 
@@ -90,7 +94,7 @@ def test_a_company_too_many_for_a_small_room_finds_place_in_a_larger_one() -> No
     }
     states = tuple(BodyState(asset_id=name) for name in people)
 
-    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[float, Outcome[Layout]]:
+    def stage(room: Room, faulty: Collection[Vec2]) -> tuple[float, Outcome[LayoutBrief, Layout]]:
         plan = plan_of(larger(Environment(kit="closet", seed=1), room.grown))
         dressing = RulesSetDresser().propose(DressingView(SceneSetup(place="CLOSET"), plan, people=6))
         standing = without_dressing(dressing.objects, plan, faulty, room.shed)
@@ -98,7 +102,7 @@ def test_a_company_too_many_for_a_small_room_finds_place_in_a_larger_one() -> No
             1, SceneSetup(place="CLOSET"), measures_of(dressing.assets) | known, plan, standing,
             pending=("trunk", "stove"), states=states, apart=room.apart,
         )  # fmt: skip
-        return plan.size.x, reflect("spatial_planner", "SC010", brief, SpatialRules(), LayoutCritic(), horizon=1)
+        return plan.size.x, reflect(replace(RULES.spatial_planner, horizon=1), "SC010", brief)
 
     first = stage(ROOMS[0], [])
     fitted = until_it_fits(stage)

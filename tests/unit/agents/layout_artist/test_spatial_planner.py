@@ -3,12 +3,13 @@ import math
 from dataclasses import replace
 
 import pytest
+from tests.crew import RULES
 from tests.every import every
 
 from storyblender.agents.layout_artist.layout_brief import LayoutBrief, layout_brief
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import layout_violations
-from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, SpatialRules
+from storyblender.agents.layout_artist.spatial_planner import LayoutCritic, RulesSpatialPlanner
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.memory.asset_sheet import Anchor, Asset
@@ -74,8 +75,8 @@ def brief(pending=(), relations=(), people=(), **more) -> LayoutBrief:
     )
 
 
-def plan_layout(view: LayoutBrief) -> Outcome[Layout]:
-    return reflect("spatial_planner", "SC010", view, SpatialRules(), LayoutCritic(), threshold=9.9, horizon=3)
+def plan_layout(view: LayoutBrief) -> Outcome[LayoutBrief, Layout]:
+    return reflect(replace(RULES.spatial_planner, threshold=9.9, horizon=3), "SC010", view)
 
 
 def solved(view: LayoutBrief) -> dict[str, LayoutObject]:
@@ -205,7 +206,7 @@ def test_the_same_brief_gives_the_same_layout() -> None:
 
 def test_every_fault_is_found_and_refine_mends_it() -> None:
     view = brief(["table", "wardrobe"], people=["ana"])
-    good = SpatialRules().propose(view)
+    good = RulesSpatialPlanner().propose(view)
     items = {item.node_id: item for item in good.objects}
     x, y, _ = items["table"].location
     items["wardrobe"] = items["wardrobe"].model_copy(update={"location": (x + 0.2, y, 0.4)})
@@ -214,7 +215,7 @@ def test_every_fault_is_found_and_refine_mends_it() -> None:
     assert {"penetration", "floor"} <= {fault.kind for fault in faults}
     assert all(fault.fix for fault in faults)
     critic = LayoutCritic()
-    mended = SpatialRules().refine(broken, critic.judge(broken, view), view)
+    mended = RulesSpatialPlanner().refine(broken, critic.judge(broken, view), view)
     assert critic.judge(mended, view).faults == ()
 
 
@@ -373,7 +374,7 @@ def court(**fields: object) -> LayoutBrief:
 
 
 def test_whom_a_later_shot_finds_in_court_is_at_the_place_of_their_office() -> None:
-    layout = SpatialRules().propose(
+    layout = RulesSpatialPlanner().propose(
         court(
             states=(BodyState(asset_id="judge_ito", support_id="bench", posture="sit"),),
             found=(
@@ -413,7 +414,7 @@ def test_who_comes_in_later_has_no_place_yet_and_who_is_found_there_has() -> Non
         scenes=(SceneContext(scene_id=1, setup=SceneSetup(scene_type="indoor", asset_ids=("ana", "ben", "cal"))),),
         shots=(shot(1, ("ana",)), shot(2, ("ana", "ben"), waits), shot(3, ("ana", "ben", "cal"), walk)),
     )
-    brief = layout_brief(graph, 1, plan(), measures=MEASURES)
+    brief = layout_brief(graph, 1, plan())
     assert [state.asset_id for state in brief.found] == ["ben"]
     assert brief.stations == {"ben": "door"}
 

@@ -9,7 +9,7 @@ import pytest
 
 from storyblender.agents.visual_effects_artist import cue_sheet
 from storyblender.agents.visual_effects_artist import floor as floor_module
-from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorRules, AnimatorView, ShotStaging
+from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, RulesAnimator, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA, LAST
 from storyblender.agents.visual_effects_artist.floor import Floor
@@ -113,7 +113,7 @@ def _cues(shot: ShotStaging, who: str) -> list[str]:
 
 def _stage(*shots: ShotContext, **fields: object) -> tuple[ShotStaging, ...]:
     view = _view(*shots, **fields)  # type: ignore[arg-type]
-    draft = AnimatorRules().propose(view)
+    draft = RulesAnimator().propose(view)
     faults = AnimatorCritic().judge(draft, view).faults
     assert faults == (), [fault.message for fault in faults]
     return draft.shots
@@ -186,13 +186,13 @@ def test_who_will_play_a_guitar_holds_it_from_the_first_frame() -> None:
     )
     layout = LAYOUT.model_copy(update={"objects": (*LAYOUT.objects, _at("guitar", 0, 1.0, z=0.75))})
     view = _view(*shots).model_copy(update={"assets": (*ASSETS, guitar), "layout": layout})
-    staged = AnimatorRules().propose(view).shots
+    staged = RulesAnimator().propose(view).shots
     for shot in staged:
         assert _start(shot, "rick").held == (("R", "guitar"),)
         assert _end(shot, "rick").held == (("R", "guitar"),)
     assert "pick_up" not in _cues(staged[2], "rick")
     taken = (_shot(1, _do("rick", "pick_up", prop_id="guitar"), seconds=6), shots[2].model_copy(update={"shot_id": 2}))
-    first, _ = AnimatorRules().propose(view.model_copy(update={"shots": taken})).shots
+    first, _ = RulesAnimator().propose(view.model_copy(update={"shots": taken})).shots
     assert _start(first, "rick").held == (), "the script says when it is taken up"
 
 
@@ -206,7 +206,7 @@ def test_who_opens_the_door_and_walks_in_comes_from_it() -> None:
         _shot(3, _do("rick", "open", target_id="door"), seconds=8),
     )
     view = _view(*shots).model_copy(update={"plan": plan})
-    _, enters, opens = AnimatorRules().propose(view).shots
+    _, enters, opens = RulesAnimator().propose(view).shots
     assert math.dist(_start(enters, "rick").location, DOOR.location) < 0.1
     assert "open" not in _cues(enters, "rick"), "the door swings for who comes in"
     cue = next(cue for cue in opens.cues if cue.clip == "open")
@@ -282,7 +282,7 @@ def test_what_is_put_down_for_somebody_at_a_table_is_before_them_on_it_not_on_th
             "layout": LAYOUT.model_copy(update={"objects": objects}),
         }
     )
-    put, taken = AnimatorRules().propose(view).shots
+    put, taken = RulesAnimator().propose(view).shots
     (state,) = taken.prop_states
     assert state.location is not None
     assert state.location[2] == pytest.approx(0.75), "on the table, not on the chair"
@@ -299,7 +299,7 @@ def test_who_leaves_for_what_is_beyond_the_set_goes_out_on_its_side() -> None:
     view = _view(_shot(1, _do("rick", "walk", target_id="plane"), seconds=6), _shot(2, on_stage=("ilsa",)))
     plan = PLAN.model_copy(update={"marks": (DOOR, far)})
     view = view.model_copy(update={"assets": (plane, *ASSETS), "layout": layout, "plan": plan})
-    assert _end(AnimatorRules().propose(view).shots[0], "rick").location[:2] == (3.4, 3.0)
+    assert _end(RulesAnimator().propose(view).shots[0], "rick").location[:2] == (3.4, 3.0)
 
 
 def test_two_who_leave_in_the_open_for_a_plane_walk_side_by_side_towards_it() -> None:
@@ -309,7 +309,7 @@ def test_two_who_leave_in_the_open_for_a_plane_walk_side_by_side_towards_it() ->
     view = _view(_shot(1, *both, seconds=6), _shot(2, on_stage=()))
     plan = PLAN.model_copy(update={"indoor": False})
     view = view.model_copy(update={"assets": (plane, *ASSETS), "layout": layout, "plan": plan})
-    draft = AnimatorRules().propose(view)
+    draft = RulesAnimator().propose(view)
     assert AnimatorCritic().judge(draft, view).faults == ()
     rick, ilsa = (_end(draft.shots[0], who).location for who in ("rick", "ilsa"))
     assert math.dist(rick, ilsa) > 1.0
@@ -327,7 +327,7 @@ BENCH = _thing(
 def _on_bench(*shots: ShotContext) -> tuple[ShotStaging, ...]:
     layout = LAYOUT.model_copy(update={"objects": (_at("bench", 0, 3.0), *LAYOUT.objects)})
     return (
-        AnimatorRules().propose(_view(*shots).model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+        RulesAnimator().propose(_view(*shots).model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
     )
 
 
@@ -353,7 +353,7 @@ def test_what_lies_on_the_left_is_taken_with_the_left_hand(x: float, hand: str) 
     objects = (_at("bench", 0, 3.0), _at("cup", seat[0] + x, seat[1] + 0.2, z=0.46), _at("rick", -1, -1))
     view = _view(_shot(1, _do("rick", "pick_up", prop_id="cup"), states=states))
     layout = LAYOUT.model_copy(update={"objects": objects})
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
     assert _end(shot, "rick").location == seat and _end(shot, "rick").held == ((hand, "cup"),)
 
 
@@ -362,7 +362,7 @@ def test_a_bag_is_put_down_before_both_hands_are_wanted() -> None:
     ring = _thing("ring", (0.02, 0.01, 0.03))
     states = (BodyState(asset_id="rick", held=("bag", "ring")),)
     view = _view(_shot(1, _do("rick", "wear", prop_id="ring"), states=states), _shot(2))
-    worn, after = AnimatorRules().propose(view.model_copy(update={"assets": (bag, ring, *ASSETS)})).shots
+    worn, after = RulesAnimator().propose(view.model_copy(update={"assets": (bag, ring, *ASSETS)})).shots
     assert [clip for clip in _cues(worn, "rick") if clip != "look"] == ["put_down", "dress"]
     assert _end(worn, "rick").held == ()
     state = {each.asset_id: each for each in after.prop_states}
@@ -405,7 +405,7 @@ def test_nothing_is_put_before_the_hand_that_holds_something() -> None:
         for each in LAYOUT.objects
     )
     view = _view(shot, _shot(2)).model_copy(update={"layout": LAYOUT.model_copy(update={"objects": chairs})})
-    put, after = AnimatorRules().propose(view).shots
+    put, after = RulesAnimator().propose(view).shots
     spot = next(state.location for state in after.prop_states if state.asset_id == "letter")
     assert spot is not None and spot[1] - _end(put, "ilsa").location[1] > -0.12, "not on her right, where the cup is"
 
@@ -415,7 +415,7 @@ def test_nothing_is_put_down_in_a_flowerpot() -> None:
     states = (BodyState(asset_id="rick", held=("letter",)),)
     view = _view(_shot(1, _do("rick", "put_down", prop_id="letter", target_id="letter"), states=states), _shot(2))
     layout = LAYOUT.model_copy(update={"objects": (_at("pot", -1, -0.4), *LAYOUT.objects)})
-    after = AnimatorRules().propose(view.model_copy(update={"assets": (pot, *ASSETS), "layout": layout})).shots[1]
+    after = RulesAnimator().propose(view.model_copy(update={"assets": (pot, *ASSETS), "layout": layout})).shots[1]
     (state,) = after.prop_states
     assert state.location is not None
     assert state.location[2] == pytest.approx(0.75), "on the table, though the pot is nearer"
@@ -459,7 +459,7 @@ def test_who_has_no_place_of_their_own_comes_to_whom_they_speak_to_and_faces_the
     objects = tuple(each for each in LAYOUT.objects if each.node_id != "rick")
     view = _view(_shot(1, _do("rick", "walk"), _do("rick", "talk", target_id="ilsa"), seconds=6))
     view = view.model_copy(update={"layout": LAYOUT.model_copy(update={"objects": objects})})
-    (shot,) = AnimatorRules().propose(view).shots
+    (shot,) = RulesAnimator().propose(view).shots
     rick, ilsa = _end(shot, "rick"), _end(shot, "ilsa")
     assert 1.0 <= math.dist(rick.location, ilsa.location) <= 1.4
     assert _off(rick, ilsa) < 60
@@ -491,7 +491,7 @@ def test_a_thing_with_a_grip_is_held_however_large_it_is() -> None:
     umbrella = _thing("cup", (1.0, 1.0, 0.9), grip)
     view = _view(_shot(1, states=(BodyState(asset_id="rick", held=("cup",)),)))
     assets = (*(asset for asset in ASSETS if asset.asset_id != "cup"), umbrella)
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": assets})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": assets})).shots
     assert _end(shot, "rick").held == (("R", "cup"),)
 
 
@@ -504,7 +504,7 @@ def test_what_no_pocket_holds_is_in_hand_when_it_is_brought_out() -> None:
     brought = AssetModification(asset_id="cup", modification_type="add", description="in the hand of rick")
     view = _view(_shot(1, _do("rick", "take", prop_id="cup"), asset_modifications=(brought,), seconds=5))
     assets = (*(asset for asset in ASSETS if asset.asset_id != "cup"), _thing("cup", (0.2, 0.4, 0.5)))
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": assets})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": assets})).shots
     assert shot.prop_states[0].hand == "R" and _cues(shot, "rick") == []
 
 
@@ -519,14 +519,14 @@ def test_every_cue_is_a_clip_and_every_motion_can_be_staged() -> None:
     for word in words:
         for target in (None, "ilsa", "table", "chair"):
             view = _view(_shot(1, _do("rick", word, target_id=target)))
-            (shot,) = AnimatorRules().propose(view).shots
+            (shot,) = RulesAnimator().propose(view).shots
             assert all(cue.clip in MOTIONS for cue in shot.cues), word
             assert shot.duration <= 96 + 24 * (EXTRA + LAST)
 
 
 def test_same_scene_same_staging() -> None:
     view = _view(_shot(1, _do("rick", "walk", target_id="table"), _do("ilsa", "look", target_id="rick")))
-    assert AnimatorRules().propose(view) == AnimatorRules().propose(view)
+    assert RulesAnimator().propose(view) == RulesAnimator().propose(view)
 
 
 def test_locked_blocking_is_kept_and_carried_on() -> None:
@@ -557,7 +557,7 @@ def test_the_critic_finds_bad_places_and_the_policy_mends_them(blockings: tuple[
     view, draft = _view(_shot(1)), _draft(*blockings)
     critique = AnimatorCritic().judge(draft, view)
     assert [fault.kind for fault in critique.faults] == [kind]
-    mended = AnimatorRules().refine(draft, critique, view)
+    mended = RulesAnimator().refine(draft, critique, view)
     assert AnimatorCritic().judge(mended, view).faults == ()
 
 
@@ -595,7 +595,7 @@ def test_nobody_sits_on_what_lies_on_a_seat(letter: float, place: float) -> None
     states = (BodyState(asset_id="rick", posture="sit", support_id="bench"),)
     view = _view(_shot(1, _do("ilsa", "sit", target_id="rick"), states=states))
     layout = LAYOUT.model_copy(update={"objects": objects})
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
     assert _end(shot, "rick").location[0] == pytest.approx(-0.6)
     assert _end(shot, "ilsa").location[0] == pytest.approx(place)
 
@@ -604,7 +604,7 @@ def test_who_opens_what_stands_far_off_goes_there() -> None:
     chest = _thing("chest", (0.5, 0.3, 0.3))
     layout = LAYOUT.model_copy(update={"objects": (_at("chest", 3.3, 2.4), *LAYOUT.objects)})
     view = _view(_shot(1, _do("rick", "open", prop_id="chest", target_id="chest")))
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (chest, *ASSETS), "layout": layout})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": (chest, *ASSETS), "layout": layout})).shots
     assert [clip for clip in _cues(shot, "rick") if clip not in ("look", "turn")] == ["walk", "open"]
     assert not _end(shot, "rick").held
 
@@ -622,7 +622,7 @@ def test_a_sack_is_put_on_the_floor_where_nothing_else_is_said() -> None:
     downs = (_do("rick", "put_down", prop_id="sack"), _do("rick", "put_down", prop_id="cup"))
     layout = LAYOUT.model_copy(update={"objects": (_at("table", -1, 0.0), *LAYOUT.objects[1:])})
     view = _view(_shot(1, *downs, states=states, seconds=9), _shot(2))
-    _, after = AnimatorRules().propose(view.model_copy(update={"assets": (sack, *ASSETS), "layout": layout})).shots
+    _, after = RulesAnimator().propose(view.model_copy(update={"assets": (sack, *ASSETS), "layout": layout})).shots
     heights = {state.asset_id: state.location[2] for state in after.prop_states if state.location}
     assert heights == {"sack": 0.0, "cup": 0.75}
 
@@ -633,7 +633,7 @@ def test_nothing_is_put_on_a_table_that_nobody_comes_to() -> None:
     layout = LAYOUT.model_copy(update={"objects": (_at("table", 0, 1.0), _at("wall", 0, 0.2), *LAYOUT.objects[4:])})
     states = (BodyState(asset_id="rick", held=("letter",)),)
     view = _view(_shot(1, _do("rick", "put_down", prop_id="letter"), states=states), _shot(2))
-    _, after = AnimatorRules().propose(view.model_copy(update={"assets": (wall, *ASSETS), "layout": layout})).shots
+    _, after = RulesAnimator().propose(view.model_copy(update={"assets": (wall, *ASSETS), "layout": layout})).shots
     assert [state.location[2] for state in after.prop_states if state.location] == [0.0]
 
 
@@ -660,7 +660,7 @@ def test_nobody_sits_down_where_somebody_stands() -> None:
     objects = (_at("bench", 0, 3.0), *LAYOUT.objects[:-2], _at("rick", -0.6, -1), _at("ilsa", -0.6, 2.5))
     view = _view(_shot(1, _do("rick", "sit", target_id="bench")))
     layout = LAYOUT.model_copy(update={"objects": objects})
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": (BENCH, *ASSETS), "layout": layout})).shots
     assert _end(shot, "rick").posture == "sit"
     assert _end(shot, "rick").location[0] == pytest.approx(0.0), "not the nearest place, where she stands"
 

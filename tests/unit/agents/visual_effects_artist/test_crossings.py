@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView, ShotStaging
+from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import aboard, across, vessel_at
@@ -81,7 +81,7 @@ def _stage(*actions: CharacterAction, stay: bool = True, **fields: object) -> Sh
     after = after.model_copy(update={"on_stage": ("dex",)})
     shots = (before, shot) if stay else (before, shot, after)
     view = AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=shots)
-    draft = AnimatorRules().propose(view)
+    draft = RulesAnimator().propose(view)
     assert AnimatorCritic().judge(draft, view).faults == ()
     return draft.shots[1]
 
@@ -205,7 +205,7 @@ def test_who_comes_up_the_stairs_begins_there_and_who_goes_up_ends_there() -> No
     )  # fmt: skip
     goes = comes.model_copy(update={"shot_id": 2})
     view = AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=(comes, goes))
-    first, second = AnimatorRules().propose(view).shots
+    first, second = RulesAnimator().propose(view).shots
     assert math.dist(first.blocking[0].start.location, STAIRS.location) < 0.3
     assert math.dist(first.blocking[0].end.location, STAIRS.location) > 1.0
     assert math.dist(second.blocking[0].end.location, STAIRS.location) < 0.3

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from test_animator import ASSETS, PLAN, SIZE
 
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView, ShotStaging
+from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator, ShotStaging
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout, LayoutObject
@@ -47,7 +47,7 @@ def _staged(motion: str, state: BodyState | None = None, end: BodyState | None =
         duration=120,
     )
     view = AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=(*ASSETS, *THINGS), shots=(shot,))
-    return AnimatorRules().propose(view).shots[0]
+    return RulesAnimator().propose(view).shots[0]
 
 
 def _done(shot: ShotStaging) -> list[tuple[str, str | None]]:

@@ -19,7 +19,7 @@ from tests.unit.agents.visual_effects_artist.test_animator import (
     _view,
 )
 
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules, ShotStaging
+from storyblender.agents.visual_effects_artist.animator import RulesAnimator, ShotStaging
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.floor import Floor
@@ -62,7 +62,7 @@ def test_who_has_more_to_do_steps_back_from_an_embrace_first() -> None:
 def _with_luggage(*shots: ShotContext) -> tuple[ShotStaging, ...]:
     luggage = (_thing("crate", (0.5, 0.4, 0.3)), _thing("lamp", (0.1, 0.1, 0.3)))
     view = _view(*shots)
-    return AnimatorRules().propose(view.model_copy(update={"assets": (*luggage, *ASSETS)})).shots
+    return RulesAnimator().propose(view.model_copy(update={"assets": (*luggage, *ASSETS)})).shots
 
 
 @pytest.mark.parametrize("motion", ["hug", "dance"])

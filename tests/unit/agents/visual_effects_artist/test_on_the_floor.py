@@ -20,7 +20,7 @@ from tests.unit.agents.visual_effects_artist.test_animator import (
     _view,
 )
 
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules
+from storyblender.agents.visual_effects_artist.animator import RulesAnimator
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.on_the_floor import SPANS, room_for
 from storyblender.geometry.boxes import turn_between
@@ -86,7 +86,7 @@ def test_who_sits_on_a_parcel_sits_on_its_edge() -> None:
     layout = LAYOUT.model_copy(update={"objects": (*LAYOUT.objects, _at("parcel", 0.0, -1.5))})
     view = _view(_shot(1, states=(BodyState(asset_id="rick", posture="sit", support_id="parcel"),)))
     view = view.model_copy(update={"assets": (parcel, *ASSETS), "layout": layout})
-    (shot,) = AnimatorRules().propose(view).shots
+    (shot,) = RulesAnimator().propose(view).shots
     mark = _start(shot, "rick")
     assert (mark.posture, mark.support_id) == ("sit", "parcel")
     assert mark.location[:2] == pytest.approx((0.0, -1.675))
@@ -109,7 +109,7 @@ def test_who_sits_goes_to_the_far_table_that_they_put_something_on() -> None:
     layout = LAYOUT.model_copy(update={"objects": (*LAYOUT.objects, _at("stool", -3.0, -2.4))})
     put = _do("rick", "put_down", target_id="table", prop_id="letter")
     view = _view(_shot(1, put, states=(far,), seconds=12))
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (stool, *ASSETS), "layout": layout})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": (stool, *ASSETS), "layout": layout})).shots
     assert _cues(shot, "rick")[:2] == ["rise", "walk"]
     down = next(cue for cue in shot.cues if cue.clip == "put_down")
     assert down.mark is not None
@@ -123,7 +123,7 @@ def test_who_sits_puts_nothing_on_a_bar_behind_them() -> None:
     layout = LAYOUT.model_copy(update={"objects": (*objects, _at("bar", -1.95, 1.0, 90))})
     sits = BodyState(asset_id="rick", posture="sit", support_id="chair_l", held=("letter",))
     view = _view(_shot(1, _do("rick", "put_down", prop_id="letter"), states=(sits,), seconds=6))
-    (shot,) = AnimatorRules().propose(view.model_copy(update={"assets": (bar, *ASSETS), "layout": layout})).shots
+    (shot,) = RulesAnimator().propose(view.model_copy(update={"assets": (bar, *ASSETS), "layout": layout})).shots
     down = next(cue for cue in shot.cues if cue.clip == "put_down")
     assert down.mark is not None
     assert down.mark.location[2] < 1.0
@@ -138,6 +138,6 @@ def test_nobody_takes_the_seat_of_who_is_found_there_later() -> None:
         _shot(2, states=(sits,)),
     )
     view = _view(*shots).model_copy(update={"layout": layout})
-    first, second = AnimatorRules().propose(view).shots
+    first, second = RulesAnimator().propose(view).shots
     assert _end(first, "rick").support_id == "chair_r"
     assert _start(second, "ilsa").support_id == "chair_l"

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
+from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
 from storyblender.geometry.seating import seats_of
@@ -92,7 +92,7 @@ def _shot(*states: BodyState, number: int = 1, **fields: object) -> ShotContext:
 
 def _played(*shots: ShotContext) -> tuple[list[dict[str, Blocking]], list[tuple[PropState, ...]]]:
     view = AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=shots)
-    draft = AnimatorRules().propose(view)
+    draft = RulesAnimator().propose(view)
     return [{b.start.asset_id: b for b in shot.blocking} for shot in draft.shots], [s.prop_states for s in draft.shots]
 
 

@@ -1,0 +1,166 @@
+"""The Director as a role that reflects: first the reading of the script, then its shots, each with a computed critic.
+
+The rules' own drafts pass as they are; a language model's are held to the same list: ids exist, each unit of the script
+is covered once and in order, speakers are on stage or marked off screen, written camera directions are obeyed, motions
+and places come from the vocabulary.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from storyblender.agents.director.breakdown import storyboard
+from storyblender.agents.director.directions import attach_notes
+from storyblender.agents.director.places_by_meaning import place_by_meaning
+from storyblender.agents.director.reader.reader import read_script
+from storyblender.agents.director.reading import Reading, Unit
+from storyblender.agents.director.reading_file import people_of, things_of
+from storyblender.agents.director.settings import DirectorSettings
+from storyblender.catalog.motions import CLIP_OF, MOTIONS
+from storyblender.catalog.sets import SETS
+from storyblender.memory.base import shot_name
+from storyblender.memory.graph import Storyboard
+from storyblender.memory.outline import ScriptLine
+from storyblender.ports import Embedder
+from storyblender.reflection import Critique, Fault
+from storyblender.screenplay.model import Screenplay
+
+
+class RulesDirector:
+    """Reads a script by rules.
+
+    Args:
+        embedder: Likeness of meaning, for places that no word list knows; loaded only then.
+    """
+
+    def __init__(self, embedder: Callable[[], Embedder]) -> None:
+        self._embedder = embedder
+
+    def propose(self, view: Screenplay) -> Reading:
+        """Return the reading of a script."""
+        reading = read_script(view)
+        place_by_meaning(reading, self._embedder)
+        return reading
+
+    def refine(self, draft: Reading, critique: Critique, view: Screenplay) -> Reading:
+        """Return the draft: rules read a script in one way only."""
+        return draft
+
+
+class ReadingCritic:
+    """Checks a reading against the script, its own ids and the vocabulary."""
+
+    def judge(self, draft: Reading, view: Screenplay) -> Critique:
+        """Score ten less one for each unit or element that is wrong."""
+        return Critique.of((*_uncovered(draft, view), *(fault for unit in _numbered(draft) for fault in unit)))
+
+
+def _uncovered(reading: Reading, script: Screenplay) -> Iterator[Fault]:
+    """Yield lines of action and speech of the script that no unit has, and units that are out of order."""
+    covered = {unit.element for unit in reading.units}
+    first = min((scene.start for scene in reading.scenes), default=0)
+    for index, element in enumerate(script.elements):
+        told = element.kind in ("action", "dialogue") and element.text.strip() and element.start >= first
+        if told and index not in covered:
+            yield Fault(kind="uncovered", subject=f"line {element.line}", message=f"no unit has line {element.line}")
+    places = [(unit.scene, unit.start) for unit in reading.units]
+    for number, (before, after) in enumerate(itertools.pairwise(places), start=2):
+        if after < before:
+            yield Fault(kind="order", subject=f"unit {number}", message=f"unit {number} comes before the one above it")
+
+
+def _numbered(reading: Reading) -> Iterator[Iterator[Fault]]:
+    people = {person.id for person in reading.people}
+    known = people | {thing.id for thing in reading.things}
+    for number, unit in enumerate(reading.units, start=1):
+        yield _faults_of_unit(f"unit {number}", unit, reading, people, known)
+
+
+def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], known: set[str]) -> Iterator[Fault]:
+    for kind, ids, there in (("person", people_of(unit), people), ("thing", things_of(unit), known)):
+        for each in dict.fromkeys(ids):
+            if each not in there:
+                yield Fault(kind="unknown_id", subject=name, message=f"{name} names {each!r}: there is no such {kind}")
+    for motion in (*unit.activities.values(), *(deed.motion for deed in unit.deeds)):
+        if motion and motion not in CLIP_OF and motion not in MOTIONS:
+            yield Fault(kind="vocabulary", subject=name, message=f"{name} has the motion {motion!r}: there is none")
+    kit = reading.scenes[unit.scene].kit
+    if kit and kit not in SETS:
+        yield Fault(kind="vocabulary", subject=name, message=f"{name} plays in the kit {kit!r}: there is none")
+    if unit.speaker is not None and unit.speaker not in unit.on_stage and not unit.off_screen:
+        message = f"{unit.speaker} speaks in {name}, and is neither on stage nor marked off screen"
+        yield Fault(kind="speaker", subject=name, message=message)
+
+
+@dataclass(frozen=True)
+class ShotsView:
+    """What the Director sees when cutting a script into shots.
+
+    Attributes:
+        reading: What the script says.
+        settings: How finely to cut.
+    """
+
+    reading: Reading
+    settings: DirectorSettings
+
+
+class RulesShotDirector:
+    """Cuts a script into shots by rules."""
+
+    def propose(self, view: ShotsView) -> Storyboard:
+        """Return the storyboard."""
+        return storyboard(view.reading, view.settings)
+
+    def refine(self, draft: Storyboard, critique: Critique, view: ShotsView) -> Storyboard:
+        """Return the draft: rules cut a script in one way only."""
+        return draft
+
+
+class ShotsCritic:
+    """Checks that the shots cover the script once and in order, show who speaks and obey written directions."""
+
+    def judge(self, draft: Storyboard, view: ShotsView) -> Critique:
+        """Score ten less one for each fault."""
+        return Critique.of((*_lost_words(draft, view.reading), *_unheard(draft), *_disobeyed(draft, view.reading)))
+
+
+def _lines(board: Storyboard) -> Iterator[tuple[str, ScriptLine]]:
+    for scene in board.storyboard_outline:
+        for shot in scene.shots:
+            for line in shot.lines:
+                yield shot_name(scene.scene_id, shot.shot_id), line
+
+
+def _lost_words(board: Storyboard, reading: Reading) -> Iterator[Fault]:
+    """Yield units of the script that no shot covers."""
+    spans = sorted((line.span.start, line.span.end) for _, line in _lines(board))
+    for number, unit in enumerate(reading.units, start=1):
+        told = unit.kind in ("action", "dialogue")
+        if told and not any(start < unit.end and unit.start < end for start, end in spans):
+            yield Fault(kind="uncovered", subject=f"unit {number}", message=f"no shot covers unit {number}")
+
+
+def _unheard(board: Storyboard) -> Iterator[Fault]:
+    """Yield speakers who are neither on stage nor marked off screen."""
+    on_stage = {shot_name(shot.scene_id, shot.shot_id): shot.on_stage for shot in board.shot_details}
+    for name, line in _lines(board):
+        if line.speaker is not None and line.speaker not in on_stage[name] and not line.off_screen:
+            message = f"{line.speaker} speaks in {name}, and is neither on stage nor marked off screen"
+            yield Fault(kind="speaker", subject=name, message=message)
+
+
+def _disobeyed(board: Storyboard, reading: Reading) -> Iterator[Fault]:
+    """Yield sizes and angles that the script asks for and no shot of those words has."""
+    cameras = {shot_name(shot.scene_id, shot.shot_id): shot.camera_instruction for shot in board.shot_details}
+    lines = list(_lines(board))
+    for index, note in attach_notes(reading).items():
+        unit = reading.units[index]
+        shots = {name for name, line in lines if line.span.start < unit.end and unit.start < line.span.end}
+        for field in ("size", "angle"):
+            asked = getattr(note, field)
+            if asked and shots and not any(cameras[name].model_dump()[field] == asked for name in shots):
+                message = f"the script asks for {field} {asked} in unit {index + 1}"
+                yield Fault(kind="direction", subject=sorted(shots)[0], message=message)
