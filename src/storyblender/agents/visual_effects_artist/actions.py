@@ -49,7 +49,7 @@ class Actions:
 
     def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""
-        prop = self.deeds.prop_of(action)
+        prop = self.deeds.prop_of(action, person)
         motion, partner = self.deeds.with_whom(action, person, prop)
         if person.entering and not person.acted and self.company.opens_a_door(action):
             return  # the door swings for who comes in

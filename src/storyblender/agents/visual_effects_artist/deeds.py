@@ -13,6 +13,7 @@ from storyblender.memory.shot_context import BodyState, CharacterAction
 
 WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
 """What is done with somebody instead of something."""
+CALL = "phone"
 LIGHTER = 0.82
 """Share of one's own stature up to which one lifts somebody."""
 BLOWS = frozenset({"hit", "punch", "slap"})
@@ -36,8 +37,14 @@ class Deeds:
     def __init__(self, company: Company, ends: Mapping[str, BodyState]) -> None:
         self.company, self.ends = company, ends
 
-    def prop_of(self, action: CharacterAction) -> str | None:
-        """Return the thing an action handles, if it is one that can be carried: a lamp post stays where it stands."""
+    def prop_of(self, action: CharacterAction, person: Person) -> str | None:
+        """Return the thing an action handles, if it is one that can be carried: a lamp post stays where it stands.
+
+        A call is on the phone in the hand.
+        """
+        held = next(iter(person.held.values()), None) if clip_of(action.motion).key == CALL else None
+        if held is not None and action.prop_id is None:
+            return held
         prop, thing = self.company.prop_of(action), self.company.floor.thing(action.target_id)
         stands_fast = thing is not None and thing.size[2] > TALL
         return None if prop != action.prop_id and stands_fast else prop

@@ -10,6 +10,7 @@ from storyblender.agents.visual_effects_artist.actions import Actions
 from storyblender.agents.visual_effects_artist.bearing import Bearing, lasting
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
+from storyblender.agents.visual_effects_artist.deeds import CALL
 from storyblender.agents.visual_effects_artist.fallen import Fallen
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.menagerie import Menagerie
@@ -78,7 +79,8 @@ class Rehearsal:
             self.fallen.lay(shot, standing, company.lying),
         )
         ends = {state.asset_id: state for state in shot.end_states}
-        actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet)
+        calling = {state.asset_id for state in shot.states if state.activity == CALL}
+        actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet, calling)
         seconds = speeches.seconds(shot, lines)
         began = sheet.clock
         for number, action in enumerate(shot.character_actions):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
@@ -30,10 +30,11 @@ class Speeches:
     Args:
         company: People and props.
         sheet: Where the cues go.
+        calling: Who is on the phone: what they say is for nobody near, unless the script says so.
     """
 
-    def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet = company, sheet
+    def __init__(self, company: Company, sheet: CueSheet, calling: Collection[str] = ()) -> None:
+        self.company, self.sheet, self.calling = company, sheet, calling
 
     def seconds(self, shot: ShotContext, lines: Sequence[ScriptLine]) -> dict[int, float]:
         """Return the length of every spoken action: its words, fitted into the shot."""
@@ -61,7 +62,8 @@ class Speeches:
         partner = self.company.people.get(action.target_id or "")
         others = [p for p in cast if p is not person and p.posture != "asleep"]
         if partner is None or not partner.present or partner is person:
-            partner = min(others, key=lambda p: math.dist(p.place, person.place), default=None)
+            nearest = min(others, key=lambda p: math.dist(p.place, person.place), default=None)
+            partner = None if person.asset_id in self.calling else nearest
         walking = person.busy
         start = max(self.sheet.clock, walking - 0.8 if person.upright else walking)
         turned = walking

@@ -96,3 +96,18 @@ def test_who_floats_swims_where_they_are_and_does_not_stand_up() -> None:
     clips = [clip for clip, _ in _done(_staged("crawl", BodyState(asset_id="rick", posture="float")))]
     assert "float" in clips
     assert "rise" not in clips
+
+
+@pytest.mark.parametrize("motion", ["phone", "talk"])
+def test_a_call_is_on_the_phone_in_the_hand_and_words_do_not_take_it_down(motion: str) -> None:
+    state = BodyState(asset_id="rick", held=("key",), activity="phone")
+    calls = [cue for cue in _staged(motion, state).cues if cue.clip == "phone"]
+    assert [cue.prop_id for cue in calls] == ["key"]
+    assert all(cue.lasting for cue in calls)
+
+
+def test_words_into_a_phone_are_for_nobody_who_stands_near() -> None:
+    state = BodyState(asset_id="rick", held=("key",), activity="phone")
+    assert ("talk", "ilsa") in _done(_staged("talk"))
+    assert ("talk", "ilsa") not in _done(_staged("talk", state))
+    assert ("talk", "ilsa") in _done(_staged("talk", state, target_id="ilsa"))

@@ -134,7 +134,6 @@ def _say(stage: Stage, speaker: Person, speech: Speech, prose: bool, at: int) ->
     told = [d for d in unit.deeds if d.motion in _SAYING or (d.actor == speaker.id and d.motion == said_already)]
     named = next((stage.person(d.target or "") for d in told if d.actor == speaker.id and d.target), None)
     called = speaker.id in stage.calls and not _TO.match(speech.parenthetical.lower())
-    manner = "phone" if called and manner == "talk" else manner
     listener = None if device or called else named or _listener(stage, speaker, speech, prose)
     if device and not called:
         thing = stage.inventory.id_of(device.group(1), at)

@@ -121,3 +121,8 @@ def test_a_phone_is_what_the_age_of_the_story_has(read_scene: Read) -> None:
 def test_who_is_seen_at_another_place_has_hung_up() -> None:
     page = "INT. HALL - DAY\n\nJO is on the phone.\n\nEXT. BEACH - LATER\n\nJo swims.\n"
     assert not in_call(read_script(read(page)), -1)
+
+
+def test_what_is_said_in_a_call_is_talk_with_the_phone_at_the_ear() -> None:
+    unit = next(unit for unit in read_script(read(INTERCUT)).units if unit.text == "At work.")
+    assert [(deed.actor, deed.motion) for deed in unit.deeds] == [("sam", "talk")]
