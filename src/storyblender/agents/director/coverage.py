@@ -16,7 +16,6 @@ from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import action_seconds, speech_seconds, word_count
 from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
-from storyblender.agents.director.pictures import BESIDE, add_to_picture, begin_picture, spoken_picture
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
 from storyblender.memory.vocabulary import ShotKind, ShotSize
 
@@ -30,6 +29,9 @@ _ESTABLISHED: Final = 7.0
 """An establishing shot takes in what follows in its paragraph up to this many seconds."""
 _TOGETHER: Final = 5
 """No more faces than this in one group."""
+
+BESIDE = frozenset({"title", "sound", "aside"})
+"""Kinds of units that get no shot of their own."""
 
 
 class Coverage:
@@ -84,14 +86,15 @@ class _SceneCoverage:
         self.talkers = {each for unit in units if unit.kind == "dialogue" for each in (unit.speaker, unit.to)}
         self.axes: dict[frozenset[str], tuple[str, str]] = {}
         self.waiting: list[Unit] = []
-        """On-screen text and asides before the first shot."""
+        """On-screen text and asides before the first shot of the scene or of a picture."""
 
     def shots(self) -> list[ShotDraft]:
         for index, unit in enumerate(self.units):
             note = self.notes.get(index)
-            if unit.picture is not None:
-                self._in_picture(index, unit, note)
-            elif unit.kind in BESIDE:
+            if self.waiting and self.waiting[0].picture not in (None, unit.picture):
+                self._show_waiting()
+            before = len(self.drafts)
+            if unit.kind in BESIDE:
                 self._beside(unit)
             elif note:
                 self._directed(index, unit, note)
@@ -100,9 +103,11 @@ class _SceneCoverage:
             else:
                 self.awaiting = None
                 self._covered(index, unit)
-        if not self.drafts:
-            self._add("establishing", self._widest, [])
-        self.drafts[0].beats[:0] = [Beat.whole(unit) for unit in self.waiting]
+            if self.waiting and len(self.drafts) > before:
+                self.drafts[before].beats[:0] = [Beat.whole(each) for each in self.waiting]
+                self.waiting = []
+        if self.waiting or not self.drafts:
+            self._show_waiting()
         for draft in self.drafts:
             if draft.kind == "action" and not draft.focus:
                 draft.look_at(*draft.on_stage[:2])
@@ -115,26 +120,17 @@ class _SceneCoverage:
             self._speech(index, unit)
 
     def _beside(self, unit: Unit) -> None:
-        """Attach on-screen text, a sound or an aside to the shot before, or to the first shot."""
-        if self._last and self._last.beats:
+        """Attach on-screen text, a sound or an aside to the shot before, or to the first of the scene or picture."""
+        if self._last and self._last.beats and unit.picture in (None, self._last.picture):
             self._last.beats.append(Beat.whole(unit))
         else:
             self.waiting.append(unit)
 
-    def _in_picture(self, index: int, unit: Unit, note: CameraNote | None) -> None:
-        """A panel, an item of a series or a row is one shot with everything in it."""
-        last = self._last
-        if last is not None and last.picture == unit.picture:
-            add_to_picture(last, unit, self.names.people)
-            return
-        self.establish, self.awaiting = False, None
-        if note:
-            draft = directed_shot(unit, note, self.names, size_of({deed.motion for deed in unit.deeds}), last)
-        elif unit.kind == "action":
-            draft = self._action_shots(index, unit, {deed.motion for deed in unit.deeds})[0]
-        else:
-            draft = spoken_picture(unit, self._widest)
-        self.drafts.append(begin_picture(draft, unit))
+    def _show_waiting(self) -> None:
+        """Give on-screen text and the like a shot of the place, where there is nothing else in a scene or picture."""
+        draft = self._add("action" if self.drafts else "establishing", self._widest, [], *self.waiting)
+        draft.look_at(*draft.on_stage[:2])
+        self.waiting = []
 
     @property
     def _widest(self) -> ShotSize:
@@ -185,7 +181,7 @@ class _SceneCoverage:
         if shot is None:
             return False
         under = shot.beats[1:]
-        if shot.panel != unit.panel:
+        if shot.picture != unit.picture:
             return False
         if under:
             return under[0].unit.element == unit.element and self._shows(shot, unit)
@@ -284,7 +280,7 @@ class _SceneCoverage:
             or not last.beats
             or last.kind not in ("establishing", "action", "reaction", "group")
             or (last.strong and new.strong)
-            or last.panel != new.panel
+            or last.picture != new.picture
         ):
             return False
         unit, before = new.beats[0].unit, last.beats[-1].unit
@@ -358,7 +354,7 @@ class _SceneCoverage:
         seen = [person for draft in reversed(self.drafts) for person in draft.focus if person in listeners]
         acting = next(iter([*seen, *listeners]), None)
         held = last and not last.explicit and last.focus[:1] == ([acting] if acting else []) and last.beats
-        if last and held and last.panel == unit.panel:
+        if last and held and last.picture == unit.picture:
             seconds = speech_seconds(unit.text) + sum(action_seconds(beat.unit.text) for beat in last.beats)
             if seconds <= _JOINED:
                 last.beats.append(Beat.whole(unit))
@@ -370,7 +366,7 @@ class _SceneCoverage:
         last = self._last
         if not last or last.explicit or not last.beats or last.beats[-1].unit.kind != "dialogue":
             return False
-        if last.panel != unit.panel:
+        if last.picture != unit.picture:
             return False
         before = last.beats[-1].unit
         if unit.dual and before.speaker in unit.on_stage:
@@ -392,7 +388,7 @@ class _SceneCoverage:
 
     def _cut_to_listener(self, draft: ShotDraft, unit: Unit, listener: str | None) -> None:
         """Give the second half of a long speech to the one who hears it."""
-        long = listener and word_count(unit.text) > _SPEECH and unit.panel is None
+        long = listener and word_count(unit.text) > _SPEECH and unit.picture is None
         if not long or (cut := middle_of_speech(self.text, unit)) is None:
             return
         draft.beats = [Beat(unit, unit.start, cut[0])]

@@ -49,13 +49,10 @@ class ShotDraft:
     before: Unit | None = None
     """The unit that begins when it ends, where it has no line of its own: a thing it shows is in that hand already."""
 
-    picture: int | None = None
-    """Number of the panel, series item or table row that this shot draws."""
-
     @property
     def explicit(self) -> bool:
-        """Whether it is a picture of its own: a direction asks for it, or the script numbers it."""
-        return self.note is not None or self.picture is not None
+        """Whether it is a picture of its own: a direction asks for it."""
+        return self.note is not None
 
     @property
     def ordered(self) -> bool:
@@ -63,9 +60,9 @@ class ShotDraft:
         return self.note is not None and bool(self.note.phrase)
 
     @property
-    def panel(self) -> int | None:
-        """The panel number from the script or from a corrected reading."""
-        return self.beats[0].unit.panel if self.beats else None
+    def picture(self) -> int | None:
+        """Number of the panel, series item or table row that it draws, or of a careful reading's picture."""
+        return self.beats[0].unit.picture if self.beats else None
 
     @property
     def speech(self) -> bool:

@@ -30,7 +30,7 @@ def economise(
         settings: Target and longest shot.
     """
     scene = _Economy(list(drafts), people, text, settings)
-    scene.panels()
+    scene.pictures()
     if settings.shots_per_scene is None:
         return scene.drafts
     for give_up in (scene.inserts, scene.split_speeches, scene.reactions, scene.talk, scene.actor, scene.neighbours):
@@ -48,16 +48,16 @@ class _Economy:
         self.settings = settings
         self.target = settings.shots_per_scene or 0
 
-    def panels(self) -> None:
-        """Merge the units of each given panel into one shot, and drop units without lines between panels."""
-        if not any(draft.panel is not None for draft in self.drafts):
+    def pictures(self) -> None:
+        """Merge the units of each numbered picture into one shot, and drop shots without lines between pictures."""
+        if not any(draft.picture is not None for draft in self.drafts):
             return
         kept: list[ShotDraft] = []
         for index, draft in enumerate(self.drafts):
-            following = next((later.panel for later in self.drafts[index:] if later.beats), None)
+            following = next((later.picture for later in self.drafts[index:] if later.beats), None)
             if not draft.beats and not draft.explicit and following is not None:
                 continue
-            if kept and draft.panel is not None and kept[-1].panel == draft.panel:
+            if kept and draft.picture is not None and kept[-1].picture == draft.picture:
                 self._join(kept[-1], draft)
             else:
                 kept.append(draft)
@@ -169,7 +169,7 @@ class _Economy:
 
     def _may_share(self, a: ShotDraft, b: ShotDraft) -> bool:
         """Whether neighbours are short enough together, and only one of them wants a picture of its own."""
-        ordered = a.explicit or b.explicit or (a.strong and b.strong) or a.panel is not None or b.panel is not None
+        ordered = a.explicit or b.explicit or (a.strong and b.strong) or a.picture is not None or b.picture is not None
         return not ordered and bool(a.beats and b.beats) and self._seconds(a, b) <= self._limit(a, b)
 
     def _limit(self, a: ShotDraft, b: ShotDraft) -> float:

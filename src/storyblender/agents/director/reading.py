@@ -162,8 +162,9 @@ class Unit(Facts):
     """Who is led or tied, and by whom or to what, during this unit."""
     moment: Moment | None = None
     """The moment of the unit that a panel shows; None lets the crew choose."""
-    panel: int | None = None
-    """Units with the same number share one shot, units with another never do; None lets the crew choose."""
+    picture: int | None = None
+    """Panel, item of a series of shots or row of two columns, or a picture that a person numbered: units with the same
+    number share one shot, units with another never do; None lets the crew choose."""
     speaker: str | None = None
     speaker_name: str = ""
     to: str | None = None
@@ -172,8 +173,6 @@ class Unit(Facts):
     off_screen: bool = False
     """V.O., O.S., O.C. or not on stage."""
     dual: bool = False
-    picture: int | None = None
-    """Number of its panel, series item or two-column row: units with the same number share exactly one shot."""
 
 
 @dataclass

@@ -13,9 +13,9 @@ from bisect import bisect_right
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, get_args
+from typing import Annotated, Any, get_args
 
-from pydantic import Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
 from storyblender.agents.director.fixtures import telling_ids
 from storyblender.agents.director.place_runs import in_story_order
@@ -29,7 +29,8 @@ from storyblender.memory.shot_context import Flag
 from storyblender.memory.vocabulary import Angle, CameraDirection, GazeDirection, Movement, ShotSize
 from storyblender.screenplay.model import Screenplay
 
-READING_VERSION = 1
+READING_VERSION = 2
+"""2: the ``panel`` and the ``picture`` of a unit are one."""
 _CAMERA_WORDS: dict[str, frozenset[str]] = {
     "size": frozenset(get_args(ShotSize)),
     "angle": frozenset(get_args(Angle)),
@@ -65,6 +66,24 @@ class ReadingFile(Frozen):
     scenes: tuple[WrittenScene, ...] = ()
     units: tuple[WrittenUnit, ...] = ()
     flags: tuple[Flag, ...] = ()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _upgraded(cls, plain: dict[str, Any]) -> dict[str, Any]:
+        """Return a file of an earlier version as this version writes it; what is no reading is left to be refused."""
+        if not isinstance(plain, dict) or plain.get("reading_version") != 1:
+            return plain
+        units = [_one_picture(unit) for unit in plain.get("units", ())]
+        return plain | {"reading_version": READING_VERSION, "units": units}
+
+
+def _one_picture(written: Any) -> Any:
+    """Return a unit of version 1 with its panel as its picture."""
+    unit = written.get("unit") if isinstance(written, dict) else None
+    if not isinstance(unit, dict) or unit.get("panel") is None:
+        return written
+    told = {key: value for key, value in unit.items() if key != "panel"}
+    return written | {"unit": told | {"picture": unit["panel"]}}
 
 
 def write_reading(reading: Reading) -> str:

@@ -102,3 +102,15 @@ def test_every_field_is_documented() -> None:
     assert not [
         f"{kind.__name__}.{each.name}" for kind in kinds for each in fields(kind) if f"`{each.name}`" not in page
     ]
+
+
+def test_a_file_of_version_1_has_its_panels_as_pictures(
+    plain: dict[str, Any], screenplay: Screenplay, tmp_path: Path
+) -> None:
+    for each in plain["units"]:
+        each["unit"] |= {"panel": each["number"] // 3, "picture": 99}
+    with pytest.raises(InputError, match="panel"):
+        read(plain, screenplay, tmp_path)
+    plain["reading_version"] = 1
+    units = read(plain, screenplay, tmp_path).units
+    assert [unit.picture for unit in units] == [number // 3 for number in range(1, len(units) + 1)]

@@ -76,14 +76,14 @@ def test_facts_without_a_deed_hold_from_the_first_frame_and_stay_until_they_chan
     assert _state(last, "orla").expression == "angry"
 
 
-def test_units_of_one_panel_share_a_shot_and_others_never_do() -> None:
+def test_units_of_one_picture_share_a_shot_and_others_never_do() -> None:
     reading = _reading()
     for number, unit in enumerate(reading.units):
-        unit.panel = number // 2
+        unit.picture = number // 2
     for shots in (1, 4, None):
         outline = _plan(reading, shots).storyboard_outline[0]
         covered = [{line.text for line in shot.lines} for shot in outline.shots]
-        expected = [{unit.text for unit in reading.units if unit.panel == panel} for panel in range(len(covered))]
+        expected = [{unit.text for unit in reading.units if unit.picture == picture} for picture in range(len(covered))]
         assert covered == expected
 
 
@@ -107,3 +107,14 @@ def test_moment_tethers_absent_things_and_the_set_are_told() -> None:
 )
 def test_words_for_a_face_become_one_of_the_sixteen(words: str, expression: str) -> None:
     assert expression_of(words) == expression
+
+
+def test_a_caption_at_the_start_of_a_picture_goes_with_it() -> None:
+    reading = _reading()
+    for number, unit in enumerate(reading.units):
+        unit.picture = number // 2
+    for unit in reading.units[2:5:2]:
+        unit.kind = "title"
+    covered = [{line.text for line in shot.lines} for shot in _plan(reading).storyboard_outline[0].shots]
+    expected = [{unit.text for unit in reading.units if unit.picture == picture} for picture in range(len(covered))]
+    assert covered == expected
