@@ -2,17 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.motions import MOTIONS, clip_of
+from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import BodyState, Cue, Mark, ShotContext
 from storyblender.memory.vocabulary import GazeDirection, Hand
 
 QUIET = frozenset({"talk", "whisper", "shout", "listen", "look", "idle", "face", "nod", "shake_head", "laugh"})
 """Motions that leave the hands free."""
+ATTENDING = frozenset({"listen", "look", "idle", "face", "turn", "laugh"})
+"""Motions of who has no deed in a shot and says nothing."""
+MANNERS: Mapping[str, tuple[str, ...]] = {
+    "angry": ("hands_on_hips", "cross_arms"),
+    "rage": ("hands_on_hips",),
+    "suspicious": ("cross_arms", "hands_on_hips"),
+    "afraid": ("wring_hands", "hug_self"),
+    "terrified": ("heart",),
+    "surprised": ("cover_mouth", ""),
+    "thoughtful": ("think",),
+    "cry": ("cry",),
+}
+"""Expression -> what empty hands do meanwhile, as it is somebody's habit; an empty name leaves them as they are."""
+SEATED: Mapping[str, str] = {"hands_on_hips": "cross_arms"}
+"""What who sits does instead."""
 CARRIED_ON = frozenset({"phone", "drive", "row"})
 """Activities that speech does not end: they continue in the next shot."""
 SIDES: tuple[Hand, ...] = ("R", "L")
@@ -57,7 +73,18 @@ class Bearing:
         activity = self._activity(person, state)
         if activity:
             found.append(self._going_on(person, state, activity))
+        elif manner := self._manner(person, state):
+            found.append(Cue(asset_id=person.asset_id, clip=manner, start=0, lasting=True))
         return found
+
+    def _manner(self, person: Person, state: BodyState) -> str:
+        """Return what the hands of somebody without a deed say of their mood; empty where they hold something."""
+        busy = any(cue.asset_id == person.asset_id and cue.clip not in ATTENDING for cue in self.sheet.cues)
+        habits = MANNERS.get(state.expression, ())
+        if busy or not habits or person.held or person.posture not in ("stand", "sit"):
+            return ""
+        habit = habits[int(content_hash(person.asset_id), 16) % len(habits)]
+        return SEATED.get(habit, habit) if person.posture == "sit" else habit
 
     def _off_screen(self, person: Person, gaze: GazeDirection) -> Mark:
         """Return the point of a person's gaze, in left and right as the audience sees it."""

@@ -25,7 +25,7 @@ SIGNS: tuple[Act, ...] = (
     )),
     Act("cover_mouth", "cover the mouth", ("gasp", "hand to mouth"), (
         Key(0.4, 1.4, lead=at.MOUTH, spine=(-3, 0, 0), face="surprised"),
-    )),
+    ), stays=True),
     Act("cover_face", "cover the face", ("hide the face", "face in hands"), (
         Key(0.6, 1.4, lead=at.FACE, far=at.FACE, spine=(12, 0, 0), nod=(22, 0, 0), face="cry"),
     )),
@@ -126,7 +126,8 @@ SIGNS: tuple[Act, ...] = (
         Key(0.5, 1.6, lead=at.HIP, far=at.HIP, spine=(-3, 0, 0)),
     ), stays=True),
     Act("hands_in_pockets", "hands in the pockets", (), (Key(0.6, 1.6, lead=at.POCKET, far=at.POCKET),), stays=True),
-    Act("heart", "hand on the heart", ("swear", "touched", "moved"), (Key(0.5, 1.5, lead=at.HEART, nod=(4, 4, 0)),)),
+    Act("heart", "hand on the heart", ("swear", "touched", "moved"), (Key(0.5, 1.5, lead=at.HEART, nod=(4, 4, 0)),),
+        stays=True),
     Act("clutch_chest", "clutch the chest", ("heart attack", "shot", "wounded"), (
         Key(0.3, 1.4, lead=at.HEART, far=replace(at.HEART, at=(-0.26, 0.32, -0.36)), spine=(18, 0, 0), nod=(8, 0, 0),
             hips=(0, -0.03, -0.05, 4), face="pained"),
