@@ -40,6 +40,24 @@ def test_feet_clear_the_fence_and_land_behind_it(bodies: dict[str, Body], who: s
     assert play.joint("hips", len(shot.frames) - 1).z == pytest.approx(play.joint("hips", 0).z, abs=0.03)
 
 
+@pytest.mark.parametrize("clip", ["jump", "climb"])
+@pytest.mark.parametrize("who", ["man", "girl"])
+def test_who_leaps_has_no_idle_hands(bodies: dict[str, Body], who: str, clip: str) -> None:
+    low = StageFurniture(world_at(0, 0), (0.6, 0.3, 0.3))
+    end = mark_at(who, 0, 0.6, 180)
+    over = cue_of(who, clip, 2, target_id="step", mark=end)
+    shot = perform(bodies, (mark_at(who, 0, -0.6, 180),), (over,), 4, ends=(end,), furniture={"step": low})
+    play = Playback(bodies[who], shot, who)
+    flying = max(range(len(shot.frames)), key=lambda frame: play.joint("hips", frame).z)
+    for side in "LR":
+        assert play.joint(f"hand.{side}", flying).z > play.joint("upper_chest", flying).z - 0.15
+
+    def below(frame: int) -> float:
+        return max(play.joint(f"hand.{side}", frame).z - play.joint("hips", frame).z for side in "LR")
+
+    assert below(len(shot.frames) - 1) == pytest.approx(below(0), abs=0.06), "the arms come to rest again"
+
+
 def test_a_ladder_is_climbed_up_and_one_stays_there(bodies: dict[str, Body]) -> None:
     up = cue_of("man", "climb", 2, target_id="ladder", duration=80)
     shot = perform(bodies, (mark_at("man", 0, -0.2, 180),), (up,), 4, furniture={"ladder": LADDER})

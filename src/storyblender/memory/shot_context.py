@@ -315,6 +315,8 @@ class ShotContext(Frozen):
     tethers: tuple[Tether, ...] = ()
     moment: Moment | None = None
     """Moment that the storyboard frame shows, if the script or the user sets it."""
+    moment_line: int | None = None
+    """Index into the shot's lines of the one whose actions ``moment`` is about; None if it is about the whole shot."""
     asset_modifications: tuple[AssetModification, ...] = ()
     character_actions: tuple[CharacterAction, ...] = ()
     new_lighting_description: str | None = None

@@ -20,7 +20,7 @@ from storyblender.pipeline.shooting import frame_picture
 from storyblender.pipeline.sighting import ShotSight, Sighting, nodes_of
 from storyblender.reflection import Critique, Fault
 
-CRITIC_VERSION = 4
+CRITIC_VERSION = 5
 """Raised with every change of the critic's rules: kept reviews are then redone."""
 
 
@@ -103,6 +103,7 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
             collisions=tuple(collisions),
             built=built,
             aspect=run.graph.format.aspect,
+            played=run.packs[shot.scene_id].played(shot.shot_id),
         )
     )
 

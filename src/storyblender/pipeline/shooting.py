@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
-from storyblender.agents.layout_artist.camera_scene import story_moment
+from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import FrameJob, FrameReport, Look, MotionJob
 from storyblender.memory.scene_context import Lighting

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from storyblender.agents.frame_critic.frame_view import things_to_see
 from storyblender.agents.layout_artist.camera_brief import pose_at
-from storyblender.agents.layout_artist.camera_scene import story_moment
+from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.framing import Figure, Film
 from storyblender.memory.base import Frozen, shot_name

@@ -105,6 +105,7 @@ class ShotDetails:
         on_stage = [person for person in draft.on_stage if person in self.company.actors]
         # A thing in somebody's hands is not shown without them.
         holders = [state.asset_id for state in states if draft.kind == "insert" and {*state.held} & {*draft.focus}]
+        line = max((index for index, unit in enumerate(units) if unit.moment), default=None)
         light = next((change.state for unit in fresh for change in unit.changes if change.subject == "light"), None)
         return ShotContext(
             scene_id=self.scene.id,
@@ -116,7 +117,8 @@ class ShotDetails:
             thing_spots=self._thing_spots(units),
             absent=self._absent(units),
             tethers=self._tethers(units),
-            moment=next((unit.moment for unit in reversed(units) if unit.moment), None),
+            moment=units[line].moment if line is not None else None,
+            moment_line=line if draft.beats else None,
             asset_modifications=tuple(self._modifications(fresh)),
             character_actions=tuple(self._actions(draft, on_stage)),
             new_lighting_description=light,

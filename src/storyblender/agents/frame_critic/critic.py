@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from storyblender.agents.frame_critic.doing import SENT_BACK, deeds, fault, staging
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
 from storyblender.catalog.motions import clip_of
 from storyblender.geometry.gaps import MOST_GAP, empty_middle
@@ -36,10 +37,6 @@ _PROFILE = 100.0
 """Most degrees between the face and the camera at which a face is readable."""
 _BACK = 118.0
 """Degrees between face and camera from which a person counts as seen from behind."""
-_STAGING = {"missing": 2.0, "no_path": 1.5, "no_support": 2.0, "unreachable": 0.8, "crossing": 1.5, "late": 0.8}
-"""Points lost for each kind of failed staging."""
-_TOUCHES, _INSIDE = 0.03, 0.10
-"""Metres of overlap between bodies: the least that counts, and the least that is plainly visible."""
 _MOST_APART = MOST_GAP
 """Heads between two neighbours from which a picture of people has an empty middle."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
@@ -57,7 +54,8 @@ class FrameCritic:
             *_apart(draft),
             *_backs(draft),
             *_things(draft),
-            *_staging(draft),
+            *deeds(draft),
+            *staging(draft),
             *_picture(draft),
         )
         return Critique.of(faults)
@@ -66,10 +64,6 @@ class FrameCritic:
 def verdict_of(score: float) -> Verdict:
     """Return the board's verdict for a score."""
     return "pass" if score >= PASS else "fix" if score >= REJECT else "reject"
-
-
-def _fault(kind: str, subject: str, severity: float, message: str) -> Fault:
-    return Fault(kind=kind, subject=subject, severity=round(severity, 2), message=message)
 
 
 def _people(view: FrameView) -> list[Fault]:
@@ -90,20 +84,20 @@ def _people(view: FrameView) -> list[Fault]:
         subject = view.subject(asset_id)
         least = _LEAST_PERSON[instruction.size] * (1.0 if central else 0.25)
         if subject is None or subject.pixels < _LEAST_PERSON["EWS"]:
-            found.append(_fault("person_missing", asset_id, 4.0 if central else 2.0, f"{asset_id} is not seen"))
+            found.append(fault("person_missing", asset_id, 4.0 if central else 2.0, f"{asset_id} is not seen"))
         elif subject.pixels < least or (asset_id in meant and _tiny(subject, instruction.size)):
             found.append(
-                _fault("person_small", asset_id, 2.2 if central else 1.5, f"{asset_id} is too small to be read")
+                fault("person_small", asset_id, 2.2 if central else 1.5, f"{asset_id} is too small to be read")
             )
         elif central and _beheaded(subject, instruction.size):
-            found.append(_fault("face_out", asset_id, 2.2, f"the head of {asset_id} is cut by the frame"))
+            found.append(fault("face_out", asset_id, 2.2, f"the head of {asset_id} is cut by the frame"))
         elif central and _hidden(subject) > 0.6 and subject.face_visible < 0.5:
-            found.append(_fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden(subject):.0%} hidden"))
+            found.append(fault("person_hidden", asset_id, 2.5, f"{asset_id} is {_hidden(subject):.0%} hidden"))
     others = [each for each in shot.shown if each not in main and each != instruction.pov_id]
     unseen = [each for each in others if (seen := view.subject(each)) is None or seen.pixels < _LEAST_PERSON["EWS"]]
     if not tight and unseen:
         told = ", ".join(unseen[:3])
-        found.append(_fault("people_missing", unseen[0], min(0.8 * len(unseen), 2.5), f"{told} not in the picture"))
+        found.append(fault("people_missing", unseen[0], min(0.8 * len(unseen), 2.5), f"{told} not in the picture"))
     return found
 
 
@@ -119,6 +113,12 @@ def _beheaded(subject: SubjectView, size: ShotSize) -> bool:
     """Return whether the top of the picture cuts a head in a size that shows all of it."""
     whole = SHOT_SIZES.index(size) <= SHOT_SIZES.index("MS")
     return whole and subject.face is not None and 0 < subject.face[1] < 0.45 * subject.head_height
+
+
+def _is_plain(view: FrameView, asset_id: str) -> bool:
+    """Return whether something else stands in for a thing."""
+    asset = view.assets.get(asset_id)
+    return asset is not None and asset.canonical is not None and asset.canonical.is_stand_in
 
 
 def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
@@ -148,14 +148,14 @@ def _faces(view: FrameView) -> list[Fault]:
             continue
         x, y = subject.face
         if not (0 < x < 1 and 0 < y < 1):
-            found.append(_fault("face_out", asset_id, 3.0, f"the face of {asset_id} is outside the picture"))
+            found.append(fault("face_out", asset_id, 3.0, f"the face of {asset_id} is outside the picture"))
         elif subject.face_angle > _PROFILE:
-            found.append(_fault("face_away", asset_id, 2.5, f"the face of {asset_id} is turned away"))
+            found.append(fault("face_away", asset_id, 2.5, f"the face of {asset_id} is turned away"))
         elif subject.face_visible < 0.4:
-            found.append(_fault("face_hidden", asset_id, 2.5, f"the face of {asset_id} is hidden"))
+            found.append(fault("face_hidden", asset_id, 2.5, f"the face of {asset_id} is hidden"))
     # Of two who talk past a shoulder one face is seen.
-    turned = [fault for fault in found if fault.kind == "face_away"]
-    return found if len(turned) == len(wanted) else [fault for fault in found if fault not in turned]
+    turned = [each for each in found if each.kind == "face_away"]
+    return found if len(turned) == len(wanted) else [each for each in found if each not in turned]
 
 
 def _apart(view: FrameView) -> list[Fault]:
@@ -169,7 +169,7 @@ def _apart(view: FrameView) -> list[Fault]:
     gap = empty_middle(faces, view.aspect)
     if gap < _MOST_APART:
         return []
-    return [_fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MOST_APART), 3.0), "the middle is empty")]
+    return [fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MOST_APART), 3.0), "the middle is empty")]
 
 
 def _backs(view: FrameView) -> list[Fault]:
@@ -181,7 +181,7 @@ def _backs(view: FrameView) -> list[Fault]:
     angles = [each.face_angle for each in shown if each is not None and each.node_id in view.people and each.pixels]
     if not angles or min(angles) < _BACK or _leaving(shot):
         return []
-    return [_fault("backs", instruction.focus_on_ids[0], 2.5, "everybody is seen from behind")]
+    return [fault("backs", instruction.focus_on_ids[0], 2.5, "everybody is seen from behind")]
 
 
 def _leaving(shot: ShotContext) -> bool:
@@ -207,29 +207,17 @@ def _things(view: FrameView) -> list[Fault]:
         if asset_id in view.built and not pixels:
             continue
         if focus and instruction.kind == "insert" and (pixels < _LEAST_INSERT or _slight(subject, instruction)):
-            found.append(_fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
+            found.append(fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
         elif pixels < _LEAST_THING and (focus or not tight):
-            found.append(_fault("thing_missing", asset_id, 2.5 if focus else 1.5, f"{asset_id} is not seen"))
-        elif asset.canonical is not None and asset.canonical.is_stand_in:
-            found.append(_fault("stand_in", asset_id, 2.5 if focus else 1.5, f"{asset_id} is a plain stand-in"))
-    return found
-
-
-def _staging(view: FrameView) -> list[Fault]:
-    """Report what the staging could not do of the script, and bodies that overlap."""
-    found = [
-        _fault(f"not_staged_{flag.topic}", flag.choice, 2.5, flag.reason)
-        for flag in view.shot.flags
-        if flag.topic in ("action", "deed", "motion")
-    ]
-    for flaw in view.staged:
-        if flaw.kind in _STAGING:
-            found.append(_fault(flaw.kind, flaw.subject, _STAGING[flaw.kind], flaw.message))
-    for hit in view.collisions:
-        if hit.depth > _TOUCHES:
-            severity = 2.0 if hit.depth > _INSIDE else 0.8
-            text = f"{hit.asset_id} is {100 * hit.depth:.0f} cm inside {hit.node_id}"
-            found.append(_fault("collision", hit.asset_id, severity, text))
+            found.append(fault("thing_missing", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is not seen"))
+        elif _is_plain(view, asset_id):
+            found.append(fault("stand_in", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is a plain stand-in"))
+    named = {each.subject for each in found}
+    held = dict.fromkeys(prop for state in shot.states if state.asset_id in shot.shown for prop in state.held)
+    for prop in held:
+        if prop not in named and _is_plain(view, prop):
+            found.append(fault("stand_in", prop, SENT_BACK, f"{prop}, which is in a hand, is a plain stand-in"))
+            break
     return found
 
 
@@ -238,19 +226,19 @@ def _picture(view: FrameView) -> list[Fault]:
     seen, picture, kind = view.seen, view.picture, view.shot.camera_instruction.kind
     found: list[Fault] = []
     if seen.void > _MOST_VOID:
-        found.append(_fault("void", "", 1 + 10 * (seen.void - _MOST_VOID), f"{seen.void:.0%} of the picture is empty"))
+        found.append(fault("void", "", 1 + 10 * (seen.void - _MOST_VOID), f"{seen.void:.0%} of the picture is empty"))
     masked = bool(view.shot.camera_instruction.through)
     if picture.flat > _MOST_FLAT and seen.sky < 0.3 and not masked:
         severity = 1 + 6 * (picture.flat - _MOST_FLAT)
-        found.append(_fault("flat", "", severity, f"{picture.flat:.0%} of the picture is one plain surface"))
+        found.append(fault("flat", "", severity, f"{picture.flat:.0%} of the picture is one plain surface"))
     if seen.foreground > _MOST_FOREGROUND and kind not in ("pov", "establishing", "ots"):
-        found.append(_fault("foreground", "", 2.0, f"{seen.foreground:.0%} of the picture is blocked in front"))
+        found.append(fault("foreground", "", 2.0, f"{seen.foreground:.0%} of the picture is blocked in front"))
     if picture.brightness < _DARK and not masked:
-        found.append(_fault("dark", "", 2.0, "the picture is too dark to be read"))
+        found.append(fault("dark", "", 2.0, "the picture is too dark to be read"))
     if seen.inside or seen.below_floor:
-        found.append(_fault("inside", "", 4.0, f"the camera is inside {', '.join(seen.inside) or 'the floor'}"))
+        found.append(fault("inside", "", 4.0, f"the camera is inside {', '.join(seen.inside) or 'the floor'}"))
     if view.shot.on_stage and kind not in ("insert", "establishing", "pov"):
         largest = max((subject.pixels for subject in seen.subjects), default=0.0)
         if largest < _LEAST_PERSON["EWS"]:
-            found.append(_fault("nothing", "", 5.0, "nothing that the lines are about is in the picture"))
+            found.append(fault("nothing", "", 5.0, "nothing that the lines are about is in the picture"))
     return found

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from storyblender.agents.layout_artist.story_moment import cues_of, span_of, story_moment
 from storyblender.catalog.motions import clip_of
 from storyblender.look.picture_measure import PictureMeasure
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.measure import CameraView, Collision, SubjectView
 from storyblender.memory.shot_context import CharacterAction, Flaw, ShotContext
 
 _WAITING = ("idle", "listen")
 """Motions that do not have to be visible."""
 _SPEAKING = ("talk", "whisper", "shout", "sing")
+_LOOKING = ("look", "look_up", "look_down", "look_back", "look_left", "look_right", "look_away", "look_around")
+"""Motions of head and eyes, which any frame of a shot may show."""
+_HAVING = ("hold", "take", "pick_up", "catch")
+"""Motions that are shown as well by the thing being in the hand."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +37,7 @@ class FrameView:
         collisions: Overlaps of people with things or each other in the shot.
         built: Assets that the set itself shows instead of an object, such as its own pool.
         aspect: Width of the picture by its height.
+        played: The cues of the shot as the engine played them.
     """
 
     shot: ShotContext
@@ -43,6 +50,7 @@ class FrameView:
     collisions: tuple[Collision, ...] = ()
     built: frozenset[str] = frozenset()
     aspect: float = 16 / 9
+    played: tuple[PlayedCue, ...] = ()
 
     @property
     def subjects(self) -> dict[str, SubjectView]:
@@ -59,6 +67,28 @@ class FrameView:
 def actions_to_see(shot: ShotContext) -> list[CharacterAction]:
     """Return the actions of a shot that must be visible: neither waiting nor mere talk."""
     return [action for action in shot.character_actions if clip_of(action.motion).key not in (*_WAITING, *_SPEAKING)]
+
+
+def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list[CharacterAction]:
+    """Return what the lines tell to be done and nobody does at the drawn moment; members of a group count once.
+
+    Looks do not count, nor does having what is in the hand already.
+    """
+    moment = story_moment(shot, played)
+    held = {(state.asset_id, prop) for state in shot.states for prop in state.held}
+    missed: dict[tuple[str, str], CharacterAction] = {}
+    shown: set[tuple[str, str]] = set()
+    for action in actions_to_see(shot):
+        key = clip_of(action.motion).key
+        if key in _LOOKING or (key in _HAVING and (action.asset_id, action.prop_id) in held):
+            continue
+        deed = (action.motion, action.action_description)
+        for cue in cues_of(action, shot):
+            start, length = span_of(cue, shot, played)
+            if start <= moment and (cue.lasting or moment <= start + length):
+                shown.add(deed)
+        missed.setdefault(deed, action)
+    return [action for deed, action in missed.items() if deed not in shown]
 
 
 def speakers(shot: ShotContext) -> list[str]:

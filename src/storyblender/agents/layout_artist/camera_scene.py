@@ -10,6 +10,7 @@ from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Mom
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
 from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator, side_used
 from storyblender.agents.layout_artist.layout_things import size_of
+from storyblender.agents.layout_artist.story_moment import AT_REST, story_moment
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
@@ -23,113 +24,15 @@ from storyblender.memory.shot_context import CameraState, Cue, ShotContext
 from storyblender.ports import Viewfinder
 from storyblender.trace import Listener, silent
 
-_REST = 0.55
-"""Share of its length at which a shot without action is drawn."""
-_FPS = 24
-"""Frames per second assumed for motions; other rates are near enough."""
-_OPENING = 2
-"""First frame that is past the opening of a shot."""
-_ARRIVAL = 0.95
-"""Share of a walk to a person at which it is drawn: near the goal, the face turned to them."""
-_BENT = ("pick_up", "put_down")
-"""Clips that bend the body: drawn when the face shows again, or earlier in an insert of the hand."""
 _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
 _TAKES = ("pick_up", "take", "catch")
 """Clips after which a thing is in the hand."""
-_AT_REST = ("idle", "look", "listen", "turn", "face")
-"""Clips that tell nothing by themselves."""
-_SPOKEN = ("talk", "shout", "whisper")
-"""Clips of speech."""
-_FIRST_STRESS = 1.1
-"""Seconds into a speech at which the hands of who speaks are raised; later they rest between the phrases."""
 _ANSWERS = ("single", "reaction", "ots")
 """Kinds of shots that have a reverse."""
 Faces = tuple[Vec3, Vec3]
 Moments = Callable[[ShotContext], Sequence[Moment]]
 """Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
-
-
-def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
-    """Return the frame that tells the shot: when the last of its strongest actions has reached its key pose.
-
-    The script or the user may ask for the start of the shot, or for its end: its last action at its key pose, not what
-    people do with their hands after it. A shot whose subjects do nothing shows what others do in it.
-
-    Args:
-        shot: The shot with its cues.
-        played: The cues as the engine played them; if empty, the cues' own times are used.
-    """
-    focus = set(shot.camera_instruction.focus_on_ids)
-    last = max(0, shot.duration - 1)
-    if shot.moment == "start":
-        return min(_OPENING, last)
-    done = [cue for cue in shot.cues if cue.start < last and cue.clip not in _AT_REST]
-    cues = [cue for cue in done if cue.asset_id in focus] or [cue for cue in done if cue.asset_id in shot.on_stage]
-    if not cues:
-        return last if shot.moment == "end" else round(last * _REST)
-    if shot.moment == "end":
-        cue = max(cues, key=lambda item: item.start)
-        if clip_of(cue.clip).speed is not None or clip_of(cue.clip).after is not None:
-            return last
-    else:
-        cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues, shot), item.start))
-    motion = clip_of(cue.clip)
-    together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
-    arrives = together and motion.speed is not None
-    insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
-    share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
-    start, length = _span(cue, shot, played)
-    told = round(length * share)
-    return min(last, start + (min(told, round(_FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
-
-
-def _span(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue]) -> tuple[int, int]:
-    """Return the start frame and the length in frames of a cue, without the steps and turns before it."""
-    length = _length(cue, shot)
-    name = (cue.asset_id, cue.clip, cue.start)
-    real = next((each for each in played if (each.asset_id, each.clip, each.start) == name), None)
-    if real is None:
-        return cue.start, length
-    if clip_of(cue.clip).speed is not None or cue.duration is not None:
-        return real.began, max(1, real.over - real.began)
-    return max(real.began, real.over - length), length
-
-
-def _length(cue: Cue, shot: ShotContext) -> int:
-    """Return the length of a cue in frames: its own, else until the same person's next cue."""
-    if cue.duration is not None:
-        return cue.duration
-    after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
-    until, motion = min([*after, shot.duration]) - cue.start, clip_of(cue.clip)
-    stays = motion.speed is not None or (motion.reach == "thing" and motion.after in ("sit", "lie"))
-    return until if stays else min(until, round(motion.seconds * _FPS))
-
-
-def _is_prelude(cue: Cue, cues: Sequence[Cue], shot: ShotContext) -> bool:
-    """Tell whether a cue only takes up a thing that the same person then uses, or only frees a hand for what comes."""
-    after = [each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start]
-    if cue.clip == "put_down":
-        told = (action for action in shot.character_actions if action.asset_id == cue.asset_id)
-        return bool(after) and not any(clip_of(action.motion).key == "put_down" for action in told)
-    return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in after)
-
-
-def _strength(cue: Cue, shot: ShotContext) -> int:
-    """Rank what a shot is remembered by: what people do to each other 3, a deed, a sign or a shout 2, words 1, a way 0.
-
-    What has gone on since before the shot, as somebody's playing or reading may, counts as words.
-    """
-    motion = clip_of(cue.clip)
-    if motion.speed is not None:
-        return 0
-    if cue.clip == "shout":
-        return 2
-    goes_on = cue.lasting and not cue.start
-    if goes_on or (motion.reach == "self" and motion.after is None and not motion.hands):
-        return 1
-    to_somebody = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
-    return 3 if to_somebody and motion.reach != "self" else 2
 
 
 def put_away(shot: ShotContext, frame: int) -> set[str]:
@@ -140,7 +43,7 @@ def put_away(shot: ShotContext, frame: int) -> set[str]:
     for cue in sorted(shot.cues, key=lambda cue: cue.start):
         if cue.prop_id is not None and cue.start <= frame:
             gone = gone - {cue.prop_id} | ({cue.prop_id} if cue.clip in _LEAVES else set())
-    busy = [cue for cue in shot.cues if cue.start <= frame and cue.clip not in _AT_REST]
+    busy = [cue for cue in shot.cues if cue.start <= frame and cue.clip not in AT_REST]
     last: dict[str, Cue] = {}
     for cue in sorted(busy, key=lambda cue: cue.start):
         # Who is embraced is in the embrace, whatever they did with their hands before.

@@ -118,3 +118,16 @@ def test_a_caption_at_the_start_of_a_picture_goes_with_it() -> None:
     covered = [{line.text for line in shot.lines} for shot in _plan(reading).storyboard_outline[0].shots]
     expected = [{unit.text for unit in reading.units if unit.picture == picture} for picture in range(len(covered))]
     assert covered == expected
+
+
+def test_the_moment_of_a_line_names_the_actions_of_that_line() -> None:
+    reading = _reading()
+    walk = next(unit for unit in reading.units if "walks" in unit.text)
+    walk.moment = "start"
+    for unit in reading.units:
+        unit.picture = 1
+    shot = _covering(_plan(reading), "walks")
+    named = [action for action in shot.character_actions if action.line_index == shot.moment_line]
+    assert shot.moment == "start"
+    assert [(action.asset_id, action.motion) for action in named] == [("pim", "walk")]
+    assert len(shot.character_actions) > 1

@@ -16,6 +16,7 @@ from storyblender.memory.shot_context import (
     CameraPose,
     CameraState,
     CharacterAction,
+    Cue,
     Flag,
     Flaw,
     ShotContext,
@@ -45,6 +46,8 @@ def _shot(**fields: object) -> ShotContext:
             CharacterAction(asset_id="mara", action_description="takes a cup", motion="take", prop_id="cup"),
         ),
         "camera_instruction": CameraInstruction(focus_on_ids=("mara",), size="MS"),
+        "cues": (Cue(asset_id="mara", clip="take", start=4, prop_id="cup"),),
+        "duration": 96,
     }
     return ShotContext.model_validate({**usual, **fields})
 
@@ -186,3 +189,73 @@ def test_a_head_cut_by_the_top_of_the_picture_fails_where_all_of_it_is_wanted(si
     shot = _shot(camera_instruction=CameraInstruction.model_validate({"focus_on_ids": ("mara",), "size": size}))
     view = _view(_seen("mara", 0.2, face=(0.5, y), head_height=0.14), _seen("cup", 0.01), shot=shot)
     assert any("cut by the frame" in fault.message for fault in FrameCritic().judge(view).faults) == cut
+
+
+def _told(*motions: str, **fields: object) -> ShotContext:
+    acts = tuple(CharacterAction(asset_id="mara", action_description=each, motion=each) for each in motions)
+    return _shot(character_actions=acts, **fields)
+
+
+def _cue(clip: str, start: int, **fields: object) -> Cue:
+    return Cue.model_validate({"asset_id": "mara", "clip": clip, "start": start, **fields})
+
+
+def _score(shot: ShotContext, **fields: object) -> float:
+    return FrameCritic().judge(_view(*_GOOD, shot=shot, **fields)).score
+
+
+def test_a_told_deed_that_nobody_does_does_not_pass() -> None:
+    waved = _told("wave", cues=(_cue("wave", 4),))
+    assert "not_done" not in _faults(_view(*_GOOD, shot=waved))
+    idle = _told("wave", cues=())
+    assert "not_done" in _faults(_view(*_GOOD, shot=idle))
+    assert verdict_of(_score(waved)) == "pass" != verdict_of(_score(idle))
+
+
+def test_a_deed_done_at_another_moment_than_the_drawn_one_does_not_pass() -> None:
+    both = _told("salute", "wave", cues=(_cue("salute", 4, duration=10), _cue("wave", 60)), duration=140)
+    assert verdict_of(_score(both)) != "pass"
+    assert _score(both) > _score(_told("salute", "wave", cues=())), "one of two is more than none"
+    lasting = _told("salute", "wave", cues=(_cue("salute", 4, lasting=True), _cue("wave", 60)), duration=140)
+    assert "not_done" not in _faults(_view(*_GOOD, shot=lasting))
+
+
+def test_looks_and_what_is_in_the_hand_already_need_no_moment_of_their_own() -> None:
+    assert "not_done" not in _faults(_view(*_GOOD, shot=_told("look", cues=())))
+    holds = CharacterAction(asset_id="mara", action_description="holds a cup", motion="hold", prop_id="cup")
+    state = BodyState(asset_id="mara", held=("cup",))
+    assert "not_done" not in _faults(_view(*_GOOD, shot=_shot(character_actions=(holds,), states=(state,), cues=())))
+
+
+def test_a_group_that_does_one_thing_does_it_if_one_of_them_does() -> None:
+    acts = tuple(
+        CharacterAction(asset_id=f"mara_{number}", action_description="they wave", motion="wave") for number in (1, 2)
+    )
+    waving = (Cue(asset_id="mara_2", clip="wave", start=4),)
+    shot = _shot(character_actions=acts, on_stage=("mara", "mara_1", "mara_2"), cues=waving)
+    assert "not_done" not in _faults(_view(*_GOOD, shot=shot))
+    assert "not_done" in _faults(_view(*_GOOD, shot=shot.model_copy(update={"cues": ()})))
+
+
+def test_hands_at_work_are_not_turned_away_from_the_camera() -> None:
+    back = (_seen("mara", 0.2, face_angle=150.0), _GOOD[1])
+    assert "back_to_deed" in _faults(_view(*back))
+    assert "back_to_deed" not in _faults(_view(*_GOOD))
+    behind = CameraInstruction(focus_on_ids=("mara",), size="MS", behind=True)
+    assert "back_to_deed" not in _faults(_view(*back, shot=_shot(camera_instruction=behind)))
+
+
+@pytest.mark.parametrize("kind", ["unreachable", "late", "crossing", "no_path", "no_support", "missing"])
+def test_no_frame_passes_in_which_the_staging_failed_and_it_counts_once(kind: str) -> None:
+    flaw = Flaw(kind=kind, subject="mara", message="not as told")
+    once, twice = (FrameCritic().judge(_view(*_GOOD, staged=(flaw,) * times)).score for times in (1, 2))
+    assert verdict_of(once) != "pass"
+    assert once == twice
+
+
+def test_a_plain_thing_in_a_hand_is_a_stand_in_though_nothing_is_done_with_it() -> None:
+    plain = CanonicalAsset(source="stand_in", key="box", dimensions=(0.1, 0.1, 0.1), digest="b0")
+    horn = Asset(asset_id="horn", asset_type="object", description="a horn", canonical=plain)
+    holds = _told("wave", cues=(_cue("wave", 4),), states=(BodyState(asset_id="mara", held=("horn",)),))
+    assert "stand_in" in _faults(_view(*_GOOD, shot=holds, assets={"cup": _CUP, "horn": horn}))
+    assert "stand_in" not in _faults(_view(*_GOOD, shot=holds, assets={"cup": _CUP}))

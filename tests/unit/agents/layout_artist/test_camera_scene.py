@@ -5,7 +5,8 @@ from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 
 from storyblender.agents.layout_artist import camera_scene
 from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of
-from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, story_moment, telling_frames
+from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
+from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.continuity import side_of_line
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -294,3 +295,39 @@ def test_what_goes_on_since_before_the_shot_yields_to_what_is_done_in_it() -> No
 def test_a_speech_is_drawn_while_its_first_words_are_stressed() -> None:
     assert _shown({"clip": "talk", "start": 24, "duration": 240}) < 24 + 36
     assert _shown({"clip": "talk", "start": 24, "duration": 24}) == 24 + 12
+
+
+def _of_line(moment: str | None, line: int | None, clips: tuple[tuple[str, int], ...]) -> int:
+    """Return the drawn frame of a shot with an action and a cue a line, where one line names its moment."""
+    does = tuple(
+        CharacterAction(asset_id="anna", action_description=clip, motion=clip, line_index=index)
+        for index, (clip, _) in enumerate(clips)
+    )
+    shot = ShotContext(
+        scene_id=1,
+        shot_id=1,
+        on_stage=AXIS,
+        camera_instruction=CameraInstruction(focus_on_ids=AXIS, kind="action", size="MS"),
+        duration=300,
+        cues=tuple(Cue(asset_id="anna", clip=clip, start=at) for clip, at in clips),
+        character_actions=does,
+    )
+    return story_moment(ShotContext.model_validate({**shot.model_dump(), "moment": moment, "moment_line": line}))
+
+
+CLIPS = (("wave", 20), ("fall", 120), ("point", 220))
+
+
+@pytest.mark.parametrize("moment", ["start", "middle", "end"])
+@pytest.mark.parametrize("line", [0, 1, 2])
+def test_the_moment_of_a_line_is_the_moment_of_what_is_done_in_it(moment: str, line: int) -> None:
+    begun = CLIPS[line][1]
+    assert begun < _of_line(moment, line, CLIPS) < begun + 60
+
+
+def test_what_starts_is_drawn_before_its_key_pose_and_has_begun() -> None:
+    assert 120 + 5 < _of_line("start", 1, CLIPS) < _of_line("middle", 1, CLIPS)
+
+
+def test_the_moment_of_a_line_without_action_is_not_that_of_the_other_lines() -> None:
+    assert _of_line("start", 7, CLIPS) == _of_line(None, None, CLIPS)

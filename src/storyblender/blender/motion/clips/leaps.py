@@ -24,6 +24,8 @@ SEATED_OVER = 0.40
 """Metres, times k, of the hip joints over what one swings across."""
 STRAIGHT = 3.5
 """Metres; a mark farther away is walked towards first."""
+AIR = 0.57
+"""Seconds off the ground of a jump on the spot."""
 RUNG = 0.28
 """Metres, times k, between the holds of somebody who climbs up."""
 
@@ -38,7 +40,8 @@ def jump(stage: Stage, who: Performer, beat: Beat) -> float:
     if (goal - who.position).length > 1.6 * k:
         t = travel(stage, who, beat, tuple(who.position.lerp(goal, 0.6)))
         goal = who.position.lerp(goal, min(1.0, 1.2 * k / max(0.01, (goal - who.position).length)))
-    down = _fly(who, t + 0.35, goal, 0.57, 0.28 * k, 0.04 * k, 0.0)
+    _swing_arms(who, t + 0.35, AIR)
+    down = _fly(who, t + 0.35, goal, AIR, 0.28 * k, 0.04 * k, 0.0)
     return _land(who, down)
 
 
@@ -72,6 +75,8 @@ def _get_over(stage: Stage, who: Performer, beat: Beat, thing: StageFurniture, a
             down = Vector((0, 0, -1))
             who.hands[hand].set(t, 0.4, fixed(palm, Vector((*who.forward, -0.2)), down, elbow, (20, 24, 10)))
             who.hands[hand].set(t + 0.35 + 0.5 * air, 0.35, who.home[hand])
+    else:
+        _swing_arms(who, t + 0.35, air)
     rise = max(0.22 * k, top + SEATED_OVER * k - who.standing_height)
     return _land(who, _fly(who, t + 0.35, goal, air, rise, top + 0.10 * k, 0.22))
 
@@ -124,6 +129,17 @@ def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift
         who.feet[side].set(off, 0, _flying_foot(share, span, lifted, landed, lift + 0.28 * k * (not stride)))
     who.position = goal
     return off + air
+
+
+def _swing_arms(who: Performer, off: float, air: float) -> None:
+    """Swing the free arms back, then up and forward off the ground at ``off``, whatever the hands did at rest."""
+    for side in SIDES:
+        if who.is_free(side):
+            back = upright(who, side, (0.15, -0.40, -0.75), (0.1, -0.6, -0.8), (-1, 0, 0))
+            ahead = upright(who, side, (0.40, 0.62, 0.28), (0.3, 0.8, 0.5), (-0.3, 0.2, -0.9))
+            who.hands[side].set(off - 0.33, 0.3, back)
+            who.hands[side].set(off, 0.35 * air, ahead)
+            who.hands[side].set(off + air, 0.5, who.home[side])
 
 
 def _flying_foot(

@@ -1,0 +1,141 @@
+"""The moment of a shot that its frame shows: what its lines tell to be done, at its key pose."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from storyblender.catalog.motions import clip_of
+from storyblender.memory.jobs import PlayedCue
+from storyblender.memory.shot_context import CharacterAction, Cue, ShotContext
+
+_REST = 0.55
+"""Share of its length at which a shot without action is drawn."""
+_FPS = 24
+"""Frames per second assumed for motions; other rates are near enough."""
+_OPENING = 2
+"""First frame that is past the opening of a shot."""
+_ARRIVAL = 0.95
+"""Share of a walk to a person at which it is drawn: near the goal, the face turned to them."""
+_BENT = ("pick_up", "put_down")
+"""Clips that bend the body: drawn when the face shows again, or earlier in an insert of the hand."""
+_SPOKEN = ("talk", "shout", "whisper")
+"""Clips of speech."""
+_FIRST_STRESS = 1.1
+"""Seconds into a speech at which the hands of who speaks are raised; later they rest between the phrases."""
+AT_REST = ("idle", "look", "listen", "turn", "face")
+"""Clips that tell nothing by themselves."""
+_LEAVES = ("put_down", "drop", "throw")
+"""Clips after which a thing is in nobody's hands."""
+_BEGUN = 0.45
+"""Share of the time until its key pose at which an action has begun."""
+
+
+def story_moment(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> int:
+    """Return the frame that tells the shot: when the last of its strongest actions has reached its key pose.
+
+    The script or the user may ask for the start of the shot, or for its end: its last action at its key pose, not what
+    people do with their hands after it. What the script asks of one line holds for the actions of that line. A shot
+    whose subjects do nothing shows what others do in it.
+
+    Args:
+        shot: The shot with its cues.
+        played: The cues as the engine played them; if empty, the cues' own times are used.
+    """
+    focus = set(shot.camera_instruction.focus_on_ids)
+    last = max(0, shot.duration - 1)
+    if (named := _named_moment(shot, played)) is not None:
+        return min(last, named)
+    others = any(action.line_index not in (None, shot.moment_line) for action in shot.character_actions)
+    moment = None if shot.moment_line is not None and others else shot.moment
+    if moment == "start":
+        return min(_OPENING, last)
+    done = [cue for cue in shot.cues if cue.start < last and cue.clip not in AT_REST]
+    cues = [cue for cue in done if cue.asset_id in focus] or [cue for cue in done if cue.asset_id in shot.on_stage]
+    if not cues:
+        return last if moment == "end" else round(last * _REST)
+    if moment == "end":
+        cue = max(cues, key=lambda item: item.start)
+        if clip_of(cue.clip).after not in (None, "stand"):
+            return last
+    else:
+        cue = max(cues, key=lambda item: (_strength(item, shot) - _is_prelude(item, cues, shot), item.start))
+    motion = clip_of(cue.clip)
+    together = len(focus & set(shot.on_stage)) > 1 and shot.camera_instruction.kind != "establishing"
+    arrives = motion.speed is not None and (together or moment == "end")
+    insert = cue.clip in _BENT and shot.camera_instruction.kind == "insert"
+    share = _ARRIVAL if arrives else 0.5 if insert else motion.telling
+    start, length = span_of(cue, shot, played)
+    told = round(length * share)
+    return min(last, start + (min(told, round(_FIRST_STRESS * _FPS)) if cue.clip in _SPOKEN else told))
+
+
+def _named_moment(shot: ShotContext, played: Sequence[PlayedCue]) -> int | None:
+    """Return the frame of the action that the script names the moment of; None if it names none that is played."""
+    named = [action for action in shot.character_actions if action.line_index == shot.moment_line]
+    cues = [cue for action in named for cue in cues_of(action, shot) if cue.clip not in AT_REST]
+    if shot.moment is None or shot.moment_line is None or not cues:
+        return None
+    if shot.moment == "middle":
+        cue = max(cues, key=lambda item: (_strength(item, shot), item.start))
+    else:
+        cue = min(cues, key=lambda item: item.start) if shot.moment == "start" else max(cues, key=lambda c: c.start)
+    motion = clip_of(cue.clip)
+    share = _ARRIVAL if motion.speed is not None and shot.moment == "end" else motion.telling
+    start, length = span_of(cue, shot, played)
+    return start + round(length * share * (_BEGUN if shot.moment == "start" else 1.0))
+
+
+def cues_of(action: CharacterAction, shot: ShotContext) -> list[Cue]:
+    """Return the cues that play an action: its own clip, or what is done with its thing or to its target instead."""
+    own = [cue for cue in shot.cues if cue.asset_id == action.asset_id]
+    played = [cue for cue in own if cue.clip == clip_of(action.motion).key]
+    about = {action.prop_id, action.target_id} - {None, action.asset_id}
+    return played or [cue for cue in own if about & {cue.prop_id, cue.target_id} and cue.clip not in AT_REST]
+
+
+def span_of(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, int]:
+    """Return the start frame and the length in frames of a cue, without the steps and turns before it."""
+    length = _length(cue, shot)
+    name = (cue.asset_id, cue.clip, cue.start)
+    real = next((each for each in played if (each.asset_id, each.clip, each.start) == name), None)
+    if real is None:
+        return cue.start, length
+    if clip_of(cue.clip).speed is not None or cue.duration is not None:
+        return real.began, max(1, real.over - real.began)
+    return max(real.began, real.over - length), length
+
+
+def _length(cue: Cue, shot: ShotContext) -> int:
+    """Return the length of a cue in frames: its own, else until the same person's next cue."""
+    if cue.duration is not None:
+        return cue.duration
+    after = [item.start for item in shot.cues if item.asset_id == cue.asset_id and item.start > cue.start]
+    until, motion = min([*after, shot.duration]) - cue.start, clip_of(cue.clip)
+    stays = motion.speed is not None or (motion.reach == "thing" and motion.after in ("sit", "lie"))
+    return until if stays else min(until, round(motion.seconds * _FPS))
+
+
+def _is_prelude(cue: Cue, cues: Sequence[Cue], shot: ShotContext) -> bool:
+    """Tell whether a cue only takes up a thing that the same person then uses, or only frees a hand for what comes."""
+    after = [each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start]
+    if cue.clip == "put_down":
+        told = (action for action in shot.character_actions if action.asset_id == cue.asset_id)
+        return bool(after) and not any(clip_of(action.motion).key == "put_down" for action in told)
+    return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in after)
+
+
+def _strength(cue: Cue, shot: ShotContext) -> int:
+    """Rank what a shot is remembered by: what people do to each other 3, a deed, a sign or a shout 2, words 1, a way 0.
+
+    What has gone on since before the shot, as somebody's playing or reading may, counts as words.
+    """
+    motion = clip_of(cue.clip)
+    if motion.speed is not None:
+        return 0
+    if cue.clip == "shout":
+        return 2
+    goes_on = cue.lasting and not cue.start
+    if goes_on or (motion.reach == "self" and motion.after is None and not motion.hands):
+        return 1
+    to_somebody = cue.target_id in shot.on_stage and cue.target_id != cue.asset_id
+    return 3 if to_somebody and motion.reach != "self" else 2
