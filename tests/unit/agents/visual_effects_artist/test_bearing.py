@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from test_animator import ASSETS, LAYOUT, PLAN
 
-from storyblender.agents.visual_effects_artist.animator import AnimatorRules, AnimatorView
+from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator
 from storyblender.agents.visual_effects_artist.bearing import MANNERS
 from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, ShotContext
@@ -24,7 +24,7 @@ def _hands(state: BodyState, *motions: str) -> set[str]:
         duration=96,
     )
     view = AnimatorView(scene_id=1, layout=LAYOUT, plan=PLAN, assets=ASSETS, shots=(shot,))
-    cues = AnimatorRules().propose(view).shots[0].cues
+    cues = RulesAnimator().propose(view).shots[0].cues
     return {cue.clip for cue in cues if cue.asset_id == "rick" and cue.lasting and cue.start == 0}
 
 
