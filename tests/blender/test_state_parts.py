@@ -56,12 +56,12 @@ def _seen(shown: list[tuple[int, bool]], frame: int) -> bool:
 @pytest.mark.parametrize("added", [False, True])
 def test_it_changes_in_the_middle_of_the_deed_and_back(thing: bpy.types.Object, added: bool) -> None:
     opens = _shot(2, "open", (Cue(asset_id="ann", clip="open", start=4, prop_id="chest"),))
-    states = (AssetInState(state="open", asset=_chest(open=True), added=added),)
+    states = (AssetInState(condition=("open",), asset=_chest(open=True), added=added),)
     job = SceneJob(
         scene=SceneContext(scene_id=1, setup=SceneSetup()), shots=(_shot(1), opens, _shot(3), _shot(4, "closed")),
         assets=(_chest(),), in_states=states,
     )  # fmt: skip
-    parts = StateParts(job, Meshes(), {"chest": thing}, {"chest": _chest()})
+    parts = StateParts(job, Meshes(), {"chest": [thing]})
     timing = [PlayedCue(shot_id=2, asset_id="ann", clip="open", start=4, began=10, over=30)]
     starts: Mapping[int, bool] = {1: True, 49: True, 97: True, 145: True}
     (main, shut), (part, opened) = parts.shown("chest", starts, timing)

@@ -32,11 +32,13 @@ class Door:
     Args:
         place: The doorway.
         fps: Frames per second.
+        left_open: How an earlier scene left it; None takes it as the set has it.
     """
 
-    def __init__(self, place: OpeningPlace, fps: int) -> None:
+    def __init__(self, place: OpeningPlace, fps: int, left_open: bool | None = None) -> None:
         self.name, self.centre, self.fps = place.opening.name, place.location[:2], fps
-        self.ajar = place.opening.state == "open"
+        self.built_open = place.opening.state == "open"
+        self.ajar = self.built_open if left_open is None else left_open
         """Left open by somebody."""
         self.amounts: list[float] = []
         """How far it is open, 0..1, frame by frame."""
@@ -86,7 +88,7 @@ def swing_doors(doors: Sequence[Door], leaves: Sequence[bpy.types.Object]) -> No
         doors: As played from the scene's first frame on.
         leaves: Objects with the property ``opening``.
     """
-    by_name = {door.name: door for door in doors if len(set(door.amounts)) > 1}
+    by_name = {door.name: door for door in doors if {*door.amounts} - {float(door.built_open)}}
     for leaf in leaves:
         door = by_name.get(leaf.get("opening", ""))
         if door is None:

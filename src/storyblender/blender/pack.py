@@ -7,6 +7,7 @@ of the design: scene ``SC010``, objects ``SC010.<node_id>`` with ``node_id``, ``
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 
 import bpy
@@ -21,8 +22,11 @@ from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
 from storyblender.blender.state_parts import StateParts
 from storyblender.blender.tags import Surface, tag
+from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.openings import openings_of
+from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
+from storyblender.catalog.states import Condition
 from storyblender.memory.base import scene_name, shot_name
 from storyblender.memory.jobs import PlayedCue, SceneJob
 from storyblender.memory.scene_context import LayoutObject
@@ -46,6 +50,7 @@ class ScenePacker:
         self._assets = {asset.asset_id: asset for asset in job.assets}
         self._starts = shot_starts(job.shots)
         self._props: dict[str, bpy.types.Object] = {}
+        self._nodes: dict[str, list[bpy.types.Object]] = {}
         self._cast: dict[str, CastMember] = {}
         self.timing: list[PlayedCue] = []
         """Actual timing of all cues, for choosing the moment of a still frame."""
@@ -63,11 +68,11 @@ class ScenePacker:
         plan = plan_of(environment)
         built = build_set(plan, scene, self._collection("set"))
         self._place_objects()
-        self._states = StateParts(self._job, self._store, self._props, self._assets)
+        self._states = StateParts(self._job, self._store, self._nodes)
         self._place_people()
         stage = Stage(self._job, plan, {asset_id: member.body for asset_id, member in self._cast.items()})
         doors = [
-            Door(place, self._job.fps)
+            Door(place, self._job.fps, _left_open(plan, place.opening.name, self._job.scene.setup.found))
             for wall in plan.walls
             for place in openings_of(wall)
             if place.opening.kind == "door"
@@ -104,6 +109,7 @@ class ScenePacker:
         tag(obj, kind="prop", node_id=item.node_id, asset_id=item.asset_id, surface=_surface(obj))
         collection.objects.link(obj)
         self._props.setdefault(item.asset_id, obj)
+        self._nodes.setdefault(item.asset_id, []).append(obj)
 
     def _place_people(self) -> None:
         collection = self._collection("cast")
@@ -153,6 +159,14 @@ class ScenePacker:
             }
             for obj, shown in self._states.shown(asset_id, seen, self.timing):
                 key_hidden(obj, shown)
+
+
+def _left_open(plan: SetPlan, name: str, found: Mapping[str, Condition]) -> bool | None:
+    """Return whether an earlier scene left a door open or shut; None if it tells nothing of it."""
+    for thing, states in found.items():
+        if any(fixture.name == name for fixture in fixtures_called(plan, thing)[:1]):
+            return next((state == "open" for state in reversed(states) if state in ("open", "closed")), None)
+    return None
 
 
 def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:

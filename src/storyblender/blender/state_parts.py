@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
 import bpy
 
 from storyblender.blender.asset_store import AssetStore
 from storyblender.blender.tags import tag
-from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.jobs import PlayedCue, SceneJob
+from storyblender.catalog.states import GONE, Condition, after
+from storyblender.memory.jobs import AssetInState, PlayedCue, SceneJob
 from storyblender.memory.shot_context import ShotContext
 
 Shown = list[tuple[int, bool]]
+Part = tuple[bpy.types.Object, AssetInState]
 
 
 class StateParts:
@@ -21,68 +23,68 @@ class StateParts:
     Args:
         job: The scene.
         store: Where the parts are.
-        props: The placed objects, by asset id.
-        assets: Of the scene, by asset id.
+        nodes: The placed objects of each asset, by asset id.
     """
 
-    def __init__(
-        self, job: SceneJob, store: AssetStore, props: Mapping[str, bpy.types.Object], assets: Mapping[str, Asset]
-    ) -> None:
-        self._job, self._props = job, props
-        self._parts: dict[str, dict[str, tuple[bpy.types.Object, bool]]] = {}
+    def __init__(self, job: SceneJob, store: AssetStore, nodes: Mapping[str, Sequence[bpy.types.Object]]) -> None:
+        self._job, self._nodes = job, nodes
+        self._found = job.scene.setup.found
+        self._parts: dict[str, dict[Condition, list[Part]]] = {}
         for each in job.in_states:
-            thing = props.get(each.asset.asset_id)
-            if thing is None:
-                continue
-            part = bpy.data.objects.new(f"{thing.name}.{each.state.replace(' ', '_')}", store.append_mesh(each.asset))
-            part.parent = thing
-            tag(part, kind="prop", node_id=thing["node_id"], asset_id=each.asset.asset_id, surface=thing["surface"])
-            for collection in thing.users_collection:
-                collection.objects.link(part)
-            self._parts.setdefault(each.asset.asset_id, {})[each.state] = part, each.added
+            for thing in nodes.get(each.asset.asset_id, ()):
+                parts = self._parts.setdefault(thing.name, {}).setdefault(each.condition, [])
+                parts.append((_part(thing, each, store), each))
+        told = {change.asset_id for shot in job.shots for change in shot.asset_modifications if change.state}
+        self._changing = [name for name in nodes if name in told or name in self._found]
 
     @property
     def changing(self) -> Sequence[str]:
-        """Asset ids of what changes."""
-        return list(self._parts)
+        """Asset ids of what changes, or is not as it was at first."""
+        return self._changing
 
     def shown(
         self, asset_id: str, seen: Mapping[int, bool], timing: Sequence[PlayedCue]
     ) -> Iterator[tuple[bpy.types.Object, Shown]]:
-        """Yield a thing and each of its parts with the frames from which on they are seen or not.
+        """Yield the objects of a thing and each of their parts with the frames from which on they are seen or not.
 
         Args:
             asset_id: The thing.
             seen: First frame of each shot, and whether the thing is seen in it at all.
             timing: When the cues of the shots were played.
         """
-        parts = self._parts.get(asset_id, {})
-        changes = dict(self._changes(asset_id, list(seen), timing)) if parts else {}
+        changes = dict(self._changes(asset_id, list(seen), timing)) if asset_id in self._changing else {}
         frames = sorted({*seen, *changes})
-        there: dict[str | None, Shown] = {state: [] for state in (None, *parts)}
-        now, visible = "", True
-        for frame in frames:
-            visible, now = seen.get(frame, visible), changes.get(frame, now)
-            replaced = now in parts and not parts[now][1]
-            there[None].append((frame, visible and not replaced))
-            for state in parts:
-                there[state].append((frame, visible and state == now))
-        yield self._props[asset_id], there[None]
-        for state, (part, _) in parts.items():
-            yield part, there[state]
+        for thing in self._nodes[asset_id]:
+            parts = self._parts.get(thing.name, {})
+            there: Shown = []
+            of_part: dict[str, Shown] = {}
+            now, visible = self._found.get(asset_id, ()), True
+            for frame in frames:
+                visible, now = seen.get(frame, visible), changes.get(frame, now)
+                here = visible and GONE not in now
+                replaced = any(not each.added for _, each in parts.get(now, ()))
+                there.append((frame, here and not replaced))
+                for condition, objects in parts.items():
+                    for part, _ in objects:
+                        of_part.setdefault(part.name, []).append((frame, here and condition == now))
+            yield thing, there
+            for part, _ in (pair for pairs in parts.values() for pair in pairs):
+                yield part, of_part[part.name]
 
-    def _changes(self, asset_id: str, starts: Sequence[int], timing: Sequence[PlayedCue]) -> Iterator[tuple[int, str]]:
+    def _changes(
+        self, asset_id: str, starts: Sequence[int], timing: Sequence[PlayedCue]
+    ) -> Iterator[tuple[int, Condition]]:
         """Yield the frames at which a thing comes into its states: in the middle of the deed that brings it there."""
+        now = self._found.get(asset_id, ())
         for start, shot in zip(starts, self._job.shots, strict=True):
             for change in shot.asset_modifications:
                 if change.asset_id == asset_id and change.state:
-                    yield start + self._moment(shot, asset_id, timing), change.state
+                    now = after(now, change.state)
+                    yield start + self._moment(shot, asset_id, timing), now
 
     def _moment(self, shot: ShotContext, asset_id: str, timing: Sequence[PlayedCue]) -> int:
-        node = str(self._props[asset_id]["node_id"])
-        deeds = {
-            (cue.asset_id, cue.clip, cue.start) for cue in shot.cues if {cue.prop_id, cue.target_id} & {asset_id, node}
-        }
+        names = {asset_id, *(str(thing["node_id"]) for thing in self._nodes[asset_id])}
+        deeds = {(cue.asset_id, cue.clip, cue.start) for cue in shot.cues if {cue.prop_id, cue.target_id} & names}
         played = [
             (each.began + each.over) // 2
             for each in timing
@@ -91,6 +93,20 @@ class StateParts:
             and each.clip not in _IDLE
         ]
         return min(max(played, default=0), shot.duration - 1)
+
+
+def _part(thing: bpy.types.Object, each: AssetInState, store: AssetStore) -> bpy.types.Object:
+    """Return a new object for a state of a thing; what stays level is turned back under a thing on its side."""
+    name = f"{thing.name}.{'_'.join(each.condition).replace(' ', '_')[:30]}"
+    part = bpy.data.objects.new(name, store.append_mesh(each.asset))
+    part.parent = thing
+    x, y, z = each.location
+    part.location = (x, z, -y) if each.lying else (x, y, z)
+    part.rotation_euler[0] = math.radians(-90.0) if each.lying else 0.0
+    tag(part, kind="prop", node_id=thing["node_id"], asset_id=each.asset.asset_id, surface=thing["surface"])
+    for collection in thing.users_collection:
+        collection.objects.link(part)
+    return part
 
 
 _IDLE = frozenset({"look", "walk", "run", "face"})

@@ -22,6 +22,7 @@ FIRE: Color = (1.0, 0.52, 0.2)
 CANDLE: Color = (1.0, 0.62, 0.28)
 BULB: Color = (1.0, 0.74, 0.44)
 TUBE: Color = (0.86, 0.94, 1.0)
+FLASHLIGHT: Color = (1.0, 0.95, 0.84)
 SODIUM: Color = (1.0, 0.70, 0.38)
 
 
@@ -99,6 +100,15 @@ class LampKind(NamedTuple):
     glow: float = 0.15
     offset: Vec3 = (0.0, 0.0, 0.0)
     """From the lamp's place in the prop, in the prop's frame: out of its shade."""
+    cone: float = 140.0
+    """Full angle of a SPOT in degrees."""
+    when_told: bool = False
+    """It burns only in a hand, or where the story says so."""
+
+    @property
+    def without_mains(self) -> bool:
+        """Whether it burns on when the power fails: a flame, or a lamp with a battery."""
+        return self.when_told or self.color in (FIRE, CANDLE)
 
 
 LAMPS: dict[str, LampKind] = {
@@ -112,6 +122,13 @@ LAMPS: dict[str, LampKind] = {
     "lantern": LampKind(12, CANDLE, glow=0.3),
     "candelabra": LampKind(8, CANDLE, glow=0.25),
     "candle_holder": LampKind(4, CANDLE, size=0.02, glow=0.2),
+    "candle": LampKind(4, CANDLE, size=0.02, glow=0.2),
+    "flashlight": LampKind(420, FLASHLIGHT, "SPOT", 0.03, 0.5, cone=34.0, when_told=True),
+    "lighter": LampKind(2, CANDLE, size=0.02, glow=0.15, when_told=True),
+    "paper_lantern": LampKind(9, CANDLE, size=0.15, glow=0.2),
+    "brazier": LampKind(24, FIRE, size=0.2, glow=0.25, offset=(0, 0, 0.2)),
+    "flames": LampKind(50, FIRE, size=0.3, glow=0.25),
+    "lighthouse": LampKind(400, BULB, size=0.5, glow=0.6),
     "torch": LampKind(36, FIRE, size=0.12, glow=0.35),
     "fireplace": LampKind(34, FIRE, size=0.2, glow=0.12, offset=(0, -0.35, 0.1)),
     "campfire": LampKind(60, FIRE, size=0.25, glow=0.25, offset=(0, 0, 0.5)),

@@ -1,45 +1,125 @@
-"""What a thing looks like once the story has changed it: open, off, broken, on fire. Pure."""
+"""What a thing looks like once the story has changed it: open, off, broken, on fire, spilled, full. Pure."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from storyblender.catalog.liquids import SPOUTS, filling_of, is_vessel, liquid_color, spill_width
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.props.variants import read_variant
+from storyblender.catalog.props.variants import read_variant, words_of
+from storyblender.catalog.writing import MOST, WRITING
 from storyblender.memory.asset_sheet import ParamValue
+from storyblender.memory.base import Vec3
 
 BEFORE: Mapping[str, str] = {
     "closed": "open", "shut": "open", "off": "on", "out": "lit", "on": "off", "lit": "unlit", "open": "closed",
-    "running": "off", "burning": "unlit",
+    "running": "off", "burning": "unlit", "there": "gone", "empty": "full", "spilled": "full", "full": "empty",
 }  # fmt: skip
 """What a thing was before its first change."""
-_DARK = frozenset({"off", "out", "unlit", "dead"})
+DARK = frozenset({"off", "out", "unlit", "dead"})
+LIT = frozenset({"on", "lit", "burning"})
+GONE = "gone"
+READS = "reads "
+"""How a state begins that puts other words on a thing; the words follow."""
 _BROKEN = frozenset({"broken", "smashed", "shattered", "cracked"})
+LYING = frozenset({"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"})
+"""States in which a thing lies on its side."""
+LEFT = LYING | _BROKEN | {"burning", "on fire", "smoking"}
+"""States in which a thing is seen when a place is seen again, though nobody names it."""
+UPRIGHT = frozenset({"upright", "standing", "righted"})
+_FLAT = 0.35
+"""Ratio of height to width below which a thing is too flat to fall over."""
 _FRAGILE = frozenset({
     "cup", "glass", "wine_glass", "beer_mug", "bottle", "plate", "bowl", "vase", "teapot", "jar", "jug", "wall_mirror",
     "hourglass", "light_bulb", "beaker", "picture", "aquarium", "test_tubes", "pumpkin", "egg", "balloon", "statue",
-    "window",
+    "window", "mug", "water_bottle",
 })  # fmt: skip
 _ADDED = {"burning": "flames", "on fire": "flames", "in flames": "flames", "smoking": "smoke", "steaming": "smoke"}
+_RUNNING = frozenset({"running", "on", "leaking", "spraying", "overflowing"})
+_KINDS: tuple[frozenset[str], ...] = (
+    frozenset({"open", "closed", "shut", "locked", "ajar"}),
+    DARK | LIT | _RUNNING | {"flickering", "dim", "stopped", *_ADDED},
+    _BROKEN | {"mended", "torn"},
+    LYING | UPRIGHT,
+    frozenset({"full", "filled", "empty", "emptied"}),
+    frozenset({"wet", "dry", "dirty", "clean", "bloody"}),
+    frozenset({GONE, "there"}),
+)
+"""States of one kind: a later one takes the place of an earlier one."""
+
+Condition = tuple[str, ...]
+"""The states a thing is in at one time, the oldest first, one of each kind."""
 
 
 class StateLook(NamedTuple):
-    """How a thing is built in a state.
+    """How a thing, or what is seen with it, is built in a state.
 
     Attributes:
         key: Prop key.
         params: Of the prop.
         added: Whether it is seen together with the thing and not in its place.
+        width: Metres to which it is scaled; None takes the size it has.
+        location: Of what is added, in the thing's own frame, metres.
+        lying: Whether it stays level under a thing that lies on its side.
     """
 
     key: str
     params: dict[str, ParamValue]
     added: bool = False
+    width: float | None = None
+    location: Vec3 = (0.0, 0.0, 0.0)
+    lying: bool = False
+
+
+def after(condition: Condition, state: str) -> Condition:
+    """Return the condition of a thing after a change; what it was of the same kind is over."""
+    kind = frozenset({state}) if not state.startswith(READS) else frozenset[str]()
+    kind = next((kind for kind in _KINDS if state in kind), kind)
+    writes = state.startswith(READS)
+    return (*(each for each in condition if each not in kind and not (writes and each.startswith(READS))), state)
+
+
+def topples(size: Vec3) -> bool:
+    """Return whether a thing of this width, depth and height can lie on its side."""
+    return size[2] > _FLAT * max(size[:2])
+
+
+def looks_in(
+    key: str, params: Mapping[str, ParamValue], condition: Condition, size: Vec3 = (0.2, 0.2, 0.2), words: str = ""
+) -> tuple[StateLook, ...]:
+    """Return what a thing is built as in its states, and what is seen with it; nothing where it looks as it did.
+
+    Args:
+        key: Prop key of the thing.
+        params: As it was built at first.
+        condition: Its states.
+        size: Its width, depth and height in metres.
+        words: How the script calls it.
+    """
+    if key not in PROPS:
+        return ()
+    now, changed = key, dict(params)
+    added: list[StateLook] = []
+    for state in condition:
+        look = look_in(now, changed, state)
+        if look is not None and look.added:
+            added.append(look._replace(width=max(0.25, max(size) * 0.7)))
+        elif look is not None:
+            now, changed = look.key, look.params
+        added += _liquid(key, state, condition, size, words)
+    was = {**PROPS[key].params, **params}
+    if now != key:
+        lies = bool(LYING & {*condition}) and topples(size)
+        pieces = StateLook(now, changed, width=max(0.25, max(size) * 1.1), lying=lies)
+        pieces = pieces._replace(location=(0.0, 0.0, -size[1] / 2)) if lies else pieces
+        return pieces, *(each for each in added if each.key == "puddle")
+    as_it_was = {**PROPS[key].params, **changed} == was
+    return (*(() if as_it_was else (StateLook(key, changed),)), *added)
 
 
 def look_in(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook | None:
-    """Return how a prop is built in a state; None where it looks as it did.
+    """Return how a prop is built in one state; None where it looks as it did.
 
     Args:
         key: Prop key of the thing.
@@ -53,14 +133,54 @@ def look_in(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook
         material = str(params.get("material", "")) or next(iter(entry.materials.values()))
         color = {"color": params["color"]} if "color" in params else {}
         return StateLook("shards", {"material": material, **color})
-    if state in _ADDED and "lit" not in entry.params:
+    if state in _ADDED and "lit" not in entry.params and entry.lamp is None:
         return StateLook(_ADDED[state], {}, added=True)
+    if state.startswith(READS):
+        text = state.removeprefix(READS).strip()[:MOST]
+        return StateLook(key, {**params, "text": text}) if key in WRITING and params.get("text") != text else None
     changed = {**params, **read_variant(entry, state)}
-    changed.pop("unlit", None)
-    if state in _DARK and entry.lights:
+    if state in _KINDS[1]:
+        changed.pop("unlit", None)
+    if state in DARK and entry.lights:
         changed["unlit"] = True
+    if "fill" in entry.params and state in _LEVELS:
+        changed["fill"] = _LEVELS[state]
     was = {**entry.params, **params}
     return StateLook(key, changed) if {**entry.params, **changed} != was else None
+
+
+_LEVELS = {"full": 0.9, "filled": 0.9, "empty": 0.0, "emptied": 0.0, "spilled": 0.0}
+"""How full a glass is in a state."""
+
+
+def _liquid(key: str, state: str, condition: Condition, size: Vec3, words: str) -> Iterator[StateLook]:
+    """Yield the stream, the puddle or the filling that belongs to a state."""
+    width, depth, height = size
+    if state in _RUNNING and key in SPOUTS:
+        mouth, end, thrown = SPOUTS[key]
+        at = (mouth[0] * width, mouth[1] * depth, end * height)
+        fall = (mouth[2] - end) * height
+        built: dict[str, ParamValue] = {"color": liquid_color(key, words), "height": max(fall, 0.03)}
+        if thrown:
+            out = (at[0], at[1] - thrown / 2, at[2])  # what is built has its origin in its middle
+            yield StateLook("water_jet", {**built, "depth": thrown}, added=True, location=out)
+        elif fall > 0:
+            yield StateLook("running_water", built, added=True, location=at)
+    told = liquid_color(key, words, told=True)
+    spills = state == "spilled" and is_vessel(key, words_of(words))
+    if spills or (state in LYING and told and "empty" not in condition):
+        wide, color = spill_width(size), told or liquid_color(key, words)
+        puddle: dict[str, ParamValue] = {"width": wide, "depth": 0.85 * wide, "color": color}
+        fallen = topples(size)
+        at = (0.0, -height - 0.36 * wide, 0.003 - depth / 2) if fallen else (0.0, -depth / 2 - 0.3 * wide, 0.003)
+        yield StateLook("puddle", puddle, added=True, location=at, lying=fallen)
+    filling = filling_of(key, size) if state in ("full", "filled", "overflowing") else None
+    if filling is not None and "fill" not in PROPS[key].params:
+        (w, d, h), z, oblong = filling
+        surface: dict[str, ParamValue] = {"width": w, "depth": d, "height": h, "oblong": oblong}
+        yield StateLook(
+            "liquid", {**surface, "color": liquid_color(key, words)}, added=True, location=(0.0, 0.0, z - h)
+        )
 
 
 def state_at_first(changes: Sequence[str]) -> str:

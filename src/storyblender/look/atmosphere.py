@@ -24,6 +24,12 @@ _RAIN_LAYERS = ((2.5, 40, 120, 0.5), (6.0, 160, 60, 0.4), (14.0, 420, 28, 0.3))
 _RAIN_SLANT = 0.1
 
 
+_NARROW = 60.0
+"""Degrees: a spot narrower than this is seen as a beam."""
+_BEAM_REACH, _BEAM_STEPS, _BEAM_MOUTH = 7.0, 24, 0.12
+"""Metres of a beam that are seen, samples along a ray, and square metres that soften its mouth."""
+
+
 def transmittance(fog: Fog | None, depth: Image, rays: Image, eye: NDArray[np.float64]) -> Image:
     """Return the share, 0 to 1, of light that comes through the air from every pixel.
 
@@ -66,7 +72,10 @@ def add_fog(picture: Image, fog: Fog | None, through: Image, rays: Image) -> Ima
 
 
 def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image, eye: NDArray[np.float64]) -> Image:
-    """Add the glow of every lamp in the air between it and the eye (closed-form single scatter of a point light)."""
+    """Add the glow of every lamp in the air between it and the eye, and the beams of narrow ones.
+
+    A lamp that shines to all sides is a closed form (single scatter of a point light); a beam is summed along the ray.
+    """
     glowing = [light for light in lights if light.glow > 0 and light.kind != "SUN"]
     if not glowing:
         return picture
@@ -79,8 +88,9 @@ def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image
         aside = np.sqrt(np.maximum(float(from_light @ from_light) - along * along, 0.0036) + 0.05)
         # The angle under which the ray is seen from the lamp: the difference of two arcs in one, of 0 to 180 degrees.
         angle = _QUARTER - np.arctan((aside * aside + (distance + along) * along) / (distance * aside))
-        scatter = angle / aside
-        scatter /= 1 + (aside / _HALO_WIDTH) ** 2
+        scatter = angle / aside / (1 + (aside / _HALO_WIDTH) ** 2)
+        if light.kind == "SPOT" and light.cone < _NARROW:
+            scatter = _beam(light, from_light, rays / length[..., None], distance)
         share = 0.6 if light.kind == "SPOT" else 1.0
         color = np.asarray(light.color, np.float32)
         amount = _HALO * share * light.glow * light.power / (16 * math.pi**2) * scatter
@@ -88,6 +98,32 @@ def add_halos(picture: Image, lights: Sequence[Light], depth: Image, rays: Image
         for band in range(3):
             result[..., band] += amount * color[band]
     return result
+
+
+def _beam(light: Light, from_light: NDArray[np.float32], rays: Image, distance: Image) -> Image:
+    """Return the light that the air throws back along each ray out of the cone of a lamp.
+
+    Args:
+        light: A spot.
+        from_light: From the lamp to the eye, metres.
+        rays: (h, w, 3) of length 1.
+        distance: Metres along each ray to what is seen.
+    """
+    aim = np.subtract(light.target, light.location).astype(np.float32)
+    aim /= max(float(np.linalg.norm(aim)), 1e-6)
+    edge = math.cos(math.radians(light.cone / 2))
+    nearest = -dot(rays, from_light)
+    begin = np.clip(nearest - _BEAM_REACH, 0, distance)
+    span = np.clip(nearest + _BEAM_REACH, 0, distance) - begin
+    across = [np.float32(from_light @ aim), dot(rays, aim)]
+    found = np.zeros_like(distance)
+    for step in range(_BEAM_STEPS):
+        at = begin + span * ((step + 0.5) / _BEAM_STEPS)
+        apart = at * at - 2 * at * nearest + float(from_light @ from_light)
+        cosine = (across[0] + at * across[1]) / np.sqrt(np.maximum(apart, 1e-4))
+        inside = np.clip((cosine - edge) / (1 - edge), 0, 1)
+        found += np.sqrt(inside) / (apart + _BEAM_MOUTH)
+    return found * span / _BEAM_STEPS
 
 
 def add_rain(picture: Image, depth: Image, rain: float, seed: int) -> Image:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Literal
 
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen, content_hash, scene_name
+from storyblender.memory.base import Frozen, Vec3, content_hash, scene_name
 from storyblender.memory.graph import ProjectFormat
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Light, Lighting, SceneContext
@@ -57,12 +57,17 @@ class AssetJob(Frozen):
 
 
 class AssetInState(Frozen):
-    """An asset as it looks in a state."""
+    """An asset as it looks in some states, or something that is seen with it."""
 
-    state: str
+    condition: tuple[str, ...]
+    """All states that it is in."""
     asset: Asset
     added: bool = False
     """Whether it is seen together with the asset as it was at first, and not in its place."""
+    location: Vec3 = (0.0, 0.0, 0.0)
+    """Of what is added, in metres from the asset's own origin."""
+    lying: bool = False
+    """Whether it stays level under an asset that lies on its side."""
 
 
 class SceneJob(Frozen):
@@ -87,8 +92,13 @@ class SceneJob(Frozen):
             for shot in self.shots
         ]
         geometry = [asset.canonical.digest if asset.canonical else asset.asset_id for asset in self.assets]
-        geometry += [f"{each.state}:{each.asset.canonical.digest}" for each in self.in_states if each.asset.canonical]
-        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps)
+        geometry += [
+            f"{' + '.join(each.condition)}:{each.asset.canonical.digest}:{each.location}"
+            for each in self.in_states
+            if each.asset.canonical
+        ]
+        found: list[dict[str, object]] = [{**self.scene.setup.found}] if self.scene.setup.found else []
+        return content_hash(GEOMETRY_VERSION, scene, list(shots), list(geometry), self.fps, *found)
 
     @property
     def out(self) -> str:

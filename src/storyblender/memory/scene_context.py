@@ -58,6 +58,8 @@ class SceneSetup(Frozen):
     ground_description: str = ""
     wall_description: str | None = None
     relations: tuple[Relation, ...] = ()
+    found: dict[Identifier, tuple[str, ...]] = {}
+    """States in which things and doors are as the scene opens, left so by earlier scenes: ``broken``, ``open``."""
 
 
 class SceneSize(Frozen):

@@ -36,5 +36,5 @@ def scene_job(graph: ContinuityMemoryGraph, scene_id: int) -> SceneJob:
     """Return what the engine needs to build a scene."""
     scene, shots = graph.scene(scene_id), graph.shots_of(scene_id)
     assets = graph.assets_of(scene_id)
-    states = assets_in_states(assets, shots)
+    states = assets_in_states(assets, shots, scene.setup.found)
     return SceneJob(scene=scene, shots=shots, assets=assets, fps=graph.format.fps, in_states=states)

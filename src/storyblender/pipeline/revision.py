@@ -26,7 +26,9 @@ Designer = Callable[[ContinuityMemoryGraph, int], Environment]
 """The set that a scene of a graph would get."""
 
 _DECIDED = tuple(CameraDecision.model_fields)
-_STAGED = ("blocking", "cues", "prop_states", "duration", "lighting", "camera", "lights", "locked")
+_STAGED = (
+    "blocking", "cues", "prop_states", "asset_modifications", "duration", "lighting", "camera", "lights", "locked",
+)  # fmt: skip
 """What the crew, and later a person, adds to the Director's shot."""
 
 
@@ -211,6 +213,9 @@ def _staged(
         return None
     if reference is not None and kept.get(reference) != past.setup.reference_scene_id:
         return None
+    was, found = past.setup.found, present.setup.found
+    if any(was.get(thing) != states for thing, states in found.items()) or (was.keys() > found.keys() and not found):
+        return None  # an earlier scene leaves the place otherwise
     olds, news = ({asset.asset_id: asset for asset in graph.assets} for graph in (old, plan))
     wanted = {*present.setup.asset_ids, *(item.asset_id for item in past.layout.objects)}
     if any(news.get(asset_id, olds[asset_id]) != olds[asset_id] for asset_id in wanted):
@@ -220,7 +225,8 @@ def _staged(
     shots = [
         _kept_shot(before, after) for before, after in zip(old.shots_of(former), plan.shots_of(scene_id), strict=True)
     ]
-    scene: SceneContext = present.model_copy(update=update)
+    setup = present.setup.model_copy(update={"found": past.setup.found})
+    scene: SceneContext = present.model_copy(update={**update, "setup": setup})
     return replace(plan, *dressing, scene, *shots)
 
 

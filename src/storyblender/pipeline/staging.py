@@ -10,6 +10,8 @@ from storyblender.agents.layout_artist.layout_brief import LayoutBrief, measures
 from storyblender.agents.layout_artist.roomier import Room, larger, until_it_fits, without_dressing
 from storyblender.agents.layout_artist.spatial_planner import ways_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
+from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
+from storyblender.agents.visual_effects_artist.lighting_view import lighting_view
 from storyblender.catalog.costumes import age_of
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
@@ -18,7 +20,7 @@ from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
-from storyblender.memory.scene_context import Environment, Layout, SceneContext
+from storyblender.memory.scene_context import Environment, Layout, Lighting, SceneContext
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.materializing import materialize
 from storyblender.pipeline.run import Run
@@ -125,15 +127,13 @@ def _light(
     run: Run, scene: SceneContext, shots: tuple[ShotContext, ...]
 ) -> tuple[SceneContext, tuple[ShotContext, ...]]:
     """Light the scene, and every shot from which on the script changes the light."""
-    role, graph = run.crew.lighting_arranger, run.graph
-    lighting = current = run.reflect(role, scene_name(scene.scene_id), graph, scene.scene_id).draft
-    lit: list[ShotContext] = []
-    for shot in shots:
-        if shot.new_lighting_description:
-            name, words = shot_name(shot.scene_id, shot.shot_id), shot.new_lighting_description
-            changed = run.reflect(role, name, graph, scene.scene_id, current, words).draft
-            if changed != current:
-                current = changed
-                shot = shot.model_copy(update={"lighting": changed})
-        lit.append(shot)
-    return scene.model_copy(update={"lighting": lighting}), tuple(lit)
+    role, graph, scene_id = run.crew.lighting_arranger, run.graph, scene.scene_id
+    usual = run.reflect(role, scene_name(scene_id), graph, scene_id).draft
+
+    def change(current: Lighting, shot: ShotContext) -> Lighting:
+        name, words = shot_name(scene_id, shot.shot_id), shot.new_lighting_description or ""
+        return run.reflect(role, name, graph, scene_id, current, words).draft
+
+    first, lit, found = lit_shots(usual, lighting_view(graph, scene_id), shots, scene.setup.found, change)
+    setup = scene.setup if found == scene.setup.found else scene.setup.model_copy(update={"found": found})
+    return scene.model_copy(update={"lighting": first, "setup": setup}), lit

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from storyblender.catalog.states import StateLook, look_in
+from storyblender.catalog.states import Condition, StateLook, after, looks_in
 from storyblender.memory.asset_sheet import Asset, AssetDimension
 from storyblender.memory.jobs import AssetInState, AssetJob, SceneJob
 from storyblender.memory.shot_context import ShotContext
@@ -12,24 +12,36 @@ from storyblender.pipeline.asset_files import files_whole, note_asset
 from storyblender.pipeline.run import Run
 
 
-def assets_in_states(assets: Sequence[Asset], shots: Sequence[ShotContext]) -> tuple[AssetInState, ...]:
+def assets_in_states(
+    assets: Sequence[Asset], shots: Sequence[ShotContext], found: Mapping[str, Condition] = {}
+) -> tuple[AssetInState, ...]:
     """Return how things look in the states that shots bring them to, each once.
 
     Args:
         assets: Of the scene.
         shots: Of the scene.
+        found: States in which things are as the scene opens.
     """
     built = {asset.asset_id: asset for asset in assets if asset.asset_type == "object"}
-    found: dict[tuple[str, str], AssetInState] = {}
-    for change in (change for shot in shots for change in shot.asset_modifications):
-        asset = built.get(change.asset_id)
+    looks: dict[tuple[str, Condition], tuple[AssetInState, ...]] = {}
+    for asset_id, condition in _conditions(shots, found):
+        asset = built.get(asset_id)
         if asset is None or asset.canonical is None or asset.canonical.source != "catalog":
             continue
-        look = look_in(asset.canonical.key, asset.canonical.params, change.state)
-        if look is not None:
-            there = AssetInState(state=change.state, asset=_looking(asset, look), added=look.added)
-            found[change.asset_id, change.state] = there
-    return tuple(found.values())
+        made = asset.canonical
+        words = f"{asset.description} {asset.name}"
+        told = looks_in(made.key, made.params, condition, made.dimensions, words)
+        looks[asset_id, condition] = tuple(
+            AssetInState(
+                condition=condition,
+                asset=_looking(asset, look),
+                added=look.added,
+                location=look.location,
+                lying=look.lying,
+            )
+            for look in told
+        )
+    return tuple(each for parts in looks.values() for each in parts)
 
 
 def build_states(run: Run, jobs: Iterable[SceneJob]) -> None:
@@ -42,13 +54,22 @@ def build_states(run: Run, jobs: Iterable[SceneJob]) -> None:
         note_asset(run, asset)
 
 
+def _conditions(shots: Sequence[ShotContext], found: Mapping[str, Condition]) -> Iterator[tuple[str, Condition]]:
+    """Yield every condition that things are in during a scene."""
+    now: dict[str, Condition] = dict(found)
+    yield from now.items()
+    for change in (change for shot in shots for change in shot.asset_modifications if change.state):
+        now[change.asset_id] = after(now.get(change.asset_id, ()), change.state)
+        yield change.asset_id, now[change.asset_id]
+
+
 def _looking(asset: Asset, look: StateLook) -> Asset:
-    """Return an asset that is made as a look says; pieces, flames and smoke are as wide as the thing is large."""
+    """Return an asset that is made as a look says."""
     canonical = asset.canonical
     assert canonical is not None, "only what is built changes its state"
     dimension = asset.dimension
     if look.key != canonical.key:
-        dimension = AssetDimension(width=max(0.25, max(canonical.dimensions) * (0.7 if look.added else 1.1)))
+        dimension = None if look.width is None else AssetDimension(width=look.width)
     made = canonical.model_copy(update={"key": look.key, "params": look.params, "digest": ""})
     changed = asset.model_copy(update={"canonical": made, "dimension": dimension})
     digest = AssetJob(asset=changed).digest

@@ -6,7 +6,8 @@ import pytest
 from tests.every import every
 
 from storyblender.catalog.props import PROPS
-from storyblender.catalog.states import look_in, state_at_first
+from storyblender.catalog.states import after, look_in, looks_in, state_at_first
+from storyblender.catalog.writing import WRITING
 
 
 @every("key", sorted(key for key, entry in PROPS.items() if entry.params.get("open") is False))
@@ -44,3 +45,29 @@ def test_what_was_out_at_first_shines_once_it_is_lit() -> None:
     lit = look_in("candle", {"unlit": True}, "lit")
     assert lit is not None and "unlit" not in lit.params
     assert look_in("candle", {"unlit": True}, "off") is None
+
+
+def test_a_later_state_ends_one_of_its_kind_only() -> None:
+    assert after(after(("off",), "tipped"), "on") == ("tipped", "on")
+    assert after(("open",), "closed") == ("closed",)
+    assert after(("reads HELLO", "broken"), "reads GO") == ("broken", "reads GO")
+
+
+def test_a_lamp_that_is_off_stays_dark_whatever_else_happens_to_it() -> None:
+    size = PROPS["table_lamp"].size
+    for more in ("tipped", "dirty", "wet", "open"):
+        (look,) = [look for look in looks_in("table_lamp", {}, ("off", more), size) if not look.added]
+        assert look.params.get("unlit") is True
+
+
+@pytest.mark.parametrize("key", sorted(WRITING))
+def test_other_words_are_read_where_the_story_says_so(key: str) -> None:
+    (look,) = looks_in(key, {"text": "COME HOME"}, ("reads TOO LATE",), PROPS[key].size)
+    assert look.params["text"] == "TOO LATE" and not look.added
+    assert looks_in(key, {"text": "TOO LATE"}, ("reads TOO LATE",), PROPS[key].size) == ()
+
+
+def test_what_is_broken_lies_on_the_floor_even_if_it_was_tipped_over() -> None:
+    size = PROPS["vase"].size
+    pieces = looks_in("vase", {}, ("tipped", "broken"), size)[0]
+    assert pieces.key == "shards" and pieces.lying and pieces.location[2] == -size[1] / 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
+from storyblender.catalog.liquids import liquid_color
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.variants import words_of
 from storyblender.catalog.registry import ParamValue
@@ -134,6 +135,13 @@ class Recipe(Frozen):
         """Return the recipe of the thing in the state that it is in at first: a candle that is lit later is out."""
         look = look_in(self.key, self.params, state) if self.source == "catalog" and state else None
         return self if look is None or look.key != self.key else self.model_copy(update={"params": look.params})
+
+    def filled_with(self, told: str) -> Recipe:
+        """Return the recipe with the drink that its name tells of: a glass of milk is white."""
+        color = liquid_color(self.key, told, told=True)
+        if self.source != "catalog" or not color or "drink" not in PROPS[self.key].params:
+            return self
+        return self.model_copy(update={"params": {**self.params, "drink": color}})
 
     def with_caller(self, told: str) -> Recipe:
         """Return the recipe with a caller's face on its screen, if its description tells of a call."""

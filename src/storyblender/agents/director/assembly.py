@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import accumulate
 from string import capwords
 
+from storyblender.agents.director.carried_states import LIGHT, found_states
 from storyblender.agents.director.casting import called, cast, describe, introduction
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.creatures import describe_creature, size_of
@@ -23,6 +24,7 @@ from storyblender.agents.director.wording import modifiers_of, one_line, shot_se
 from storyblender.agents.director.written import writing_on
 from storyblender.catalog.costumes import Age, age_of
 from storyblender.catalog.homelands import homeland_of
+from storyblender.catalog.states import GONE, LEFT
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
 from storyblender.memory.outline import SceneOutline, ScriptLine, ShotOutline, SourceSpan
 from storyblender.memory.scene_context import Relation, SceneContext, SceneSetup
@@ -42,6 +44,7 @@ class Assembly:
         self.text = reading.screenplay.text
         self.era: Age = age_of(*told_and_said(reading.screenplay))
         self.left_behind = left_behind(reading)
+        self.found = found_states(reading)
         self.handled = {thing.id for thing in reading.things if thing.handled and thing.kind == "prop"}
         self.inanimate = company.assets - company.actors
         self.starts = [scene.start for scene in reading.scenes]
@@ -168,8 +171,20 @@ class Assembly:
                 ground_description=ground(scene),
                 wall_description=walls(scene),
                 relations=tuple(relations),
+                found={each: states for each, states in self.found[scene.id].items() if self._is_known(each)},
             ),
         )
+
+    def _lying_there(self, scene: SceneReading) -> Iterator[Relation]:
+        """Yield where things are that an earlier scene in this place left broken, tipped over or burning."""
+        left = {thing for thing, states in self.found[scene.id].items() if LEFT & {*states} and GONE not in states}
+        for earlier in self.reading.scenes:
+            same = scene.reference is not None and scene.reference in (earlier.id, earlier.reference)
+            if earlier.id < scene.id and same:
+                yield from (each for each in self.relations.get(earlier.id, ()) if each.asset_id in left)
+
+    def _is_known(self, id_: str) -> bool:
+        return id_ == LIGHT or id_ in self.company.assets or id_ in self.company.fixtures
 
     def _relations(self, scene: SceneReading, units: Sequence[Unit]) -> list[Relation]:
         """The relations that hold as the scene opens; what its people bring about later is left to them."""
@@ -188,7 +203,7 @@ class Assembly:
                 holds = relation.asset_id not in placed and relation.anchor_asset_id not in self.company.actors
             if holds:
                 found.setdefault(relation.asset_id, relation)
-        for relation in self.left_behind[scene.id]:
+        for relation in (*self._lying_there(scene), *self.left_behind[scene.id]):
             if {relation.asset_id, relation.anchor_asset_id} <= self.inanimate:
                 found.setdefault(relation.asset_id, relation)
         return list(found.values())

@@ -14,6 +14,7 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.economy import economise
 from storyblender.agents.director.extras import expand_groups
 from storyblender.agents.director.reading import Reading
+from storyblender.agents.director.rewritten import note_new_writing
 from storyblender.agents.director.settings import DirectorSettings
 from storyblender.agents.director.shot_details import ScriptFlags, ShotDetails
 from storyblender.agents.director.wording import one_line
@@ -32,7 +33,7 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         settings: How finely to cut.
     """
     settings = settings or DirectorSettings()
-    reading = hand_out(expand_groups(reading))
+    reading = note_new_writing(hand_out(expand_groups(reading)))
     company = Company(reading)
     assembly = Assembly(reading, company)
     coverage = Coverage(reading)

@@ -6,8 +6,11 @@ from collections.abc import Iterable, Mapping
 from string import capwords
 
 from storyblender.agents.director.creatures import is_creature
-from storyblender.agents.director.fixtures import is_fixture
+from storyblender.agents.director.fixtures import head_of, is_fixture
 from storyblender.agents.director.reading import Person, Reading, Thing
+
+_TAPS = frozenset({"tap", "taps", "faucet", "faucets"})
+_BASINS = frozenset({"sink", "basin", "washbasin", "bath", "bathtub", "tub"})
 
 
 class Company:
@@ -33,7 +36,7 @@ class Company:
         self.creatures = {person.id for person in self.people} - self.actors
         in_hand = _in_hand(reading)
         self.fixtures = {thing.id for thing in reading.things if thing.id not in in_hand and is_fixture(thing)}
-        self.wholes = _mere_parts(reading)
+        self.wholes = _mere_parts(reading) | _outlets(reading)
         self.fixtures |= set(self.wholes)
         things = {thing.id for thing in reading.things} - self.fixtures
         self.assets = {person.id for person in self.people} | things
@@ -60,6 +63,13 @@ def _mere_parts(reading: Reading) -> dict[str, str]:
     known = {thing.id for thing in reading.things}
     wholes = {thing.id: thing.part_of for thing in reading.things if thing.part_of in known and thing.id not in loose}
     return {part: whole for part, whole in wholes.items() if whole and not _circular(part, wholes)}
+
+
+def _outlets(reading: Reading) -> dict[str, str]:
+    """Return tap -> sink or bath: of what runs from it, the first that the story names."""
+    basins = [thing.id for thing in reading.things if head_of(thing.name) in _BASINS]
+    taps = [thing.id for thing in reading.things if head_of(thing.name) in _TAPS and thing.part_of is None]
+    return dict.fromkeys(taps, basins[0]) if basins else {}
 
 
 def _circular(part: str, wholes: Mapping[str, str | None]) -> bool:

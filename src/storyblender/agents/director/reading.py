@@ -110,7 +110,8 @@ class StateChange(Facts):
     """Thing id, or ``light``."""
     state: str
     """``open``, ``closed``, ``on``, ``off``, ``lit``, ``broken``, ``tipped``, ``spilled``, ``burning``, ``running``,
-    ``wet``, ``torn``, ``dirty``, ``bloody``, ``gone``, or a description for ``light``."""
+    ``full``, ``empty``, ``wet``, ``torn``, ``dirty``, ``bloody``, ``gone``, ``there``, ``reads WORDS``; for ``light`` a
+    description."""
     at: int = 0
 
 

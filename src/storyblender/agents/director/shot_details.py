@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from string import capwords
 
+from storyblender.agents.director.arrivals import not_there_yet
 from storyblender.agents.director.camera_phrases import from_behind
 from storyblender.agents.director.company import Company, unique
 from storyblender.agents.director.draft import Beat, ShotDraft
@@ -83,6 +84,7 @@ class ShotDetails:
         self.flags = flags
         kit = SETS[scene.kit or find_kit(scene.place_kind, scene.place, scene.scene_type)]
         self.staging = Staging(units, company.assets, company.fixtures, seated=kit.seated, on_foot=kit.on_foot)
+        self.later = not_there_yet(units, company.assets - company.actors - company.creatures)
         self.told: set[int] = set()
         """Starts of the units that a shot has played."""
         self.seen: set[str] = set()
@@ -155,7 +157,7 @@ class ShotDetails:
 
     def _absent(self, units: Sequence[Unit]) -> tuple[str, ...]:
         """Return the things missing in all of these units; a thing that comes or goes in between is shown."""
-        missing = [{*unit.absent} for unit in units]
+        missing = [{*unit.absent} | self.later.get(unit.start, set()) for unit in units]
         return tuple(sorted(set[str].intersection(*missing) & self.company.assets)) if missing else ()
 
     def _tethers(self, units: Sequence[Unit]) -> tuple[Tether, ...]:
@@ -198,10 +200,11 @@ class ShotDetails:
                     hand = f"in the hand of {self.company.names.get(deed.actor, deed.actor)}"
                     found.append(AssetModification(asset_id=deed.prop, modification_type="add", description=hand))
             for change in unit.changes:
-                if change.subject in self.company.assets or change.subject in self.company.fixtures:
+                subject = self.company.shown(change.subject)
+                if subject in self.company.assets or subject in self.company.fixtures:
                     found.append(
                         AssetModification(
-                            asset_id=change.subject,
+                            asset_id=subject,
                             modification_type="remove" if change.state == "gone" else "transform",
                             description=f"{self.company.names[change.subject]}: {change.state}",
                             state=change.state,

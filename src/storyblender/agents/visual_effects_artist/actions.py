@@ -312,7 +312,9 @@ class Actions:
             if handle is not None:
                 point = thing.world(handle.location)[:2]
             if math.dist(point, person.place) > REACH:
-                spot = self.company.floor.spot_at(point, person.place, person.k, self.company.others(person), 0.55)
+                others, floor = self.company.others(person), self.company.floor
+                spot = floor.spot_at(point, person.place, person.k, others, 0.55)
+                spot = spot or floor.spot_at(point, person.place, person.k, others, REACH)
                 if spot is not None:
                     t = self.sheet.go(person, spot, facing(spot, point), t)
             t = self.sheet.face(person, facing(person.place, point), t)
@@ -329,8 +331,7 @@ class Actions:
 
     def _sign(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
         """Looks, gestures and everything one does on the spot."""
-        start = self.sheet.start_of(person)
-        t = start
+        t = start = self.sheet.start_of(person)
         thing = self.company.floor.thing(action.target_id, person.place)
         if motion.key in ASIDE:
             partner = thing = None

@@ -10,8 +10,9 @@ from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.rehearsal import Rehearsal
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
+from storyblender.catalog.states import Condition
 from storyblender.memory.asset_sheet import Asset
-from storyblender.memory.base import Frozen
+from storyblender.memory.base import Frozen, Identifier
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Layout
@@ -34,6 +35,8 @@ class AnimatorView(Frozen):
     outline: SceneOutline | None = None
     """For the words of the speeches."""
     fps: int = 24
+    found: dict[Identifier, Condition] = {}
+    """States in which things are as the scene opens."""
 
 
 def animator_view(graph: ContinuityMemoryGraph, scene_id: int) -> AnimatorView:
@@ -53,6 +56,7 @@ def animator_view(graph: ContinuityMemoryGraph, scene_id: int) -> AnimatorView:
         shots=graph.shots_of(scene_id),
         outline=graph.outline_of(scene_id),
         fps=graph.format.fps,
+        found=scene.setup.found,
     )
 
 
@@ -97,7 +101,7 @@ class RulesAnimator:
     def propose(self, view: AnimatorView) -> AnimatorDraft:
         """Stage every shot of the scene in order."""
         floor = Floor(view.layout, view.assets, view.plan)
-        rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps)
+        rehearsal = Rehearsal(floor, view.assets, view.layout.objects, view.fps, view.found)
         rehearsal.company.find_players(view.shots)
         rehearsal.company.put_away(view.shots)
         lines = {shot.shot_id: shot.lines for shot in view.outline.shots} if view.outline else {}

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from storyblender.catalog.states import LYING, UPRIGHT, Condition, topples
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import PropState, ShotContext
-
-LYING = frozenset({"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"})
-"""States in which a thing lies on its side."""
-UPRIGHT = frozenset({"upright", "standing", "righted"})
-_FLAT = 0.35
-"""Ratio of height to width below which a thing is too flat to fall over."""
 
 
 class Fallen:
@@ -22,16 +17,20 @@ class Fallen:
     Args:
         assets: Assets of the scene, with their sizes.
         objects: The layout, for the positions of things that have not been moved.
+        found: States in which things are as the scene opens.
     """
 
-    def __init__(self, assets: Sequence[Asset], objects: Sequence[LayoutObject]) -> None:
+    def __init__(
+        self, assets: Sequence[Asset], objects: Sequence[LayoutObject], found: Mapping[str, Condition] = {}
+    ) -> None:
         self._sizes: dict[str, Vec3] = {
             asset.asset_id: asset.canonical.dimensions
             for asset in assets
             if asset.asset_type == "object" and asset.canonical is not None
         }
         self._homes = {item.asset_id: (item.location, item.rotation) for item in reversed(objects)}
-        self._down: dict[str, None] = {}
+        down = (name for name, states in found.items() if LYING & {*states})
+        self._down: dict[str, None] = {name: None for name in down if self._can_fall(name)}
 
     def lay(self, shot: ShotContext, states: tuple[PropState, ...], lying: Mapping[str, Vec3]) -> tuple[PropState, ...]:
         """Return the prop states of a shot, including fallen things on their side.
@@ -60,5 +59,4 @@ class Fallen:
         return tuple(kept.values())
 
     def _can_fall(self, name: str) -> bool:
-        width, depth, height = self._sizes.get(name, (1.0, 1.0, 0.0))
-        return height > _FLAT * max(width, depth)
+        return name in self._sizes and topples(self._sizes[name])

@@ -67,7 +67,9 @@ class Handling:
         if (getting and person.hand_of(prop)) or (motion.key == "hold" and prop in person.on_body):
             return
         t = self._hands_freed(person, prop, start) if motion.hands == 2 else start
-        where_it_is = motion.key in ("open", "close", "type") and self._stands(prop)
+        switched = motion.key == "press" and prop in self.company.lying
+        switched = switched and not fits_in_clothes(self.company.size_of(prop))
+        where_it_is = switched or (motion.key in ("open", "close", "type") and self._stands(prop))
         t = self._gone_to(person, prop, ACROSS if where_it_is else FETCH if getting else AT_HAND, t)
         lies = self._within_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None

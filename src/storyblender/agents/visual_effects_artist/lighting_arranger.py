@@ -30,11 +30,11 @@ _SWITCHES = r"turn(s|ed)?|switch(es|ed)?|flip(s|ped)?|snuff(s|ed)?|blow(s|n)?"
 _OUT = (
     r"\b(lights?|lamps?|power|electricity|bulbs?|candles?)\b.{0,24}\b(out|off|dies?|fails?|blow)\b"
     r"|\b(black ?out|pitch dark|plunged? into darkness|goes dark|total darkness)\b"
-    rf"|\b({_SWITCHES}) (off|out)\b"
+    rf"|\b({_SWITCHES}) (off|out)\b|^(off|out|dead|dark|darkness|black)\.?$"
 )
 _ON = (
     r"\b(lights?|lamps?|power|bulbs?|candles?)\b.{0,24}\b(on|back|up|lit)\b"
-    rf"|\b({_SWITCHES}) on\b|\blights? (a|the) (lamp|candle)\b"
+    rf"|\b({_SWITCHES}) on\b|\blights? (a|the) (lamp|candle)\b|^(on|lit|bright|back)\.?$"
 )
 _HOUR_WORDS: tuple[tuple[str, TimeOfDay], ...] = (
     (r"\b(sun ?rise|sun rises|sun (comes|is coming) up|dawn breaks|first light)\b", "dawn"),
@@ -93,9 +93,9 @@ def _changed(current: Lighting, view: LightingView) -> Lighting:
     hour = next((time for pattern, time in _HOUR_WORDS if re.search(pattern, words)), None)
     if hour is not None and hour != view.setup.time_of_day:
         return _of_scene(replace(view, setup=view.setup.model_copy(update={"time_of_day": hour})))
-    if re.search(_OUT, words):
+    if is_outage(words):
         return lights_out(current, indoor=view.plan.indoor)
-    if re.search(_ON, words):
+    if is_lighting_up(words):
         plan = _of_scene(replace(view, setup=view.setup.model_copy(update={"lighting_description": ""})))
         return plan if _practicals(plan) else _lamps_burn(plan, view)
     return _described(current, words)
@@ -123,6 +123,16 @@ class LightingCritic:
 def light_place(setup: SceneSetup, plan: SetPlan, environment: Environment) -> Lighting:
     """Return the light plan of a place without props of the script: what ``propose`` gives before the layout."""
     return RulesLightingArranger().propose(LightingView(setup, plan, environment))
+
+
+def is_outage(words: str) -> bool:
+    """Return whether words on light say that it goes out."""
+    return re.search(_OUT, words.lower()) is not None
+
+
+def is_lighting_up(words: str) -> bool:
+    """Return whether words on light say that it goes on."""
+    return not is_outage(words) and re.search(_ON, words.lower()) is not None
 
 
 def lights_out(lighting: Lighting, *, indoor: bool) -> Lighting:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
 
-from storyblender.catalog.light_recipes import LAMPS
+from storyblender.catalog.light_recipes import LAMPS, LampKind
 from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.called import called
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.catalog.sets import plan_of
-from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.asset_sheet import Asset, ParamValue
 from storyblender.memory.base import Color, Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Environment, Layout, Light, Lighting, SceneSetup
@@ -20,6 +21,13 @@ MOST_LIGHTS = 20
 """Lamps a plan may have; every one costs time in every frame."""
 _REACH = 26.0
 """Metres from the stage beyond which a lamp is scenery, not light."""
+
+
+class Carried(NamedTuple):
+    """A lamp that has left its place: where it is, and what a beam of it points at, if somebody holds it."""
+
+    place: Vec3
+    aim: Vec3 | None
 
 
 @dataclass(frozen=True)
@@ -34,6 +42,8 @@ class LightingView:
         assets: To know which of the layout's objects are lamps.
         current: The light until now, where the script changes it.
         change: The words of the change, e.g. ``The lights go out``.
+        told: Whether a lamp burns, by asset id, for those of which the story tells it.
+        carried: Where lamps are that have left their places, by asset id.
     """
 
     setup: SceneSetup
@@ -43,6 +53,8 @@ class LightingView:
     assets: tuple[Asset, ...] = ()
     current: Lighting | None = None
     change: str = ""
+    told: Mapping[str, bool] = field(default_factory=dict[str, bool])
+    carried: Mapping[str, Carried] = field(default_factory=dict[str, Carried])
 
 
 def lighting_view(
@@ -64,29 +76,28 @@ def lighting_view(
 
 def burning_lamps(view: LightingView, share: float) -> tuple[Light, ...]:
     """Return the burning lamps: those of the architecture and one inside every lamp prop."""
-    if share <= 0:
-        return ()
-    lights = [*view.plan.lamps, *_lamp_props(view)]
-    near = [light for light in lights if math.hypot(light.location[0], light.location[1]) < _REACH or light.power > 300]
-    return tuple(light.model_copy(update={"power": round(light.power * share, 3)}) for light in near)
+    lights = [(light, share) for light in view.plan.lamps]
+    lights += [(light, 1.0 if told else share) for light, told in _lamp_props(view)]
+    return tuple(
+        light.model_copy(update={"power": round(light.power * part, 3)})
+        for light, part in lights
+        if part > 0 and (math.hypot(light.location[0], light.location[1]) < _REACH or light.power > 300)
+    )
 
 
-def _lamp_props(view: LightingView) -> Iterator[Light]:
-    for node_id, key, place, yaw, height in _standing_props(view):
-        kind, entry = LAMPS.get(key), PROPS.get(key)
-        if kind is None:
+def _lamp_props(view: LightingView) -> Iterator[tuple[Light, bool]]:
+    """Yield the light of every lamp prop that is not off, and whether the story tells that it burns."""
+    for prop in _standing_props(view):
+        kind, told = LAMPS.get(prop.key), view.told.get(prop.asset_id)
+        if kind is None or told is False or (told is None and (prop.unlit or kind.when_told)):
             continue
-        at = (0.0, 0.0, 0.5) if entry is None or entry.lamp is None else entry.lamp
-        usual = entry.size[2] if entry is not None else 1.0
-        if entry is not None and entry.placement != "ceiling" and height:
-            at = (at[0], at[1], at[2] * height / usual)
-        turn, (dx, dy, dz) = math.radians(yaw), (at[i] + kind.offset[i] for i in range(3))
-        x = place[0] + dx * math.cos(turn) - dy * math.sin(turn)
-        y = place[1] + dx * math.sin(turn) + dy * math.cos(turn)
-        spot = (round(x, 3), round(y, 3), round(place[2] + dz, 3))
-        ahead = (x + 2 * math.sin(turn), y - 2 * math.cos(turn), spot[2]) if key == "television" else (x, y, 0.0)
-        yield Light(
-            name=f"{node_id}_light",
+        carried = view.carried.get(prop.asset_id)
+        place = prop.place if carried is None else carried.place
+        spot, ahead = _shining(prop, kind, place)
+        if carried is not None and carried.aim is not None:
+            spot, ahead = (place[0], place[1], round(place[2] + kind.offset[2], 3)), carried.aim
+        light = Light(
+            name=f"{prop.node_id}_light",
             kind=kind.kind,
             role="practical",
             location=spot,
@@ -94,27 +105,78 @@ def _lamp_props(view: LightingView) -> Iterator[Light]:
             power=kind.watts,
             color=kind.color,
             size=kind.size,
-            cone=140.0,
+            cone=kind.cone,
             blend=0.6,
             glow=kind.glow,
         )
+        yield light, bool(told)
 
 
-def _standing_props(view: LightingView) -> Iterator[tuple[str, str, Vec3, float, float]]:
-    """Yield node_id, prop key, location, yaw and height of every prop of the scene."""
+def _shining(prop: _Standing, kind: LampKind, place: Vec3) -> tuple[Vec3, Vec3]:
+    """Return where the light of a standing lamp is, and what it points at: the floor, or what is before it."""
+    entry = PROPS.get(prop.key)
+    at = (0.0, 0.0, 0.5) if entry is None or entry.lamp is None else entry.lamp
+    usual = entry.size[2] if entry is not None else 1.0
+    if entry is not None and entry.placement != "ceiling" and prop.height:
+        at = (at[0], at[1], at[2] * prop.height / usual)
+    turn, (dx, dy, dz) = math.radians(prop.yaw), (at[i] + kind.offset[i] for i in range(3))
+    x = place[0] + dx * math.cos(turn) - dy * math.sin(turn)
+    y = place[1] + dx * math.sin(turn) + dy * math.cos(turn)
+    spot = (round(x, 3), round(y, 3), round(place[2] + dz, 3))
+    beam = prop.key == "television" or kind.when_told
+    return spot, (x + 2 * math.sin(turn), y - 2 * math.cos(turn), spot[2]) if beam else (x, y, 0.0)
+
+
+class _Standing(NamedTuple):
+    """A prop of the scene: what it is, where it stands, how high it is, whether it was built dark."""
+
+    node_id: str
+    asset_id: str
+    key: str
+    place: Vec3
+    yaw: float
+    height: float
+    unlit: bool
+
+
+def _standing_props(view: LightingView) -> Iterator[_Standing]:
+    """Yield every prop of the scene, and every lamp that somebody has brought."""
     if view.layout is None:
         for item in view.plan.furnishings:
-            yield item.node_id, item.prop, item.location, item.yaw, float(item.params.get("height", 0.0))
+            height = float(item.params.get("height", 0.0))
+            yield _Standing(
+                item.node_id, item.node_id, item.prop, item.location, item.yaw, height, is_dark(item.params)
+            )
         return
     assets = {asset.asset_id: asset for asset in view.assets}
     for placed in view.layout.objects:
         asset = assets.get(placed.asset_id)
-        if asset is None or asset.canonical is None:
-            continue
-        made, entry = asset.canonical, called(asset.name) if asset.canonical.source == "file" else None
-        key = made.key if made.source == "catalog" else entry.key if entry is not None else ""
-        if key:
-            yield placed.node_id, key, placed.location, placed.rotation[2], made.dimensions[2]
+        if asset is not None and asset.canonical is not None and (key := prop_key(asset)):
+            made, dark = asset.canonical, is_dark(asset.canonical.params)
+            yield _Standing(
+                placed.node_id, asset.asset_id, key, placed.location, placed.rotation[2], made.dimensions[2], dark
+            )
+    homes = {placed.asset_id for placed in view.layout.objects}
+    for asset_id, carried in view.carried.items():
+        asset = assets.get(asset_id)
+        if asset_id not in homes and asset is not None and asset.canonical is not None:
+            made = asset.canonical
+            yield _Standing(
+                asset_id, asset_id, prop_key(asset), carried.place, 0.0, made.dimensions[2], is_dark(made.params)
+            )
+
+
+def prop_key(asset: Asset) -> str:
+    """Return the key of the prop that an asset is, of a user's model what it is called; empty if it is neither."""
+    if asset.canonical is None or asset.canonical.source not in ("catalog", "file"):
+        return ""
+    named = called(asset.name) if asset.canonical.source == "file" else None
+    return named.key if named is not None else asset.canonical.key if asset.canonical.source == "catalog" else ""
+
+
+def is_dark(params: Mapping[str, ParamValue]) -> bool:
+    """Return whether a prop that shines was built dark."""
+    return bool(params.get("unlit")) or params.get("lit") is False or params.get("on") is False
 
 
 def strongest(lights: tuple[Light, ...], count: int) -> tuple[Light, ...]:

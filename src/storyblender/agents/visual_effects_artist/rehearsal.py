@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.visual_effects_artist.actions import Actions
@@ -16,6 +16,7 @@ from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.menagerie import Menagerie
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.catalog.motions import clip_of
+from storyblender.catalog.states import Condition
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.scene_context import LayoutObject
@@ -45,12 +46,20 @@ class Rehearsal:
         assets: Characters with their statures, objects with their sizes.
         objects: The layout, for the people's first places.
         fps: Frames per second.
+        found: States in which things are as the scene opens.
     """
 
-    def __init__(self, floor: Floor, assets: Sequence[Asset], objects: Sequence[LayoutObject], fps: int) -> None:
+    def __init__(
+        self,
+        floor: Floor,
+        assets: Sequence[Asset],
+        objects: Sequence[LayoutObject],
+        fps: int,
+        found: Mapping[str, Condition] = {},
+    ) -> None:
         self.company, self.fps = Company(floor, assets, objects), fps
         self.animals = Menagerie(self.company, assets, objects)
-        self.fallen = Fallen(assets, objects)
+        self.fallen = Fallen(assets, objects, found)
 
     def keep(self, shot: ShotContext) -> None:
         """Take over the ends of a shot whose blocking the user has locked."""

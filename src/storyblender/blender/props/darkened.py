@@ -7,7 +7,7 @@ import bpy
 
 from storyblender.blender.materials import material
 
-_DARK = {"lamp_": "lampshade", "screen": "screen_off", "neon_": "glass_dark", "ember": "iron"}
+_DARK = {"lamp_": "linen", "lampshade": "linen", "screen": "screen_off", "neon_": "glass_dark", "ember": "iron"}
 """How the key of a shining material begins -> the material of the same thing when it is off."""
 _BURNS = ("flame", "fire")
 

@@ -118,8 +118,10 @@ def sink(b: MeshBuilder, spec: PropSpec) -> Anchors:
     """Build a basin in a cupboard; one stands at -Y."""
     (w, d, h), body, basin, metal = spec.size, spec.material("body"), spec.material("basin"), spec.material("metal")
     top = h - 0.24
-    b.box(body, (0, 0.01, top / 2), (w - 0.04, d - 0.05, top - 0.1), bevel=0.006)
+    b.box(body, (0, 0.01, top / 2 - 0.065), (w - 0.04, d - 0.05, top - 0.23), bevel=0.006)
     for x in (-1, 1):
+        b.box(body, (x * (w / 2 - 0.03), 0.01, top - 0.12), (0.02, d - 0.05, 0.14))
+        b.box(body, (0, 0.01 + x * (d / 2 - 0.035), top - 0.12), (w - 0.04, 0.02, 0.14))
         panel_door(b, body, (x * w * 0.235, -d / 2 + 0.03, top * 0.48), w * 0.45, top * 0.7)
         b.sphere(metal, (x * 0.05, -d / 2 + 0.005, top * 0.6), 0.014)
     for x in (-1, 1):

@@ -41,8 +41,12 @@ class PropSpec:
     rng: np.random.Generator
 
     def material(self, role: str) -> bpy.types.Material:
-        """Return the material of a role; the first role takes ``color`` and ``material`` from the parameters."""
+        """Return the material of a role; the first role takes ``color`` and ``material`` from the parameters, what is
+        drunk its colour from ``drink``.
+        """
         key = self.entry.materials[role]
+        if role == "drink" and self.params.get("drink"):
+            return material(key, hex_color(str(self.params["drink"])))
         if role != next(iter(self.entry.materials)):
             return material(key)
         color = str(self.params.get("color", ""))

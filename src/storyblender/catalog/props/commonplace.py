@@ -32,6 +32,12 @@ COMMONPLACE: tuple[PropEntry, ...] = (
     entry("nature", "smoke", "column of smoke, cloud of smoke, plume of smoke, steam, fumes, exhaust, fog, mist, haze, "
           "vapour, vapor, dust cloud, cloud of dust", (0.9, 0.75, 1.65), {"puff": "fabric"}, "Billowing smoke.",
           params={"color": "#b9bcc0"}),
+    entry("nature", "running_water", "tap water, falling water, stream from a tap, dripping water", (0.14, 0.14, 0.3),
+          {"water": "glass"}, "Water that runs from a spout.", params={"color": "#a9bcc2"}, placement="surface"),
+    entry("nature", "water_jet", "spray of water, water spray, jet of water", (0.12, 2.4, 0.3), {"water": "glass"},
+          "A jet of water.", params={"color": "#a9bcc2"}, placement="surface"),
+    entry("nature", "liquid", "surface of a liquid", (0.2, 0.2, 0.01), {"liquid": "glass"}, "What fills a vessel.",
+          params={"color": "#8fa6ad", "oblong": False}, placement="surface"),
     entry("nature", "cloud", "storm cloud, storm, thundercloud, storm clouds, clouds, rain cloud", (6.0, 3.0, 2.0),
           {"puff": "fabric"}, "A heavy cloud.", params={"color": "#6f7684"}),
     entry("street", "lighthouse", "light house, beacon tower", (4.4, 4.4, 14.0),

@@ -155,7 +155,8 @@ _HOME: tuple[PropEntry, ...] = (
 
 _TABLE: tuple[PropEntry, ...] = (
     held("mug", "coffee mug, tea mug, enamel mug, tin mug, mug of coffee, mug of tea, mug of cocoa",
-        (0.115, 0.085, 0.095), {"body": "porcelain", "drink": "wood_black"}, "A mug."),
+        (0.115, 0.085, 0.095), {"body": "porcelain", "drink": "wood_black"}, "A mug.",
+        {"drink": ""}),
     held("paper_cup", "takeaway cup, take-out cup, takeout coffee, takeaway coffee, styrofoam cup, plastic cup, "
          "to-go cup, disposable cup, takeaway coffee cup, coffee to go", (0.09, 0.09, 0.15),
         {"paper": "porcelain", "sleeve": "cardboard", "lid": "plastic_black"}, "A paper cup with a lid."),

@@ -35,6 +35,7 @@ PANTRY: tuple[PropEntry, ...] = (
         (0.22, 0.15, 0.25),
         {"body": "porcelain", "drink": "water"},
         "A jug.",
+        {"drink": ""},
     ),
     held(
         "pot",

@@ -12,7 +12,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         (0.15, 0.15, 0.085),
         {"body": "porcelain", "drink": "leather"},
         "A cup on its saucer.",
-        {"saucer": True},
+        {"saucer": True, "drink": ""},
     ),
     held(
         "glass",
@@ -20,7 +20,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         (0.076, 0.076, 0.11),
         {"body": "glass", "drink": "glass_amber"},
         "A tumbler, part full.",
-        {"fill": 0.45},
+        {"fill": 0.45, "drink": ""},
         Surface.GLASS,
     ),
     held(
@@ -29,7 +29,7 @@ TABLE_AND_DESK: tuple[PropEntry, ...] = (
         (0.08, 0.08, 0.2),
         {"body": "glass", "drink": "fabric_red"},
         "A stemmed glass.",
-        {"fill": 0.5},
+        {"fill": 0.5, "drink": ""},
         Surface.GLASS,
     ),
     held(

@@ -102,6 +102,8 @@ class SceneState:
     """Seen on a screen only."""
     posture: dict[str, tuple[Posture, str | None]] = field(default_factory=dict)
     held: dict[str, list[str]] = field(default_factory=dict)
+    fallen: str = ""
+    """What was tipped over last."""
     relations: list[tuple[int, Relation]] = field(default_factory=list)
     activities: dict[str, str] = field(default_factory=dict)
     """Person -> lasting motion."""

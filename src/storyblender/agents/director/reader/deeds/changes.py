@@ -10,6 +10,7 @@ from storyblender.agents.director.reader.people.roles import Roles
 from storyblender.agents.director.reader.stage import Stage
 from storyblender.agents.director.reading import Person, StateChange
 from storyblender.agents.director.rules import rule
+from storyblender.catalog.liquids import LIQUIDS
 
 _STATE_OF_VERB = {
     "open": "open", "unlock": "open", "pop": "open", "close": "closed", "shut": "closed", "slam": "closed",
@@ -20,6 +21,15 @@ _STATE_OF_VERB = {
 _HARMED = frozenset({"broken", "tipped", "spilled"})
 _STATE_OF_PARTICLE = {"open": "open", "shut": "closed", "on": "on", "off": "off", "out": "off"}
 _HALF_OUT = {"flicker": "flickering", "dim": "dim"}
+_TAPS = frozenset(
+    {"tap", "taps", "faucet", "shower", "hose", "hydrant", "sprinkler", "sink", "bath", "bathtub", "pump"}
+)
+_POURING = frozenset({"run", "pour", "gush", "flow", "spurt", "spray", "stream", "splash", "drip"})
+_SPILT = frozenset({"spill", "pour", "splash", "slop", "drip", "leak"})
+_COMING = frozenset({"arrive", "appear", "materialize", "materialise", "emerge"})
+_MOVING = frozenset({"drive", "pull", "roll", "draw", "come", "ride", "sail", "fly", "speed", "race", "screech"})
+_COMES = frozenset({"up", "in", "into", "out", "along", "alongside"})
+"""Particles with which a moving thing arrives."""
 _LAMPS, _LIGHTING = lexicon.words("lamps"), lexicon.words("lighting")
 _SWITCHING, _LIGHTING_UP = lexicon.words("switching"), lexicon.words("lighting_up")
 _FAILING = lexicon.words("failing")
@@ -37,6 +47,8 @@ def note_changes(stage: Stage, clause: Clause, roles: Roles) -> None:
         _switched(stage, clause, thing)
     for thing in roles.subject_things if not roles.subjects else ():
         _fails(stage, clause, thing)
+        _arrives(stage, clause, thing)
+    _liquids(stage, clause, roles)
 
 
 def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
@@ -55,10 +67,34 @@ def _openings(stage: Stage, clause: Clause, roles: Roles) -> None:
 def _switched(stage: Stage, clause: Clause, thing: str) -> None:
     """``turns off the lamp``, ``lights a candle``."""
     head, state = stage.inventory.head(thing), _STATE_OF_PARTICLE.get(clause.particle)
+    if clause.verb in _SWITCHING and state in ("on", "off") and head in _TAPS:
+        _change(stage, thing, "running" if state == "on" else "off", clause.at)
     if clause.verb in _SWITCHING and state in ("on", "off") and head in _LAMPS:
         _change(stage, thing, state, clause.at)
     elif clause.verb in _LIGHTING_UP and (head in _LAMPS or head == "match"):
         _change(stage, thing, "on", clause.at)
+
+
+def _arrives(stage: Stage, clause: Clause, thing: str) -> None:
+    """``A car pulls up``, ``A ship appears``: it was not there before."""
+    moves = clause.verb in _MOVING and clause.particle in _COMES
+    comes = stage.inventory.class_of(thing) == "prop" or stage.inventory.head(thing) in lexicon.VEHICLES
+    if comes and (clause.verb in _COMING or moves):
+        _change(stage, thing, "there", clause.at)
+
+
+def _liquids(stage: Stage, clause: Clause, roles: Roles) -> None:
+    """``Water runs from the tap``, ``The milk spills over the table``: out of what holds or gives it."""
+    named = next((noun.head for noun in clause.subject if noun.head in LIQUIDS), None)
+    if named is None or roles.subjects:
+        return
+    around = [*roles.things, *(thing for place in roles.places for thing in place.things)]
+    tap = next((thing for thing in around if stage.inventory.head(thing) in _TAPS), None)
+    if tap is not None and clause.verb in _POURING:
+        _change(stage, tap, "running", clause.at)
+        return
+    if clause.verb in _SPILT and stage.scene.fallen:
+        _change(stage, stage.scene.fallen, "spilled", clause.at)
 
 
 def _fails(stage: Stage, clause: Clause, thing: str) -> None:
@@ -76,6 +112,7 @@ def _change(stage: Stage, thing: str, state: str, at: int) -> None:
     """Note a change once; the lights of the place are ``light``."""
     subject = "light" if stage.inventory.head(thing) in _LIGHTING else thing
     change = StateChange(subject, state, at)
+    stage.scene.fallen = thing if state == "tipped" else stage.scene.fallen
     if change not in stage.unit.changes:
         stage.unit.changes.append(change)
 

@@ -1,0 +1,83 @@
+"""Liquids of a story: their colours, what holds them, and where they run from. Data and pure arithmetic."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from storyblender.catalog.hollows import HOLLOWS
+from storyblender.catalog.props.variants import COLORS, words_of
+from storyblender.memory.base import Vec3
+
+LIQUIDS: dict[str, str] = {
+    "water": "#a9c0c9", "rain": "#a9c0c9", "milk": "#efeae0", "cream": "#efe6cf", "coffee": "#3a2417",
+    "cocoa": "#5a3420", "tea": "#8a4f22", "wine": "#5a0f1e", "champagne": "#d9c26a", "beer": "#c98a2a",
+    "whisky": "#a8641e", "whiskey": "#a8641e", "brandy": "#a8641e", "juice": "#d9862a", "lemonade": "#e0d27a",
+    "soup": "#b5702e", "oil": "#1c1712", "petrol": "#6f6a3a", "gasoline": "#6f6a3a", "ink": "#14162c",
+    "paint": "#c8c2b4", "blood": "#6d0f12", "honey": "#c9862a", "syrup": "#6a3a18", "sauce": "#8c2620",
+    "mud": "#4a3826", "vinegar": "#b59a5a", "acid": "#9ab03a", "slime": "#6a9a3a",
+}  # fmt: skip
+"""Colour by name."""
+_USUAL = {
+    "cup": "coffee", "mug": "coffee", "paper_cup": "coffee", "thermos": "coffee", "coffee_machine": "coffee",
+    "teapot": "tea", "wine_glass": "wine", "chalice": "wine", "beer_mug": "beer", "barrel": "beer", "pot": "soup",
+}  # fmt: skip
+"""What is in a thing, by prop key, where the script does not say; of others it is water."""
+VESSELS = frozenset(HOLLOWS) & frozenset({
+    "cup", "glass", "beer_mug", "wine_glass", "chalice", "bowl", "pot", "pan", "cauldron", "jug", "jar", "tin_can",
+    "vase", "beaker", "bucket", "mug", "paper_cup", "barrel", "bathtub", "sink", "trough", "well",
+}) | {"bottle", "water_bottle", "thermos", "teapot", "canteen", "aquarium"}  # fmt: skip
+"""Keys of what liquids are kept in."""
+_OBLONG = frozenset({"bathtub", "sink", "trough", "aquarium"})
+SPOUTS: dict[str, tuple[Vec3, float, float]] = {
+    "sink": ((0.0, 0.107, 0.92), 0.66, 0.0),
+    "bathtub": ((0.0, 0.365, 0.9), 0.3, 0.0),
+    "water_pump": ((0.0, -0.42, 0.56), 0.02, 0.0),
+    "water_cooler": ((0.0, -0.5, 0.6), 0.45, 0.0),
+    "hydrant": ((0.0, -0.5, 0.48), 0.0, 1.8),
+    "hose": ((0.1, -0.5, 0.12), 0.0, 2.6),
+}
+"""By prop key, as shares of width, depth and height: where a liquid leaves it, at what height the stream ends, and how
+far in metres it is thrown; 0 lets it fall straight down."""
+_LEVEL = 0.82
+"""Share of its height up to which a full vessel is filled."""
+
+
+def liquid_color(key: str, words: str, *, told: bool = False) -> str:
+    """Return the colour of what is in a thing; empty if ``told`` and the words name no liquid.
+
+    Args:
+        key: Prop key.
+        words: How the script calls the thing: ``a glass of milk``.
+        told: Only what the words name counts.
+    """
+    spoken = words_of(words)
+    named = next((word for word in reversed(spoken) if word in LIQUIDS), "")
+    if named in ("paint", "ink", "wine", "slime"):
+        paint = next((COLORS[word] for word in spoken if word in COLORS and word != "red"), "")
+        return paint or LIQUIDS[named]
+    return LIQUIDS.get(named, "" if told else LIQUIDS[_USUAL.get(key, "water")])
+
+
+def filling_of(key: str, size: Vec3) -> tuple[Vec3, float, bool] | None:
+    """Return size and height of the surface of what fills a vessel, and whether it is oblong; None for other things.
+
+    Args:
+        key: Prop key.
+        size: Its width, depth and height in metres.
+    """
+    hollow = HOLLOWS.get(key)
+    if key not in VESSELS or hollow is None:
+        return None
+    return (hollow.width * size[0] * 1.1, hollow.depth * size[1] * 1.1, 0.01), _LEVEL * size[2], key in _OBLONG
+
+
+def spill_width(size: Vec3) -> float:
+    """Return how wide the puddle of what a thing held is, in metres."""
+    held = size[0] * size[1] * size[2] * 0.5
+    return min(max(math.sqrt(held / 0.004), 0.16), 1.8)
+
+
+def is_vessel(key: str, words: Sequence[str]) -> bool:
+    """Return whether a thing holds a liquid: it is a vessel, or its words name one."""
+    return key in VESSELS or bool({*words} & LIQUIDS.keys())
