@@ -25,6 +25,8 @@ _LEAST_PERSON: dict[ShotSize, float] = {
     "EWS": 0.0004, "WS": 0.002, "FS": 0.008, "MWS": 0.02, "MS": 0.03, "MCU": 0.04, "CU": 0.05, "ECU": 0.05,
 }  # fmt: skip
 """Least share of the frame that a person must fill, by shot size."""
+_LOOSE, _CLOSE = 7.0, 9.0
+"""Least match of a used thing with its words, and of the thing that the picture is about."""
 _LEAST_THING = 0.0003
 _LEAST_INSERT = 0.012
 _LEAST_EXTENT = {"ECU": 0.3, "CU": 0.22, "MCU": 0.16}
@@ -115,10 +117,20 @@ def _beheaded(subject: SubjectView, size: ShotSize) -> bool:
     return whole and subject.face is not None and 0 < subject.face[1] < 0.45 * subject.head_height
 
 
-def _is_plain(view: FrameView, asset_id: str) -> bool:
-    """Return whether something else stands in for a thing."""
+def _replaced(view: FrameView, asset_id: str, focus: bool) -> Fault | None:
+    """Return the fault of a thing that something else stands in for, or that the library has only loosely.
+
+    What the picture is about must match best.
+    """
     asset = view.assets.get(asset_id)
-    return asset is not None and asset.canonical is not None and asset.canonical.is_stand_in
+    if asset is None or asset.canonical is None:
+        return None
+    if asset.canonical.is_stand_in:
+        return fault("stand_in", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is a plain stand-in")
+    score = asset.canonical.match_score
+    if asset.asset_type != "object" or score is None or score >= (_CLOSE if focus else _LOOSE):
+        return None
+    return fault("loose_match", asset_id, SENT_BACK, f"{asset_id} is only like what the words say")
 
 
 def _slight(subject: SubjectView | None, instruction: CameraInstruction) -> bool:
@@ -210,14 +222,12 @@ def _things(view: FrameView) -> list[Fault]:
             found.append(fault("thing_missing", asset_id, 4.0, f"{asset_id}, which the picture is about, is not seen"))
         elif pixels < _LEAST_THING and (focus or not tight):
             found.append(fault("thing_missing", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is not seen"))
-        elif _is_plain(view, asset_id):
-            found.append(fault("stand_in", asset_id, 2.5 if focus else SENT_BACK, f"{asset_id} is a plain stand-in"))
+        elif (replaced := _replaced(view, asset_id, focus)) is not None:
+            found.append(replaced)
     named = {each.subject for each in found}
     held = dict.fromkeys(prop for state in shot.states if state.asset_id in shot.shown for prop in state.held)
-    for prop in held:
-        if prop not in named and _is_plain(view, prop):
-            found.append(fault("stand_in", prop, SENT_BACK, f"{prop}, which is in a hand, is a plain stand-in"))
-            break
+    in_hand = (_replaced(view, prop, prop in instruction.focus_on_ids) for prop in held if prop not in named)
+    found += [replaced for replaced in in_hand if replaced is not None][:1]
     return found
 
 

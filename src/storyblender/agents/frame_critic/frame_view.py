@@ -72,12 +72,14 @@ def actions_to_see(shot: ShotContext) -> list[CharacterAction]:
 def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list[CharacterAction]:
     """Return what the lines tell to be done and nobody does at the drawn moment; members of a group count once.
 
-    Looks do not count, nor does having what is in the hand already.
+    Looks do not count, nor does having what is in the hand already, nor the way to where somebody then does something,
+    nor a posture that somebody has taken by then.
     """
     moment = story_moment(shot, played)
     held = {(state.asset_id, prop) for state in shot.states for prop in state.held}
     missed: dict[tuple[str, str], CharacterAction] = {}
     shown: set[tuple[str, str]] = set()
+    doing: set[str] = set()
     for action in actions_to_see(shot):
         key = clip_of(action.motion).key
         if key in _LOOKING or (key in _HAVING and (action.asset_id, action.prop_id) in held):
@@ -85,10 +87,13 @@ def deeds_not_shown(shot: ShotContext, played: Sequence[PlayedCue] = ()) -> list
         deed = (action.motion, action.action_description)
         for cue in cues_of(action, shot):
             start, length = span_of(cue, shot, played)
-            if start <= moment and (cue.lasting or moment <= start + length):
+            stays = cue.lasting or clip_of(cue.clip).after not in (None, "stand")
+            if start <= moment and (stays or moment <= start + length):
                 shown.add(deed)
+                doing.add(action.asset_id)
         missed.setdefault(deed, action)
-    return [action for deed, action in missed.items() if deed not in shown]
+    undone = [action for deed, action in missed.items() if deed not in shown]
+    return [each for each in undone if clip_of(each.motion).speed is None or each.asset_id not in doing]
 
 
 def speakers(shot: ShotContext) -> list[str]:

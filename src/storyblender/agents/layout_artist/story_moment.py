@@ -86,11 +86,19 @@ def _named_moment(shot: ShotContext, played: Sequence[PlayedCue]) -> int | None:
 
 
 def cues_of(action: CharacterAction, shot: ShotContext) -> list[Cue]:
-    """Return the cues that play an action: its own clip, or what is done with its thing or to its target instead."""
+    """Return the cues that play an action.
+
+    Its own clip; else what is done with its thing or to its target instead; else all that somebody does whose only
+    deed in the shot it is.
+    """
     own = [cue for cue in shot.cues if cue.asset_id == action.asset_id]
-    played = [cue for cue in own if cue.clip == clip_of(action.motion).key]
+    done = [cue for cue in own if cue.clip not in (*AT_REST, *_SPOKEN)]
     about = {action.prop_id, action.target_id} - {None, action.asset_id}
-    return played or [cue for cue in own if about & {cue.prop_id, cue.target_id} and cue.clip not in AT_REST]
+    played = [cue for cue in own if cue.clip == clip_of(action.motion).key]
+    played = played or [cue for cue in done if about & {cue.prop_id, cue.target_id}]
+    deeds = {each.motion for each in shot.character_actions if each.asset_id == action.asset_id}
+    alone = {clip_of(each).key for each in deeds} <= {clip_of(action.motion).key, *AT_REST, *_SPOKEN}
+    return played or [cue for cue in done if alone and clip_of(cue.clip).speed is None]
 
 
 def span_of(cue: Cue, shot: ShotContext, played: Sequence[PlayedCue] = ()) -> tuple[int, int]:

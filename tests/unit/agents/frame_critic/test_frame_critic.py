@@ -259,3 +259,20 @@ def test_a_plain_thing_in_a_hand_is_a_stand_in_though_nothing_is_done_with_it() 
     holds = _told("wave", cues=(_cue("wave", 4),), states=(BodyState(asset_id="mara", held=("horn",)),))
     assert "stand_in" in _faults(_view(*_GOOD, shot=holds, assets={"cup": _CUP, "horn": horn}))
     assert "stand_in" not in _faults(_view(*_GOOD, shot=holds, assets={"cup": _CUP}))
+
+
+@pytest.mark.parametrize(("score", "focus", "loose"), [(6.5, False, True), (8.0, False, False), (8.0, True, True),
+                                                       (9.5, True, False), (None, True, False)])  # fmt: skip
+def test_what_the_library_has_only_loosely_does_not_pass(score: float | None, focus: bool, loose: bool) -> None:
+    assert _CUP.canonical is not None
+    cup = _CUP.model_copy(update={"canonical": _CUP.canonical.model_copy(update={"match_score": score})})
+    about = CameraInstruction(focus_on_ids=("mara", "cup") if focus else ("mara",), size="MS")
+    view = _view(*_GOOD, shot=_shot(camera_instruction=about), assets={"cup": cup})
+    assert ("loose_match" in _faults(view)) is loose
+    assert (verdict_of(FrameCritic().judge(view).score) != "pass") is loose
+
+
+def test_a_posture_taken_before_and_the_way_to_a_deed_are_shown_by_it() -> None:
+    kneels = _told("kneel", "wave", cues=(_cue("kneel", 4), _cue("wave", 60)), duration=140)
+    comes = _told("walk", "wave", cues=(_cue("walk", 4), _cue("wave", 60)), duration=140)
+    assert "not_done" not in _faults(_view(*_GOOD, shot=kneels)) | _faults(_view(*_GOOD, shot=comes))
