@@ -11,7 +11,8 @@ from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
 from storyblender.memory.history import Commit
 from storyblender.memory.shot_context import CameraDecision, ShotContext
-from storyblender.memory.vocabulary import Angle, CameraDirection, Movement, ShotSize
+from storyblender.memory.shot_sizes import ShotSize
+from storyblender.memory.vocabulary import Angle, CameraDirection, Movement
 from storyblender.pipeline.run import Run
 from storyblender.project import Project
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from storyblender.deliver.panel import Panel, panels
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.shot_context import Flag, Flaw, ShotContext
-from storyblender.memory.vocabulary import SHOT_SIZES
+from storyblender.memory.shot_sizes import SHOT_SIZES
 
 CAMERA: dict[str, tuple[float, str, str]] = {
     "inside": (0.0, "the camera stands inside {who}", "above"),

@@ -9,39 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from storyblender.geometry.orbit import Orbit, between, pan, stand
+from storyblender.memory.shot_sizes import SIZES, WHOLE, ShotSize
 
 Floats = NDArray[np.float64]
 
-
-class Scale(NamedTuple):
-    """What a shot size means: head height (crown to chin) / picture height, and where the crown goes."""
-
-    head: float
-    crown: float
-
-    @property
-    def band(self) -> tuple[float, float]:
-        """Head heights that still read as this size."""
-        return self.head / 1.28, self.head * 1.28
-
-
-SCALES: dict[str, Scale] = {
-    "EWS": Scale(0.030, 0.42),
-    "WS": Scale(0.062, 0.26),
-    "FS": Scale(0.108, 0.08),
-    "MWS": Scale(0.150, 0.09),
-    "MS": Scale(0.210, 0.10),
-    "MCU": Scale(0.310, 0.09),
-    "CU": Scale(0.450, 0.06),
-    "ECU": Scale(0.750, -0.12),
-}
-"""A head is 0.13 of a body: FS holds the body with a little air, MS cuts at the waist, CU at the shoulders."""
 
 ELEVATION: dict[str, float] = {
     "eye-level": 2.0,
@@ -60,11 +36,6 @@ ELEVATION_BAND: dict[str, tuple[float, float]] = {
     "worm's-eye": (-60.0, -18.0),
     "dutch": (-9.0, 14.0),
 }
-WHOLE = ("FS", "WS", "EWS")
-"""Sizes that show bodies from head to feet."""
-FILL: dict[str, float] = {"ECU": 0.75, "CU": 0.55, "MCU": 0.42, "MS": 0.3}
-"""How much of the picture's height or width a thing fills; wider sizes take ``FILL_WIDE``."""
-FILL_WIDE = 0.2
 FACE_ANGLE: dict[str, float] = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "two_shot": 112.0, "group": 125.0}
 """Degrees a focus face may be turned from the camera, by kind of shot."""
 DUTCH_ROLL = 12.0
@@ -137,7 +108,7 @@ class Figure:
         return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
 
 
-def elevation_of(angle: str, size: str) -> float:
+def elevation_of(angle: str, size: ShotSize) -> float:
     """Return the degrees that the camera is above the subject's eyes, for an angle of ``ELEVATION`` and a shot size."""
     return ELEVATION[angle] * (_LOW_WHOLE if angle == "low angle" and size in WHOLE else 1.0)
 
@@ -185,15 +156,15 @@ def lead_room(camera: Orbit, figure: Figure) -> float:
     return 0.5 - max(room, 0.0) * max(-1.0, min(1.0, 1.4 * across)) if abs(across) > 0.2 else 0.5
 
 
-def face_height(size: str) -> float:
+def face_height(size: ShotSize) -> float:
     """Return the screen y of the face's centre for a shot size."""
-    scale = SCALES[size]
+    scale = SIZES[size]
     return scale.crown + _CROWN * scale.head
 
 
 def crown_height(head: float) -> float:
     """Return the screen y of the crown for a head of that share of the picture's height."""
-    heads, crowns = zip(*((scale.head, scale.crown) for scale in SCALES.values()), strict=True)
+    heads, crowns = zip(*((scale.head, scale.crown) for scale in SIZES.values()), strict=True)
     return float(np.interp(head, heads, crowns))
 
 
@@ -215,9 +186,9 @@ class Film:
         )  # fmt: skip
 
 
-def single(film: Film, figure: Figure, size: str, azimuth: float, elevation: float, lens: float) -> Orbit:
+def single(film: Film, figure: Figure, size: ShotSize, azimuth: float, elevation: float, lens: float) -> Orbit:
     """Return the camera for one person: face at its height, with lead room; who is bent or sits low is lower in it."""
-    distance = distance_for(figure.head, SCALES[size].head, film.tangent(lens))
+    distance = distance_for(figure.head, SIZES[size].head, film.tangent(lens))
     camera = film.look(figure.face, azimuth, elevation, distance, lens)
     camera = placed(camera, figure.face, lead_room(camera, figure), face_height(size))
     if size != "FS":
@@ -227,7 +198,13 @@ def single(film: Film, figure: Figure, size: str, azimuth: float, elevation: flo
 
 
 def group(
-    film: Film, figures: Sequence[Figure], size: str, azimuth: float, elevation: float, lens: float, span: float = 0.62
+    film: Film,
+    figures: Sequence[Figure],
+    size: ShotSize,
+    azimuth: float,
+    elevation: float,
+    lens: float,
+    span: float = 0.62,
 ) -> Orbit:
     """Return the camera for two or more: all heads in the picture, within ``span`` of its width.
 
@@ -237,7 +214,7 @@ def group(
     middle = (faces.min(0) + faces.max(0)) / 2
     head = max(figure.head for figure in figures)
     tangent = film.tangent(lens)
-    camera = film.look(middle, azimuth, elevation, distance_for(head, SCALES[size].head, tangent), lens)
+    camera = film.look(middle, azimuth, elevation, distance_for(head, SIZES[size].head, tangent), lens)
     for _ in range(3):
         _, depth = project(camera, faces)
         camera = replace(camera, distance=camera.distance + max(0.0, _NEAREST_FACE - float(depth.min())))
@@ -261,7 +238,13 @@ def group(
 
 
 def group_from(
-    film: Film, figures: Sequence[Figure], size: str, place: ArrayLike, lens: float, widest: float, span: float = 0.72
+    film: Film,
+    figures: Sequence[Figure],
+    size: ShotSize,
+    place: ArrayLike,
+    lens: float,
+    widest: float,
+    span: float = 0.72,
 ) -> Orbit:
     """Return the camera that stands at a place and turns to hold two or more, as small as its widest lens makes them.
 
@@ -284,7 +267,7 @@ def group_from(
     half = min(max((aside.max() - aside.min()) / 2, 1e-3), 1.5)
     holds = film.sensor_width * span / (2 * math.tan(half))
     heads = np.array([figure.head for figure in figures]) / np.maximum(apart * np.cos(aside - aside.mean()), 0.3)
-    sized = SCALES[size].band[1] / float(heads.max()) * film.sensor_width / film.aspect
+    sized = SIZES[size].band[1] / float(heads.max()) * film.sensor_width / film.aspect
     crowns = np.arctan2([figure.crown[2] - eye[2] for figure in figures], apart)
     if size in WHOLE:
         feet = np.arctan2([figure.base[2] - eye[2] for figure in figures], apart)
@@ -303,10 +286,10 @@ def group_from(
     return between(eye, eye + way * distance, lens, sensor_width=film.sensor_width, aspect=film.aspect)
 
 
-def holds_shoulder(film: Film, focus: Figure, over: Figure, size: str, lens: float) -> bool:
+def holds_shoulder(film: Film, focus: Figure, over: Figure, size: ShotSize, lens: float) -> bool:
     """Return whether a camera behind somebody's shoulder sees the subject about as large as the size wants."""
     apart = math.dist(focus.face[:2], over.face[:2])
-    return _behind_shoulder(apart) <= _OVER_FAR * distance_for(focus.head, SCALES[size].head, film.tangent(lens))
+    return _behind_shoulder(apart) <= _OVER_FAR * distance_for(focus.head, SIZES[size].head, film.tangent(lens))
 
 
 def _behind_shoulder(apart: float) -> float:
@@ -315,7 +298,7 @@ def _behind_shoulder(apart: float) -> float:
 
 
 def over_shoulder(
-    film: Film, focus: Figure, over: Figure, size: str, side: float, elevation: float, lens: float
+    film: Film, focus: Figure, over: Figure, size: ShotSize, side: float, elevation: float, lens: float
 ) -> Orbit:
     """Return the camera behind a shoulder: the listener's head a dark third, the speaker's face in the other.
 
@@ -333,7 +316,7 @@ def over_shoulder(
     apart = max(float(np.hypot(line[0], line[1])), 0.4)
     ahead = np.array([line[0], line[1], 0.0]) / apart
     left = np.array([-ahead[1], ahead[0], 0.0])
-    distance = max(distance_for(focus.head, SCALES[size].head, tangent), _behind_shoulder(apart))
+    distance = max(distance_for(focus.head, SIZES[size].head, tangent), _behind_shoulder(apart))
     behind = distance - apart
     spread = 0.42 * 2 * tangent * film.aspect
     # Placing the face on its third takes the camera back by as much.

@@ -6,12 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from storyblender.memory.shot_context import CameraInstruction
-from storyblender.memory.vocabulary import Movement, ShotSize
+from storyblender.memory.shot_sizes import SIZES
+from storyblender.memory.vocabulary import Movement
 
-_SIZES: Final[dict[ShotSize, str]] = {
-    "EWS": "extreme wide shot", "WS": "wide shot", "FS": "full shot", "MWS": "medium wide shot", "MS": "medium shot",
-    "MCU": "medium close-up", "CU": "close-up", "ECU": "extreme close-up",
-}  # fmt: skip
 _KINDS: Final = {"two_shot": "two-shot", "group": "group shot"}
 _MOVES: Final[dict[Movement, str]] = {
     "push in": "slow push in",
@@ -32,7 +29,7 @@ def camera_sentence(instruction: CameraInstruction, names: Mapping[str, str], pl
         place: What the shot shows if no person is in focus.
         order: The words of the script that asked for it, if it did.
     """
-    form = _SIZES[instruction.size]
+    form = SIZES[instruction.size].words
     if instruction.kind in _KINDS:
         form = form.removesuffix(" shot") + " " + _KINDS[instruction.kind]
     elif instruction.kind in ("insert", "establishing"):

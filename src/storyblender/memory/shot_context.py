@@ -9,13 +9,12 @@ from pydantic import Field, field_validator, model_validator
 
 from storyblender.memory.base import Coordinate, Frames, Frozen, Identifier, SceneId, ShotId, Vec3
 from storyblender.memory.scene_context import Light, Lighting, Spot
+from storyblender.memory.shot_sizes import SIZES, Distance, ShotSize
 from storyblender.memory.vocabulary import (
-    DISTANCE_OF_SIZE,
     Angle,
     BodyPart,
     BodyPlace,
     CameraDirection,
-    Distance,
     Expression,
     GazeDirection,
     Grip,
@@ -26,7 +25,6 @@ from storyblender.memory.vocabulary import (
     Movement,
     Posture,
     ShotKind,
-    ShotSize,
     TetherKind,
 )
 
@@ -144,7 +142,7 @@ class CameraDecision(Frozen):
         """Return an instruction as it was decided."""
         changes = self.model_dump(exclude_none=True, exclude={"moment"})
         if self.size is not None:
-            changes = {"lens": None, **changes, "distance": DISTANCE_OF_SIZE[self.size]}
+            changes = {"lens": None, **changes, "distance": SIZES[self.size].distance}
         if self.movement is not None:
             changes = {"direction": None, **changes}
         return CameraInstruction.model_validate({**instruction.model_dump(), **changes})

@@ -8,10 +8,8 @@ AssetType = Literal["character", "object"]
 SceneType = Literal["indoor", "outdoor"]
 ModificationType = Literal["add", "remove", "transform"]
 
-ShotSize = Literal["EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU"]
 ShotKind = Literal["establishing", "action", "two_shot", "group", "ots", "single", "reaction", "insert", "pov"]
 Angle = Literal["eye-level", "high angle", "low angle", "bird's-eye", "worm's-eye", "dutch"]
-Distance = Literal["close-up", "medium shot", "long shot"]
 Movement = Literal[
     "static",
     "pan",
@@ -60,17 +58,3 @@ Mood = Literal["neutral", "happy", "sad", "angry", "afraid", "tender"]
 TimeOfDay = Literal["dawn", "morning", "day", "noon", "afternoon", "sunset", "dusk", "evening", "night"]
 Weather = Literal["clear", "cloudy", "fog", "rain", "storm", "snow"]
 Gender = Literal["female", "male", "unknown"]
-
-SHOT_SIZES: tuple[ShotSize, ...] = ("EWS", "WS", "FS", "MWS", "MS", "MCU", "CU", "ECU")
-"""From the widest to the tightest; cutting rules count steps in this order."""
-
-DISTANCE_OF_SIZE: dict[ShotSize, Distance] = {
-    "EWS": "long shot", "WS": "long shot", "FS": "long shot", "MWS": "medium shot", "MS": "medium shot",
-    "MCU": "close-up", "CU": "close-up", "ECU": "close-up",
-}  # fmt: skip
-"""The paper's three distances, one for each of our eight sizes."""
-
-LENS_OF_SIZE: dict[ShotSize, float] = {
-    "EWS": 24, "WS": 28, "FS": 35, "MWS": 40, "MS": 50, "MCU": 65, "CU": 85, "ECU": 100,
-}  # fmt: skip
-"""Default lens in mm on a 36 mm wide sensor (notes of the director; a setting may replace the kit)."""

@@ -12,7 +12,7 @@ from typing import Final
 from storyblender.agents.frame_critic.frame_view import actions_to_see, speakers
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraRetake, ShotContext
-from storyblender.memory.vocabulary import SHOT_SIZES
+from storyblender.memory.shot_sizes import SHOT_SIZES
 from storyblender.pipeline.filming import film
 from storyblender.pipeline.reviewing import FrameReview, review_frames
 from storyblender.pipeline.run import Run

@@ -5,7 +5,6 @@ import pytest
 
 from storyblender.geometry.continuity import crosses_line, jumps, looks_meet, mirrored, screen_direction, side_of_line
 from storyblender.geometry.framing import (
-    SCALES,
     Figure,
     Film,
     elevation_of,
@@ -20,6 +19,7 @@ from storyblender.geometry.framing import (
     through_eyes,
 )
 from storyblender.geometry.orbit import orbit
+from storyblender.memory.shot_sizes import SIZES
 
 FILM = Film()
 
@@ -38,17 +38,17 @@ def head_share(camera, who: Figure) -> float:
     return float(screen[1, 1] - screen[0, 1])
 
 
-@pytest.mark.parametrize("size", SCALES)
+@pytest.mark.parametrize("size", SIZES)
 def test_a_single_has_the_head_height_of_its_size(size: str) -> None:
     camera = single(FILM, ANNA, size, 40, 2, 50)
-    assert head_share(camera, ANNA) == pytest.approx(SCALES[size].head, rel=0.06)
+    assert head_share(camera, ANNA) == pytest.approx(SIZES[size].head, rel=0.06)
     assert project(camera, ANNA.face)[0][0, 1] == pytest.approx(face_height(size), abs=0.01)
 
 
 def test_a_body_that_is_bent_is_no_higher_in_the_picture_than_it_has_to_be() -> None:
     bent = figure("anna", -0.6, 0, 90, 0.9)
     bent = Figure(bent.node_id, bent.face, bent.forward, ANNA.head, bent.base)
-    for who, crown in ((ANNA, SCALES["FS"].crown), (bent, SCALES["FS"].crown + 0.1)):
+    for who, crown in ((ANNA, SIZES["FS"].crown), (bent, SIZES["FS"].crown + 0.1)):
         camera = single(FILM, who, "FS", 40, 2, 50)
         assert project(camera, who.crown)[0][0, 1] == pytest.approx(crown, abs=0.025)
 
@@ -75,7 +75,7 @@ def test_a_two_shot_holds_both_and_centres_them() -> None:
     xs = project(camera, [ANNA.face, TOM.face])[0][:, 0]
     assert xs.mean() == pytest.approx(0.5, abs=0.01)
     assert xs.min() > 0.1 and xs.max() < 0.9
-    assert max(head_share(camera, who) for who in (ANNA, TOM)) <= SCALES["MS"].head * 1.05
+    assert max(head_share(camera, who) for who in (ANNA, TOM)) <= SIZES["MS"].head * 1.05
 
 
 def test_a_wide_group_steps_back_until_all_are_in() -> None:
@@ -118,7 +118,7 @@ def test_over_the_shoulder_shows_both_in_their_halves(side: int) -> None:
     assert side_of_line(camera.position, TOM.face, ANNA.face) == side
     assert (anna[0] - 0.5) * (tom[0] - 0.5) < 0
     assert head_share(camera, TOM) > 1.3 * head_share(camera, ANNA)
-    assert SCALES["MS"].band[0] < head_share(camera, ANNA) < SCALES["MS"].band[1]
+    assert SIZES["MS"].band[0] < head_share(camera, ANNA) < SIZES["MS"].band[1]
 
 
 def test_the_shoulder_of_somebody_far_away_is_beside_the_face_and_not_before_it() -> None:

@@ -17,7 +17,8 @@ from storyblender.agents.director.durations import action_seconds, speech_second
 from storyblender.agents.director.fixtures import is_fixture
 from storyblender.agents.director.motion_families import FAST, HANDS, LOW, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.reading import CameraNote, Reading, SceneReading, Unit
-from storyblender.memory.vocabulary import ShotKind, ShotSize
+from storyblender.memory.shot_sizes import ShotSize
+from storyblender.memory.vocabulary import ShotKind
 
 _REPLY: Final = 3
 """A reply of so few words stays in the shot it answers."""

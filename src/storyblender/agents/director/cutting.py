@@ -11,7 +11,7 @@ from storyblender.agents.director.draft import ShotDraft
 from storyblender.agents.director.durations import shot_seconds, word_count
 from storyblender.agents.director.motion_families import HANDS, TRAVEL, WHOLE_BODY
 from storyblender.agents.director.reading import Deed, Unit
-from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
+from storyblender.memory.shot_sizes import SHOT_SIZES, ShotSize
 
 _RANGE: Final[dict[str, tuple[ShotSize, ShotSize]]] = {
     "insert": ("MCU", "ECU"),

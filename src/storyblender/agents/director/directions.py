@@ -10,7 +10,8 @@ from typing import cast, get_args
 from storyblender.agents.director.camera_phrases import parse, parse_note
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.reading import CameraNote, Reading, Unit
-from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind, ShotSize
+from storyblender.memory.shot_sizes import ShotSize
+from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind
 
 _SIZE_OF_KIND: dict[str, ShotSize] = {
     "insert": "CU", "ots": "MS", "two_shot": "MS", "group": "MWS", "pov": "MS", "reverse": "MCU",

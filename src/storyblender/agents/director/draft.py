@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 from storyblender.agents.director.motion_families import STRONG
 from storyblender.agents.director.reading import CameraNote, Unit
-from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind, ShotSize
+from storyblender.memory.shot_sizes import ShotSize
+from storyblender.memory.vocabulary import Angle, BodyPart, CameraDirection, Movement, ShotKind
 
 
 @dataclass

@@ -15,7 +15,7 @@ from storyblender.agents.director.cutting import step
 from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.durations import shot_seconds
 from storyblender.agents.director.settings import DirectorSettings
-from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
+from storyblender.memory.shot_sizes import SHOT_SIZES, ShotSize
 
 
 def economise(

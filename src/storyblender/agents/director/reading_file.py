@@ -26,7 +26,8 @@ from storyblender.errors import InputError
 from storyblender.memory.base import Frozen, Identifier, content_hash
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag
-from storyblender.memory.vocabulary import Angle, CameraDirection, GazeDirection, Movement, ShotSize
+from storyblender.memory.shot_sizes import ShotSize
+from storyblender.memory.vocabulary import Angle, CameraDirection, GazeDirection, Movement
 from storyblender.screenplay.model import Screenplay
 
 READING_VERSION = 2

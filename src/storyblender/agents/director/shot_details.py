@@ -28,14 +28,13 @@ from storyblender.memory.shot_context import (
     ShotContext,
     Tether,
 )
-from storyblender.memory.vocabulary import DISTANCE_OF_SIZE
+from storyblender.memory.shot_sizes import SIZES, TIGHT
 
 _OUT_OF = (
     r"(?:draws?|drew|produces?d?|fish(?:es|ed)?)\b|(?:pulls?|pulled|takes?|took)\b.*\b(?:out"
     r"|from (?:his|her|their|a|the) \w*\s?(?:jacket|coat|pocket|bag|purse|sleeve|belt|satchel))\b"
 )
 _UNSTAGED = ("intercut", "split_screen", "match_cut")
-_TIGHT = ("MCU", "CU", "ECU")
 """Sizes that hold one face."""
 _SHOWS_FACES = ("action", "single", "reaction", "group", "two_shot")
 """Kinds of shots that turn to the faces of their people unless the script shows them from behind."""
@@ -143,9 +142,9 @@ class ShotDetails:
         shown = [*draft.focus, *([draft.over] if draft.over else [])]
         if draft.kind == "establishing" and not draft.explicit:
             shown += on_stage
-        if draft.size not in _TIGHT:
+        if draft.size not in TIGHT:
             shown += _walking_along(draft)
-        if draft.size not in (*_TIGHT, "MS") and draft.kind not in ("insert", "pov", "ots", "single"):
+        if draft.size not in (*TIGHT, "MS") and draft.kind not in ("insert", "pov", "ots", "single"):
             shown += [deed.actor for beat in draft.beats for deed in beat.unit.deeds]
         return [person for person in unique(shown) if person in on_stage and person != draft.pov]
 
@@ -173,7 +172,7 @@ class ShotDetails:
             size=draft.size,
             angle=draft.angle,
             detail=draft.detail,
-            distance=DISTANCE_OF_SIZE[draft.size],
+            distance=SIZES[draft.size].distance,
             movement=draft.movement,
             direction=draft.direction,
             over_id=draft.over,

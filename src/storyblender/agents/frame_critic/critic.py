@@ -14,7 +14,7 @@ from storyblender.catalog.motions import clip_of
 from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.memory.measure import SubjectView
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
-from storyblender.memory.vocabulary import SHOT_SIZES, ShotSize
+from storyblender.memory.shot_sizes import SHOT_SIZES, ShotSize
 from storyblender.reflection import Critique, Fault
 
 Verdict = Literal["pass", "fix", "reject"]

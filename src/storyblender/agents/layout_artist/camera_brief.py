@@ -16,15 +16,9 @@ from storyblender.geometry.framing import Figure, Film, holds_shoulder
 from storyblender.geometry.moves import eased, in_between
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
-from storyblender.memory.vocabulary import LENS_OF_SIZE, SHOT_SIZES, ShotSize
+from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, ShotSize
 
-TIGHT = ("MCU", "CU", "ECU")
-"""Sizes that hold one face."""
-CROWDED = ("WS", "EWS", "FS")
-"""Sizes that show a place: people who happen to be there may be seen."""
 _ONE_PERSON = ("single", "reaction", "ots")
-_HELD: Mapping[ShotSize, float] = {"FS": 4.0, "MWS": 3.0, "MS": 2.6}
-"""Metres from the first subject within which others stay in the picture; farther ones would make all of them tiny."""
 _TOGETHER = ("group", "two_shot", "action")
 """Kinds of shots that hold several people where they are near each other."""
 _NEARBY = 1.3
@@ -144,7 +138,7 @@ class CameraBrief:
     def _towering(self, nodes: Sequence[str]) -> list[str]:
         """Return who stands over the first person of a whole picture: it would take their heads off."""
         lead = next((figure for node in nodes if (figure := self.drawn.figure(node)) is not None), None)
-        if lead is None or self.instruction.size not in CROWDED or self.instruction.kind != "action":
+        if lead is None or self.instruction.size not in WHOLE or self.instruction.kind != "action":
             return []
         near = [each for each in self.drawn.figures if math.dist(each.base[:2], lead.base[:2]) < _OVER_THEM]
         return [each.node_id for each in near if each.crown[2] - lead.crown[2] > _TALLER]
@@ -281,7 +275,7 @@ class CameraBrief:
     @property
     def lens(self) -> float:
         """Focal length in mm: the Director's, or the one at hand that is nearest to the size's."""
-        wish = LENS_OF_SIZE[self.instruction.size]
+        wish = SIZES[self.instruction.size].lens
         return self.instruction.lens or min(self.kit, key=lambda lens: abs(math.log(lens / wish)), default=wish)
 
     def widened(self, lens: float) -> float:
@@ -332,9 +326,9 @@ def far_off(instruction: CameraInstruction, drawn: Moment, nodes: Sequence[str])
         nodes: node_ids of the people, the first first.
     """
     people = [figure for node in nodes if (figure := drawn.figure(node)) is not None]
-    if instruction.kind not in _TOGETHER or instruction.explicit or instruction.size not in _HELD:
+    if instruction.kind not in _TOGETHER or instruction.explicit:
         return set()
-    reach = _HELD[instruction.size]
+    reach = SIZES[instruction.size].reach
     return {each.node_id for each in people if math.dist(each.base[:2], people[0].base[:2]) > reach}
 
 

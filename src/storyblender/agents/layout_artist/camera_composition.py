@@ -14,6 +14,7 @@ from storyblender.geometry.framing import Figure
 from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.geometry.orbit import DOLLY, Orbit
 from storyblender.memory.measure import CameraView, SubjectView
+from storyblender.memory.shot_sizes import SIZES
 from storyblender.reflection import Fault
 
 _STRAY = 0.09
@@ -100,7 +101,7 @@ def _thing(brief: CameraBrief, camera: Orbit, subjects: Sequence[SubjectView]) -
     if max(abs(x), abs(y)) > _THING_STRAY:
         text = f"{node} is off the middle by {x:+.2f} of the width and {y:+.2f} of the height"
         found.append(fault("placement", node, 0.8 + 2 * max(abs(x), abs(y)), text, pan_x=x * camera.aspect, pan_y=-y))
-    wanted = framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
+    wanted = SIZES[brief.instruction.size].fill
     extent = max(right - left, bottom - top)
     if not 0.55 * wanted < extent < min(1.7 * wanted, 0.97):
         steps = math.log(wanted / max(extent, 0.01), DOLLY)
@@ -126,7 +127,7 @@ def _angle(brief: CameraBrief, camera: Orbit) -> list[Fault]:
 
 
 def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
-    scale = framing.SCALES[brief.instruction.size]
+    scale = SIZES[brief.instruction.size]
     low, high = scale.band
     if len(heads) > 1 or at_hand(brief):
         low *= 0.5
@@ -156,7 +157,7 @@ def _headroom(brief: CameraBrief, heads: Sequence[SubjectView], over: SubjectVie
     tops = [subject.head_top for subject in heads if subject.head_top is not None]
     if not tops or brief.instruction.size in ("ECU", "EWS"):
         return []
-    crown, top = framing.SCALES[brief.instruction.size].crown, min(tops)
+    crown, top = SIZES[brief.instruction.size].crown, min(tops)
     if len(heads) > 1:
         # A group may be taken from further away than its size says: then more air belongs above it.
         crown = max(crown, framing.crown_height(max(subject.head_height for subject in heads)))

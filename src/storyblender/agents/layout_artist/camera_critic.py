@@ -9,23 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from storyblender.agents.layout_artist.camera_brief import (
-    CROWDED,
-    TIGHT,
-    CameraBrief,
-    Moment,
-    Take,
-    pose_of,
-    share_of,
-)
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, Take, pose_of, share_of
 from storyblender.agents.layout_artist.camera_composition import composition, fault
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_room import outside, void_points
 from storyblender.agents.layout_artist.camera_scout import AT_EDGE, CLEARED, LEAST_OVER
 from storyblender.agents.layout_artist.camera_start import face_limit, wants_shoulder
-from storyblender.geometry.framing import WHOLE
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView
+from storyblender.memory.shot_sizes import TIGHT, WHOLE
 from storyblender.ports import Viewfinder, ViewRequest
 from storyblender.reflection import Critique, Fault
 
@@ -264,7 +256,7 @@ def _bystanders(brief: CameraBrief, view: CameraView, own: set[str]) -> list[Fau
         if subject.node_id in own or subject.box is None or subject.pixels < _SEEN:
             continue
         steals = subject.pixels > max(1.2 * largest, 0.1)
-        if subject.node_id in brief.strangers and (steals or brief.instruction.size not in CROWDED):
+        if subject.node_id in brief.strangers and (steals or brief.instruction.size not in WHOLE):
             text = f"{subject.node_id} {'steals the picture' if steals else 'has no part in the picture'}"
             found.append(fault("stranger", subject.node_id, 1.0, text, ops=f"{_AROUND} zoom_in"))
         if subject.face is None or subject.pixels < 0.004 or brief.instruction.kind == "insert":

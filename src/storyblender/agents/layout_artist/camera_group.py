@@ -7,14 +7,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TIGHT, CameraBrief
-from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, WIDEST, outside, reach_back
+from storyblender.agents.layout_artist.camera_brief import CameraBrief
+from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, outside, reach_back
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import wrapped
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import Orbit
+from storyblender.memory.shot_sizes import SIZES, TIGHT
 
 _SMALLEST = 0.6
 """How small heads may get, of what the size wants, so that the picture holds all of a group's walks."""
@@ -28,7 +29,7 @@ def grouped(brief: CameraBrief, lens: float, azimuth: float, elevation: float) -
     """Return the camera that holds the focus people wherever they go, or where they are if that is too far."""
     size = brief.instruction.size
     whole = framing.group(brief.film, brief.stages, size, azimuth, elevation, lens)
-    if brief.people[0].head / whole.frame_height > _SMALLEST * framing.SCALES[size].head and _centred(brief, whole):
+    if brief.people[0].head / whole.frame_height > _SMALLEST * SIZES[size].head and _centred(brief, whole):
         return whole
     return framing.group(brief.film, brief.people, size, azimuth, elevation, lens)
 
@@ -42,7 +43,7 @@ def inside(brief: CameraBrief, camera: Orbit) -> Orbit:
     plan, size = brief.plan, brief.instruction.size
     if plan is None or not plan.indoor or (reach := reach_back(plan, camera)) >= camera.distance:
         return camera
-    widest = brief.instruction.lens or (WIDEST.get(size, camera.lens) if size in TIGHT else WIDEST["WS"])
+    widest = brief.instruction.lens or (min(SIZES[size].widest, camera.lens) if size in TIGHT else SIZES["WS"].widest)
     held = _held_from(brief, camera, reach, widest)
     if outside(plan, held, taken_away(plan, {}, [held], [])) < VOID:
         return held
@@ -63,7 +64,7 @@ def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -
     screen, depth = framing.project(whole, [figure.face for figure in brief.stages])
     framed = depth.min() > 0 and screen[:, 0].min() > _EDGE and screen[:, 0].max() < 1 - _EDGE
     nearest = max(framing.head_share(whole, figure) for figure in brief.people)
-    if framed and nearest > _SMALLEST * framing.SCALES[size].head and _centred(brief, whole):
+    if framed and nearest > _SMALLEST * SIZES[size].head and _centred(brief, whole):
         return whole
     return held(brief.people)
 

@@ -13,11 +13,12 @@ from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, or
 from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
 from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_scout import cost, scouted, without
-from storyblender.agents.layout_artist.camera_start import F_NUMBER, take
+from storyblender.agents.layout_artist.camera_start import take
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
 from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraState, Flaw
+from storyblender.memory.shot_sizes import SIZES
 from storyblender.ports import Viewfinder
 from storyblender.reflection import Critique, Role, Typed, reflect
 from storyblender.trace import Listener, silent
@@ -160,7 +161,7 @@ def operate(
         for fault in outcome.critique.faults
     )
     chosen = outcome.draft
-    return chosen.state(brief.duration, F_NUMBER[brief.instruction.size], outcome.critique.score, residual)
+    return chosen.state(brief.duration, SIZES[brief.instruction.size].f_number, outcome.critique.score, residual)
 
 
 def side_used(brief: CameraBrief, state: CameraState) -> int:

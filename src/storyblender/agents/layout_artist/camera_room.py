@@ -14,6 +14,7 @@ import numpy as np
 
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.orbit import Floats, Orbit
+from storyblender.memory.shot_sizes import SIZES, ShotSize
 
 _RAYS = (24, 14)
 """Columns and rows of the rays that stand for a picture."""
@@ -21,8 +22,6 @@ BEFORE_WALL, _BEHIND_WALL = 0.35, 0.3
 """Metres: room for the camera before a wall that stays; how far it may step behind one that goes."""
 VOID = 0.015
 """Share of the picture that may show nothing: the edge of a window, the gap of a door."""
-WIDEST = {"EWS": 18.0, "WS": 18.0, "FS": 20.0, "MWS": 22.0, "MS": 27.0, "MCU": 35.0}
-"""mm by shot size: what the lens may be widened to where the room is short; tighter sizes keep theirs."""
 
 
 def outside(plan: SetPlan, camera: Orbit, hidden: Collection[str]) -> float:
@@ -51,7 +50,7 @@ def void_points(share: float) -> float:
     return min(0.8 + 16 * share, 5.0) if share > VOID else 0.0
 
 
-def fitted(plan: SetPlan | None, camera: Orbit, size: str) -> Orbit:
+def fitted(plan: SetPlan | None, camera: Orbit, size: ShotSize) -> Orbit:
     """Return the camera brought into the room with a wider lens, so that what is at its pivot keeps its size.
 
     Where the widest lens of the shot size is not wide enough, the camera stays as far outside as it must.
@@ -59,7 +58,7 @@ def fitted(plan: SetPlan | None, camera: Orbit, size: str) -> Orbit:
     reach = reach_back(plan, camera) if plan is not None and plan.indoor else camera.distance
     if reach >= camera.distance:
         return camera
-    lens = min(camera.lens, max(camera.lens * reach / camera.distance, WIDEST.get(size, camera.lens)))
+    lens = min(camera.lens, max(camera.lens * reach / camera.distance, SIZES[size].widest))
     return replace(camera, lens=lens, distance=camera.distance * lens / camera.lens)
 
 

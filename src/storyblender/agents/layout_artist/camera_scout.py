@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from storyblender.agents.layout_artist.camera_brief import CROWDED, TIGHT, CameraBrief, Take, share_of
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_details import at_hand
@@ -18,10 +18,11 @@ from storyblender.agents.layout_artist.camera_room import outside, rays, void_po
 from storyblender.agents.layout_artist.camera_solids import aboard, body, holds, lidded, opened, solids
 from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, start, wants_shoulder
 from storyblender.geometry.boxes import Box, distance_to_point
-from storyblender.geometry.framing import SCALES, WHOLE, Figure, head_share, project
+from storyblender.geometry.framing import Figure, head_share, project
 from storyblender.geometry.gaps import MOST_GAP, empty_middle
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.geometry.sight import hidden
+from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
 _TURNS = (0, 15, -15, 30, -30, 48, -48, 70, -70, 95, -95, 125, -125, 155, -155, 180)
 _OVER_TURNS = (0, 8, -8, 16, -16, 28, -28, 40, -40)
@@ -117,7 +118,7 @@ def scouted(brief: CameraBrief) -> list[Take]:
 
 def _cleared(brief: CameraBrief, take: Take) -> Take:
     """Return the take without the strangers whom it would show, and without what they carry."""
-    if brief.instruction.size in CROWDED:
+    if brief.instruction.size in WHOLE:
         return take
     moments = brief.moments if take.moves else (brief.drawn,)
     gone: list[str] = []
@@ -250,7 +251,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
     camera, instruction, points = take.camera, brief.instruction, 0.0
     there = [figure for figure in moment.figures if figure.node_id not in take.hidden]
     solid = solids(dict(brief.props), brief.plan, take.hidden)
-    wanted = SCALES[instruction.size].head
+    wanted = SIZES[instruction.size].head
     points += _gap(brief, camera)
     bodies = {figure.node_id: body(figure) for figure in there}
     for figure in there:
@@ -269,7 +270,7 @@ def _people(brief: CameraBrief, take: Take) -> float:
                 points += _cut_off(camera, figure)
                 points += 0.0 if brief.in_stride else _TURNED * _behind(camera, figure) / len(brief.in_frame)
             points += _LOOMING * max(0.0, math.log(head_share(camera, figure) / wanted) - 0.5) * _inside(camera, figure)
-        elif figure.node_id in brief.strangers and brief.focus and instruction.size not in CROWDED:
+        elif figure.node_id in brief.strangers and brief.focus and instruction.size not in WHOLE:
             points += 0.9 * (_inside(camera, figure) and hidden_share(camera, figure, solid) < 1)
         elif figure.node_id in brief.strangers and instruction.kind not in ("establishing", "insert"):
             points += _back(brief, camera, figure) + _beheaded(camera, figure)
@@ -328,7 +329,7 @@ def _subject(brief: CameraBrief, camera: Orbit, figure: Figure, boxes: Sequence[
     share = hidden_share(camera, figure, boxes)
     points += weight * (2.5 * _covered(camera, [figure.face], boxes) + (1 + 4 * (share - _MOST)) * (share > _MOST))
     points += _cut_off(camera, figure) * (brief.instruction.size in WHOLE)
-    off = math.log(head_share(camera, figure) / SCALES[brief.instruction.size].head)
+    off = math.log(head_share(camera, figure) / SIZES[brief.instruction.size].head)
     return points + 0.8 * max(0.0, -off - 0.5) * lead + _LOOMING * max(0.0, off - 0.35)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TALKS, TIGHT, TRAVEL, CameraBrief, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_brief import TALKS, TRAVEL, CameraBrief, Take, orbit_of, share_of
 from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
@@ -18,21 +18,17 @@ from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import eased, followed, moved
 from storyblender.geometry.orbit import Orbit, orbit, pan, roll
+from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
-_OFF_FACE = {"ECU": 24.0, "CU": 30.0, "MCU": 34.0, "MS": 36.0}
-"""Degrees from full face at which a single is taken; wider sizes take ``_WIDE_OFF``."""
-_WIDE_OFF = 40.0
 _OFF_BACK = 30.0
 """Most degrees from straight behind at which a back is shown that the script asks for."""
 _MASTER_ELEVATION, _INSERT_ELEVATION = 5.0, 30.0
 _MASTER_AZIMUTH = 14.0
-_SHORTEST = {"EWS": 0.22}
-"""Least height of the tallest of an establishing shot's people in the picture; other sizes take ``_SHORT``."""
+_SHORTEST = 0.22
+"""Least height of the tallest of an establishing shot's people in the picture; of any other wide shot ``_SHORT``."""
 _SHORT, _TALL = 0.26, 0.4
 _HELD = 0.8
 """Share of the picture that holds all of them, where they are so far apart that nobody can be as large as that."""
-_FILL_LARGE = {"MWS": 0.8, "FS": 0.7, "WS": 0.5, "EWS": 0.25}
-"""Share of the picture that a thing of at least ``_LARGE`` metres fills in wide sizes, as in a wide shot of a truck."""
 _LARGE = 1.2
 _COMPANY = 6.0
 """Metres from a large thing within which people belong in a wide picture of it."""
@@ -48,8 +44,6 @@ _HELD_SPAN, _FARTHER, _RIM = 0.86, 1.3, 0.05
 applied twice; margin that stays free at the edge."""
 _FITTINGS = 4
 """A wider lens changes the composition, and so the room that it needs."""
-F_NUMBER = {"EWS": 8.0, "WS": 8.0, "FS": 5.6, "MWS": 4.0, "MS": 4.0, "MCU": 2.8, "CU": 2.4, "ECU": 2.8}
-"""Aperture by shot size: tight shots part the face from its background."""
 
 
 def start(brief: CameraBrief, turn: float = 0.0, rise: float = 0.0) -> Take:
@@ -160,7 +154,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         camera = framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
         return _near_enough(brief, camera)
     lead = people[0] if people else None
-    if lead is None and instruction.size in framing.WHOLE and instruction.kind != "insert" and _by_things(brief):
+    if lead is None and instruction.size in WHOLE and instruction.kind != "insert" and _by_things(brief):
         azimuth = towards_audience(math.degrees(brief.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
         camera = framing.master(film, brief.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
         return _near_enough(brief, camera)
@@ -179,7 +173,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
         return _of_walk(brief, lead, lens, turn, elevation)
     azimuth = _single_azimuth(brief, lead) + turn
     shown = lead if _tight(brief) else brief.upright(lead)
-    if instruction.size not in framing.WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
+    if instruction.size not in WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
         shown = lead
     return framing.single(film, shown, instruction.size, azimuth, elevation, lens)
 
@@ -234,7 +228,9 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
     tall = max(figure.crown[2] - figure.base[2] for figure in people)
     _, depth = framing.project(camera, [figure.face for figure in people])
     size, nearest = brief.instruction.size, float(depth.min())
-    least, most = (framing.distance_for(tall, share, camera.tangent) for share in (_TALL, _SHORTEST.get(size, _SHORT)))
+    least, most = (
+        framing.distance_for(tall, share, camera.tangent) for share in (_TALL, _SHORTEST if size == "EWS" else _SHORT)
+    )
     if nearest < least:
         return replace(camera, distance=camera.distance + least - nearest)
     if nearest <= most:
@@ -282,8 +278,8 @@ def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orb
     elevation = (max(angle, 4.0) if high else max(angle, _INSERT_ELEVATION)) + rise
     azimuth = towards_audience(math.degrees(box.yaw), 50.0) + 12.0 + turn
     extent = float(np.ptp(points, axis=0).max())
-    wide = _FILL_LARGE.get(brief.instruction.size) if extent >= _LARGE else None
-    fill = wide or framing.FILL.get(brief.instruction.size, framing.FILL_WIDE)
+    wide = SIZES[brief.instruction.size].fill_large if extent >= _LARGE else None
+    fill = wide or SIZES[brief.instruction.size].fill
     return framing.insert(brief.film, points, azimuth, elevation, lens, fill)
 
 
@@ -302,9 +298,9 @@ def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
     if (matched := _reverse_azimuth(brief, figure)) is not None:
         return matched
     size = brief.instruction.size
-    off = _OFF_FACE.get(size, _WIDE_OFF)
+    off = SIZES[size].off_face
     choices = [figure.yaw + off, figure.yaw - off]
-    if brief.instruction.kind == "action" and size not in _OFF_FACE:
+    if brief.instruction.kind == "action" and size in (*WHOLE, "MWS"):
         choices.insert(0, towards_audience(figure.yaw, 55.0))
     choices += [figure.yaw, figure.yaw + 65.0, figure.yaw - 65.0]
     return min(choices, key=lambda angle: (_cost(brief, figure, angle), choices.index(angle)))

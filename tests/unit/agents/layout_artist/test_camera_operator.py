@@ -14,11 +14,12 @@ from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.continuity import looks_meet, screen_direction, side_of_line
-from storyblender.geometry.framing import SCALES, Figure, Film, project
+from storyblender.geometry.framing import Figure, Film, project
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 from storyblender.memory.scene_context import SceneSize
 from storyblender.memory.shot_context import CameraInstruction, Flaw
+from storyblender.memory.shot_sizes import SIZES
 
 FILM = Film()
 
@@ -136,7 +137,7 @@ def test_singles_of_every_size_are_right_from_the_start(size: str) -> None:
     assert finder.looks <= 3
     chin_to_crown = np.array([[0, 0, 0.55 * ANNA.head], [0, 0, -0.5 * ANNA.head]]) + ANNA.face
     head = project(camera, chin_to_crown)[0][:, 1]
-    assert SCALES[size].band[0] < head[1] - head[0] < SCALES[size].band[1]
+    assert SIZES[size].band[0] < head[1] - head[0] < SIZES[size].band[1]
 
 
 @pytest.mark.parametrize("side", [1, -1])
