@@ -10,7 +10,7 @@ import pytest
 from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 
-MADE_ONCE = {"test_make.py", "test_story_blend.py", "test_undo.py"}
+MADE_ONCE = {"test_make.py", "test_resume.py", "test_story_blend.py", "test_undo.py"}
 """Files of ``tests/e2e`` that look at the same made project."""
 
 

@@ -49,8 +49,8 @@ def every(names: str, cases: Iterable[Any] | Callable[[], Iterable[Any]]) -> Cal
 
 def _label(values: Iterable[Any]) -> str:
     """Return what tells a case apart: its plain values, or the key of the thing."""
-    plain = (value if isinstance(value, str | int | float) else getattr(value, "key", "") for value in values)
-    return " ".join(map(str, plain)).strip()
+    told = (value if isinstance(value, str | int | float) else getattr(value, "key", None) for value in values)
+    return " ".join(str(one) for one in told if one is not None)
 
 
 def _said(error: Exception) -> str:

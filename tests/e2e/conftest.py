@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -47,7 +48,16 @@ def script(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def project(script: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def untouched(script: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A project as it was made; no test changes it."""
     folder = tmp_path_factory.mktemp("made") / "two_cups.storyboard"
     made([script, "--out", folder, *SMALL])
+    return folder
+
+
+@pytest.fixture(scope="module")
+def project(untouched: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of it for the tests of a file, which may change it."""
+    folder = tmp_path_factory.mktemp("copy") / untouched.name
+    shutil.copytree(untouched, folder)
     return folder

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import random
-import shutil
 import signal
 import subprocess
 import sys
@@ -19,18 +18,25 @@ from tests.e2e.conftest import SMALL, made
 pytestmark = [pytest.mark.blender, pytest.mark.timeout(1500)]
 
 
-def kill_after(seconds: float, arguments: list[str]) -> bool:
-    """Start a run in a process group of its own and kill the whole group; False if it had ended by then."""
+def kill_at(files: int, folder: Path, arguments: list[str]) -> bool:
+    """Start a run in a process group of its own and kill the whole group once its project has that many files.
+
+    Returns:
+        False if it had ended by then.
+    """
     command = [sys.executable, "-m", "storyblender", "make", *arguments]
     run = subprocess.Popen(command, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + seconds
-    while time.monotonic() < deadline and run.poll() is None:
+    while run.poll() is None and count(folder) < files:
         time.sleep(0.05)
     alive = run.poll() is None
     if alive:
         os.killpg(run.pid, signal.SIGKILL)
     run.wait()
     return alive
+
+
+def count(folder: Path) -> int:
+    return sum(len(files) for _, _, files in os.walk(folder))
 
 
 def same(first: Path, second: Path) -> None:
@@ -45,15 +51,12 @@ def same(first: Path, second: Path) -> None:
     "kills",
     [pytest.param(2, id="two"), pytest.param(10, id="ten", marks=pytest.mark.slow)],
 )
-def test_a_killed_run_goes_on_to_the_same_result(script: Path, tmp_path: Path, kills: int) -> None:
-    whole, broken = tmp_path / "whole", tmp_path / "broken"
-    arguments = [str(script), *SMALL, "--no-animatic", "--out"]
-    start = time.monotonic()
-    made([*arguments, whole])
-    length = time.monotonic() - start
+def test_a_killed_run_goes_on_to_the_same_result(script: Path, untouched: Path, tmp_path: Path, kills: int) -> None:
+    broken = tmp_path / "broken"
+    arguments = [str(script), *SMALL, "--no-animatic", "--out", str(broken)]
     moments = random.Random(kills)
-    killed = sum(kill_after(moments.uniform(0.05, 0.6) * length, [*arguments, str(broken)]) for _ in range(kills))
+    shares = sorted(moments.uniform(0.05, 0.6) for _ in range(kills))
+    killed = sum(kill_at(round(share * count(untouched)), broken, arguments) for share in shares)
     assert killed >= 1
-    made([*arguments, broken])
-    same(whole, broken)
-    shutil.rmtree(whole)
+    made(arguments)
+    same(untouched, broken)

@@ -44,6 +44,12 @@ def retriever(embedder):
     return RulesAssetRetriever(lambda: embedder)
 
 
+@pytest.fixture(scope="module")
+def generator(embedder):
+    """One for all tests: it reads the whole catalogue when it is first asked for something unknown."""
+    return RulesAssetGenerator(lambda: embedder)
+
+
 def request(name, models=()):
     return AssetRequest(asset=Asset(asset_id="it", asset_type="object", description="", name=name), models=models)
 
@@ -171,15 +177,15 @@ def test_the_generator_takes_over(embedder):
         ("robot dog", "animal", "dog"),
     ],
 )
-def test_an_unknown_thing_is_of_its_kind(embedder, name, kind, key):
+def test_an_unknown_thing_is_of_its_kind(generator, name, kind, key):
     asset = Asset(asset_id="it", asset_type="object", description="", name=name, tags=(kind,))
-    assert RulesAssetGenerator(lambda: embedder).propose(AssetRequest(asset=asset)).key == key
+    assert generator.propose(AssetRequest(asset=asset)).key == key
 
 
 @pytest.mark.parametrize("kind", ["animal", "vehicle"])
-def test_an_unknown_creature_or_vehicle_is_always_one(embedder, kind):
+def test_an_unknown_creature_or_vehicle_is_always_one(generator, kind):
     asset = Asset(asset_id="it", asset_type="object", description="", name="frobnicator", tags=(kind,))
-    recipe = RulesAssetGenerator(lambda: embedder).propose(AssetRequest(asset=asset))
+    recipe = generator.propose(AssetRequest(asset=asset))
     assert PROPS[recipe.key].category == kind
 
 

@@ -1,14 +1,22 @@
 """The reader may not fall below what was measured; ``fresh`` scripts were annotated before they were first read."""
 
+import re
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
+from tests.every import every
+
+from storyblender.agents.director import lexicon
+from storyblender.agents.director.reader import read_script
+from storyblender.agents.director.reading import Reading
+from storyblender.screenplay.source import read
 
 ROOT = Path(__file__).parents[5]
 sys.path.insert(0, str(ROOT / "benchmarks" / "director"))
 
-from score import MEASURES, Count, score_file  # noqa: E402
+from score import MEASURES, Count, Gold, Scorer, parse_gold, score_file  # noqa: E402
 
 GOLD = ROOT / "tests" / "data" / "director"
 FLOORS = {
@@ -62,11 +70,18 @@ FLOORS = {
 }  # fmt: skip
 
 
+@cache
+def answered(path: Path) -> tuple[Gold, Reading]:
+    """Return a script's answers and how it is read."""
+    gold = parse_gold(path)
+    return gold, read_script(read(gold.text))
+
+
 @pytest.mark.parametrize("pattern", FLOORS)
 def test_scores_stay_above_their_floor(pattern: str) -> None:
     total = {measure: Count() for measure in MEASURES}
     for path in sorted(GOLD.glob(pattern)):
-        for measure, count in score_file(path).items():
+        for measure, count in Scorer(*answered(path)).score().items():
             total[measure].merge(count)
     below = {m: round(total[m].f1, 3) for m, floor in FLOORS[pattern].items() if total[m].f1 < floor}
     assert not below
@@ -77,3 +92,36 @@ def test_a_wrong_answer_lowers_the_score(tmp_path: Path) -> None:
     wrong = tmp_path / "wrong.gold"
     wrong.write_text(gold.replace("act: nora sit booth", "act: nora run booth"), encoding="utf-8")
     assert score_file(wrong)["action"].f1 < score_file(GOLD / "t1_twohander.gold")["action"].f1
+
+
+@every("name", sorted(path.name for path in GOLD.glob("*.gold")))
+def test_every_id_is_known(name: str) -> None:
+    _, reading = answered(GOLD / name)
+    deeds = [deed for unit in reading.units for deed in unit.deeds]
+    known = {p.id for p in reading.people} | {t.id for t in reading.things}
+    used = {id for deed in deeds for id in (deed.actor, deed.target, deed.prop) if id}
+    used -= {id for id in used if id.rsplit("_", 1)[-1] in lexicon.PARTS | lexicon.LIQUIDS | {*lexicon.PART_OF}}
+    ends = {id for _, r in reading.relations for id in (r.asset_id, r.anchor_asset_id)}
+    placed = {id for id in ends if id.rsplit("_", 1)[-1] not in lexicon.words("surfaces")}  # a top step is one
+    used |= {id for id in placed if lexicon.noun_class(id.replace("_", " ")) != "worn"}
+    assert used <= known
+
+
+def runs(text: str, length: int = 5) -> set[tuple[str, ...]]:
+    """Return all successive words of the lines of a text, without those that anybody writes: ``on the edge of the``."""
+    lines = (re.findall(r"[a-z][a-z']*", line) for line in text.lower().splitlines())
+    found = {tuple(line[at : at + length]) for line in lines for at in range(len(line) - length + 1)}
+    return {words for words in found if sum(len(word) > 3 for word in words) > 1}
+
+
+@every("name", sorted(path.name for path in GOLD.glob("*.gold") if path.name.startswith(("fresh_", "unseen_"))))
+def test_no_rule_quotes_a_page_that_is_scored(name: str) -> None:
+    quoted = [" ".join(words) for words in runs(parse_gold(GOLD / name).text) & rules()]
+    assert quoted == []
+
+
+@cache
+def rules() -> set[tuple[str, ...]]:
+    files = [file for file in (ROOT / "src/storyblender/agents/director").rglob("*") if file.suffix in (".py", ".tsv")]
+    assert len(files) > 100
+    return set().union(*(runs(file.read_text("utf-8")) for file in files))

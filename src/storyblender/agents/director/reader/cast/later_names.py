@@ -179,7 +179,7 @@ def _places(told: str, pattern: str) -> tuple[int, ...]:
 
 
 def _turns_up(roster: Roster, named: Person, told: str, nameless: Sequence[Person]) -> None:
-    """``a man came down the stairs … said Jostein``: a new name without anybody coming in."""
+    """``a man came up the path … said Arlo``: a new name without anybody coming in."""
     nameless = [each for each in nameless if is_nameless(each) and each.first < named.first]
     nameless = [each for each in nameless if each is not roster.narrator and each.role not in _BABIES]
     for each in sorted(

@@ -252,7 +252,7 @@ def _rank(person: Person) -> set[str]:
 
 
 def _names_before(roster: Roster, role: _Role, text: str) -> bool:
-    """``Mrs. Crabbe, the old housekeeper,``: she is the housekeeper from then on."""
+    """``Mrs. Finch, the new caretaker,``: she is the caretaker from then on."""
     before = text[max(0, role.at - 60) : role.at - 2].lower()
     person = next((p for p in roster.people for alias in p.aliases if before.endswith(alias)), None)
     end = role.at + role.phrase.end - role.phrase.start

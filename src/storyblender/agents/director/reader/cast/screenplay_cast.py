@@ -344,7 +344,7 @@ def _are_numbered(name: str, full_names: _FullNames) -> bool:
 
 
 def _apposed(roster: Roster, sighting: _Sighting, name: str, text: str) -> Person | None:
-    """``her OPPONENT, a YOUNG BOXER,``: two nouns in capitals for one person."""
+    """``his RIVAL, a TALL ROWER,``: two nouns in capitals for one person."""
     left = text[max(0, sighting.at - 40) : sighting.at]
     before = re.search(rf"([{UPPER}][{UPPER}' -]*[{UPPER}]), (?:a |an |the )?$", left)
     people = roster.find(before.group(1)) if before else []

@@ -184,7 +184,7 @@ def _both_ends(stage: Stage, roles: Roles, motion: str, target: str | None, prop
 
 
 def _owner_of_part(stage: Stage, clause: Clause, roles: Roles) -> str | None:
-    """Whose body something is done to: ``grabs her arm``, ``kisses the top of her head``."""
+    """Whose body something is done to: ``grabs her arm``, ``strokes the back of his hand``."""
     if roles.people or not roles.things or stage.inventory.class_of(roles.things[0]) not in ("body", "abstract"):
         return None
     nouns = clause.object + [noun for place in roles.places if place.preposition == "of" for noun in place.nouns]

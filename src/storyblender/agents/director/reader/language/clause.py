@@ -25,9 +25,9 @@ class Clause:
     places: list[tuple[str, list[NounPhrase]]] = field(default_factory=list)
     """Prepositions with their nouns."""
     asides: list[NounPhrase] = field(default_factory=list)
-    """``stands there, a crate on his shoulder``."""
+    """``waits outside, a coat over one arm``."""
     opening: int = 0
-    """How many of the last places open the sentence: ``Behind the curtain Lena tunes her violin``."""
+    """How many of the last places open the sentence: ``Beside the pond Arlo mends a net``."""
     participle: bool = False
     """An -ing form, or a bare infinitive."""
     infinitive: bool = False

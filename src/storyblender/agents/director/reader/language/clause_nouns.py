@@ -14,7 +14,7 @@ from storyblender.agents.director.reader.language.clause_order import (
 from storyblender.agents.director.reader.language.phrases import NounPhrase, Phrase
 
 _SUBJECT_ONLY = frozenset({"he", "she", "they", "i", "we"})
-"""``At seven she pulls herself up``: no object of the preposition before."""
+"""``At noon he folds the map``: no object of the preposition before."""
 _INSERTING = frozenset({"where", "when", "until", "because", "since", "if", "though", "although", "that"})
 _OPENING = frozenset({"when", "as", "by", "while", "after", "before", "once", "until", "since", "because"})
 """``By the time I got down to the lobby a policeman was kneeling``: after it another clause comes."""

@@ -27,7 +27,7 @@ def has_own_place(phrases: list[Phrase], index: int) -> bool:
         index: Of the person.
     """
     several = [phrase.text for phrase in phrases[index + 1 : index + 2]] == ["and"] and index + 2 < len(phrases)
-    index += 2 if several and phrases[index + 2].kind == "noun" else 0  # Walt and Benny behind her
+    index += 2 if several and phrases[index + 2].kind == "noun" else 0  # Iris and Otto after them
     after = phrases[index + 1 : index + 4]
     kinds = [phrase.kind for phrase in after[:2]]
     told = kinds == ["preposition", "noun"] and after[0].text in lexicon.RELATION_OF_PREPOSITION

@@ -18,7 +18,7 @@ class Row:
     words: list[Word] = field(default_factory=list)
     verb_seen: bool = False
     tail: list[Word] = field(default_factory=list)
-    """``with a canister on his back`` out of an apposition: it is told at the end."""
+    """``with a drum on her shoulder`` out of an apposition: it is told at the end."""
     last_kind: str = ""
     """``3sg``, ``base`` or ``inf``: the form of the last finite verb or bare infinitive."""
 

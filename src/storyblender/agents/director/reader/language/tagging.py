@@ -259,7 +259,7 @@ def _is_inverted(form: VerbForm, following: Word | None, row: Row) -> bool:
 
 
 def _new_clause(row: Row) -> bool:
-    """Whether the noun before opens a clause of its own: ``Doyle falls and the lantern rolls off``."""
+    """Whether the noun before opens a clause of its own: ``Iris slips and the bucket tips over``."""
     measured = any(word.low == "of" for word in row.words[-5:])
     for index in range(len(row.words) - 2, max(len(row.words) - (8 if measured else 5), -1), -1):
         if row.words[index].low in OPENERS:

@@ -69,7 +69,7 @@ _OTHER_TIME = re.compile(r"(?:that|in the|by|towards?|at) (?:\w+ )?(?:morning|ev
 def read_scene_change(paragraph: Paragraph, scenes: list[SceneReading], title: str = "") -> SceneReading | None:
     """The scene a paragraph opens, or None where it goes on with the last.
 
-    A place in the middle of a sentence is only where somebody is (``They pulled him into the kitchen``); a new scene
+    A place in the middle of a sentence is only where somebody is (``She led them through the bakery``); a new scene
     is told by an opening: a place or a time at its start, a room it begins with, or somebody who arrives.
 
     Args:

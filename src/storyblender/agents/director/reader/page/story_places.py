@@ -100,7 +100,7 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
 
 
 def any_place(text: str) -> str:
-    """The first place a text names at all: ``had kept the lighthouse for forty years``."""
+    """The first place a text names at all: ``who swept the station all her life``."""
     places = [leading_place(match.group(1).split()) for match in _NOUN_PHRASE.finditer(text)]
     return next((place for place in places if place), "")
 

@@ -56,7 +56,7 @@ _STATIC = frozenset(
     {"on", "upon", "atop", "in", "inside", "under", "underneath", "beneath", "above", "over", "behind", "beside", "by",
      "next to", "near", "in front of", "on top of", "between", "among"}
 )  # fmt: skip
-"""Prepositions that tell where a thing is that does something: ``A radio plays on the shelf``."""
+"""Prepositions that tell where a thing is that does something: ``A kettle sings on the stove``."""
 
 
 def is_still(stage: Stage, clause: Clause, roles: Roles, motion: str | None) -> bool:
@@ -162,7 +162,7 @@ def _is_beside(stage: Stage, roles: Roles, place: Place) -> bool:
 
 
 def _is_where(stage: Stage, clause: Clause, place: Place) -> bool:
-    """``A radio plays on the shelf``, ``A lantern swings from a hook``: where a thing is that does something."""
+    """``A kettle sings on the stove``, ``A lantern swings from a hook``: where a thing is that does something."""
     if place.preposition == "from":
         return clause.verb in HANGING
     return place.preposition in _STATIC and any(
