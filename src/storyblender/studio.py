@@ -41,7 +41,7 @@ from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.adopting import adopt_earlier_outputs
 from storyblender.pipeline.asset_files import assets_to_build
 from storyblender.pipeline.compiling import STORY, Compilation, file_of, story_files
-from storyblender.pipeline.filming import film
+from storyblender.pipeline.filming import film, with_cuts_judged
 from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.retaking import retake_poor_frames
 from storyblender.pipeline.reviewing import FrameReview, review_frames
@@ -205,7 +205,9 @@ class Studio:
             _restore_assets(run)
             pack_scenes(run)
             reviews = review_frames(run, drawn_shots(run))
-            report = inspect(run.graph, run.engine, list(run.packs.values()), reviews, partial(run.progress, "check"))
+            report = inspect(
+                with_cuts_judged(run), run.engine, list(run.packs.values()), reviews, partial(run.progress, "check")
+            )
             return report.with_story([name for name in story_files(run.graph) if run.outputs.changed(name)])
 
     def evaluate(self, folder: Path) -> list[FrameReview]:

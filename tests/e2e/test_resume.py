@@ -36,7 +36,8 @@ def kill_at(files: int, folder: Path, arguments: list[str]) -> bool:
 
 
 def count(folder: Path) -> int:
-    return sum(len(files) for _, _, files in os.walk(folder))
+    """Return how many files there are, without those of the moving frames, which this run makes none of."""
+    return sum(len(files) for path, _, files in os.walk(folder) if "motion" not in Path(path).parts)
 
 
 def same(first: Path, second: Path) -> None:
@@ -55,7 +56,7 @@ def test_a_killed_run_goes_on_to_the_same_result(script: Path, untouched: Path, 
     broken = tmp_path / "broken"
     arguments = [str(script), *SMALL, "--no-animatic", "--out", str(broken)]
     moments = random.Random(kills)
-    shares = sorted(moments.uniform(0.05, 0.6) for _ in range(kills))
+    shares = sorted(moments.uniform(0.05, 0.75) for _ in range(kills))
     killed = sum(kill_at(round(share * count(untouched)), broken, arguments) for share in shares)
     assert killed >= 1
     made(arguments)

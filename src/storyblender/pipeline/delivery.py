@@ -19,6 +19,7 @@ from storyblender.deliver.timeline_media import TimelineMedia
 from storyblender.memory.base import content_hash
 from storyblender.memory.shot_context import Flaw
 from storyblender.pipeline.compiling import Compilation
+from storyblender.pipeline.filming import with_cuts_judged
 from storyblender.pipeline.prints import make_prints
 from storyblender.pipeline.reviewing import kept_reviews
 from storyblender.pipeline.run import Run
@@ -121,7 +122,7 @@ def checks_of(run: Run) -> list[Check]:
         for review in poor
         for fault in review.faults
     ]
-    return checklist(run.graph, staged, faults, run.project.folder.name)
+    return checklist(with_cuts_judged(run), staged, faults, run.project.folder.name)
 
 
 def _with_slates(run: Run, frames: Mapping[str, Path]) -> dict[str, Path]:

@@ -10,12 +10,14 @@ from pathlib import Path
 from pydantic import TypeAdapter
 
 from storyblender.agents.layout_artist.camera_brief import Moment
-from storyblender.agents.layout_artist.camera_scene import shoot_scene, telling_frames
+from storyblender.agents.layout_artist.camera_continuity import judge_cuts
+from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
 from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.catalog.sets import plan_of
 from storyblender.geometry.framing import Figure
 from storyblender.memory.base import scene_name
 from storyblender.memory.graph import ContinuityMemoryGraph
+from storyblender.memory.history import replace
 from storyblender.memory.jobs import PackRef
 from storyblender.memory.measure import CameraView, ViewRequest
 from storyblender.memory.shot_context import CameraState, ShotContext
@@ -71,6 +73,23 @@ class PackViewfinder:
 def figures_of(pack: PackRef) -> str:
     """Return the name of the record of everybody's faces in a pack."""
     return f"{FIGURES}/{Path(pack.path).stem}.json"
+
+
+def with_cuts_judged(run: Run) -> ContinuityMemoryGraph:
+    """Return the graph with the faults that its cuts have now, for reports.
+
+    A changed camera changes the cuts of its neighbours too. Scenes whose faces nobody has measured keep the faults that
+    their cameras were left with.
+    """
+    graph, fresh = run.graph, list[ShotContext]()
+    for scene_id, pack in run.packs.items():
+        shots, environment = graph.shots_of(scene_id), graph.scene(scene_id).environment
+        if environment is None or len(shots) < 2 or not run.outputs.whole(figures_of(pack)):
+            continue
+        faces, plan, measures = PackViewfinder(run, pack, shots), plan_of(environment), measures_of(graph.assets)
+        states = judge_cuts([(s, camera_brief(graph, s, plan, measures, faces.moments(s))) for s in shots])
+        fresh += [shot.model_copy(update={"camera": states.get(shot.shot_id, shot.camera)}) for shot in shots]
+    return replace(graph, *fresh)
 
 
 def film(run: Run) -> None:

@@ -6,17 +6,16 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment, far_off
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Moment, far_off
+from storyblender.agents.layout_artist.camera_continuity import SceneCuts
 from storyblender.agents.layout_artist.camera_details import detail_of, held_at, middle_of
-from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator, side_used
+from storyblender.agents.layout_artist.camera_operator import Operator, operate, rules_operator
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.agents.layout_artist.story_moment import AT_REST, story_moment
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.continuity import walked_around
 from storyblender.geometry.framing import Film
-from storyblender.memory.base import Vec3
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PlayedCue
 from storyblender.memory.measure import AssetMeasure
@@ -28,9 +27,6 @@ _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
 _TAKES = ("pick_up", "take", "catch")
 """Clips after which a thing is in the hand."""
-_ANSWERS = ("single", "reaction", "ots")
-"""Kinds of shots that have a reverse."""
-Faces = tuple[Vec3, Vec3]
 Moments = Callable[[ShotContext], Sequence[Moment]]
 """Where everybody's face is at the frames of ``telling_frames``, as the engine measured it."""
 
@@ -85,32 +81,12 @@ def shoot_scene(
         listener: Receives the trace.
     """
     cameras: dict[int, CameraState] = {}
-    previous: Cut | None = None
-    sides: dict[tuple[str, str], int] = {}
-    answered: dict[tuple[str, str], Cut] = {}
-    lines: dict[tuple[str, str], Faces] = {}
+    cuts = SceneCuts()
     for shot in graph.shots_of(scene_id):
-        instruction = shot.camera_instruction
-        axis = instruction.axis
-        brief = replace(camera_brief(graph, shot, plan, measures, moments(shot)), kit=kit, previous=previous)
-        if axis is not None and brief.axis is not None:
-            faces = (brief.axis[0].face, brief.axis[1].face)
-            if walked_around(lines.setdefault(axis, faces), faces):
-                sides.pop(axis, None)
-                answered.pop(axis, None)
-            lines[axis] = faces
-            brief = replace(
-                brief,
-                side=sides.get(axis, 0),
-                reverse=_reverse(instruction.focus_on_ids, answered.get(axis)),
-            )
+        brief = cuts.match(shot, replace(camera_brief(graph, shot, plan, measures, moments(shot)), kit=kit))
         state = shot.camera or _leaving_out(operate(brief, viewfinder, operator, listener), shot, brief)
         cameras[shot.shot_id] = state
-        previous = Cut(instruction, state, brief.subjects(brief.moments[-1]) if brief.moments else ())
-        if axis is not None:
-            sides[axis] = sides.get(axis) or side_used(brief, state)
-            if instruction.kind in _ANSWERS:
-                answered[axis] = previous
+        cuts.follow(shot, brief, state)
     return cameras
 
 
@@ -118,11 +94,6 @@ def _leaving_out(state: CameraState, shot: ShotContext, brief: CameraBrief) -> C
     """Return the camera with whom it was meant to show and leaves out."""
     left = tuple(node for node in shot.in_frame if node not in brief.in_frame)
     return state.model_copy(update={"leaves_out": left}) if left else state
-
-
-def _reverse(focus: tuple[str, ...], last: Cut | None) -> Cut | None:
-    """Return the partner's latest single, if the partner had the last word."""
-    return last if last is not None and last.instruction.focus_on_ids != focus else None
 
 
 def _handlings(shot: ShotContext, frame: int) -> list[Cue]:

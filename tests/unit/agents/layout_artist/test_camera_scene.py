@@ -5,6 +5,7 @@ from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 
 from storyblender.agents.layout_artist import camera_scene
 from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of
+from storyblender.agents.layout_artist.camera_continuity import CUT_KINDS, judge_cuts
 from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
@@ -18,6 +19,7 @@ from storyblender.memory.shot_context import (
     CameraState,
     CharacterAction,
     Cue,
+    Flaw,
     PropState,
     ShotContext,
 )
@@ -331,3 +333,46 @@ def test_what_starts_is_drawn_before_its_key_pose_and_has_begun() -> None:
 
 def test_the_moment_of_a_line_without_action_is_not_that_of_the_other_lines() -> None:
     assert _of_line("start", 7, CLIPS) == _of_line(None, None, CLIPS)
+
+
+def filmed(story: ContinuityMemoryGraph, **others: CameraState) -> ContinuityMemoryGraph:
+    """Return a story with the cameras that the crew sets, or with others, by ``shot_1``."""
+    cameras = shoot(story) | {int(name.removeprefix("shot_")): state for name, state in others.items()}
+    shots = tuple(shot.model_copy(update={"camera": cameras[shot.shot_id]}) for shot in story.shots)
+    return story.model_copy(update={"shots": shots})
+
+
+def wrong_cuts(story: ContinuityMemoryGraph) -> dict[int, set[str]]:
+    pairs = [(shot, camera_brief(story, shot, PLAN, {"cup": CUP}, moments(shot))) for shot in story.shots]
+    told = {key: {flaw.kind for flaw in state.residual} & {*CUT_KINDS} for key, state in judge_cuts(pairs).items()}
+    return {key: kinds for key, kinds in told.items() if kinds}
+
+
+def test_a_changed_camera_makes_the_cuts_of_others_wrong_and_another_change_mends_them() -> None:
+    story = filmed(graph(*DIALOGUE))
+    assert wrong_cuts(story) == {}, "the crew's own cuts match"
+    first = story.shots[0].camera
+    across = first.poses[0].model_copy(update={"rotation": _turned(orbit_of(first.poses[0], FILM))})
+    crossed = filmed(graph(*DIALOGUE), shot_1=first.model_copy(update={"poses": (across,)}))
+    assert all("line" in wrong_cuts(crossed)[shot] for shot in (2, 3, 4, 5))
+    stale = as_judged(crossed)
+    mended = stale.model_copy(update={"shots": (story.shots[0], *stale.shots[1:])})
+    assert wrong_cuts(mended) == {}, "what was wrong before is no longer told"
+
+
+def as_judged(story: ContinuityMemoryGraph) -> ContinuityMemoryGraph:
+    """Return a story whose cameras were left with the faults that they have."""
+    states = judge_cuts([(shot, camera_brief(story, shot, PLAN, {"cup": CUP}, moments(shot))) for shot in story.shots])
+    shots = tuple(shot.model_copy(update={"camera": states[shot.shot_id]}) for shot in story.shots)
+    return story.model_copy(update={"shots": shots})
+
+
+def test_a_camera_set_as_the_one_before_is_a_jump_cut_and_other_faults_stay() -> None:
+    singles = ({"kind": "single", "size": "CU", "focus_on_ids": ("anna",)},) * 2
+    story = filmed(graph(*singles))
+    assert wrong_cuts(story) == {}
+    headroom = Flaw(kind="headroom", subject="anna", weight=0.4, message="close")
+    same = story.shots[0].camera.model_copy(update={"residual": (headroom,)})
+    jumped = filmed(graph(*singles), shot_2=same)
+    assert wrong_cuts(jumped) == {2: {"jump"}}
+    assert headroom in as_judged(jumped).shots[1].camera.residual

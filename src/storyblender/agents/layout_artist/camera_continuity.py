@@ -1,0 +1,89 @@
+"""What the shots of a scene have to match, in order: the cut before, the reverse, the side of the line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, in_between, orbit_of
+from storyblender.agents.layout_artist.camera_cuts import cuts
+from storyblender.agents.layout_artist.camera_operator import side_used
+from storyblender.geometry.continuity import walked_around
+from storyblender.memory.base import Vec3
+from storyblender.memory.shot_context import CameraState, Flaw, ShotContext
+
+CUT_KINDS = ("line", "jump", "eyeline")
+"""Faults that a shot may get or lose by the camera of another."""
+_ANSWERS = ("single", "reaction", "ots")
+"""Kinds of shots that have a reverse."""
+Faces = tuple[Vec3, Vec3]
+Pair = tuple[str, str]
+
+
+class SceneCuts:
+    """Goes along with a scene, shot by shot: ``match`` before a camera is set, ``follow`` after it."""
+
+    def __init__(self) -> None:
+        self._previous: Cut | None = None
+        self._sides: dict[Pair, int] = {}
+        self._answered: dict[Pair, Cut] = {}
+        self._lines: dict[Pair, Faces] = {}
+
+    def match(self, shot: ShotContext, brief: CameraBrief) -> CameraBrief:
+        """Return a shot's brief with what its camera has to match.
+
+        Args:
+            shot: The next one of the scene.
+            brief: Its projection of the graph.
+        """
+        brief = replace(brief, previous=self._previous)
+        axis = shot.camera_instruction.axis
+        if axis is None or brief.axis is None:
+            return brief
+        faces = (brief.axis[0].face, brief.axis[1].face)
+        if walked_around(self._lines.setdefault(axis, faces), faces):
+            self._sides.pop(axis, None)
+            self._answered.pop(axis, None)
+        self._lines[axis] = faces
+        last = self._answered.get(axis)
+        had_last_word = last is not None and last.instruction.focus_on_ids != shot.camera_instruction.focus_on_ids
+        return replace(brief, side=self._sides.get(axis, 0), reverse=last if had_last_word else None)
+
+    def follow(self, shot: ShotContext, brief: CameraBrief, state: CameraState) -> None:
+        """Remember the camera of a shot for the shots after it.
+
+        Args:
+            shot: The one that was matched last.
+            brief: As ``match`` returned it.
+            state: Its camera.
+        """
+        instruction = shot.camera_instruction
+        self._previous = Cut(instruction, state, brief.subjects(brief.moments[-1]) if brief.moments else ())
+        if instruction.axis is not None:
+            self._sides[instruction.axis] = self._sides.get(instruction.axis) or side_used(brief, state)
+            if instruction.kind in _ANSWERS:
+                self._answered[instruction.axis] = self._previous
+
+
+def judge_cuts(scene: Iterable[tuple[ShotContext, CameraBrief]]) -> Mapping[int, CameraState]:
+    """Return the cameras of a scene, by shot, with the faults that their cuts have now.
+
+    A camera keeps the faults it was left with, and another one before it may have been changed since: by a person, by a
+    retake, by an undo.
+
+    Args:
+        scene: All shots in order, with their projections of the graph.
+    """
+    going, states = SceneCuts(), dict[int, CameraState]()
+    for shot, alone in scene:
+        state, brief = shot.camera, going.match(shot, alone)
+        if state is None:
+            continue
+        going.follow(shot, brief, state)
+        ends = [orbit_of(pose, brief.film) for pose in (state.poses[0], state.poses[-1])]
+        take = Take(in_between(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
+        found = cuts(brief, take) if brief.moments else []
+        now = [Flaw(kind=each.kind, subject=each.subject, weight=each.severity, message=each.message) for each in found]
+        kept = [flaw for flaw in state.residual if flaw.kind not in CUT_KINDS]
+        states[shot.shot_id] = state.model_copy(update={"residual": (*kept, *now)})
+    return states
