@@ -28,7 +28,7 @@ _CROWDED: Final = ("person_missing", "people_missing", "person_small", "person_h
 """Faults of pictures that hold too much: a simpler one has fewer of them."""
 _UNSEEN: Final = ("person_missing", "people_missing", "thing_missing")
 _GAIN, _GAIN_FROM_ABOVE = 0.5, 1.5
-"""Least gain in score for which a retake replaces the take before it: people look worse from above."""
+"""Least gain in points for which a retake replaces the take before it: people look worse from above."""
 
 
 def retake_poor_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
@@ -84,7 +84,7 @@ def _taken_again(
     worse = [
         shot.model_copy(update={"camera_retake": shot.camera_retake or CameraRetake()})
         for name, (shot, choice) in again.items()
-        if after[name].score < before[name].score + (_GAIN_FROM_ABOVE if choice.angle == "high angle" else _GAIN)
+        if not _better(after[name], before[name], choice)
     ]
     if worse:
         names = [shot_name(shot.scene_id, shot.shot_id) for shot in worse]
@@ -92,6 +92,11 @@ def _taken_again(
         shoot_frames(run, _present(run, worse))
         after |= {name: before[name] for name in names}
     return after
+
+
+def _better(after: FrameReview, before: FrameReview, choice: CameraRetake) -> bool:
+    """Return whether a retake is worth more than the take before it, also where both have the lowest score."""
+    return after.lost <= before.lost - (_GAIN_FROM_ABOVE if choice.angle == "high angle" else _GAIN)
 
 
 def _present(run: Run, shots: Sequence[ShotContext]) -> list[ShotContext]:

@@ -35,6 +35,11 @@ class FrameReview(Frozen):
     faults: tuple[Fault, ...] = ()
 
     @property
+    def lost(self) -> float:
+        """Points that the faults cost in all: of two frames of the lowest score one may still be better."""
+        return sum(fault.severity for fault in self.faults)
+
+    @property
     def verdict(self) -> Verdict:
         """``pass``, ``fix`` or ``reject``."""
         return verdict_of(self.score)

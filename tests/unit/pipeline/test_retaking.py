@@ -14,7 +14,7 @@ from storyblender.memory.shot_context import (
     CharacterAction,
     ShotContext,
 )
-from storyblender.pipeline.retaking import _another_camera, _another_moment, _choice, _simpler, _with_camera
+from storyblender.pipeline.retaking import _another_camera, _another_moment, _better, _choice, _simpler, _with_camera
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.reflection import Fault
 
@@ -98,3 +98,17 @@ def test_a_shot_is_tried_once_and_a_later_run_leaves_it(tmp_path: Path, monkeypa
     first = stage.render()
     assert first["render_frame"] > 3, "every shot is poor, and at least one was taken again"
     assert not stage.render(), "nothing is left to do"
+
+
+def _of_faults(*severities: float) -> FrameReview:
+    faults = tuple(Fault(kind="flat", message="", severity=each) for each in severities)
+    return FrameReview(shot="SC010_SH010", judged="", score=max(1.0, 10 - sum(severities)), faults=faults)
+
+
+def test_the_better_of_two_very_poor_takes_is_kept() -> None:
+    worst, poor = _of_faults(4, 4, 4, 4), _of_faults(4, 4, 3)
+    assert worst.score == poor.score == 1.0
+    assert _better(poor, worst, CameraRetake(size="WS"))
+    assert not _better(worst, poor, CameraRetake(size="WS"))
+    assert not _better(poor, poor, CameraRetake(size="WS"))
+    assert not _better(_of_faults(3), _of_faults(4), CameraRetake(angle="high angle")), "people look worse from above"
