@@ -24,6 +24,8 @@ _FIRST_STRESS = 1.1
 """Seconds into a speech at which the hands of who speaks are raised; later they rest between the phrases."""
 AT_REST = ("idle", "look", "listen", "turn", "face")
 """Clips that tell nothing by themselves."""
+_UNASKED = {"put_down": ("put_down",), "rise": ("stand", "get_up")}
+"""Clips that the crew writes by itself before others -> the motions of a script that ask for them."""
 _LEAVES = ("put_down", "drop", "throw")
 """Clips after which a thing is in nobody's hands."""
 _BEGUN = 0.45
@@ -126,9 +128,9 @@ def _length(cue: Cue, shot: ShotContext) -> int:
 def _is_prelude(cue: Cue, cues: Sequence[Cue], shot: ShotContext) -> bool:
     """Tell whether a cue only takes up a thing that the same person then uses, or only frees a hand for what comes."""
     after = [each for each in cues if each.asset_id == cue.asset_id and each.start > cue.start]
-    if cue.clip == "put_down":
-        told = (action for action in shot.character_actions if action.asset_id == cue.asset_id)
-        return bool(after) and not any(clip_of(action.motion).key == "put_down" for action in told)
+    if cue.clip in _UNASKED:
+        told = {action.motion for action in shot.character_actions if action.asset_id == cue.asset_id}
+        return bool(after) and not any(clip_of(each).key == cue.clip or each in _UNASKED[cue.clip] for each in told)
     return cue.clip == "pick_up" and any(each.prop_id == cue.prop_id and each.clip not in _LEAVES for each in after)
 
 

@@ -287,6 +287,9 @@ def test_what_is_told_is_shown_and_not_what_frees_the_hands_for_it() -> None:
     cues = ({"clip": "put_down", "start": 10, "prop_id": "bag"}, {"clip": "drum", "start": 60, "duration": 60})
     assert _shown(*cues, told=("drum",)) >= 60
     assert _shown(*cues[:1], told=("put_down",)) < 60
+    risen = ({"clip": "rise", "start": 10}, {"clip": "talk", "start": 90, "duration": 60})
+    assert _shown(*risen, told=("walk", "talk")) >= 90
+    assert _shown(*risen, told=("stand", "talk")) < 60
 
 
 def test_what_goes_on_since_before_the_shot_yields_to_what_is_done_in_it() -> None:
