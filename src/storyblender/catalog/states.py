@@ -22,6 +22,8 @@ LIT = frozenset({"on", "lit", "burning"})
 GONE = "gone"
 READS = "reads "
 """How a state begins that puts other words on a thing; the words follow."""
+DOOR_OPEN, DOORS_CLOSED = " door open", "doors closed"
+"""How the state of a vehicle with open doors ends, after their names, and its state with none."""
 _BROKEN = frozenset({"broken", "smashed", "shattered", "cracked"})
 LYING = frozenset({"tipped", "spilled", "fallen", "overturned", "knocked over", "toppled", "on its side", "upturned"})
 """States in which a thing lies on its side."""
@@ -74,10 +76,16 @@ class StateLook(NamedTuple):
 
 def after(condition: Condition, state: str) -> Condition:
     """Return the condition of a thing after a change; what it was of the same kind is over."""
-    kind = frozenset({state}) if not state.startswith(READS) else frozenset[str]()
-    kind = next((kind for kind in _KINDS if state in kind), kind)
-    writes = state.startswith(READS)
-    return (*(each for each in condition if each not in kind and not (writes and each.startswith(READS))), state)
+    kind = _kind_of(state)
+    return (*(each for each in condition if _kind_of(each) != kind), state)
+
+
+def _kind_of(state: str) -> frozenset[str]:
+    if state.startswith(READS):
+        return frozenset({READS})
+    if state.endswith((DOOR_OPEN, DOORS_CLOSED)):
+        return frozenset({DOOR_OPEN})
+    return next((kind for kind in _KINDS if state in kind), frozenset({state}))
 
 
 def topples(size: Vec3) -> bool:
@@ -141,6 +149,8 @@ def look_in(key: str, params: Mapping[str, ParamValue], state: str) -> StateLook
     changed = {**params, **read_variant(entry, state)}
     if state in _KINDS[1]:
         changed.pop("unlit", None)
+    if state.endswith((DOOR_OPEN, DOORS_CLOSED)) and isinstance(entry.params.get("open"), str):
+        changed["open"] = state.removesuffix(DOOR_OPEN) if state.endswith(DOOR_OPEN) else ""
     if state in DARK and entry.lights:
         changed["unlit"] = True
     if "fill" in entry.params and state in _LEVELS:

@@ -26,7 +26,7 @@ _RAIN_SLANT = 0.1
 
 _NARROW = 60.0
 """Degrees: a spot narrower than this is seen as a beam."""
-_BEAM_REACH, _BEAM_STEPS, _BEAM_MOUTH = 7.0, 24, 0.12
+_BEAM_REACH, _BEAM_STEPS, _BEAM_MOUTH = 7.0, 32, 0.03
 """Metres of a beam that are seen, samples along a ray, and square metres that soften its mouth."""
 
 
@@ -113,17 +113,17 @@ def _beam(light: Light, from_light: NDArray[np.float32], rays: Image, distance: 
     aim /= max(float(np.linalg.norm(aim)), 1e-6)
     edge = math.cos(math.radians(light.cone / 2))
     nearest = -dot(rays, from_light)
-    begin = np.clip(nearest - _BEAM_REACH, 0, distance)
-    span = np.clip(nearest + _BEAM_REACH, 0, distance) - begin
+    aside = np.sqrt(np.maximum(float(from_light @ from_light) - nearest * nearest, 0) + _BEAM_MOUTH)
+    ends = (np.clip(nearest + reach, 0, distance) for reach in (-_BEAM_REACH, _BEAM_REACH))
+    first, last = (np.arctan((end - nearest) / aside) for end in ends)
     across = [np.float32(from_light @ aim), dot(rays, aim)]
     found = np.zeros_like(distance)
-    for step in range(_BEAM_STEPS):
-        at = begin + span * ((step + 0.5) / _BEAM_STEPS)
+    for step in range(_BEAM_STEPS):  # at equal angles as seen from the lamp, where the light falls off with the square
+        at = nearest + aside * np.tan(first + (last - first) * ((step + 0.5) / _BEAM_STEPS))
         apart = at * at - 2 * at * nearest + float(from_light @ from_light)
         cosine = (across[0] + at * across[1]) / np.sqrt(np.maximum(apart, 1e-4))
-        inside = np.clip((cosine - edge) / (1 - edge), 0, 1)
-        found += np.sqrt(inside) / (apart + _BEAM_MOUTH)
-    return found * span / _BEAM_STEPS
+        found += np.clip((cosine - edge) / (1 - edge), 0, 1)
+    return found * (last - first) / (_BEAM_STEPS * aside)
 
 
 def add_rain(picture: Image, depth: Image, rain: float, seed: int) -> Image:

@@ -12,6 +12,7 @@ from storyblender.agents.layout_artist.spatial_planner import ways_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
 from storyblender.agents.visual_effects_artist.lighting_view import lighting_view
+from storyblender.agents.visual_effects_artist.vehicle_doors import with_open_doors
 from storyblender.catalog.costumes import age_of
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
@@ -120,7 +121,10 @@ def design(run: Run, graph: ContinuityMemoryGraph, scene_id: int) -> Environment
 def _animate(run: Run, scene_id: int) -> tuple[ShotContext, ...]:
     draft = run.reflect(run.crew.animator, scene_name(scene_id), run.graph, scene_id).draft
     staged = {staging.shot_id: staging for staging in draft.shots}
-    return tuple(staged[shot.shot_id].applied(shot) for shot in run.graph.shots_of(scene_id))
+    layout = run.graph.scene(scene_id).layout
+    assert layout is not None, "the layout comes before motion"
+    played = tuple(staged[shot.shot_id].applied(shot) for shot in run.graph.shots_of(scene_id))
+    return with_open_doors(played, layout.objects, run.graph.assets_of(scene_id))
 
 
 def _light(

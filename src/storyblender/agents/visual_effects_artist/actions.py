@@ -15,6 +15,7 @@ from storyblender.agents.visual_effects_artist.meetings import Meetings
 from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
+from storyblender.agents.visual_effects_artist.vehicle_doors import boarding_station, leaving_station
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
@@ -89,6 +90,15 @@ class Actions:
         later: Sequence[CharacterAction],
     ) -> None:
         start = self.sheet.start_of(person)
+        seat, riding = person.support, motion.key in ("drive", "ride")
+        out = leaving_station(self.company, person) if seat is not None and not riding else None
+        if out is not None:
+            person.posture, person.support, person.anchor = "stand", None, ""
+            self.sheet.start_at(person, (out.x, out.y), out.yaw + math.pi)
+            thing = self.company.floor.thing(action.target_id)
+            if thing is not None and thing.node_id == seat:
+                self.sheet.done(person, start, start + 0.8)
+                return
         sits_next = any(
             a.asset_id == person.asset_id and a.target_id == action.target_id and clip_of(a.motion).key == "sit"
             for a in later
@@ -115,11 +125,16 @@ class Actions:
         end = self.sheet.go(person, goal, yaw, start, motion.key)
         if told is not None and told.z != person.z:
             end = self.sheet.lifted(person, told.z, end)
+        state = self.ends.get(person.asset_id)
+        if told is not None and state is not None and state.posture in SEATED:
+            end = self.sheet.cue(person, "bend", end, 0.8)  # the head first, through the open door
         self.sheet.done(person, start, end)
 
     def _told_end(self, person: Person) -> Station | None:
         """Return the station of a standing person at the end of the shot, if the script gives one."""
         state = self.ends.get(person.asset_id)
+        if state is not None and state.posture in SEATED and person.upright:
+            return boarding_station(self.company, person, state)
         if state is None or state.spot is None or state.posture in SEATED:
             return None
         person.spot = state.spot

@@ -73,6 +73,14 @@ class Handling:
         t = self._gone_to(person, prop, ACROSS if where_it_is else FETCH if getting else AT_HAND, t)
         lies = self._within_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None
+        if switched:
+            at = self.company.lying[prop]
+            t = self.turn_to(person, at, t) if person.upright else t
+            thing = self.company.floor.thing(prop)
+            target = thing.node_id if thing is not None else prop
+            end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=target, mood=action.mood)
+            self.sheet.done(person, start, end)
+            return
         if lies is not None and where_it_is:
             self._open_where_it_stands(person, motion, prop, start, self.turn_to(person, lies, t))
             return

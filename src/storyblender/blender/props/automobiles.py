@@ -68,7 +68,7 @@ def automobile(b: MeshBuilder, spec: PropSpec, style: Style) -> Anchors:
 
     Args:
         b: The builder.
-        spec: ``open`` names the doors that stand open: driver, passenger, rear_left, rear_right or all; roles are
+        spec: ``open`` names the doors that stand open: driver, passenger, rear_left, rear_right, or all; roles are
             body, trim, tyre, chrome and lamp.
         style: Dimensions of the car type.
 
@@ -90,7 +90,7 @@ def automobile(b: MeshBuilder, spec: PropSpec, style: Style) -> Anchors:
     rows = [("driver", "passenger", front + 0.06, middle), ("rear_left", "rear_right", middle, back)][: style.rows]
     for left, right, start, end in rows:
         for x, name in ((1, left), (-1, right)):
-            is_open = spec.word("open") in (name, "all")
+            is_open = bool({name, "all"} & {*spec.word("open").split()})
             _door(b, spec, style, x, start, end, is_open)
             anchors += _places(x, name, half, start, end, style)
     return tuple(anchors)

@@ -1,0 +1,134 @@
+"""Doors of vehicles: who gets in or out is beside their own door, and that door stands open then. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from storyblender.agents.visual_effects_artist.company import Company
+from storyblender.agents.visual_effects_artist.floor import Thing, facing
+from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.catalog.motions import clip_of
+from storyblender.catalog.states import DOOR_OPEN, DOORS_CLOSED
+from storyblender.geometry.solids import transform
+from storyblender.geometry.stations import Station
+from storyblender.memory.asset_sheet import Anchor, Asset
+from storyblender.memory.scene_context import LayoutObject
+from storyblender.memory.shot_context import AssetModification, BodyState, Mark, ShotContext
+
+_BESIDE, _BEHIND = 0.1, 0.34
+"""Metres outward and to the rear of a door's middle to who gets in: out of the way of the open door."""
+_AT_DOOR = 0.75
+"""Metres from a door's middle within which somebody is at it."""
+
+
+def boarding_station(company: Company, person: Person, state: BodyState) -> Station | None:
+    """Return where somebody stands who is about to sit in a vehicle: at the door of their seat.
+
+    Args:
+        company: Of the scene.
+        person: Who gets in.
+        state: Theirs at the end of the shot, with the vehicle as support.
+    """
+    spot = state.spot
+    thing = company.floor.thing(state.support_id) or company.floor.thing(spot.anchor_id if spot else None)
+    if thing is None or not thing.of_kind("door"):
+        return None
+    seat = company.seats.choose(person, thing.node_id, side=spot.side if spot is not None else None)
+    return None if seat is None or seat.node_id != thing.node_id else _station(thing, seat.anchor)
+
+
+def leaving_station(company: Company, person: Person) -> Station | None:
+    """Return where somebody stands who has just got out of a vehicle; None for who sits in none with doors."""
+    thing = company.floor.things.get(person.support or "")
+    return _station(thing, person.anchor) if thing is not None else None
+
+
+def _station(thing: Thing, name: str) -> Station | None:
+    doors = thing.of_kind("door")
+    door = next((door for door in doors if door.name == name), doors[0] if doors else None)
+    if door is None:
+        return None
+    x, y, _ = door.location
+    wx, wy, _ = thing.world((x + math.copysign(_BESIDE, x), y + _BEHIND, 0.0))
+    middle = thing.world((0.0, y, 0.0))
+    return Station(wx, wy, facing((wx, wy), middle[:2]))
+
+
+def with_open_doors(
+    shots: Sequence[ShotContext], objects: Sequence[LayoutObject], assets: Sequence[Asset]
+) -> tuple[ShotContext, ...]:
+    """Return the shots with the doors of vehicles open while somebody gets in or out, and closed after.
+
+    Args:
+        shots: Of one scene, staged, in order.
+        objects: The layout.
+        assets: Of the scene, built.
+    """
+    made = {asset.asset_id: asset.canonical for asset in assets if asset.canonical is not None}
+    vehicles = [item for item in objects if item.asset_id in made and _doors(made[item.asset_id].anchors)]
+    open_now: dict[str, list[str]] = {}
+    done: list[ShotContext] = []
+    for index, shot in enumerate(shots):
+        before, after = shots[index - 1] if index else None, shots[index + 1] if index + 1 < len(shots) else None
+        changes: list[AssetModification] = []
+        for item in vehicles:
+            doors = sorted({*_used(shot, before, after, item, made[item.asset_id].anchors)})
+            if doors != open_now.get(item.node_id, []):
+                state = f"{' '.join(doors)}{DOOR_OPEN}" if doors else DOORS_CLOSED
+                changes.append(
+                    AssetModification(
+                        asset_id=item.asset_id, modification_type="transform", description=state, state=state
+                    )
+                )
+                open_now[item.node_id] = doors
+        kept = tuple(each for each in shot.asset_modifications if not each.state.endswith((DOOR_OPEN, DOORS_CLOSED)))
+        fresh = (*kept, *changes)
+        done.append(
+            shot if fresh == shot.asset_modifications else shot.model_copy(update={"asset_modifications": fresh})
+        )
+    return tuple(done)
+
+
+def _doors(anchors: Sequence[Anchor]) -> bool:
+    return any(anchor.kind == "door" and anchor.name for anchor in anchors)
+
+
+def _used(
+    shot: ShotContext,
+    before: ShotContext | None,
+    after: ShotContext | None,
+    item: LayoutObject,
+    anchors: Sequence[Anchor],
+) -> Iterator[str]:
+    """Yield the names of the doors at which somebody is who gets in, gets out or opens the vehicle."""
+    world = transform(item.location, item.rotation, 1.0)
+    names = (item.node_id, item.asset_id)
+    aboard = {
+        state.asset_id
+        for state in shot.end_states
+        if state.posture == "sit" and {state.support_id, state.spot.anchor_id if state.spot else None} & {*names}
+    }
+    aboard |= {each.start.asset_id for each in (after.blocking if after else ()) if each.start.support_id in names}
+    was = {each.end.asset_id for each in (before.blocking if before else ()) if each.end.support_id in names}
+    was |= {state.asset_id for state in shot.states if state.posture == "sit" and state.support_id in names}
+    opening = {
+        action.asset_id
+        for action in shot.character_actions
+        if clip_of(action.motion).key == "open" and {action.target_id, action.prop_id} & {*names}
+    }
+    for blocking in shot.blocking:
+        mark = blocking.end
+        if mark.support_id in names or mark.asset_id not in aboard | was | opening:
+            continue
+        near = [(_apart(mark, world, anchor), anchor.name) for anchor in anchors if _doors((anchor,))]
+        if near and min(near)[0] < _AT_DOOR:
+            yield min(near)[1]
+
+
+def _apart(mark: Mark, world: NDArray[np.float64], anchor: Anchor) -> float:
+    x, y, _ = world[:3, :3] @ np.asarray(anchor.location) + world[:3, 3]
+    return math.dist(mark.location[:2], (float(x), float(y)))
