@@ -9,7 +9,8 @@ from typing import Any
 
 from storyblender.errors import StoryBlenderError
 
-FAILURES = (AssertionError, StoryBlenderError, LookupError, ValueError, TypeError, AttributeError, RuntimeError)
+FAILURES = (AssertionError, ArithmeticError, AttributeError, LookupError, RuntimeError, StoryBlenderError, TypeError,
+            ValueError, Warning)  # fmt: skip
 Test = Callable[..., None]
 
 

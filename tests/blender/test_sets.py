@@ -49,7 +49,7 @@ class BuiltKit:
         planned: The ids of its plan.
         built: The ids of its objects.
         kinds: Their kinds.
-        faulty: The names of objects without faces, with a point nowhere, or of another scene.
+        faulty: The names of objects without faces, or of another scene.
         lost: Degrees at which somebody in the middle looks past everything, for a place under the sky.
     """
 
@@ -73,16 +73,10 @@ def measured(kit: str) -> BuiltKit:
         planned={item.node_id for part in (walls, plan.slabs, plan.pieces, plan.backdrops) for item in part},
         built={obj["node_id"] for obj in objects},
         kinds={obj["kind"] for obj in objects},
-        faulty=[obj.name for obj in objects if not (is_whole(obj.data) and obj.name.startswith("SC010."))],
+        faulty=[obj.name for obj in objects if not (len(obj.data.polygons) and obj.name.startswith("SC010."))],
         lost=[degrees for degrees in range(0, 360, 3) if not plan.indoor and not meets(scene, depsgraph, degrees)],
     )
     return found
-
-
-def is_whole(mesh: bpy.types.Mesh) -> bool:
-    points = np.empty(len(mesh.vertices) * 3, np.float32)
-    mesh.vertices.foreach_get("co", points)
-    return len(mesh.polygons) > 0 and bool(np.isfinite(points).all())
 
 
 def meets(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph, degrees: int) -> bool:
