@@ -70,3 +70,18 @@ def test_it_changes_in_the_middle_of_the_deed_and_back(thing: bpy.types.Object, 
         is_open = 49 + 20 <= frame < 145
         assert _seen(opened, frame) == is_open
         assert _seen(shut, frame) == (added or not is_open)
+
+
+def test_what_is_gone_is_seen_no_more_and_what_an_earlier_scene_left_open_is_open_from_the_first_frame(
+    thing: bpy.types.Object,
+) -> None:
+    setup = SceneSetup(found={"chest": ("open",)})
+    states = (AssetInState(condition=("open",), asset=_chest(open=True)),)
+    job = SceneJob(
+        scene=SceneContext(scene_id=1, setup=setup), shots=(_shot(1), _shot(2, "gone")), assets=(_chest(),),
+        in_states=states,
+    )  # fmt: skip
+    parts = StateParts(job, Meshes(), {"chest": [thing]})
+    (_, shut), (_, opened) = parts.shown("chest", {1: True, 49: True}, [])
+    assert _seen(opened, 1) and not _seen(shut, 1)
+    assert not _seen(opened, 60) and not _seen(shut, 60)

@@ -90,13 +90,13 @@ class Actions:
         later: Sequence[CharacterAction],
     ) -> None:
         start = self.sheet.start_of(person)
-        seat, riding = person.support, motion.key in ("drive", "ride")
-        out = leaving_station(self.company, person) if seat is not None and not riding else None
+        riding = motion.key in ("drive", "ride")
+        out = None if riding else leaving_station(self.company, person, action)
         if out is not None:
+            vehicle, door = out
             person.posture, person.support, person.anchor = "stand", None, ""
-            self.sheet.start_at(person, (out.x, out.y), out.yaw + math.pi)
-            thing = self.company.floor.thing(action.target_id)
-            if thing is not None and thing.node_id == seat:
+            self.sheet.start_at(person, (door.x, door.y), door.yaw + math.pi)
+            if self.company.floor.thing(action.target_id) is vehicle:
                 self.sheet.done(person, start, start + 0.8)
                 return
         sits_next = any(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -17,8 +18,13 @@ from storyblender.geometry.solids import transform
 from storyblender.geometry.stations import Station
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import AssetModification, BodyState, Mark, ShotContext
+from storyblender.memory.shot_context import AssetModification, BodyState, CharacterAction, Mark, ShotContext
 
+_OUT = re.compile(
+    r"\b(gets?|got|climbs?|climbed|steps?|stepped|jumps?|jumped|hops?|slides?|slid|scrambles?)\b.{0,30}\b(out|off|down)\b"
+    r"|\b(alights?|emerges?|emerged|exits?|exited)\b",
+    re.IGNORECASE,
+)
 _BESIDE, _BEHIND = 0.1, 0.34
 """Metres outward and to the rear of a door's middle to who gets in: out of the way of the open door."""
 _AT_DOOR = 0.75
@@ -41,10 +47,25 @@ def boarding_station(company: Company, person: Person, state: BodyState) -> Stat
     return None if seat is None or seat.node_id != thing.node_id else _station(thing, seat.anchor)
 
 
-def leaving_station(company: Company, person: Person) -> Station | None:
-    """Return where somebody stands who has just got out of a vehicle; None for who sits in none with doors."""
-    thing = company.floor.things.get(person.support or "")
-    return _station(thing, person.anchor) if thing is not None else None
+def gets_out(action: CharacterAction) -> bool:
+    """Return whether an action leads out of a vehicle, by its words."""
+    return clip_of(action.motion).speed is not None and _OUT.search(action.action_description) is not None
+
+
+def leaving_station(company: Company, person: Person, action: CharacterAction) -> tuple[Thing, Station] | None:
+    """Return the vehicle that somebody gets out of and where they stand then; None for who sits in none with doors.
+
+    Args:
+        company: Of the scene.
+        person: Who sits in it, or is seen for the first time as they get out.
+        action: What they do.
+    """
+    anchor, thing = person.anchor, company.floor.things.get(person.support or "")
+    if thing is None and gets_out(action) and (thing := company.floor.thing(action.target_id)) is not None:
+        seat = company.seats.choose(person, thing.node_id) if thing.of_kind("door") else None
+        anchor = seat.anchor if seat is not None else ""
+    station = _station(thing, anchor) if thing is not None else None
+    return (thing, station) if thing is not None and station is not None else None
 
 
 def _station(thing: Thing, name: str) -> Station | None:
@@ -115,6 +136,7 @@ def _used(
     aboard |= {each.start.asset_id for each in (after.blocking if after else ()) if each.start.support_id in names}
     was = {each.end.asset_id for each in (before.blocking if before else ()) if each.end.support_id in names}
     was |= {state.asset_id for state in shot.states if state.posture == "sit" and state.support_id in names}
+    was |= {each.asset_id for each in shot.character_actions if gets_out(each) and each.target_id in names}
     opening = {
         action.asset_id
         for action in shot.character_actions
