@@ -36,8 +36,9 @@ _COMMIT_NAME = re.compile(r"\A(\d{6,9})\.json\Z")
 UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {
     1: lambda body: body | {"schema_version": 2},
     2: lambda body: body | {"schema_version": 3},
+    3: lambda body: body | {"schema_version": 4},
 }
-"""From schema version n to n + 1; kept forever, so that every saved project opens. 2 and 3 added fields only."""
+"""From schema version n to n + 1; kept forever, so that every saved project opens. 2, 3 and 4 added fields only."""
 
 
 @dataclass(frozen=True)

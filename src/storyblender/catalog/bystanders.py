@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final, cast
 
-from storyblender.catalog.costumes import Age, costume
+from storyblender.catalog.costumes import costume
 from storyblender.memory.asset_sheet import CharacterLook
-from storyblender.memory.vocabulary import Gender
+from storyblender.memory.vocabulary import Age, Gender
 
 BYSTANDER: Final = "set_bystander"
 """How the node_id of a figure begins."""

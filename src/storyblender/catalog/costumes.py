@@ -1,64 +1,19 @@
 """Costumes: what people of an age and a trade wear, where the script dresses nobody.
 
-An age is heard from the story's own words, each word counted once, so that one name or one picture on a wall does not
-move a story into another century. To dress a trade, add a line to ``_TRADES``.
+To dress a trade, add a line to ``_TRADES``.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Final, Literal
+from typing import Final
 
 from storyblender.catalog.materials import hex_color
-from storyblender.catalog.years import years_in, years_said
 from storyblender.memory.asset_sheet import Garment
+from storyblender.memory.vocabulary import Age
 
-Age = Literal["medieval", "west", "victorian", "classic", "space", "today"]
-
-_SURE = 3
-"""Weight of the words that move a story into an age."""
 _CHILD = 13
-
-_WORDS: Final[dict[Age, dict[str, int]]] = {
-    "today": {},
-    "medieval": {
-        r"medieval|middle ages": 3,
-        r"knights?": 2,
-        **dict.fromkeys(("king", "queen", "castle", "throne", r"swords?", "dungeon", "squire", r"peasants?"), 1),
-        **dict.fromkeys((r"minstrel|bard", r"armou?r|chain ?mail", r"wizard|sorcerer", r"drawbridge|moat|lance"), 1),
-    },
-    "west": {
-        r"cowboys?|gunslingers?|outlaws?|wild west": 2,
-        r"saloon|stagecoach|frontier": 2,
-        **dict.fromkeys(("sheriff", "marshal", "western", "whiske?y", "ranch", r"revolvers?|colt", "prairie"), 1),
-    },
-    "victorian": {
-        r"victorian|edwardian|regency": 3,
-        r"hansom|coachman|footm[ae]n|governess": 2,
-        **dict.fromkeys((r"parlou?r", "carriage", "drawing[- ]room", "butler", "gaslight|gas lamp", "baronet"), 1),
-        r"mail[- ]coach|post[- ]chaise|postilion|ostler|turnpike|highwayman|workhouse|lamplighter": 2,
-        **dict.fromkeys((r"bonnets?|petticoats?|crinoline", r"breeches|cravat|waistcoats?", "snuff[- ]?box|gibbet"), 1),
-        **dict.fromkeys((r"guineas?|shillings?|half[- ]a[- ]crown|farthings?", r"the (?:\w+ )?coach(?:es)?"), 1),
-    },
-    "classic": {
-        r"fedora|gramophone|trench ?coat|telegram|typewriter|speakeasy|noir": 1,
-        r"gestapo|wartime|air raid|blackout": 2,
-        "steam train|steam engine|locomotive": 1,
-        r"nazis?|wehrmacht|luftwaffe|third reich|resistance fighters?": 2,
-        r"german (?:soldiers?|officers?)|bomber crews?|propellers?|biplanes?|ration (?:books?|cards?)": 1,
-    },
-    "space": {
-        r"space ?ships?|star ?ships?|spacecraft|space station": 3,
-        **dict.fromkeys((r"airlock", r"orbit", r"aliens?", r"planets?", r"galax(?:y|ies)", r"asteroids?"), 1),
-    },
-}  # fmt: skip
-_YEARS: Final[dict[Age, tuple[int, int]]] = {
-    "medieval": (1000, 1599),
-    "victorian": (1600, 1909),
-    "classic": (1910, 1969),
-}
-"""First and last year of an age."""
 
 _CREW: Final = (
     "uniform:#2f4a5e trousers:same boots", "uniform:#3a3f48 trousers:same boots",
@@ -214,26 +169,6 @@ _TRADES: Final[tuple[tuple[str, str, str, str], ...]] = (
 An outfit is garments with their colours; ``same`` is the colour of what covers the body above. An empty one of women is
 that of men, an empty one of men dresses women only.
 """
-
-
-def age_of(story: str, said: str = "") -> Age:
-    """Return the age that the words of a story speak of most; today where none is sure.
-
-    Args:
-        story: What the story tells: headings, title cards, action. No title page: a house number is no year.
-        said: What its people say; they speak of other years than their own.
-    """
-    words = f"{story}\n{said}".lower()
-    years = (*years_in(story), *years_said(said))
-    weights: dict[Age, int] = {}
-    for age, patterns in _WORDS.items():
-        weights[age] = sum(value for pattern, value in patterns.items() if re.search(rf"\b(?:{pattern})\b", words))
-        first, last = _YEARS.get(age, (1, 0))
-        weights[age] += _SURE * any(first <= year <= last for year in years)
-    if weights["west"] >= _SURE:
-        weights["victorian"] = 0  # its years and revolvers are those of the west
-    best = max(_WORDS, key=lambda age: weights[age])
-    return best if weights[best] >= _SURE else "today"
 
 
 def costume(

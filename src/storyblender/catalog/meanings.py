@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from storyblender.catalog.costumes import Age
+from storyblender.memory.vocabulary import Age
 
 MEANT_IN: Final[Mapping[Age, Mapping[str, str]]] = {
     "today": {"phone": "smartphone"},

@@ -11,8 +11,9 @@ from storyblender.memory.base import Digest, Frozen
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import SceneContext
 from storyblender.memory.shot_context import ShotContext
+from storyblender.memory.vocabulary import Age
 
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
 """Raised with every change of the stored models, with an upgrade in ``history_files.UPGRADES``."""
 
 _T = TypeVar("_T")
@@ -26,6 +27,7 @@ class Storyboard(Frozen):
     asset_sheet: tuple[Asset, ...]
     scene_details: tuple[SceneContext, ...]
     shot_details: tuple[ShotContext, ...]
+    age: Age | None = None
 
 
 class ProjectFormat(Frozen):
@@ -59,6 +61,8 @@ class ContinuityMemoryGraph(Frozen):
     """Hash of those settings alone."""
     format: ProjectFormat = ProjectFormat()
     story_summary: str = ""
+    age: Age | None = None
+    """When the story plays, where its words tell it."""
     outline: tuple[SceneOutline, ...] = ()
     assets: tuple[Asset, ...] = ()
     scenes: tuple[SceneContext, ...] = ()
@@ -94,21 +98,6 @@ class ContinuityMemoryGraph(Frozen):
     def people_in(self, scene_id: int) -> int:
         """Return how many characters are on stage at once in a scene, at most."""
         return max((len(shot.on_stage) for shot in self.shots_of(scene_id)), default=0)
-
-    @property
-    def told(self) -> str:
-        """All that the story tells: title, summary, headings and lines of action."""
-        headings = [scene.heading for scene in self.outline]
-        return "\n".join([self.title, self.story_summary, *headings, *self._texts("action")])
-
-    @property
-    def said(self) -> str:
-        """All that its people say."""
-        return "\n".join(self._texts("dialogue"))
-
-    def _texts(self, kind: str) -> list[str]:
-        lines = (line for scene in self.outline for shot in scene.shots for line in shot.lines)
-        return [line.text for line in lines if line.kind == kind]
 
 
 def _find(items: tuple[_T, ...], wanted: object, field: str) -> _T:

@@ -21,7 +21,7 @@ Layer = Literal["outline", "assets", "scenes", "shots", "head", "order"]
 Item = SceneOutline | Asset | SceneContext | ShotContext
 _ByKey = dict[tuple[int | str, ...], Item]
 
-HEAD_FIELDS = ("title", "script_name", "edition", "plan_digest", "settings_digest", "format", "story_summary")
+HEAD_FIELDS = ("title", "script_name", "edition", "plan_digest", "settings_digest", "format", "story_summary", "age")
 """The graph's own fields, kept as the single item of the layer ``head``."""
 
 

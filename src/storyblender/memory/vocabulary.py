@@ -8,6 +8,9 @@ AssetType = Literal["character", "object"]
 SceneType = Literal["indoor", "outdoor"]
 ModificationType = Literal["add", "remove", "transform"]
 
+Age = Literal["medieval", "west", "victorian", "classic", "space", "today"]
+"""When a story plays."""
+
 ShotKind = Literal["establishing", "action", "two_shot", "group", "ots", "single", "reaction", "insert", "pov"]
 Angle = Literal["eye-level", "high angle", "low angle", "bird's-eye", "worm's-eye", "dutch"]
 Movement = Literal[

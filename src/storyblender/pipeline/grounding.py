@@ -156,6 +156,7 @@ def _plan(run: Run, script: Path, reading: Reading, digest: str) -> ContinuityMe
         settings_digest=content_hash(_plan_settings(run)),
         format=_format(run),
         story_summary=board.story_summary,
+        age=board.age,
         outline=board.storyboard_outline,
         assets=board.asset_sheet,
         scenes=board.scene_details,

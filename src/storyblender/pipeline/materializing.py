@@ -8,7 +8,6 @@ from pathlib import Path
 
 from storyblender.agents.concept_artist.recipe import RETRIEVAL_THRESHOLD, ModelFile
 from storyblender.agents.layout_artist.dimension_estimator import knows_size, tells_size
-from storyblender.catalog.costumes import age_of
 from storyblender.catalog.meanings import MEANT_IN
 from storyblender.catalog.props import PROPS
 from storyblender.errors import EngineError
@@ -94,7 +93,7 @@ class ConceptArtist:
     def __init__(self, run: Run) -> None:
         self._run = run
         self._models = model_files(run.settings.models)
-        self._means = MEANT_IN.get(age_of(run.graph.told, run.graph.said), {})
+        self._means = MEANT_IN.get(run.graph.age or "today", {})
 
     def give_up(self, path: str) -> None:
         """Look past a model that cannot be used."""

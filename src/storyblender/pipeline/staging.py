@@ -13,7 +13,6 @@ from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
 from storyblender.agents.visual_effects_artist.lighting_view import lighting_view
 from storyblender.agents.visual_effects_artist.vehicle_doors import with_open_doors
-from storyblender.catalog.costumes import age_of
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
 from storyblender.catalog.sets import plan_of
@@ -81,7 +80,7 @@ def _with_crowd(run: Run, brief: LayoutBrief, layout: Layout) -> Layout:
     if count <= 0:
         return layout
     found = bystanders(brief, layout, count, ways_of(brief, layout))
-    age = age_of(graph.told, graph.said)
+    age = graph.age or "today"
     params = [{"posture": each.posture, "variant": each.variant, "age": age} for each in found]
     figures = [dressing_asset("background_figure", dict(each)) for each in params]
     known = {asset.asset_id for asset in graph.assets}

@@ -4,32 +4,16 @@ from __future__ import annotations
 
 from itertools import product
 
-import pytest
 from tests.every import every
 
-from storyblender.catalog.costumes import _CHILDRENS, _EVERYDAY, _TRADES, Age, _sewn, age_of, costume
+from storyblender.catalog.costumes import _CHILDRENS, _EVERYDAY, _TRADES, _sewn, costume
 from storyblender.catalog.garments import GARMENTS
 from storyblender.memory.asset_sheet import Garment
+from storyblender.memory.vocabulary import Age
 
 
 def worn(role: str = "", name: str = "Alex", age: str = "today", gender: str = "male", years: float = 35) -> set[str]:
     return {garment.key for garment in costume(role, name, age, gender, years, 0)}  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize(
-    ("story", "age"),
-    [
-        ("A western saloon, 1880. The sheriff walks in.", "west"),
-        ("INT. CASTLE HALL. The king sits on his throne. A knight kneels.", "medieval"),
-        ("The bridge of a spaceship.", "space"),
-        ("London, 1941.", "classic"),
-        ("A governess opens the parlour door; the carriage waits.", "victorian"),
-        ("The Sheriff parks his car. Burger King is closed.", "today"),
-        ("He pours a whiskey at the bar. A picture of a castle hangs over the counter.", "today"),
-    ],
-)
-def test_the_words_of_a_story_tell_its_age(story: str, age: str) -> None:
-    assert age_of(story) == age
 
 
 def test_a_trade_is_known_by_its_clothes() -> None:

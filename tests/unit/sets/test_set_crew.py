@@ -24,14 +24,13 @@ from storyblender.agents.visual_effects_artist.lighting_arranger import (
     light_place,
 )
 from storyblender.agents.visual_effects_artist.lighting_view import MOST_LIGHTS
-from storyblender.agents.visual_effects_artist.period import is_today
 from storyblender.agents.visual_effects_artist.set_dresser import DressingCritic, DressingView, RulesSetDresser
-from storyblender.catalog.costumes import Age
 from storyblender.catalog.light_recipes import HOURS, LAMPS, WEATHERS, area_watts, open_sky_light, sun_position
 from storyblender.catalog.sets import SETS, plan_of
 from storyblender.look.illumination import light_field
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.scene_context import Environment, Light, Lighting, Relation, SceneSetup, Sky
+from storyblender.memory.vocabulary import Age
 from storyblender.reflection import reflect
 
 
@@ -65,19 +64,6 @@ def test_the_critics_fix_is_applied() -> None:
 
 
 @pytest.mark.parametrize(
-    ("place", "story", "period"),
-    [
-        ("OFFICE", "Paris, 1942.", None),
-        ("OFFICE", "She opens her laptop.", "modern"),
-        ("KITCHEN", "A knight and a king.", "past"),
-    ],
-)
-def test_words_set_the_period(place: str, story: str, period: str | None) -> None:
-    environment = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place=place), story=story))
-    assert environment.params.get("period") == period
-
-
-@pytest.mark.parametrize(
     ("place", "age", "kit", "period"),
     [
         ("APARTMENT", "classic", "living_room", None),
@@ -97,10 +83,10 @@ def test_a_kit_that_was_chosen_by_name_stays_in_any_age() -> None:
     assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, age="victorian")).kit == "apartment"
 
 
-def test_a_story_of_today_has_modern_rooms_and_one_word_makes_no_story_of_today() -> None:
-    assert is_today("She texts him a selfie from her laptop.") and not is_today("The app of 1910 was an apple.")
-    modern = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="KITCHEN"), today=True))
-    assert modern.params.get("period") == "modern"
+def test_a_story_of_today_has_modern_rooms_and_one_that_tells_no_age_its_usual_ones() -> None:
+    for age, period in (("today", "modern"), (None, None)):
+        room = RulesEnvironmentDesigner().propose(EnvironmentView(SceneSetup(place="KITCHEN"), age=age))  # type: ignore[arg-type]
+        assert room.params.get("period") == period
 
 
 @every("kit", SETS)
@@ -112,13 +98,6 @@ def test_no_set_has_what_its_time_does_not_know(kit: str) -> None:
     for period, things in unknown.items():
         plan = plan_of(Environment(kit=kit, params={"period": period}, seed=2))
         assert not things & {item.prop for item in plan.furnishings}
-
-
-def test_who_and_what_is_there_tells_the_period() -> None:
-    designer = RulesEnvironmentDesigner()
-    for asset_ids, period in ((("sheriff", "horse"), "past"), (("anna", "laptop"), "modern"), (("anna",), None)):
-        setup = SceneSetup(place="STREET", scene_type="outdoor", asset_ids=asset_ids)
-        assert designer.propose(EnvironmentView(setup)).params.get("period") == period
 
 
 def environment_of(place: str, reference: Environment | None = None, headings: str = "", **setup: str) -> Environment:
@@ -414,9 +393,10 @@ def test_what_the_set_has_takes_nothing_elses_place() -> None:
 
 
 def test_knights_meet_on_a_field_and_soldiers_in_a_trench() -> None:
-    for story, kit in (("A knight and a queen.", "open_ground"), ("France, 1916.", "trench")):
+    ages: tuple[tuple[Age, str], ...] = (("medieval", "open_ground"), ("classic", "trench"))
+    for age, kit in ages:
         setup = SceneSetup(place="BATTLEFIELD", scene_type="outdoor")
-        assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, story=story)).kit == kit
+        assert RulesEnvironmentDesigner().propose(EnvironmentView(setup, age=age)).kit == kit
 
 
 def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
@@ -431,7 +411,7 @@ def test_who_sits_on_the_bed_of_a_tent_has_the_canvas_above_the_head() -> None:
 def test_a_street_of_the_frontier_is_dust_between_wooden_fronts() -> None:
     story = "A dusty frontier street. The marshal faces the outlaw before the saloon."
     street = RulesEnvironmentDesigner().propose(
-        EnvironmentView(SceneSetup(place="main street", scene_type="outdoor"), story=story)
+        EnvironmentView(SceneSetup(place="main street", scene_type="outdoor"), story=story, age="west")
     )
     assert street.params["frontier"] is True
     parts = {piece.part for piece in plan_of(street).pieces}

@@ -16,13 +16,11 @@ from storyblender.agents.director.draft import Beat, ShotDraft
 from storyblender.agents.director.left_behind import left_behind
 from storyblender.agents.director.motion_families import GETTING, PARTING
 from storyblender.agents.director.place_words import ground, lighting, walls
-from storyblender.agents.director.reader.era import told_and_said
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Thing, Unit
 from storyblender.agents.director.script_notes import notes_by_scene, notes_by_shot
 from storyblender.agents.director.staging import Staging
 from storyblender.agents.director.wording import modifiers_of, one_line, shot_sentence
 from storyblender.agents.director.written import writing_on
-from storyblender.catalog.costumes import Age, age_of
 from storyblender.catalog.homelands import homeland_of
 from storyblender.catalog.states import GONE, LEFT
 from storyblender.memory.asset_sheet import Asset, CharacterLook, Garment
@@ -42,7 +40,6 @@ class Assembly:
         self.reading = reading
         self.company = company
         self.text = reading.screenplay.text
-        self.era: Age = age_of(*told_and_said(reading.screenplay))
         self.left_behind = left_behind(reading)
         self.found = found_states(reading)
         self.handled = {thing.id for thing in reading.things if thing.handled and thing.kind == "prop"}
@@ -83,7 +80,7 @@ class Assembly:
         reached = self.reached[scene] if scene >= 0 else None
         homeland = reached or next((homeland for homeland in self.homelands if homeland), None)
         aged = person if person.age else replace(person, age=called(person, self.text))
-        return cast(aged, introduction(person, self.text), self.era, homeland, worn_by_others)
+        return cast(aged, introduction(person, self.text), self.reading.age or "today", homeland, worn_by_others)
 
     def _thing(self, thing: Thing) -> Asset:
         return Asset(

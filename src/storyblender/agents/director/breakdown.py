@@ -52,6 +52,7 @@ def storyboard(reading: Reading, settings: DirectorSettings | None = None) -> St
         shots += ShotDetails(reading.screenplay.text, company, scene, units, flags).write(drafts, settings.fps)
     return Storyboard(
         story_summary=_summary(reading, company),
+        age=reading.age,
         storyboard_outline=tuple(outline),
         asset_sheet=assembly.asset_sheet(),
         scene_details=tuple(details),

@@ -8,7 +8,7 @@ from typing import Final, Literal, TypeVar
 
 from storyblender.agents.director.palette import cloth_color, hair_color
 from storyblender.agents.director.reading import Person
-from storyblender.catalog.costumes import Age, costume
+from storyblender.catalog.costumes import costume
 from storyblender.catalog.garments import GARMENTS
 from storyblender.catalog.garments_of_trades import TRADE_GARMENTS
 from storyblender.catalog.homelands import Homeland
@@ -16,6 +16,7 @@ from storyblender.catalog.species import SPECIES, Species, being_of, species_of
 from storyblender.catalog.worn import WORN
 from storyblender.memory.asset_sheet import CharacterLook, Garment
 from storyblender.memory.base import Color, content_hash
+from storyblender.memory.vocabulary import Age
 
 Build = Literal["slim", "average", "athletic", "stocky", "heavy"]
 Skin = Literal["pale", "light", "tan", "brown", "dark"]

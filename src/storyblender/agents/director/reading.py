@@ -13,7 +13,7 @@ from pydantic import ConfigDict
 
 from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.shot_context import Flag, Tether
-from storyblender.memory.vocabulary import Gender, Grip, Moment, Mood, Posture, SceneType, TimeOfDay, Weather
+from storyblender.memory.vocabulary import Age, Gender, Grip, Moment, Mood, Posture, SceneType, TimeOfDay, Weather
 from storyblender.screenplay.model import Screenplay
 
 
@@ -214,3 +214,5 @@ class Reading:
     pronouns: list[tuple[int, str, tuple[str, ...]]] = field(default_factory=list)
     """Offset, word, who: for scoring and for showing."""
     flags: list[Flag] = field(default_factory=list)
+    age: Age | None = None
+    """The age the story plays in; None where its words do not tell."""

@@ -19,6 +19,7 @@ from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
 from storyblender.agents.director.fixtures import telling_ids
 from storyblender.agents.director.place_runs import in_story_order
+from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reading import CameraNote, Person, Reading, SceneReading, Thing, Unit
 from storyblender.catalog.motions import CLIP_OF, MOTIONS
 from storyblender.catalog.sets import SETS
@@ -27,7 +28,7 @@ from storyblender.memory.base import Frozen, Identifier, content_hash
 from storyblender.memory.scene_context import Relation
 from storyblender.memory.shot_context import Flag
 from storyblender.memory.shot_sizes import ShotSize
-from storyblender.memory.vocabulary import Angle, CameraDirection, GazeDirection, Movement
+from storyblender.memory.vocabulary import Age, Angle, CameraDirection, GazeDirection, Movement
 from storyblender.screenplay.model import Screenplay
 
 READING_VERSION = 2
@@ -67,6 +68,8 @@ class ReadingFile(Frozen):
     scenes: tuple[WrittenScene, ...] = ()
     units: tuple[WrittenUnit, ...] = ()
     flags: tuple[Flag, ...] = ()
+    age: Age | None = None
+    """When the story plays; where it is left out, the words of the script tell."""
 
     @model_validator(mode="before")
     @classmethod
@@ -107,6 +110,7 @@ def write_reading(reading: Reading) -> str:
         ),
         units=tuple(WrittenUnit(number=number, unit=unit) for number, unit in enumerate(reading.units, start=1)),
         flags=tuple(reading.flags),
+        age=reading.age,
     )
     plain = file.model_dump(mode="json", exclude_defaults=True)
     return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
@@ -138,6 +142,7 @@ def read_reading(path: Path, screenplay: Screenplay) -> Reading:
         units=[replace(written.unit, element=_element_at(written.unit.start, screenplay)) for written in file.units],
         relations=[(index, relation) for index, written in enumerate(file.scenes) for relation in written.relations],
         flags=list(file.flags),
+        age=file.age or age_of(screenplay),
     )
     return in_story_order(reading)
 

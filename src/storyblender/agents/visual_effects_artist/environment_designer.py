@@ -6,14 +6,14 @@ import math
 import re
 from dataclasses import dataclass
 
-from storyblender.agents.visual_effects_artist.period import BEFORE, PERIOD_OF_AGE, is_today, period_of
-from storyblender.catalog.costumes import Age, age_of
+from storyblender.agents.visual_effects_artist.period import BEFORE, PERIOD_OF_AGE
 from storyblender.catalog.registry import ParamValue
 from storyblender.catalog.sets import SETS, SetKit, plan_of
 from storyblender.catalog.sets.places import kit_of
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.scene_context import Environment, SceneSetup
+from storyblender.memory.vocabulary import Age
 from storyblender.reflection import Critique, Fault
 
 _CROWD = 3
@@ -38,10 +38,9 @@ class EnvironmentView:
         people: How many are on stage at once.
         travel: The longest way somebody walks in one shot, metres.
         reference: The environment of the earlier scene in the same place.
-        story: Any words that tell the period: summary, descriptions of characters.
+        story: The summary: words that choose among the variants of a set of the past.
         headings: Of all scenes: they tell a story in space.
-        age: Of the story, as its words tell it; they also dress its people. ``today`` where they are not sure.
-        today: Whether its words name things that only today has.
+        age: Of the story, where its words tell it.
     """
 
     setup: SceneSetup
@@ -51,8 +50,7 @@ class EnvironmentView:
     reference: Environment | None = None
     story: str = ""
     headings: str = ""
-    age: Age = "today"
-    today: bool = False
+    age: Age | None = None
 
 
 def environment_view(graph: ContinuityMemoryGraph, scene_id: int) -> EnvironmentView:
@@ -74,8 +72,7 @@ def environment_view(graph: ContinuityMemoryGraph, scene_id: int) -> Environment
         reference=graph.scene(reference).environment if reference is not None else None,
         story=graph.story_summary,
         headings=" / ".join(outline.heading for outline in graph.outline),
-        age=age_of(graph.told, graph.said),
-        today=is_today(f"{graph.told}\n{graph.said}"),
+        age=graph.age,
     )
 
 
@@ -90,9 +87,7 @@ class RulesEnvironmentDesigner:
             params = {name: value for name, value in view.reference.params.items() if name != "snow"} | ground
             return view.reference.model_copy(update={"params": params})
         kit = SETS[kit_of(setup)]
-        seen = " ".join(setup.asset_ids).replace("_", " ")  # a sheriff or a laptop tells the time
-        words = f"{setup.place} {setup.layout_description} {seen} {view.story}"
-        period = PERIOD_OF_AGE.get(view.age) or period_of(words, kit, "modern" if view.today else kit.period)
+        period = PERIOD_OF_AGE[view.age] if view.age is not None else kit.period
         if not setup.kit:
             kit = SETS[BEFORE.get(period, {}).get(kit.key, kit.key)]
         params: dict[str, ParamValue] = {"width": kit.width.usual, "depth": kit.depth.usual}

@@ -15,7 +15,7 @@ from storyblender.agents.director.reader.cast.prose_cast import find_prose_cast
 from storyblender.agents.director.reader.cast.screenplay_cast import find_cast
 from storyblender.agents.director.reader.deeds.carried import bring_along, come_back
 from storyblender.agents.director.reader.deeds.exits import clear_exits
-from storyblender.agents.director.reader.era import told_and_said
+from storyblender.agents.director.reader.era import age_of
 from storyblender.agents.director.reader.foreign import read_foreign
 from storyblender.agents.director.reader.language.words import Word
 from storyblender.agents.director.reader.manuscript import Manuscript, open_manuscript
@@ -29,7 +29,6 @@ from storyblender.agents.director.reader.stage import SceneState, Stage
 from storyblender.agents.director.reader.why import page_facts, stage_facts
 from storyblender.agents.director.reading import CameraNote, Person, Reading, Unit
 from storyblender.agents.director.rules import by_rule, rule, watch
-from storyblender.catalog.costumes import age_of
 from storyblender.memory.vocabulary import Gender
 from storyblender.screenplay.model import Screenplay
 
@@ -51,13 +50,13 @@ def read_script(screenplay: Screenplay) -> Reading:
         People, things, scenes and units with offsets into ``screenplay.text``; what was a guess is flagged.
     """
     script = open_manuscript(screenplay)
-    reading = Reading(screenplay)
+    reading = Reading(screenplay, age=age_of(screenplay))
     watch(lambda: page_facts(reading))
     with by_rule("people.described", 0, len(script.text)):
         roster = _find_people(script, reading)
     sentences = cut_page(script, roster, reading.scenes)
     _guess_genders(sentences, roster, script.prose)
-    stage = Stage(roster, Inventory(roster.ids), reading, script.tongue, age=age_of(*told_and_said(screenplay)))
+    stage = Stage(roster, Inventory(roster.ids), reading, script.tongue, age=reading.age)
     watch(lambda: stage_facts(stage))
     if script.tongue:
         reason = f"the page is in {script.tongue.name}: what people do is told by a table of common words"

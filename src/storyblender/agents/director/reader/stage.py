@@ -14,10 +14,9 @@ from storyblender.agents.director.reader.language.words import Word, key_of
 from storyblender.agents.director.reader.people.roster import Roster, bare
 from storyblender.agents.director.reader.props import Inventory
 from storyblender.agents.director.reading import Person, Reading, SceneReading, Unit
-from storyblender.catalog.costumes import Age
 from storyblender.memory.scene_context import Relation, Spot
 from storyblender.memory.shot_context import Flag
-from storyblender.memory.vocabulary import Posture, RelationKind
+from storyblender.memory.vocabulary import Age, Posture, RelationKind
 
 _FADING = 0.45
 """What salience keeps from one sentence to the next."""

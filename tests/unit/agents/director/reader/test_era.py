@@ -6,6 +6,7 @@ import pytest
 
 from storyblender.agents.director.breakdown import storyboard
 from storyblender.agents.director.reader import read_script
+from storyblender.agents.director.reader.era import age_told
 from storyblender.screenplay.source import read
 
 _TODAY = "INT. KITCHEN - DAY\n\nANNA (30) makes coffee.\n\nANNA\nMorning.\n"
@@ -57,3 +58,24 @@ def test_numbers_around_a_story_dress_nobody(script: str) -> None:
 )
 def test_the_year_that_the_story_tells_dresses_its_people(script: str) -> None:
     assert "gown" in _clothes(script)
+
+
+@pytest.mark.parametrize(
+    ("story", "age"),
+    [
+        ("A western saloon, 1880. The sheriff walks in.", "west"),
+        ("INT. CASTLE HALL. The king sits on his throne. A knight kneels.", "medieval"),
+        ("The bridge of a spaceship.", "space"),
+        ("London, 1941.", "classic"),
+        ("Lisbon, 2019.", "today"),
+        ("She opens her laptop.", "today"),
+        ("A drone flies over the roof. He pulls up his hoodie.", "today"),
+        ("The app was an apple.", None),
+        ("A video of a king.", None),
+        ("A governess opens the parlour door; the carriage waits.", "victorian"),
+        ("The Sheriff parks his car. Burger King is closed.", None),
+        ("He pours a whiskey at the bar. A picture of a castle hangs over the counter.", None),
+    ],
+)
+def test_the_words_of_a_story_tell_its_age(story: str, age: str | None) -> None:
+    assert age_told(story) == age
