@@ -94,6 +94,7 @@ class Handling:
         elif not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
             if getting:
+                self._shown(person, motion, prop, start, t)
                 return
         if getting:
             self.sheet.done(person, start, t)
@@ -103,6 +104,13 @@ class Handling:
             self._pass(person, catcher, prop, t)
         else:
             self._use(action, motion, person, prop, start, t)
+
+    def _shown(self, person: Person, motion: Motion, prop: str, start: float, t: float) -> None:
+        """Look at what was just taken from where nobody sees it, held up: it has to be seen that it is there now."""
+        hand = person.hand_of(prop)
+        if hand is not None and motion.key != "hold" and not self._is_bag(prop):
+            end = self.sheet.cue(person, "show", t, natural_seconds(MOTIONS["show"]), prop_id=prop, hand=hand)
+            self.sheet.done(person, start, end)
 
     def fetch(self, person: Person, prop: str) -> None:
         """Have a prop in hand that lies somewhere near."""

@@ -13,7 +13,7 @@ from storyblender.memory.shot_context import BodyState, CameraInstruction, Chara
 
 SIZES: dict[str, Vec3] = {
     "post": (0.3, 0.3, 4.0), "key": (0.03, 0.08, 0.01), "fan": (0.5, 0.3, 0.02), "stick": (0.02, 0.42, 0.02),
-    "case": (0.45, 0.15, 0.35), "drum": (0.4, 0.4, 0.8), "wall": (2.0, 0.2, 0.9),
+    "case": (0.45, 0.15, 0.35), "drum": (0.4, 0.4, 0.8), "wall": (2.0, 0.2, 0.9), "flute": (0.02, 0.4, 0.02),
 }  # fmt: skip
 THINGS = tuple(
     Asset(
@@ -24,7 +24,14 @@ THINGS = tuple(
     )
     for name, size in SIZES.items()
 )
-PLACES = {"rick": (-1.0, -1.0), "ilsa": (-0.2, -1.0), "post": (2.4, -1.2), "drum": (-1.6, -1.4), "wall": (2.0, 2.5)}
+PLACES = {
+    "rick": (-1.0, -1.0),
+    "ilsa": (-0.2, -1.0),
+    "post": (2.4, -1.2),
+    "drum": (-1.6, -1.4),
+    "wall": (2.0, 2.5),
+    "flute": (3.7, 3.2),
+}
 LAYOUT = Layout(
     scene_size=SIZE,
     objects=tuple(
@@ -111,3 +118,9 @@ def test_words_into_a_phone_are_for_nobody_who_stands_near() -> None:
     assert ("talk", "ilsa") in _done(_staged("talk"))
     assert ("talk", "ilsa") not in _done(_staged("talk", state))
     assert ("talk", "ilsa") in _done(_staged("talk", state, target_id="ilsa"))
+
+
+@pytest.mark.parametrize(("motion", "shown"), [("take", True), ("pick_up", True), ("hold", False)])
+def test_what_is_taken_from_where_nobody_sees_it_is_held_up(motion: str, shown: bool) -> None:
+    shot = _staged(motion, prop_id="flute")
+    assert any(cue.clip == "show" and cue.prop_id == "flute" for cue in shot.cues) is shown
