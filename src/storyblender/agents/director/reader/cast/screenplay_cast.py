@@ -280,7 +280,7 @@ def _admit(roster: Roster, sighting: _Sighting, full_names: _FullNames, text: st
     if sighting.nickname:
         roster.call(person, bare(sighting.nickname))
     after = sighting.at + len(sighting.name)
-    looks = _looks(_NEXT_LINE.split(text[after : after + 160])[0]) if sighting.after else []
+    looks = _looks(_NEXT_LINE.split(text[after : after + 160].lstrip("_*"))[0]) if sighting.after else []
     if not known:
         _seen_before(roster, person, text, sighting.at)
     _kin_before(roster, person, before)
