@@ -21,7 +21,7 @@ from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Blocking, Cue, Mark
 
 _ID = "bystander"
-_FACES = 0.35
+_FACES = 0.1
 """Share of a figure's faces that is kept: it is never seen near."""
 _FRAME = 20
 """Frame of the act that the figure is held in."""
