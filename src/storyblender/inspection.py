@@ -108,7 +108,7 @@ def inspect(
         _cut_row(graph, findings),
         _collision_row(collisions, findings),
         _reach_row(packs, findings),
-        _staging_row(packs, findings),
+        _staging_row(graph, packs, findings),
         _review_row(reviews, findings),
     ]
     names = names_of(graph)
@@ -246,10 +246,12 @@ def _misses(problem: Flaw) -> bool:
     return problem.kind == "unreachable" and problem.weight > REACH
 
 
-def _staging_row(packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
-    problems = [problem for pack in packs for problem in pack.problems if not _misses(problem)]
-    findings += [f"{problem.shot}: {problem.message}" for problem in problems]
-    return CheckRow(name="staging problems", value=str(len(problems)), ok=True)
+def _staging_row(graph: ContinuityMemoryGraph, packs: Sequence[PackRef], findings: list[str]) -> CheckRow:
+    """What was not staged as it was read, and what the engine could not stage as asked."""
+    told = [f"{problem.shot}: {problem.message}" for pack in packs for problem in pack.problems if not _misses(problem)]
+    told += [f"{shot_name(shot.scene_id, shot.shot_id)}: {flaw.message}" for shot in graph.shots for flaw in shot.flaws]
+    findings += told
+    return CheckRow(name="staging problems", value=str(len(told)), ok=True)
 
 
 def _review_row(reviews: Mapping[str, FrameReview], findings: list[str]) -> CheckRow:

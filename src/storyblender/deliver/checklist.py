@@ -81,8 +81,8 @@ def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterab
     """Return the things to check, shot by shot in story order, without duplicates.
 
     Args:
-        graph: The story; its cameras hold their own flaws.
-        staged: Failures of the staging, of all packs.
+        graph: The story; its shots and cameras hold their own flaws.
+        staged: Failures of the staging that the engine found, of all packs.
         poor: The Frame Critic's findings in frames that do not tell their lines.
         folder: The project folder, as written in a command.
     """
@@ -96,7 +96,7 @@ def checklist(graph: ContinuityMemoryGraph, staged: Iterable[Flaw], poor: Iterab
     found: list[Check] = []
     for panel in panels(graph):
         found += _unsure(panel, graph.script_name, names)
-        found += _staged(panel, flaws.get(panel.name, []), graph.script_name, names)
+        found += _staged(panel, [*flaws.get(panel.name, []), *panel.shot.flaws], graph.script_name, names)
         found += _pictured(panel, folder, names)
         found += _untold(panel, untold.get(panel.name, []), folder, names)
     return list(dict.fromkeys(found))

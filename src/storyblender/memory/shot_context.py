@@ -336,6 +336,8 @@ class ShotContext(Frozen):
     """Key, fill and rim of this shot, solved for its camera."""
     lighting: Lighting | None = None
     """Replaces the scene's light plan from this shot on, where the script changes the light."""
+    flaws: tuple[Flaw, ...] = ()
+    """What could not be staged as it was read: cheats, deeds that nobody does, things left out or stood in for."""
     locked: tuple[Literal["camera", "blocking", "duration"], ...] = ()
 
     @property

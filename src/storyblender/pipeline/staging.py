@@ -12,6 +12,7 @@ from storyblender.agents.layout_artist.spatial_planner import ways_of
 from storyblender.agents.visual_effects_artist.furniture import dressing_asset
 from storyblender.agents.visual_effects_artist.lamp_states import lit_shots
 from storyblender.agents.visual_effects_artist.lighting_view import lighting_view
+from storyblender.agents.visual_effects_artist.staging_flaws import staging_flaws
 from storyblender.agents.visual_effects_artist.vehicle_doors import with_open_doors
 from storyblender.catalog.props import PROPS, PropEntry
 from storyblender.catalog.props.called import called
@@ -51,6 +52,10 @@ def _stage_scene(run: Run, scene_id: int) -> None:
     run.commit("spatial_planner", f"layout of {name}", scene)
     shots = _animate(run, scene_id)
     scene, shots = _light(run, scene, shots)
+    assets = {asset.asset_id: asset for asset in run.graph.assets}
+    left_out = {*fitted.outcome.view.pending} - {item.asset_id for item in layout.objects}
+    flaws = {shot.shot_id: staging_flaws(shot, assets, left_out) for shot in shots}
+    shots = tuple(shot.model_copy(update={"flaws": flaws[shot.shot_id]}) for shot in shots)
     run.commit("animator", f"motion and light of {name}", scene, *shots)
 
 

@@ -267,9 +267,7 @@ class Actions:
             if way is None and not person.acted and not seat_aboard(self.company.floor, seat):
                 self.company.take_seat(person, seat)
                 self.sheet.starts[person.asset_id] = person.mark(held=self.sheet.starts[person.asset_id].held)
-                self.sheet.cheats.append(
-                    f"{person.asset_id} is seated when the shot begins: the seat cannot be walked to"
-                )
+                self.sheet.cheat(person, "is seated when the shot begins: the seat cannot be walked to")
                 return
             length += SLIDE if math.dist(before, seat.before(person.k)) > 0.12 else 0.0
             t = self.sheet.go(person, before, seat.yaw, t, then=length)

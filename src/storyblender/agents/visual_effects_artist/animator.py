@@ -16,7 +16,7 @@ from storyblender.memory.base import Frozen, Identifier
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline
 from storyblender.memory.scene_context import Layout
-from storyblender.memory.shot_context import Blocking, Cue, Mark, PropState, ShotContext
+from storyblender.memory.shot_context import Blocking, Cue, Flaw, Mark, PropState, ShotContext
 from storyblender.reflection import Critique
 
 __all__ = ["AnimatorDraft", "AnimatorView", "RulesAnimator", "ShotStaging"]
@@ -69,8 +69,8 @@ class ShotStaging(Frozen):
     prop_states: tuple[PropState, ...] = ()
     duration: int
     """Frames; the Director's, or longer where the actions need it, within the limit of the cue sheet."""
-    cheats: tuple[str, ...] = ()
-    """What was cut short or moved so that it fits, one sentence each; for the report."""
+    flaws: tuple[Flaw, ...] = ()
+    """What was cut short or moved so that it fits."""
 
     def applied(self, shot: ShotContext) -> ShotContext:
         """Return the shot with this staging."""
@@ -80,6 +80,7 @@ class ShotStaging(Frozen):
                 "cues": self.cues,
                 "prop_states": self.prop_states,
                 "duration": self.duration,
+                "flaws": self.flaws,
             }
         )
 
@@ -128,7 +129,7 @@ class RulesAnimator:
                     cues=played.cues,
                     prop_states=played.prop_states,
                     duration=played.duration,
-                    cheats=played.cheats,
+                    flaws=played.cheats,
                 )
             )
         return AnimatorDraft(shots=tuple(stagings))

@@ -13,7 +13,7 @@ from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.catalog.motions import AIMED, MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2, path_length
-from storyblender.memory.shot_context import CharacterAction, Cue, Mark, PropState
+from storyblender.memory.shot_context import CharacterAction, Cue, Flaw, Mark, PropState
 from storyblender.memory.vocabulary import Hand
 
 TALK_DISTANCE = 1.15
@@ -51,7 +51,7 @@ class CueSheet:
 
     Attributes:
         clock: Second from which the next action may begin.
-        cheats: What was cut short or moved, one sentence each.
+        cheats: What was cut short or moved.
     """
 
     def __init__(
@@ -66,8 +66,12 @@ class CueSheet:
         self.company, self.length, self.fps, self.leaving = company, seconds, fps, leaving
         self.starts, self.start_props = starts, props
         self.cues: list[Cue] = []
-        self.cheats: list[str] = []
+        self.cheats: list[Flaw] = []
         self.clock = 0.2
+
+    def cheat(self, person: Person, what: str) -> None:
+        """Note that somebody does not do what was read as it was read, e.g. ``starts 2.0 m nearer``."""
+        self.cheats.append(Flaw(kind="cheat", subject=person.asset_id, message=f"{person.asset_id} {what}"))
 
     @property
     def limit(self) -> float:
@@ -157,7 +161,7 @@ class CueSheet:
             elif not person.acted:
                 way = cut_way(way[::-1], fits)[::-1]
                 self.start_at(person, way[0], facing(way[0], way[1]))
-                self.cheats.append(f"{person.asset_id} starts {length - path_length(way):.1f} m nearer")
+                self.cheat(person, f"starts {length - path_length(way):.1f} m nearer")
             length = path_length(way)
             natural = natural_seconds(motion, distance=length, stature=1.7 * person.k)
             seconds = min(natural, max(budget, natural / HURRY))
@@ -207,7 +211,7 @@ class CueSheet:
         """Nobody can walk there: be there from the start of the shot, if the person has not left their place in it."""
         if not person.acted:
             self.start_at(person, goal, person.yaw if yaw is None else yaw)
-            self.cheats.append(f"{person.asset_id} is there when the shot begins: there is no way to walk")
+            self.cheat(person, "is there when the shot begins: there is no way to walk")
         elif self._has_stayed(person):
             start = self.starts[person.asset_id]
             place = (round(goal[0], 3), round(goal[1], 3), 0.0)
@@ -216,11 +220,11 @@ class CueSheet:
                 if cue.mark is not None and cue.mark.asset_id == person.asset_id:
                     self.cues[index] = cue.model_copy(update={"mark": cue.mark.model_copy(update={"location": place})})
             person.place = goal
-            self.cheats.append(f"{person.asset_id} is there when the shot begins: there is no way to walk")
+            self.cheat(person, "is there when the shot begins: there is no way to walk")
             return self.face(person, yaw, t)
         else:
             self.company.jumps[person.asset_id] = (goal, person.yaw if yaw is None else yaw)
-            self.cheats.append(f"{person.asset_id} is there when the next shot begins: there is no way to walk")
+            self.cheat(person, "is there when the next shot begins: there is no way to walk")
         return t
 
     def _has_stayed(self, person: Person) -> bool:

@@ -20,7 +20,7 @@ from storyblender.catalog.states import Condition
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.outline import ScriptLine
 from storyblender.memory.scene_context import LayoutObject
-from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, PropState, ShotContext
+from storyblender.memory.shot_context import Blocking, CharacterAction, Cue, Flaw, PropState, ShotContext
 
 AT_ONCE = 0.15
 """Delay in seconds between one member of a group and the next."""
@@ -35,7 +35,7 @@ class ShotPlan:
     cues: tuple[Cue, ...]
     prop_states: tuple[PropState, ...]
     duration: int
-    cheats: tuple[str, ...]
+    cheats: tuple[Flaw, ...]
 
 
 class Rehearsal:

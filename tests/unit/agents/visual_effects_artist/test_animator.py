@@ -163,7 +163,7 @@ def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short(m
     assert math.dist(_start(shot, "rick").location, DOOR.location) < 0.5
     _, short = _stage(alone, enters.model_copy(update={"duration": 8}))
     assert math.dist(_start(short, "rick").location, DOOR.location) > 0.3
-    assert short.cheats
+    assert short.flaws
     assert short.duration <= 8 + 24 * 3.5
     walk = next(cue for cue in short.cues if cue.clip == "walk")
     assert walk.duration is not None, "who is short of time hurries"
