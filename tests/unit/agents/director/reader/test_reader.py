@@ -105,7 +105,8 @@ def test_speech_addressee_manner_and_off_screen() -> None:
     )
     speeches = [unit for unit in reading.units if unit.kind == "dialogue"]
     assert [unit.to for unit in speeches] == ["mia", "tom", "dr_lee", None, None]
-    assert [unit.deeds[0].motion for unit in speeches if unit.deeds] == ["talk", "whisper", "talk", "phone"]
+    assert [unit.deeds[0].motion for unit in speeches if unit.deeds] == ["talk", "whisper", "talk", "talk"]
+    assert speeches[-1].activities == {"mia": "phone"} and speeches[-1].held == {"mia": ["phone"]}
     assert [unit.off_screen for unit in speeches] == [False, False, False, True, False]
     assert "ben" not in speeches[-1].on_stage
 
