@@ -123,7 +123,7 @@ LAMPS: dict[str, LampKind] = {
     "candelabra": LampKind(8, CANDLE, glow=0.25),
     "candle_holder": LampKind(4, CANDLE, size=0.02, glow=0.2),
     "candle": LampKind(4, CANDLE, size=0.02, glow=0.2),
-    "flashlight": LampKind(420, FLASHLIGHT, "SPOT", 0.03, 0.5, cone=34.0, when_told=True),
+    "flashlight": LampKind(220, FLASHLIGHT, "SPOT", 0.03, 0.5, cone=34.0, when_told=True),
     "lighter": LampKind(2, CANDLE, size=0.02, glow=0.15, when_told=True),
     "paper_lantern": LampKind(9, CANDLE, size=0.15, glow=0.2),
     "brazier": LampKind(24, FIRE, size=0.2, glow=0.25, offset=(0, 0, 0.2)),
