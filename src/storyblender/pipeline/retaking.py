@@ -14,7 +14,7 @@ from storyblender.memory.base import shot_name
 from storyblender.memory.shot_context import CameraRetake, ShotContext
 from storyblender.memory.shot_sizes import SHOT_SIZES
 from storyblender.pipeline.filming import film
-from storyblender.pipeline.reviewing import FrameReview, review_frames
+from storyblender.pipeline.reviewing import FrameReview, foresee_frames, review_frames
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import shoot_frames
 
@@ -74,17 +74,22 @@ def _mendable(run: Run, shot: ShotContext, reviews: Mapping[str, FrameReview]) -
 def _taken_again(
     run: Run, again: Mapping[str, tuple[ShotContext, CameraRetake]], before: Mapping[str, FrameReview]
 ) -> dict[str, FrameReview]:
-    """Retake shots, and restore the takes that did not get better; return the reviews of the kept takes."""
+    """Retake shots, and restore the takes that did not get better; return the reviews of the kept takes.
+
+    Only what may be better by what its camera sees is drawn.
+    """
     former = [shot for shot, _ in again.values()]
     told = ", ".join(f"{name}: {choice.words}" for name, (_, choice) in again.items())
     run.commit("frame_critic", f"taken again: {told}", *(_with_camera(shot, choice) for shot, choice in again.values()))
     film(run)
-    shoot_frames(run, _present(run, former))
-    after = review_frames(run, _present(run, former))
+    foreseen = foresee_frames(run, _present(run, former))
+    hopeful = [shot for name, (shot, choice) in again.items() if _better(foreseen[name], before[name], choice)]
+    shoot_frames(run, _present(run, hopeful))
+    after = review_frames(run, _present(run, hopeful))
     worse = [
         shot.model_copy(update={"camera_retake": shot.camera_retake or CameraRetake()})
         for name, (shot, choice) in again.items()
-        if not _better(after[name], before[name], choice)
+        if name not in after or not _better(after[name], before[name], choice)
     ]
     if worse:
         names = [shot_name(shot.scene_id, shot.shot_id) for shot in worse]

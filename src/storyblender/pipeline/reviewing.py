@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 from PIL import Image
@@ -13,7 +13,6 @@ from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.sets import plan_of
 from storyblender.look.picture_measure import PictureMeasure, measure_picture
 from storyblender.memory.base import Digest, Frozen, content_hash, shot_name
-from storyblender.memory.measure import Collision
 from storyblender.memory.shot_context import ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import frame_picture
@@ -63,32 +62,57 @@ def review_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameRe
             found[known.shot] = known
         else:
             waiting.setdefault(shot.scene_id, []).append(shot)
-    asked = {
-        scene_id: Sighting(run.graph, run.engine, run.packs[scene_id], {shot.shot_id for shot in scene_shots})
-        for scene_id, scene_shots in waiting.items()
-    }
-    for scene_id, scene_shots in waiting.items():
-        sights = asked[scene_id].seen()
-        for shot in scene_shots:
-            name = shot_name(shot.scene_id, shot.shot_id)
-            critique = judge_frame(run, shot, sights[name], ())
-            review = FrameReview(
-                shot=name, judged=_judged(run, shot), score=round(critique.score, 2), faults=critique.faults
-            )
-            run.outputs.write(_record(run, shot), review.model_dump_json())
-            found[name] = review
+    for shot, sight in _sights(run, waiting):
+        critique = judge_frame(run, shot, sight, _measured(run, shot))
+        review = _review(shot, critique, _judged(run, shot))
+        run.outputs.write(_record(run, shot), review.model_dump_json())
+        found[review.shot] = review
     names = (shot_name(shot.scene_id, shot.shot_id) for shot in shots)
     return {name: found[name] for name in names}
 
 
-def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Sequence[Collision]) -> Critique:
-    """Judge one drawn frame.
+def foresee_frames(run: Run, shots: Collection[ShotContext]) -> dict[str, FrameReview]:
+    """Judge frames that are not drawn yet, by what their cameras see: a drawn frame has these faults at least.
+
+    Args:
+        run: The run, with packs.
+        shots: Shots with a camera.
+
+    Returns:
+        The reviews by shot name; they are not kept.
+    """
+    waiting: dict[int, list[ShotContext]] = {}
+    for shot in shots:
+        waiting.setdefault(shot.scene_id, []).append(shot)
+    reviews = (_review(shot, judge_frame(run, shot, sight, None), "") for shot, sight in _sights(run, waiting))
+    return {review.shot: review for review in reviews}
+
+
+def _sights(run: Run, shots: Mapping[int, Sequence[ShotContext]]) -> Iterator[tuple[ShotContext, ShotSight]]:
+    """Yield shots with what their cameras see, scene by scene; all scenes are looked at side by side."""
+    asked = {
+        scene_id: Sighting(run.graph, run.engine, run.packs[scene_id], {shot.shot_id for shot in scene_shots})
+        for scene_id, scene_shots in shots.items()
+    }
+    for scene_id, scene_shots in shots.items():
+        sights = asked[scene_id].seen()
+        for shot in scene_shots:
+            yield shot, sights[shot_name(shot.scene_id, shot.shot_id)]
+
+
+def _review(shot: ShotContext, critique: Critique, judged: str) -> FrameReview:
+    name = shot_name(shot.scene_id, shot.shot_id)
+    return FrameReview(shot=name, judged=judged, score=round(critique.score, 2), faults=critique.faults)
+
+
+def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, picture: PictureMeasure | None) -> Critique:
+    """Judge one frame.
 
     Args:
         run: The run, with the story and its pictures.
         shot: The shot to judge.
         sight: The measured view of its camera.
-        collisions: Overlaps of people with things in this shot.
+        picture: Measurements of its pixels; None if it is not drawn yet.
     """
     name = shot_name(shot.scene_id, shot.shot_id)
     assets = {asset.asset_id: asset for asset in run.graph.assets}
@@ -101,11 +125,10 @@ def judge_frame(run: Run, shot: ShotContext, sight: ShotSight, collisions: Seque
             shot=shot,
             seen=sight.view,
             people=frozenset(figure.node_id for figure in sight.figures),
-            picture=_measured(run, shot),
+            picture=picture,
             assets=assets,
             nodes=nodes,
             staged=tuple(flaw for flaw in run.packs[shot.scene_id].problems if flaw.shot == name),
-            collisions=tuple(collisions),
             built=built,
             aspect=run.graph.format.aspect,
             played=run.packs[shot.scene_id].played(shot.shot_id),

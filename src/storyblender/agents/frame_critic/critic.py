@@ -238,12 +238,12 @@ def _picture(view: FrameView) -> list[Fault]:
     if seen.void > _MOST_VOID:
         found.append(fault("void", "", 1 + 10 * (seen.void - _MOST_VOID), f"{seen.void:.0%} of the picture is empty"))
     masked = bool(view.shot.camera_instruction.through)
-    if picture.flat > _MOST_FLAT and seen.sky < 0.3 and not masked:
+    if picture is not None and picture.flat > _MOST_FLAT and seen.sky < 0.3 and not masked:
         severity = 1 + 6 * (picture.flat - _MOST_FLAT)
         found.append(fault("flat", "", severity, f"{picture.flat:.0%} of the picture is one plain surface"))
     if seen.foreground > _MOST_FOREGROUND and kind not in ("pov", "establishing", "ots"):
         found.append(fault("foreground", "", 2.0, f"{seen.foreground:.0%} of the picture is blocked in front"))
-    if picture.brightness < _DARK and not masked:
+    if picture is not None and picture.brightness < _DARK and not masked:
         found.append(fault("dark", "", 2.0, "the picture is too dark to be read"))
     if seen.inside or seen.below_floor:
         found.append(fault("inside", "", 4.0, f"the camera is inside {', '.join(seen.inside) or 'the floor'}"))

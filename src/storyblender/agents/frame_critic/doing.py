@@ -14,8 +14,6 @@ _MORE_UNDONE, _NOTHING_DONE = 0.6, 3.2
 """Points lost for each further deed that is not done in the picture, and for a picture in which none is."""
 _TURNED_AWAY = 112.0
 """Degrees between face and camera from which nobody sees what the hands of somebody do."""
-_TOUCHES, _INSIDE = 0.03, 0.10
-"""Metres of overlap between bodies: the least that counts, and the least that is plainly visible."""
 
 
 def fault(kind: str, subject: str, severity: float, message: str) -> Fault:
@@ -48,7 +46,7 @@ def deeds(view: FrameView) -> list[Fault]:
 
 
 def staging(view: FrameView) -> list[Fault]:
-    """Report what the staging could not do of the script, and bodies that overlap."""
+    """Report what the staging could not do of the script."""
     found = [
         fault(f"not_staged_{flag.topic}", flag.choice, 2.5, flag.reason)
         for flag in view.shot.flags
@@ -57,9 +55,4 @@ def staging(view: FrameView) -> list[Fault]:
     for flaw in {(flaw.kind, flaw.subject): flaw for flaw in reversed(view.staged)}.values():
         if flaw.kind in _STAGING:
             found.append(fault(flaw.kind, flaw.subject, _STAGING[flaw.kind], flaw.message))
-    for hit in view.collisions:
-        if hit.depth > _TOUCHES:
-            severity = 2.0 if hit.depth > _INSIDE else 0.8
-            text = f"{hit.asset_id} is {100 * hit.depth:.0f} cm inside {hit.node_id}"
-            found.append(fault("collision", hit.asset_id, severity, text))
     return found

@@ -10,7 +10,7 @@ from storyblender.catalog.motions import clip_of
 from storyblender.look.picture_measure import PictureMeasure
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.jobs import PlayedCue
-from storyblender.memory.measure import CameraView, Collision, SubjectView
+from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_context import CharacterAction, Flaw, ShotContext
 
 _WAITING = ("idle", "listen")
@@ -30,11 +30,10 @@ class FrameView:
         shot: The shot as drawn.
         seen: Measurements of the ID mask at the drawn moment.
         people: node_ids of all characters with a face.
-        picture: Measurements of the pixels.
+        picture: Measurements of the pixels; None of a frame that is not drawn yet.
         assets: Assets of the whole story by asset id.
         nodes: Asset id to the node_ids that show it in the scene.
         staged: Flaws of the staging in the shot.
-        collisions: Overlaps of people with things or each other in the shot.
         built: Assets that the set itself shows instead of an object, such as its own pool.
         aspect: Width of the picture by its height.
         played: The cues of the shot as the engine played them.
@@ -43,11 +42,10 @@ class FrameView:
     shot: ShotContext
     seen: CameraView
     people: frozenset[str]
-    picture: PictureMeasure
+    picture: PictureMeasure | None
     assets: Mapping[str, Asset]
     nodes: Mapping[str, tuple[str, ...]]
     staged: tuple[Flaw, ...] = ()
-    collisions: tuple[Collision, ...] = ()
     built: frozenset[str] = frozenset()
     aspect: float = 16 / 9
     played: tuple[PlayedCue, ...] = ()

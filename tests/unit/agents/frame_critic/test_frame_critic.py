@@ -9,7 +9,7 @@ from storyblender.agents.frame_critic.critic import FrameCritic, verdict_of
 from storyblender.agents.frame_critic.frame_view import FrameView
 from storyblender.look.picture_measure import PictureMeasure, measure_picture
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
-from storyblender.memory.measure import CameraView, Collision, SubjectView
+from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_context import (
     BodyState,
     CameraInstruction,
@@ -87,10 +87,6 @@ def test_a_frame_that_shows_its_lines_passes() -> None:
         (_view(*_GOOD, picture=PictureMeasure(flat=0.8, brightness=0.3)), "flat"),
         (_view(*_GOOD, picture=PictureMeasure(flat=0.2, brightness=0.01)), "dark"),
         (_view(*_GOOD, staged=(Flaw(kind="no_path", subject="mara", message="no way"),)), "no_path"),
-        (
-            _view(*_GOOD, collisions=(Collision(shot="s", frame=1, asset_id="mara", node_id="cup", depth=0.2),)),
-            "collision",
-        ),
         (
             _view(*_GOOD, shot=_shot(flags=(Flag(topic="action", choice="juggles", reason="not staged"),))),
             "not_staged_action",
