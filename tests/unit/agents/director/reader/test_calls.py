@@ -126,3 +126,20 @@ def test_who_is_seen_at_another_place_has_hung_up() -> None:
 def test_what_is_said_in_a_call_is_talk_with_the_phone_at_the_ear() -> None:
     unit = next(unit for unit in read_script(read(INTERCUT)).units if unit.text == "At work.")
     assert [(deed.actor, deed.motion) for deed in unit.deeds] == [("sam", "talk")]
+
+
+@pytest.mark.parametrize(
+    ("told", "answered"),
+    [
+        ("The phone on the wall rings. Jo crosses to the wall and answers it.", ("phone", "phone")),
+        ("The phone rings. Jo crosses the room and answers.", ("phone", "phone")),
+        ("Somebody knocks at the door. Jo answers it.", ("open", "door")),
+        ("Jo sighs. She answers.", ("talk", None)),
+    ],
+)
+def test_what_is_answered_is_picked_up_opened_or_spoken_to(
+    told: str, answered: tuple[str, str | None], read_scene: Read
+) -> None:
+    reading = read_scene(f"JO (30) sits in a chair.\n\n{told}\n")
+    deeds = [deed for unit in reading.units for deed in unit.deeds if deed.verb == "answer"]
+    assert [(deed.motion, deed.target) for deed in deeds] == [answered]

@@ -42,6 +42,7 @@ def note_calls(stage: Stage, people: list[Person]) -> None:
             continue
         if begins:
             take_call(stage, person)
+            _pick_up(stage, person)
         elif person.id in stage.calls or stage.scene.activities.get(person.id) == ACTIVITY:
             hang_up(stage, person)
 
@@ -61,6 +62,14 @@ def take_call(stage: Stage, person: Person) -> None:
     stage.inventory.seen(thing, "handled", determined=True)
     stage.unit.things.append(thing)
     hold(stage, person.id, thing)
+
+
+def _pick_up(stage: Stage, person: Person) -> None:
+    """Whoever answers a phone that rang takes it up; nothing is said yet: ``crosses to the wall and answers it``."""
+    phone = stage.scene.held[person.id][-1]
+    for deed in stage.unit.deeds:
+        if (deed.actor, deed.verb, deed.motion) == (person.id, "answer", "talk"):
+            deed.motion, deed.target, deed.prop = ACTIVITY, phone, phone
 
 
 def hang_up(stage: Stage, person: Person) -> None:
