@@ -223,7 +223,7 @@ class Scorer:
         if segment.answers.keys() & {"on", "act", "rel"}:
             on = {self.name(person) for unit in units for person in unit.on_stage}
             self.counts["on-stage"].add(segment.items("on", ","), on, where)
-        gold = {action for item in segment.items("act") if (action := self._action(item))}
+        gold = dict.fromkeys(action for item in segment.items("act") if (action := self._action(item)))
         stand_ins = {flag.start for flag in self.reading.flags if flag.topic == "act"}
         found = [
             (self.name(deed.actor), deed.motion, self.name(deed.target), self.name(deed.prop))
@@ -232,7 +232,7 @@ class Scorer:
             if deed.at not in stand_ins  # an act without a motion of its own, shown by the nearest and flagged
         ]
         self.counts["action"].add({g[:2] for g in gold}, {f[:2] for f in found}, where)
-        self._targets({g for g in gold if g[2]}, found, where)
+        self._targets([g for g in gold if g[2]], found, where)
         self._pronouns(segment, where)
 
     def _action(self, item: str) -> tuple[str, str, str] | None:
@@ -242,14 +242,18 @@ class Scorer:
         motion, _, target = item[len(actor) + 1 :].partition(" ")
         return actor, motion, target
 
-    def _targets(self, gold: set[tuple[str, str, str]], found: list[tuple[str, str, str, str]], where: str) -> None:
-        """Actions whose gold names a target: right if target or prop has its head noun."""
+    def _targets(self, gold: list[tuple[str, str, str]], found: list[tuple[str, str, str, str]], where: str) -> None:
+        """Actions whose gold names a target: right if target or prop has its head noun.
+
+        Of two that an action may be, it is the first as written that none before it was.
+        """
         answers: set[tuple[str, str, str]] = set()
         for actor, motion, target, prop in found:
             options = [g for g in gold if g[:2] == (actor, motion)]
             if options:
                 heads = {singular(word) for name in (target, prop) if name for word in (name, name.split()[-1])}
-                hit = next((g for g in options if singular(g[2]) in heads), None)
+                hits = [g for g in options if singular(g[2]) in heads]
+                hit = next((g for g in hits if g not in answers), hits[0] if hits else None)
                 answers.add(hit or (actor, motion, target or prop))
         self.counts["action+target"].add(gold, answers, where)
 

@@ -94,6 +94,16 @@ def test_a_wrong_answer_lowers_the_score(tmp_path: Path) -> None:
     assert score_file(wrong)["action"].f1 < score_file(GOLD / "t1_twohander.gold")["action"].f1
 
 
+@every("thing", ["cup", "book", "key", "ball", "knife", "letter", "hat"])
+def test_an_act_that_may_be_two_answers_is_the_first_that_is_open(thing: str, tmp_path: Path) -> None:
+    page = tmp_path / "page.gold"
+    page.write_text(
+        f"|| cast: jo=Jo; al=Al\nINT. HALL - DAY\n\nJO (30) throws the {thing} at AL (40). Jo throws the {thing}.\n"
+        f"| act: jo throw al; jo throw {thing}\n"
+    )
+    assert score_file(page)["action+target"].missed == []
+
+
 @every("name", sorted(path.name for path in GOLD.glob("*.gold")))
 def test_every_id_is_known(name: str) -> None:
     _, reading = answered(GOLD / name)
