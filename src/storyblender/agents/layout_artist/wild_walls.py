@@ -15,8 +15,8 @@ from storyblender.geometry.sight import hidden as hidden_from
 _ON_WALL = 0.45
 """Metres from a taken wall within which a thing goes with it: its pictures, and the shelf before it."""
 _HUNG, _FLUSH = 0.3, 0.1
-"""Metres above the floor from which a thing at a wall hangs on it; from the wall's face up to which a piece of the set
-does."""
+"""Metres above the floor from which a thing at a wall hangs on it; metres from the wall within which a piece of the set is
+built against it."""
 _LIFTED = 0.06
 """Metres above the floor from which a thing stands on something; metres above a top that it may be."""
 _AT_TARGET = 0.3
@@ -47,7 +47,7 @@ def taken_away(
             if wall.wild and _stands_between(wall, eye, sights):
                 hidden[wall.node_id] = None
                 hidden |= dict.fromkeys(node for node, box in props.items() if _goes_with(box, wall, eye, sights))
-                hidden |= dict.fromkeys(piece.node_id for piece in plan.pieces if _hangs_on(piece, wall))
+                hidden |= dict.fromkeys(piece.node_id for piece in plan.pieces if _built_on(piece, wall))
         for slab in plan.slabs:
             if slab.role == "ceiling" and eye[2] > slab.z - 0.15:
                 hidden[slab.node_id] = None
@@ -152,15 +152,14 @@ def _goes_with(box: Box, wall: Wall, eye: Floats, sights: Sequence[Floats]) -> b
     return box.z > _HUNG or _crosses(box, eye, sights)
 
 
-def _hangs_on(piece: Piece, wall: Wall) -> bool:
-    """Return whether a piece of the set hangs on a wall, as a mirror or a rail does: without it, it would float."""
+def _built_on(piece: Piece, wall: Wall) -> bool:
+    """Return whether a piece of the set is built against a wall, as a mirror or a fireplace is: it goes with it."""
     start, end = np.asarray(wall.start), np.asarray(wall.end)
     length = float(np.hypot(*(end - start)))
     along = (end - start) / length
-    x, y, z = piece.location
-    off = np.array([x, y]) - start
+    off = np.array(piece.location[:2]) - start
     away = abs(float(off @ np.array([-along[1], along[0]])))
-    return z > _HUNG and away < _FLUSH and 0 < float(off @ along) < length
+    return away < _FLUSH and 0 < float(off @ along) < length
 
 
 def _crosses(box: Box, eye: Floats, sights: Sequence[Floats]) -> bool:
