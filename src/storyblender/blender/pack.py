@@ -21,7 +21,7 @@ from storyblender.blender.motion.solve import solve_shot
 from storyblender.blender.sets.build import build_set
 from storyblender.blender.staging import Stage, moved_assets
 from storyblender.blender.state_parts import StateParts
-from storyblender.blender.tags import Surface, tag
+from storyblender.blender.tags import surface_of, tag
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.catalog.openings import openings_of
 from storyblender.catalog.set_plan import SetPlan
@@ -106,7 +106,7 @@ class ScenePacker:
         obj = bpy.data.objects.new(f"{self._name}.{item.node_id}", self._store.append_mesh(asset))
         obj.location = item.location
         obj.rotation_euler = [math.radians(angle) for angle in item.rotation]
-        tag(obj, kind="prop", node_id=item.node_id, asset_id=item.asset_id, surface=_surface(obj))
+        tag(obj, kind="prop", node_id=item.node_id, asset_id=item.asset_id, surface=surface_of(obj))
         collection.objects.link(obj)
         self._props.setdefault(item.asset_id, obj)
         self._nodes.setdefault(item.asset_id, []).append(obj)
@@ -182,9 +182,3 @@ def shot_starts(shots: tuple[ShotContext, ...]) -> dict[int, int]:
 def save_pack(part: Path) -> None:
     """Save the open file."""
     bpy.ops.wm.save_as_mainfile(filepath=str(part), compress=True, copy=True)
-
-
-def _surface(obj: bpy.types.Object) -> Surface:
-    """Plants get the ink of foliage; everything else is a prop."""
-    names = {material.name.split(".")[0] for material in obj.data.materials if material}
-    return Surface.FOLIAGE if any("leaves" in name or "foliage" in name for name in names) else Surface.PROP

@@ -8,8 +8,9 @@ from collections.abc import Iterator, Mapping, Sequence
 import bpy
 
 from storyblender.blender.asset_store import AssetStore
-from storyblender.blender.tags import tag
+from storyblender.blender.tags import surface_of, tag
 from storyblender.catalog.states import GONE, Condition, after
+from storyblender.look.surface import Surface
 from storyblender.memory.jobs import AssetInState, PlayedCue, SceneJob
 from storyblender.memory.shot_context import ShotContext
 
@@ -103,7 +104,8 @@ def _part(thing: bpy.types.Object, each: AssetInState, store: AssetStore) -> bpy
     x, y, z = each.location
     part.location = (x, z, -y) if each.lying else (x, y, z)
     part.rotation_euler[0] = math.radians(-90.0) if each.lying else 0.0
-    tag(part, kind="prop", node_id=thing["node_id"], asset_id=each.asset.asset_id, surface=thing["surface"])
+    surface = surface_of(part) if surface_of(part) == Surface.SMOKE else thing["surface"]
+    tag(part, kind="prop", node_id=thing["node_id"], asset_id=each.asset.asset_id, surface=surface)
     for collection in thing.users_collection:
         collection.objects.link(part)
     return part

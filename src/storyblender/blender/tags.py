@@ -39,3 +39,11 @@ def tag(
     if ink_group:
         obj["ink_group"] = ink_group
     return obj
+
+
+def surface_of(obj: bpy.types.Object) -> Surface:
+    """Return the surface of a prop by its materials: plants get the ink of foliage, smoke is drawn as air."""
+    names = {material.name.split(".")[0] for material in obj.data.materials if material}
+    if any(name.startswith("MT_smoke") for name in names):
+        return Surface.SMOKE
+    return Surface.FOLIAGE if any("leaves" in name or "foliage" in name for name in names) else Surface.PROP

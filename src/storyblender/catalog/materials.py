@@ -255,6 +255,7 @@ MATERIALS: Catalog[MaterialEntry] = Catalog(
             roughness=0.9,
         ),
         woven("fabric", "#7d7a70", "upholstery gray"),
+        painted("smoke", "#b9bcc0", tags="steam fog vapour billows", roughness=1.0),
         woven("fabric_red", "#8a2f2a", "upholstery velvet curtain"),
         woven("fabric_green", "#3f5a44", "upholstery billiard"),
         woven("fabric_blue", "#34506e", "upholstery"),

@@ -17,6 +17,7 @@ from storyblender.look.illumination import ambient_light, light_field, sky_light
 from storyblender.look.occlusion import ambient_occlusion
 from storyblender.look.raster import LUMA, Image, Mask, Window, any_of, blur, dot, every, spread, stacked, windows_round
 from storyblender.look.relight import upsample_by_depth
+from storyblender.look.smoke import Puff, add_smoke, through_smoke
 from storyblender.memory.scene_context import Light, Lighting
 
 _MOST_LAMPS = 6
@@ -95,10 +96,11 @@ class MovingLight:
     Args:
         plan: Balanced light plan: ambient light, sky, fog.
         roofed: 0 under the open sky to 1 in a closed room.
+        puffs: Smoke in the air.
     """
 
-    def __init__(self, plan: Lighting, roofed: float) -> None:
-        self._plan, self._roofed = plan, roofed
+    def __init__(self, plan: Lighting, roofed: float, puffs: Sequence[Puff] = ()) -> None:
+        self._plan, self._roofed, self._puffs = plan, roofed, puffs
         self._held: _Held | None = None
 
     def light(self, frame: FlatFrame, lamps: Sequence[Light]) -> list[tuple[Window, Image]]:
@@ -160,6 +162,10 @@ class MovingLight:
         added = veil(plan.fog, rays) * (1 - through)[..., None]
         seen = np.flatnonzero(open_sky)
         added[seen] += sky_light(plan.sky, rays[seen]) * (open_sky * through)[seen][..., None]
+        if self._puffs:
+            clear = through_smoke(self._puffs, depth, rays, eye)
+            added = add_smoke(added, self._puffs, clear, lamps, plan.set_luminance)
+            through = through * clear
         return through, add_halos(added, lamps, depth, rays, eye)
 
 

@@ -20,6 +20,8 @@ class Surface(IntEnum):
     WET = 10
     GLASS = 11
     NO_INK = 12
+    SMOKE = 13
+    """Drawn as air (``look/smoke.py``), never as a surface."""
 
 
 SKY = 0

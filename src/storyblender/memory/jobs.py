@@ -17,7 +17,7 @@ from storyblender.memory.shot_context import Flaw, ShotContext
 
 Look = Literal["board", "fast", "pencil", "render"]
 
-GEOMETRY_VERSION = 8
+GEOMETRY_VERSION = 9
 """Raised when builders change shape: old caches are then built anew."""
 MODEL_VERSION = 2
 """Raised when users' models are read otherwise: only what was built from them is then built anew."""

@@ -15,8 +15,8 @@ from storyblender.geometry.sight import hidden as hidden_from
 _ON_WALL = 0.45
 """Metres from a taken wall within which a thing goes with it: its pictures, and the shelf before it."""
 _HUNG, _FLUSH = 0.3, 0.1
-"""Metres above the floor from which a thing at a wall hangs on it; metres from the wall within which a piece of the set is
-built against it."""
+"""Metres above the floor from which a thing at a wall hangs on it; metres from the wall within which a piece of the set
+is built against it."""
 _LIFTED = 0.06
 """Metres above the floor from which a thing stands on something; metres above a top that it may be."""
 _AT_TARGET = 0.3

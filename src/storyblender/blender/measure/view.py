@@ -114,7 +114,7 @@ def viewfinder(
         changed(still.display.shading, {"light": "FLAT", "color_type": "OBJECT"}),
     ):
         people = figures(scene)
-        with RenderSession(still, camera) as session:
+        with RenderSession(still, camera, smoke=True) as session:
             stage = _Stage(session, people)
             with _numbered(stage.objects, stage.numbers):
                 yield partial(stage.see, width=width, height=height)

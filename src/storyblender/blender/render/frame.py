@@ -16,6 +16,7 @@ from storyblender.blender.render.meter import SetLight, balanced
 from storyblender.blender.render.passes import Passes, render_passes
 from storyblender.blender.render.session import RenderSession
 from storyblender.blender.render.shot_light import FACE_SHADOWS, SHADOWS, PersonHead, ShotLight
+from storyblender.blender.render.smoke import puffs_of
 from storyblender.errors import InputError
 from storyblender.look.atmosphere import add_fog, add_halos, add_rain, transmittance
 from storyblender.look.exposure import Face, bright_half, find_faces, shadow_lift, trim, with_shadows_raised
@@ -28,6 +29,7 @@ from storyblender.look.modelling import lift_hands, model_flesh
 from storyblender.look.pencil import draw_pencil, level_ground
 from storyblender.look.raster import Image, blur, luminance, shrink
 from storyblender.look.relight import demodulate, mean_albedo, remodulate, upsample
+from storyblender.look.smoke import Puff, add_smoke, through_smoke
 from storyblender.look.surface import FLESH
 from storyblender.look.wet_ground import add_wet_ground, wetness
 from storyblender.memory.scene_context import Fog, Light, Lighting
@@ -126,17 +128,19 @@ def render_frame(
         ThreadPoolExecutor(1) as aside,  # for what needs no Blender, while Blender draws
     ):
         aside.submit(display_of, look.contrast)
+        puffs = puffs_of(session.smoke_objects)
         passes = render_passes(session, request.width * step, request.height * step)
         set_light = balanced(scene, lighting)
         plan = set_light.plan
-        inked = aside.submit(_inked, passes.gbuffer, plan.fog, look, step)
+        inked = aside.submit(_inked, passes.gbuffer, plan.fog, puffs, look, step)
         cast = (SHADOWS if look.light == "numpy" else FACE_SHADOWS) if request.shadows else {}
         shot = ShotLight(session, passes, set_light, people, step * look.light_step, shadows=cast)
         lights = shot.set_lights + shot.lights
         picture = _relit(session, passes.gbuffer, shot, look, request, step)
-    gbuffer, through, ink = inked.result()
+    gbuffer, (through, clear), ink = inked.result()
     depth, rays, eye = gbuffer.depth, gbuffer.view.rays(), gbuffer.view.eye
-    picture = add_halos(add_fog(picture, plan.fog, through, rays), lights, depth, rays, eye)
+    picture = add_fog(add_smoke(picture, puffs, clear, shot.set_lights, plan.set_luminance), plan.fog, through, rays)
+    picture = add_halos(picture, lights, depth, rays, eye)
     wet = wetness(plan, set_light.roofed)
     picture = add_wet_ground(picture, gbuffer, plan.sky, wet, water=look.light == "numpy")
     faces = find_faces(gbuffer, [(head.asset_id, head.location, head.scale) for head in people if head.in_frame])
@@ -151,11 +155,14 @@ def render_frame(
     return FrameResult(to_bytes(drawing), shot.lights, shot.set_lights, statistics, set_light)
 
 
-def _inked(gbuffer: GBuffer, fog: Fog | None, look: Look, step: int) -> tuple[GBuffer, Image, Image | None]:
-    """Return the G-buffer at the picture's size, the share of light that the air lets through, and the look's lines."""
+def _inked(
+    gbuffer: GBuffer, fog: Fog | None, puffs: Sequence[Puff], look: Look, step: int
+) -> tuple[GBuffer, tuple[Image, Image], Image | None]:
+    """Return the G-buffer at the picture's size, the shares of light that fog and smoke let through, and the lines."""
     small = gbuffer.reduced(step)
     through = transmittance(fog, small.depth, small.view.rays(), small.view.eye)
-    return small, through, draw_ink(gbuffer, step, through) if look.ink > 0 else None
+    clear = through_smoke(puffs, small.depth, small.view.rays(), small.view.eye)
+    return small, (through, clear), draw_ink(gbuffer, step, through * clear) if look.ink > 0 else None
 
 
 def _drawn(display: Image, gbuffer: GBuffer, ink: Image | None, look: Look, step: int) -> Image:

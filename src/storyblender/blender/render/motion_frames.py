@@ -19,6 +19,7 @@ from storyblender.blender.render.frame import FrameRequest, FrameResult, PersonH
 from storyblender.blender.render.movement import watch
 from storyblender.blender.render.picture import write_jpeg
 from storyblender.blender.render.session import RenderSession
+from storyblender.blender.render.smoke import puffs_of
 from storyblender.blender.still import held_still
 from storyblender.geometry.framing import Figure
 from storyblender.look.aperture import look_through
@@ -78,7 +79,7 @@ def render_motion(
         stack.enter_context(in_detail_seen(session, frames, width, height))
         still = _metered(session, lighting, height / width, in_frame)
         plan, gain = still.balance.plan, np.float32(2.0**still.statistics.exposure)
-        light = MovingLight(plan, still.balance.roofed)
+        light = MovingLight(plan, still.balance.roofed, puffs_of(session.smoke_objects))
         movement = watch(session, frames, width, height)
         people = [_heads(faces, in_frame) for faces in movement.people]
         told = stack.enter_context(animatic_workbench(session, movement))

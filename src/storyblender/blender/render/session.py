@@ -18,6 +18,7 @@ from storyblender.blender.hiding import out_of_picture
 from storyblender.blender.render.exr import Channels, read_channels
 from storyblender.look.gbuffer import View
 from storyblender.look.raster import Window
+from storyblender.look.surface import Surface
 
 Result = TypeVar("Result")
 _STILL = {
@@ -71,6 +72,7 @@ class RenderSession:
         camera: A camera object of the scene.
         frame: Timeline frame; None stays where the scene is.
         hidden_node_ids: Nodes left out of every picture (wild walls).
+        smoke: Whether smoke is drawn as a surface, to measure where it is; else it is left to the air.
     """
 
     def __init__(
@@ -79,12 +81,17 @@ class RenderSession:
         camera: bpy.types.Object,
         frame: int | None = None,
         hidden_node_ids: Sequence[str] = (),
+        *,
+        smoke: bool = False,
     ) -> None:
         self.scene = scene
         self.camera = camera
         self._frame = frame
         self._hidden = frozenset(hidden_node_ids)
+        self._smoke = smoke
         self.hidden_objects: list[bpy.types.Object] = []
+        self.smoke_objects: list[bpy.types.Object] = []
+        """Smoke that is seen in this frame, and left to the air."""
         self._stack = ExitStack()
 
     def __enter__(self) -> RenderSession:
@@ -97,8 +104,13 @@ class RenderSession:
             if self._frame is not None:
                 self.go_to(self._frame)
             for obj in self.scene.objects:
-                if obj.get("node_id") in self._hidden and obj.type in DRAWN and not obj.hide_render:
+                if obj.type not in DRAWN or obj.hide_render:
+                    continue
+                if obj.get("node_id") in self._hidden:
                     self.hidden_objects.append(obj)
+                elif obj.get("surface") == int(Surface.SMOKE) and not self._smoke:
+                    self.hidden_objects.append(obj)
+                    self.smoke_objects.append(obj)
             stack.enter_context(out_of_picture(self.hidden_objects))
             self.scene.view_layers[0].update()
         except BaseException:

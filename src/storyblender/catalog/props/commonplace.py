@@ -30,7 +30,7 @@ COMMONPLACE: tuple[PropEntry, ...] = (
           (3.4, 0.04, 0.75), {"flag": "fabric_red", "other": "fabric_blue", "third": "brass"},
           "A string of small flags.", placement="ceiling"),
     entry("nature", "smoke", "column of smoke, cloud of smoke, plume of smoke, steam, fumes, exhaust, fog, mist, haze, "
-          "vapour, vapor, dust cloud, cloud of dust", (0.9, 0.75, 1.65), {"puff": "fabric"}, "Billowing smoke.",
+          "vapour, vapor, dust cloud, cloud of dust", (0.9, 0.75, 1.65), {"puff": "smoke"}, "Billowing smoke.",
           params={"color": "#b9bcc0"}),
     entry("nature", "running_water", "tap water, falling water, stream from a tap, dripping water", (0.14, 0.14, 0.3),
           {"water": "glass"}, "Water that runs from a spout.", params={"color": "#a9bcc2"}, placement="surface"),
