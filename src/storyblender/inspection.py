@@ -10,7 +10,6 @@ from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
 from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.continuity import side_of_line, walked_around
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
@@ -20,6 +19,7 @@ from storyblender.memory.measure import Collision
 from storyblender.memory.shot_context import CameraPose, Flaw
 from storyblender.pipeline.reviewing import FrameReview
 from storyblender.pipeline.sighting import ShotSight, Sighting
+from storyblender.ports import Engine
 
 HIDDEN = 0.30
 SEEN = 0.0004
@@ -70,7 +70,7 @@ class Inspection(Frozen):
 
 def inspect(
     graph: ContinuityMemoryGraph,
-    engine: BlenderEngine,
+    engine: Engine,
     packs: Sequence[PackRef],
     reviews: Mapping[str, FrameReview],
     progress: Callable[[int, int, str], None] = lambda step, total, scene: None,

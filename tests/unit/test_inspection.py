@@ -5,7 +5,6 @@ from __future__ import annotations
 from concurrent.futures import Future
 from typing import TypeVar, cast
 
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.inspection import REACH, Inspection, inspect
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -20,6 +19,7 @@ from storyblender.memory.scene_context import (
 )
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw, ShotContext
 from storyblender.pipeline.reviewing import FrameReview
+from storyblender.ports import Engine
 from storyblender.reflection import Fault
 
 T = TypeVar("T")
@@ -48,13 +48,13 @@ def report(*flaws: Flaw, second: tuple[float, float, float] = (1, 0, 0)) -> Insp
     )
     desk = Asset(asset_id="desk", asset_type="object", name="desk", description="a desk", canonical=DESK)
     graph = ContinuityMemoryGraph(assets=(desk,), scenes=(scene,), shots=(shot,))
-    return inspect(graph, cast(BlenderEngine, None), [], {})
+    return inspect(graph, cast(Engine, None), [], {})
 
 
 def staged(*problems: Flaw) -> Inspection:
     """Inspect a story of nothing but a pack with these problems."""
     pack = PackRef(scene_id=1, path="build/scenes/SC010-0.blend", starts=((1, 1),), problems=problems)
-    return inspect(ContinuityMemoryGraph(), cast(BlenderEngine, Blind()), [pack], {})
+    return inspect(ContinuityMemoryGraph(), cast(Engine, Blind()), [pack], {})
 
 
 class Blind:
@@ -84,7 +84,7 @@ def value(inspection: Inspection, name: str) -> tuple[str, bool]:
 def test_a_long_story_says_how_many_scenes_are_checked() -> None:
     packs = [PackRef(scene_id=number, path="build/scenes/a.blend", starts=((1, 1),)) for number in (1, 2)]
     told: list[tuple[int, int, str]] = []
-    inspect(ContinuityMemoryGraph(), cast(BlenderEngine, Blind()), packs, {}, lambda *step: told.append(step))
+    inspect(ContinuityMemoryGraph(), cast(Engine, Blind()), packs, {}, lambda *step: told.append(step))
     assert told == [(0, 2, "SC010"), (1, 2, "SC020"), (2, 2, "")]
 
 
@@ -121,7 +121,7 @@ def test_a_frame_that_does_not_tell_its_lines_is_a_finding() -> None:
     poor = FrameReview(shot="SC010_SH010", judged="", score=6.0, faults=(fault,))
     good = FrameReview(shot="SC010_SH020", judged="", score=10.0)
     reviews = {review.shot: review for review in (poor, good)}
-    report = inspect(ContinuityMemoryGraph(), cast(BlenderEngine, Blind()), [], reviews)
+    report = inspect(ContinuityMemoryGraph(), cast(Engine, Blind()), [], reviews)
     row = next(row for row in report.rows if row.name == "frames that tell their lines")
     assert (row.value, row.ok) == ("1 of 2", False)
     assert any("ada is not seen" in finding for finding in report.findings)

@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import ParamSpec, TypeVar
 
 from storyblender.crew import Crew
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.errors import Rejected
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Item, replace
 from storyblender.memory.jobs import Look, PackRef
 from storyblender.outputs import Outputs
+from storyblender.ports import Engine
 from storyblender.project import Project
 from storyblender.reflection import Outcome, Role, reflect
 from storyblender.settings import REMEMBERED, Settings
@@ -33,7 +33,7 @@ class Run:
 
     Attributes:
         project: The open project; the only place where the graph lives.
-        engine: Blender.
+        engine: Who builds, measures and draws.
         crew: Who decides.
         settings: As the user gave them.
         listener: Hears every event.
@@ -41,7 +41,7 @@ class Run:
     """
 
     project: Project
-    engine: BlenderEngine
+    engine: Engine
     crew: Crew
     settings: Settings
     listener: Listener

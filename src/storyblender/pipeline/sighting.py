@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 from storyblender.agents.frame_critic.frame_view import things_to_see
 from storyblender.agents.layout_artist.camera_brief import pose_at
 from storyblender.agents.layout_artist.story_moment import story_moment
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.geometry.framing import Figure, Film
 from storyblender.memory.base import Frozen, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.jobs import PackRef, PlayedCue
 from storyblender.memory.measure import CameraView, ViewRequest
 from storyblender.memory.shot_context import ShotContext
+from storyblender.ports import Engine
 
 
 class ShotSight(Frozen):
@@ -34,7 +34,7 @@ class Sighting:
     """
 
     def __init__(
-        self, graph: ContinuityMemoryGraph, engine: BlenderEngine, pack: PackRef, only: set[int] | None = None
+        self, graph: ContinuityMemoryGraph, engine: Engine, pack: PackRef, only: set[int] | None = None
     ) -> None:
         shots = [shot for shot in graph.shots_of(pack.scene_id) if shot.camera is not None]
         shots = [shot for shot in shots if only is None or shot.shot_id in only]

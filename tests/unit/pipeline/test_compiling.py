@@ -10,7 +10,6 @@ from typing import Any, cast
 import pytest
 from tests.crew import RULES
 
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.jobs import CutJob, PackRef, StoryJob
@@ -19,6 +18,7 @@ from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.pipeline import compiling
 from storyblender.pipeline.compiling import Compilation, file_of, story_files
 from storyblender.pipeline.run import Run
+from storyblender.ports import Engine
 from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.studio import Studio
@@ -68,7 +68,7 @@ def test_only_what_changed_is_compiled_and_what_a_person_changed_is_kept(
 
     def compiled(graph: ContinuityMemoryGraph) -> list[Any]:
         compiler.asked.clear()
-        run = Run(project, cast(BlenderEngine, compiler), RULES, Settings(), told.append)
+        run = Run(project, cast(Engine, compiler), RULES, Settings(), told.append)
         run.packs.update(packs)
         monkeypatch.setattr(Run, "graph", graph)
         Compilation(run).finish()
@@ -122,7 +122,7 @@ def test_a_long_story_is_a_file_a_sequence_and_a_cut_that_links_them(
                 for number in numbers
             ),
         )  # fmt: skip
-        run = Run(project, cast(BlenderEngine, compiler), RULES, Settings(), told.append)
+        run = Run(project, cast(Engine, compiler), RULES, Settings(), told.append)
         for number in numbers:
             path = f"{number}.{longer == number}.blend"
             run.packs[number] = PackRef(scene_id=number, path=path, starts=((1, 1),))

@@ -9,13 +9,13 @@ from typing import cast
 from PIL import Image
 from tests.crew import RULES
 
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ShotOutline
 from storyblender.memory.scene_context import SceneContext, SceneSetup
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.pipeline.delivery import _contact_sheets, _place_clips, clip_paths
 from storyblender.pipeline.run import Run
+from storyblender.ports import Engine
 from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.trace import silent
@@ -36,7 +36,7 @@ def story() -> ContinuityMemoryGraph:
 
 def test_only_a_contact_sheet_that_shows_something_new_is_written(tmp_path: Path) -> None:
     with Project(tmp_path / "p") as project:
-        run = Run(project, cast(BlenderEngine, None), RULES, Settings(), silent)
+        run = Run(project, cast(Engine, None), RULES, Settings(), silent)
         frames = {f"SC010_SH{number:03d}": project.path(f"thumbnails/{number}.jpg") for number in range(70)}
         for number in range(70):
             project.outputs.write(f"thumbnails/{number}.jpg", jpeg(number))
@@ -60,7 +60,7 @@ def test_a_shot_has_its_clip_until_it_looks_otherwise(tmp_path: Path) -> None:
         shots = ("SC010_SH010", "SC010_SH020")
         segments = {name: project.outputs.write(f"build/film/{name[-1:-4:-1]}.mp4", name) for name in shots}
         project.commit(story(), "user", "a story")
-        run = Run(project, cast(BlenderEngine, None), RULES, Settings(), silent)
+        run = Run(project, cast(Engine, None), RULES, Settings(), silent)
         assert clip_paths(run) == {}
         _place_clips(run, segments)
         placed = clip_paths(run)

@@ -7,7 +7,6 @@ from typing import cast
 
 from tests.crew import RULES
 
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
@@ -16,6 +15,7 @@ from storyblender.memory.scene_context import Light, SceneContext, SceneSetup
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import _commit_lights, _newly_lit
+from storyblender.ports import Engine
 from storyblender.project import Project
 from storyblender.settings import REMEMBERED, Settings
 from storyblender.trace import silent
@@ -28,7 +28,7 @@ def report(name: str) -> FrameReport:
 
 
 def run_in(project: Project, look: Look) -> Run:
-    engine = cast(BlenderEngine, None)
+    engine = cast(Engine, None)
     return Run(project, engine, RULES, Settings(look=look), silent)
 
 

@@ -11,7 +11,6 @@ from typing import cast
 from tests.crew import crew_of
 from tests.stand_in_engine import StandInEngine
 
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.memory.shot_context import CameraPose, CameraState
 from storyblender.pipeline.compiling import Compilation
 from storyblender.pipeline.grounding import ground
@@ -20,6 +19,7 @@ from storyblender.pipeline.packing import pack_scenes
 from storyblender.pipeline.run import Run
 from storyblender.pipeline.shooting import prune, shoot_frames
 from storyblender.pipeline.staging import stage
+from storyblender.ports import Engine
 from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.trace import silent
@@ -37,7 +37,7 @@ def calls_per_shot(folder: Path, scenes: int) -> dict[str, float]:
     script.write_text(SCENE * scenes)
     with Project(folder / f"{scenes}.storyboard") as project:
         settings = Settings(look="fast", width=320, animatic=False)
-        run = Run(project, cast(BlenderEngine, StandInEngine(project.folder)), crew_of(settings), settings, silent)  # type: ignore[arg-type]
+        run = Run(project, cast(Engine, StandInEngine(project.folder)), crew_of(settings), settings, silent)  # type: ignore[arg-type]
         ground(run, script)
         materialize(run)
         counts = {"stage": counted(lambda: stage(run)), "pack": counted(lambda: pack_scenes(run))}

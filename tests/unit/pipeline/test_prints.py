@@ -9,9 +9,9 @@ from typing import cast
 from PIL import Image
 from tests.crew import RULES
 
-from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.pipeline.prints import PRINT_WIDTH, THUMBNAIL_WIDTH, make_prints
 from storyblender.pipeline.run import Run
+from storyblender.ports import Engine
 from storyblender.project import Project
 from storyblender.settings import Settings
 from storyblender.trace import Event
@@ -21,7 +21,7 @@ def test_only_new_pictures_are_printed_and_no_print_is_wider_than_it_is_shown(tm
     frames = {"SC010_SH010": tmp_path / "a.png", "SC010_SH020": tmp_path / "b.png"}
     for number, path in enumerate(frames.values()):
         Image.new("RGB", (2400, 1000), (90 * number, 60, 60)).save(path)
-    engine = cast(BlenderEngine, SimpleNamespace(processes=2))
+    engine = cast(Engine, SimpleNamespace(processes=2))
     told: list[Event] = []
     with Project(tmp_path / "p") as project:
         run = Run(project, engine, RULES, Settings(), told.append)
