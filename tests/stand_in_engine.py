@@ -14,8 +14,8 @@ from typing import Any, TypeVar
 import numpy as np
 from PIL import Image
 
-from storyblender.agents.layout_artist.camera_brief import orbit_of
 from storyblender.folder import Folder
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.memory.jobs import (
     ASSETS,

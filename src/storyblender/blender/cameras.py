@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import itertools
-
 import bpy
 from mathutils import Matrix
 
 from storyblender.blender.tags import tag
-from storyblender.geometry.moves import eased, in_between
+from storyblender.geometry.camera_path import camera_at
+from storyblender.geometry.framing import Film
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import shot_name
-from storyblender.memory.shot_context import CameraPose, CameraState, ShotContext
+from storyblender.memory.shot_context import CameraState, ShotContext
 
 KEY_EVERY = 4
 """Frames between the keys of a move: the eased path is kept, and an artist can still edit it."""
@@ -42,33 +41,17 @@ def make_camera(
     collection.objects.link(camera)
     _key(camera, state, shot.duration, start)
     # A new action is played only when the timeline moves: until then the camera stands where it was set last.
-    _set(camera, pose_at(state, scene.frame_current - start))
+    _set(camera, camera_at(state, scene.frame_current - start, Film(state.sensor_width)))
     return camera
 
 
-def pose_at(state: CameraState, frame: float) -> Orbit:
-    """Return the camera at a frame counted from the shot's start, eased between its poses."""
-    poses = state.poses
-    if len(poses) == 1 or frame <= poses[0].frame:
-        return _orbit(poses[0], state.sensor_width)
-    for before, after in itertools.pairwise(poses):
-        if frame <= after.frame:
-            share = (frame - before.frame) / max(1, after.frame - before.frame)
-            return in_between(_orbit(before, state.sensor_width), _orbit(after, state.sensor_width), eased(share))
-    return _orbit(poses[-1], state.sensor_width)
-
-
-def _orbit(pose: CameraPose, sensor_width: float) -> Orbit:
-    return Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, sensor_width)
-
-
 def _key(camera: bpy.types.Object, state: CameraState, duration: int, start: int) -> None:
-    _set(camera, pose_at(state, 0))
+    _set(camera, camera_at(state, 0, Film(state.sensor_width)))
     if len(state.poses) == 1:
         return
     last = max(duration - 1, 1)
     for frame in [*range(0, last, KEY_EVERY), last]:
-        _set(camera, pose_at(state, frame))
+        _set(camera, camera_at(state, frame, Film(state.sensor_width)))
         camera.keyframe_insert("location", frame=start + frame)
         camera.keyframe_insert("rotation_quaternion", frame=start + frame)
         camera.data.keyframe_insert("lens", frame=start + frame)

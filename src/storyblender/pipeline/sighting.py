@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from storyblender.agents.frame_critic.frame_view import things_to_see
-from storyblender.agents.layout_artist.camera_brief import pose_at
+from storyblender.agents.layout_artist.camera_brief import pose_of
 from storyblender.agents.layout_artist.story_moment import story_moment
+from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import Figure, Film
 from storyblender.memory.base import Frozen, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -70,7 +71,7 @@ def _request(
         scene_id=shot.scene_id,
         shot_id=shot.shot_id,
         frame=frame,
-        pose=pose_at(shot.camera, frame, film),
+        pose=pose_of(camera_at(shot.camera, frame, film), frame),
         sensor_width=shot.camera.sensor_width,
         hidden_node_ids=shot.camera.hidden_node_ids,
         focus_ids=shot.camera_instruction.focus_on_ids,

@@ -377,17 +377,3 @@ def pose_of(camera: Orbit, frame: int = 0) -> CameraPose:
     return CameraPose(
         frame=frame, pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=camera.lens
     )
-
-
-def pose_at(state: CameraState, frame: int, film: Film) -> CameraPose:
-    """Return where a shot's camera is at a frame counted from the shot's start, eased between its poses."""
-    first, last = state.poses[0], state.poses[-1]
-    if first.frame == last.frame:
-        return first
-    share = min(max((frame - first.frame) / (last.frame - first.frame), 0.0), 1.0)
-    return pose_of(in_between(orbit_of(first, film), orbit_of(last, film), eased(share)), frame)
-
-
-def orbit_of(pose: CameraPose, film: Film) -> Orbit:
-    """Return a stored pose as a camera."""
-    return Orbit(pose.pivot, pose.rotation, pose.distance, pose.lens, film.sensor_width, film.aspect)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, in_between, orbit_of
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, in_between
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_operator import side_used
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import walked_around
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CameraState, Flaw, ShotContext

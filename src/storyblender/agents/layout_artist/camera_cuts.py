@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, orbit_of
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take
 from storyblender.agents.layout_artist.camera_composition import fault
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import THIRTY, crosses_line, looks_meet, view_change
 from storyblender.geometry.framing import head_share
 from storyblender.geometry.orbit import Orbit

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take, orbit_of
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Take
 from storyblender.agents.layout_artist.camera_critic import CameraCritic, telling_moments
 from storyblender.agents.layout_artist.camera_furniture import covers
 from storyblender.agents.layout_artist.camera_scout import cost, scouted, without
 from storyblender.agents.layout_artist.camera_start import take
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.orbit import Orbit, dolly, orbit, pan, roll
 from storyblender.memory.base import shot_name

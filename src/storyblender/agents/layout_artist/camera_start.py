@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.layout_artist.camera_brief import TALKS, TRAVEL, CameraBrief, Take, orbit_of, share_of
+from storyblender.agents.layout_artist.camera_brief import TALKS, TRAVEL, CameraBrief, Take, share_of
 from storyblender.agents.layout_artist.camera_details import at_hand
 from storyblender.agents.layout_artist.camera_group import group_azimuth, grouped, inside, towards_audience, turned
 from storyblender.agents.layout_artist.camera_room import fitted, walked_in
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners, distance_to_point
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.moves import eased, followed, moved

@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment, orbit_of
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Moment
 from storyblender.agents.layout_artist.camera_critic import CameraCritic
 from storyblender.agents.layout_artist.camera_operator import RulesCameraOperator, operate, side_used
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.boxes import Box, corners, distance_to_point
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import looks_meet, screen_direction, side_of_line
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.geometry.orbit import Orbit

@@ -4,11 +4,12 @@ import pytest
 from test_camera_operator import ANNA, FILM, TOM, NumberFinder
 
 from storyblender.agents.layout_artist import camera_scene
-from storyblender.agents.layout_artist.camera_brief import Moment, orbit_of
+from storyblender.agents.layout_artist.camera_brief import Moment
 from storyblender.agents.layout_artist.camera_continuity import CUT_KINDS, judge_cuts
 from storyblender.agents.layout_artist.camera_scene import camera_brief, shoot_scene, telling_frames
 from storyblender.agents.layout_artist.story_moment import story_moment
 from storyblender.catalog.sets import plan_of
+from storyblender.geometry.camera_path import orbit_of
 from storyblender.geometry.continuity import side_of_line
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.measure import AssetMeasure

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from test_camera_operator import ANNA, FILM, GUARD, TOM, NumberFinder, brief, figure, shoot
 
-from storyblender.agents.layout_artist.camera_brief import Cut, Moment, Take, orbit_of, pose_at
+from storyblender.agents.layout_artist.camera_brief import Cut, Moment, Take
 from storyblender.agents.layout_artist.camera_composition import AT_SIDE
 from storyblender.agents.layout_artist.camera_critic import CameraCritic
 from storyblender.agents.layout_artist.camera_cuts import cuts
@@ -17,6 +17,7 @@ from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.boxes import Box
+from storyblender.geometry.camera_path import camera_at
 from storyblender.geometry.framing import group, head_share, over_shoulder, project
 from storyblender.geometry.orbit import pan
 from storyblender.memory.scene_context import SceneSize
@@ -197,9 +198,9 @@ def test_the_camera_of_a_frame_is_between_its_poses() -> None:
     view = brief([GUARD], kind="single", size="MS", focus_on_ids=("guard",), movement="pan", direction="left")
     state = start(view).state(49, 4.0, 10.0, ())
     first, last = state.poses
-    assert pose_at(state, 0, FILM).rotation == pytest.approx(first.rotation)
-    assert pose_at(state, 48, FILM).rotation == pytest.approx(last.rotation)
-    middle = np.asarray(pose_at(state, 24, FILM).rotation)
+    assert camera_at(state, 0, FILM).rotation == pytest.approx(first.rotation)
+    assert camera_at(state, 48, FILM).rotation == pytest.approx(last.rotation)
+    middle = np.asarray(camera_at(state, 24, FILM).rotation)
     assert abs(middle @ first.rotation) == pytest.approx(abs(middle @ last.rotation))
 
 
@@ -218,10 +219,7 @@ def test_a_camera_goes_with_a_walk_when_it_is_walked(steps: tuple[float, ...]) -
     view = replace(view, duration=49)
     taken = start(view)
     state = taken.state(view.duration, 5.6, 10.0, ())
-    at = [
-        project(orbit_of(pose_at(state, moment.frame, FILM), FILM), [moment.figures[0].face])[0][0]
-        for moment in moments
-    ]
+    at = [project(camera_at(state, moment.frame, FILM), [moment.figures[0].face])[0][0] for moment in moments]
     assert np.ptp(np.array(at), axis=0).max() < 0.02, "she stays where she is in the picture"
     assert np.allclose(at[1], project(taken.camera, [moments[1].figures[0].face])[0][0], atol=0.01), "as composed"
 
