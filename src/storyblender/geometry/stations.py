@@ -118,7 +118,7 @@ def _on_half(anchor: Box, place: Station, aside: float) -> Station:
     return replace(place, dislike=place.dislike + _OTHER_HALF * (across <= 0.1))
 
 
-def cheated(yaw: float, most: float = _CHEAT) -> float:
+def turn_towards_audience(yaw: float, most: float = _CHEAT) -> float:
     """Return a yaw turned towards the audience by at most ``most`` radians."""
     yaw = wrapped(yaw)
     return yaw - max(-most, min(most, yaw))
@@ -152,7 +152,7 @@ def _along(
         x, y = anchor.x + out[0] * off + along[0] * slot, anchor.y + out[1] * off + along[1] * slot
         yaw = inward
         if relation in ("next_to", "left_of", "right_of"):
-            yaw = cheated(facing(0.0 - 0.25 * out[0], -1.0))
+            yaw = turn_towards_audience(facing(0.0 - 0.25 * out[0], -1.0))
         elif relation == "against":
             yaw = inward + math.pi
         yield Station(x, y, yaw, dislike + 0.15 * abs(slot) + _BACK_TO_US * away_from_audience(yaw))
@@ -182,7 +182,7 @@ def _by_person(other: Box, relation: str, side: str | None, distance: float | No
         for degrees in spread:
             angle = middle + flip + math.radians(degrees)
             x, y = other.x + reach * math.cos(angle), other.y + reach * math.sin(angle)
-            yaw = other.yaw if look == "same" else cheated(facing(other.x - x, other.y - y))
+            yaw = other.yaw if look == "same" else turn_towards_audience(facing(other.x - x, other.y - y))
             in_line = max(0.0, abs(math.sin(angle)) - 0.5)  # one person would hide the other
             yield Station(x, y, yaw, abs(degrees) / 120 + in_line + _BACK_TO_US * away_from_audience(yaw))
 
@@ -196,10 +196,12 @@ def _by_opening(opening: Box, sort: Sort, relation: str, side: str | None, dista
         for aside in {"left": (0.6, 0.9), "right": (-0.6, -0.9)}.get(side or "", (0.0, 0.35, -0.35, 0.7, -0.7)):
             x, y = opening.to_world(aside, -out)
             look = opening.to_world(aside * 0.3, 0.0)
-            yield Station(x, y, cheated(facing(look[0] - x, look[1] - y)), 0.4 * abs(aside) * (side is None))
+            yield Station(
+                x, y, turn_towards_audience(facing(look[0] - x, look[1] - y)), 0.4 * abs(aside) * (side is None)
+            )
         return
     for aside in (0.55 * half, -0.55 * half, half + 0.2, -half - 0.2, 0.0):
         x, y = opening.to_world(aside, -off - (0.15 if sort == "door" else 0.0))
         look = opening.to_world(-aside * 0.5, 0.4)
         yaw = facing(look[0] - x, look[1] - y)
-        yield Station(x, y, cheated(yaw, math.radians(45)), 0.3 * (abs(aside) > half))
+        yield Station(x, y, turn_towards_audience(yaw, math.radians(45)), 0.3 * (abs(aside) > half))

@@ -12,7 +12,7 @@ from storyblender.agents.layout_artist.people_seats import free_seats, take
 from storyblender.catalog.props.kin import kin_of
 from storyblender.geometry.boxes import facing
 from storyblender.geometry.relations import Thing
-from storyblender.geometry.stations import cheated
+from storyblender.geometry.stations import turn_towards_audience
 from storyblender.memory.base import Vec2
 
 CROWD = 4
@@ -98,6 +98,8 @@ def _stand_together(stage: Stage, group: Sequence[str], principals: Sequence[Vec
         angle = first + 2 * math.pi * index / len(group)
         px, py = x + radius * math.cos(angle), y + radius * math.sin(angle)
         yaw = (
-            cheated(facing(x - px, y - py)) if len(group) > 1 else facing(principals[0][0] - px, principals[0][1] - py)
+            turn_towards_audience(facing(x - px, y - py))
+            if len(group) > 1
+            else facing(principals[0][0] - px, principals[0][1] - py)
         )
         stage.add(Thing(member, stage.box(member, px, py, 0.0, yaw), walks=True), member)

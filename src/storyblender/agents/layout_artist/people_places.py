@@ -170,7 +170,7 @@ def _gather(stage: Stage, members: list[str]) -> None:
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
-        box = stage.box(member, x + dx, y + dy, 0.0, cheated(facing(-dx, -dy)))
+        box = stage.box(member, x + dx, y + dy, 0.0, turn_towards_audience(facing(-dx, -dy)))
         stage.add(Thing(member, box, walks=True), member)
     if len(members) == 2:
         left, right = (stage.things[member] for member in members)
@@ -223,11 +223,11 @@ def _join(stage: Stage, member: str, placed: list[Thing]) -> None:
                 best = (cost, x, y)
     assert best is not None
     _, x, y = best
-    box = stage.box(member, x, y, 0.0, cheated(facing(first.box.x - x, first.box.y - y)))
+    box = stage.box(member, x, y, 0.0, turn_towards_audience(facing(first.box.x - x, first.box.y - y)))
     stage.add(Thing(member, box, anchor=first.name, direction="facing", walks=True), member)
 
 
-def cheated(yaw: float) -> float:
+def turn_towards_audience(yaw: float) -> float:
     """Return a yaw turned a little towards the audience (yaw 0)."""
     yaw = wrapped(yaw)
     return yaw - max(-_CHEAT, min(_CHEAT, yaw))
@@ -239,4 +239,4 @@ def _look_at_each_other(stage: Stage) -> None:
         thing, target = stage.things.get(state.asset_id), stage.find(state.looking_at)
         free = thing is not None and thing.anchor is None and target is not None and target is not thing
         if free and thing is not None and target is not None and separation(thing.box, target.box)[0] > 0:
-            thing.box.turn_to(cheated(facing(target.box.x - thing.box.x, target.box.y - thing.box.y)))
+            thing.box.turn_to(turn_towards_audience(facing(target.box.x - thing.box.x, target.box.y - thing.box.y)))

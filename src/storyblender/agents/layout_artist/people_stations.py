@@ -12,7 +12,7 @@ from storyblender.agents.layout_artist.layout_things import anchors_of
 from storyblender.catalog.workplaces import workplaces_of
 from storyblender.geometry.boxes import Box, facing, wrapped
 from storyblender.geometry.relations import BEARING, SECTOR, Thing
-from storyblender.geometry.stations import Sort, Station, cheated, stations
+from storyblender.geometry.stations import Sort, Station, stations, turn_towards_audience
 from storyblender.memory.shot_context import BodyState
 
 _STANDING = 0.15
@@ -168,4 +168,4 @@ def turned_to(stage: Stage, box: Box, wanted: str | None, anchor: Box | None) ->
     elif wanted == "away" and anchor is not None:
         box.turn_to(facing(box.x - anchor.x, box.y - anchor.y))
     elif wanted is not None and (thing := stage.anchor(wanted)) is not None:
-        box.turn_to(cheated(facing(thing.box.x - box.x, thing.box.y - box.y)))
+        box.turn_to(turn_towards_audience(facing(thing.box.x - box.x, thing.box.y - box.y)))

@@ -72,7 +72,7 @@ class Actions:
             self._pose(action, motion, person, partner)
         elif partner is not None and (motion.reach == "person" or motion.key in WITH_PARTNER):
             if motion.key == "give" and prop is not None and not person.hand_of(prop):
-                self.hands.fetch(person, prop)
+                self.hands.fetch_prop(person, prop)
             self.meetings.meet(action, motion, person, partner, prop, later)
         elif prop is not None and motion.hands and not self._worked_on(action, motion, person, prop):
             self._use(action, motion, person, prop, later)
@@ -172,12 +172,12 @@ class Actions:
             return False
         start = self.sheet.start_of(person)
         if self.company.places.seat(person, state) is not None:
-            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.k))
+            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.scale))
             return True
         top = self.company.places.station(person, state.spot)
         if top is None or top.z <= 0:
             return False
-        foot = floor.free_near(thing.rim(person.place), person.k, self.company.others(person))
+        foot = floor.free_near(thing.rim(person.place), person.scale, self.company.others(person))
         t = self.sheet.go(person, foot, facing(foot, (top.x, top.y)), start)
         person.spot, person.place, person.yaw, person.z, person.acted = state.spot, (top.x, top.y), top.yaw, top.z, True
         seconds = natural_seconds(MOTIONS[motion.key])
@@ -193,9 +193,9 @@ class Actions:
             return False
         start = self.sheet.start_of(person)
         if is_vessel(thing):
-            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.k))
+            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.scale))
             return True
-        way = across(floor, thing, person.place, person.k, self.company.others(person))
+        way = across(floor, thing, person.place, person.scale, self.company.others(person))
         if way is None:
             return False
         t = self.sheet.go(person, way.near, facing(way.near, way.far), start)
@@ -204,7 +204,7 @@ class Actions:
 
     def _pose(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
         start = self.sheet.start_of(person)
-        length = natural_seconds(motion, stature=1.7 * person.k)
+        length = natural_seconds(motion, stature=1.7 * person.scale)
         thing = self.company.floor.thing(action.target_id)
         if motion.key == "rise":
             self.sheet.done(person, start, self.sheet.rise(person, start))
@@ -230,7 +230,12 @@ class Actions:
             t = self.sheet.rise(person, t)
             if motion.after is not None:
                 room = room_for(
-                    self.company.floor, motion.after, person.place, person.yaw, person.k, self.company.others(person)
+                    self.company.floor,
+                    motion.after,
+                    person.place,
+                    person.yaw,
+                    person.scale,
+                    self.company.others(person),
                 )
                 t = self._gone_to(person, *room, t)
         person.posture = motion.after or person.posture
@@ -261,15 +266,15 @@ class Actions:
             return
         t = start
         if seat is not None:
-            before = self.company.floor.access(seat, person.k)
-            blocked = self.company.floor.room_at(before, (seat.node_id,)) < 0.5 * BODY * person.k
-            way = None if blocked else self.company.floor.path(person.place, before, person.k)
+            before = self.company.floor.access(seat, person.scale)
+            blocked = self.company.floor.room_at(before, (seat.node_id,)) < 0.5 * BODY * person.scale
+            way = None if blocked else self.company.floor.path(person.place, before, person.scale)
             if way is None and not person.acted and not seat_aboard(self.company.floor, seat):
                 self.company.take_seat(person, seat)
                 self.sheet.starts[person.asset_id] = person.mark(held=self.sheet.starts[person.asset_id].held)
                 self.sheet.cheat(person, "is seated when the shot begins: the seat cannot be walked to")
                 return
-            length += SLIDE if math.dist(before, seat.before(person.k)) > 0.12 else 0.0
+            length += SLIDE if math.dist(before, seat.before(person.scale)) > 0.12 else 0.0
             t = self.sheet.go(person, before, seat.yaw, t, then=length)
             self.company.take_seat(person, seat)
         else:
@@ -297,7 +302,7 @@ class Actions:
             posture, support, anchor = person.posture, person.support, person.anchor
             edge = SeatPlace(support, anchor, person.place, person.yaw)
             person.place, person.posture, person.support = before, "stand", None
-            t = self.sheet.go(person, edge.before(person.k), edge.yaw, t)
+            t = self.sheet.go(person, edge.before(person.scale), edge.yaw, t)
             person.place, person.yaw = edge.edge, edge.yaw
             person.posture, person.support, person.anchor = posture, support, anchor
         end = self.sheet.cue(person, "lie_down", t, natural_seconds(MOTIONS["lie_down"]), mark=bed)
@@ -313,7 +318,7 @@ class Actions:
         if motion.key in ("take", "catch") and holder is not None and holder is not person and holder.present:
             self.meetings.meet(action, motion, person, holder, prop, later)
         else:
-            self.hands.handle(action, motion, person, prop, later)
+            self.hands.handle_prop(action, motion, person, prop, later)
 
     def _at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
         """Go to a door, a window, a table and work there."""
@@ -326,8 +331,8 @@ class Actions:
                 point = thing.world(handle.location)[:2]
             if math.dist(point, person.place) > REACH:
                 others, floor = self.company.others(person), self.company.floor
-                spot = floor.spot_at(point, person.place, person.k, others, 0.55)
-                spot = spot or floor.spot_at(point, person.place, person.k, others, REACH)
+                spot = floor.spot_at(point, person.place, person.scale, others, 0.55)
+                spot = spot or floor.spot_at(point, person.place, person.scale, others, REACH)
                 if spot is not None:
                     t = self.sheet.go(person, spot, facing(spot, point), t)
             t = self.sheet.face(person, facing(person.place, point), t)

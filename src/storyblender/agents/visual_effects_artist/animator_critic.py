@@ -29,7 +29,7 @@ class AnimatorCritic:
     def judge(self, draft: AnimatorDraft, view: AnimatorView) -> Critique:
         """Return the critique; faults of place carry the move that mends them."""
         floor = Floor(view.layout, view.assets, view.plan)
-        scale = {
+        scales = {
             asset.asset_id: (asset.canonical.dimensions[2] if asset.canonical else 1.7) / 1.7
             for asset in view.assets
             if asset.asset_type == "character"
@@ -38,9 +38,9 @@ class AnimatorCritic:
         for shot in draft.shots:
             name = shot_name(view.scene_id, shot.shot_id)
             found = [
-                *(fault for each in shot.blocking for fault in _places(floor, scale, each, name)),
-                *_overlaps(floor, scale, shot, name),
-                *_ways(floor, scale, shot, name),
+                *(fault for each in shot.blocking for fault in _places(floor, scales, each, name)),
+                *_overlaps(floor, scales, shot, name),
+                *_ways(floor, scales, shot, name),
             ]
             for fault in found:
                 place = (float(fault.fix.get("x", 0.0)), float(fault.fix.get("y", 0.0)))
@@ -48,10 +48,10 @@ class AnimatorCritic:
         return Critique.of(tuple(faults.values()))
 
 
-def _places(floor: Floor, scale: dict[str, float], blocking: Blocking, name: str) -> list[Fault]:
+def _places(floor: Floor, scales: dict[str, float], blocking: Blocking, name: str) -> list[Fault]:
     faults = []
     for mark in (blocking.start, blocking.end):
-        k, place = scale.get(mark.asset_id, 1.0), mark.location[:2]
+        scale, place = scales.get(mark.asset_id, 1.0), mark.location[:2]
         if mark.posture in SUPPORTED:
             if mark.support_id is not None and floor.thing(mark.support_id) is None:
                 faults.append(_fault("support", mark, f"{name}: {mark.asset_id} rests on {mark.support_id}, not there"))
@@ -60,11 +60,11 @@ def _places(floor: Floor, scale: dict[str, float], blocking: Blocking, name: str
             continue
         if vessel_at(floor, place) is not None:
             continue
-        if floor.room_at(place) < INSIDE * BODY * k and not _before_seat(floor, place):
-            goal = floor.free_near(place, k)
+        if floor.room_at(place) < INSIDE * BODY * scale and not _before_seat(floor, place):
+            goal = floor.free_near(place, scale)
             faults.append(_fault("inside", mark, f"{name}: {mark.asset_id} stands inside furniture", goal))
         elif not floor.inside(place, -floor.beyond) and not _named(floor, place):
-            goal = floor.free_near(place, k)
+            goal = floor.free_near(place, scale)
             faults.append(_fault("off_set", mark, f"{name}: {mark.asset_id} stands outside the set", goal))
     return faults
 
@@ -79,7 +79,7 @@ def _named(floor: Floor, place: Vec2) -> bool:
     return any(math.dist(mark.location[:2], place) < 0.3 for mark in floor.marks)
 
 
-def _overlaps(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
+def _overlaps(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
     embraced = {frozenset((cue.asset_id, cue.target_id)) for cue in shot.cues if cue.clip in EMBRACES}
     faults = []
     for which in ("start", "end"):
@@ -90,13 +90,13 @@ def _overlaps(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: st
                 continue
             mover = two if two.posture == "stand" else one
             others = [m.location[:2] for m in marks if m is not mover]
-            goal = floor.free_near(mover.location[:2], scale.get(mover.asset_id, 1.0), others)
+            goal = floor.free_near(mover.location[:2], scales.get(mover.asset_id, 1.0), others)
             message = f"{name}: {one.asset_id} and {two.asset_id} are on one spot ({apart:.2f} m)"
             faults.append(_fault("overlap", mover, message, goal if mover.posture == "stand" else None))
     return faults
 
 
-def _ways(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
+def _ways(floor: Floor, scales: dict[str, float], shot: ShotStaging, name: str) -> list[Fault]:
     """Check that every walk has a way, from mark to mark in the order of the cues."""
     place = {each.start.asset_id: each.start for each in shot.blocking}
     faults = []
@@ -107,7 +107,7 @@ def _ways(floor: Floor, scale: dict[str, float], shot: ShotStaging, name: str) -
         start, goal = here.location[:2], cue.mark.location[:2]
         walks = cue.clip not in LEAPS and cue.mark.posture == "stand" and here.posture == "stand"
         moves = walks and math.dist(start, goal) > 0.1
-        if moves and floor.path(start, goal, scale.get(cue.asset_id, 1.0)) is None:
+        if moves and floor.path(start, goal, scales.get(cue.asset_id, 1.0)) is None:
             faults.append(_fault("no_way", cue.mark, f"{name}: {cue.asset_id} cannot walk to its mark"))
         place[cue.asset_id] = cue.mark
     return faults

@@ -90,7 +90,7 @@ class Bearing:
         """Return the point of a person's gaze, in left and right as the audience sees it."""
         x, y = person.place
         aside = {"left": -FAR, "right": FAR}.get(gaze, 0.0)
-        height = EYES.get(gaze, EYE_LEVEL * person.k)
+        height = EYES.get(gaze, EYE_LEVEL * person.scale)
         ahead = FAR if gaze == "camera" else BEFORE
         return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
 

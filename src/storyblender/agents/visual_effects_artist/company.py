@@ -108,13 +108,13 @@ class Company:
             if first is not None and (stairs is not None or (enters and self.enter_marks())):
                 mark = stairs or self._entrance(place, clip_of(first.motion).speed or 0.0)
                 crowded = any(math.dist(mark, other) < PERSONAL for other in others)
-                if crowded or self.floor.room_at(mark) < 0.6 * BODY * person.k:
-                    mark = self.floor.free_near(mark, person.k, others)
+                if crowded or self.floor.room_at(mark) < 0.6 * BODY * person.scale:
+                    mark = self.floor.free_near(mark, person.scale, others)
                 person.place, person.yaw, person.entering = mark, facing(mark, place), True
             elif thing is not None and first is not None and self._waits_by(first, thing, place):
                 self._wait_by(person, thing, place)
             else:
-                person.place = self.floor.free_near(place, person.k, others)
+                person.place = self.floor.free_near(place, person.scale, others)
                 person.yaw = yaw
             person.present = True
 
@@ -132,7 +132,7 @@ class Company:
     def _wait_by(self, person: Person, thing: Thing, place: Vec2) -> None:
         """Stand by a thing from the beginning, one's back to it."""
         person.place = place
-        person.place = self.floor.free_near(thing.rim(person.place), person.k, self.others(person))
+        person.place = self.floor.free_near(thing.rim(person.place), person.scale, self.others(person))
         person.yaw = facing(thing.location[:2], person.place)
 
     def opens_a_door(self, action: CharacterAction) -> bool:
@@ -227,8 +227,8 @@ class Company:
         """Stand up by a cut: before the seat, or at the nearest free spot."""
         places = self.floor.seats(person.support, asked=True)
         seats = [s for s in places if math.dist(s.edge, person.place) < 0.7]
-        person.place = self.floor.free_near(person.place, person.k, self.others(person))
-        person.place = self.floor.access(seats[0], person.k) if seats else person.place
+        person.place = self.floor.free_near(person.place, person.scale, self.others(person))
+        person.place = self.floor.access(seats[0], person.scale) if seats else person.place
         person.posture, person.support, person.anchor = "stand", None, ""
 
     def others(self, person: Person) -> list[Vec2]:
@@ -254,7 +254,7 @@ class Company:
         beds = self.floor.beds(name)
         if beds:
             edge, _ = max(
-                beds, key=lambda bed: min(0.6, self.floor.room_at(bed[0].before(person.k), (bed[0].node_id,)))
+                beds, key=lambda bed: min(0.6, self.floor.room_at(bed[0].before(person.scale), (bed[0].node_id,)))
             )
             person.place, person.yaw = edge.edge, edge.yaw
             person.support, person.anchor, person.posture = edge.node_id, edge.anchor, posture
@@ -270,13 +270,13 @@ class Company:
     def make_room(self, person: Person, posture: Posture) -> None:
         """Move somebody to where they can kneel or lie on the floor without being in anything."""
         place, yaw, others = person.place, person.yaw, self.others(person)
-        person.place, person.yaw = room_for(self.floor, posture, place, yaw, person.k, others)
+        person.place, person.yaw = room_for(self.floor, posture, place, yaw, person.scale, others)
 
     def go_to_rail(self, person: Person, thing: Thing) -> None:
         """Stand close before a bar, a rail or a wall."""
         point = thing.rim(person.place)
         away = facing(point, person.place)
-        gap = 0.16 * person.k + 0.12
+        gap = 0.16 * person.scale + 0.12
         person.place = (point[0] + gap * math.sin(away), point[1] - gap * math.cos(away))
         person.yaw, person.support = facing(person.place, point), thing.node_id
 

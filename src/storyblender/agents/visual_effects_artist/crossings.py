@@ -40,16 +40,16 @@ class Crossing:
         return Crossing(self.far, self.near)
 
 
-def across(floor: Floor, thing: Thing, place: Vec2, k: float, others: Sequence[Vec2] = ()) -> Crossing | None:
+def across(floor: Floor, thing: Thing, place: Vec2, scale: float, others: Sequence[Vec2] = ()) -> Crossing | None:
     """Return the best way over a thing for somebody at ``place``; None for what nobody gets over."""
     if thing.location[2] + thing.size[2] > HIGHEST:
         return None
-    found = [way for way in _ways_over(thing, place, k) if _free(floor, way, k, others)]
+    found = [way for way in _ways_over(thing, place, scale) if _free(floor, way, scale, others)]
     found.sort(key=lambda way: math.dist(place, way.near) + 2 * math.dist(way.near, way.far))
-    return next((way for way in found[:4] if floor.path(place, way.near, k) is not None), None)
+    return next((way for way in found[:4] if floor.path(place, way.near, scale) is not None), None)
 
 
-def _ways_over(thing: Thing, place: Vec2, k: float) -> Iterator[Crossing]:
+def _ways_over(thing: Thing, place: Vec2, scale: float) -> Iterator[Crossing]:
     """Over both extents, from the person's side, at the places along the thing that are near."""
     here = thing.local(place)
     for axis in (0, 1):
@@ -59,14 +59,16 @@ def _ways_over(thing: Thing, place: Vec2, k: float) -> Iterator[Crossing]:
         side = 1.0 if here[axis] >= 0 else -1.0
         for slide in (0.0, 0.5, -0.5, 1.0, -1.0):
             along = max(-length, min(length, here[1 - axis] + slide))
-            ends = (side * (half + TAKE_OFF * k), -side * (half + LANDING * k))
+            ends = (side * (half + TAKE_OFF * scale), -side * (half + LANDING * scale))
             near, far = (thing.world((end, along, 0.0) if axis == 0 else (along, end, 0.0))[:2] for end in ends)
             yield Crossing(near, far)
 
 
-def _free(floor: Floor, way: Crossing, k: float, others: Sequence[Vec2]) -> bool:
+def _free(floor: Floor, way: Crossing, scale: float, others: Sequence[Vec2]) -> bool:
     return all(
-        floor.inside(spot) and floor.room_at(spot) > 0.8 * BODY * k and all(math.dist(spot, p) > 0.5 for p in others)
+        floor.inside(spot)
+        and floor.room_at(spot) > 0.8 * BODY * scale
+        and all(math.dist(spot, p) > 0.5 for p in others)
         for spot in (way.near, way.far)
     )
 
@@ -88,17 +90,17 @@ def vessel_at(floor: Floor, place: Vec2) -> Thing | None:
     return None
 
 
-def aboard(floor: Floor, vessel: Thing, inside: Vec2, outside: Vec2, k: float) -> Crossing | None:
+def aboard(floor: Floor, vessel: Thing, inside: Vec2, outside: Vec2, scale: float) -> Crossing | None:
     """Return the way over a vessel's side to a place in it, on the side that is nearer to ``outside`` and free."""
     x, y = vessel.local(inside)
     sides: list[Vec3] = []
-    for off in (TAKE_OFF * k, FROM_QUAY * k):
+    for off in (TAKE_OFF * scale, FROM_QUAY * scale):
         sides += [(way * (vessel.size[0] / 2 + off), y, 0.0) for way in (1, -1)]
         sides += [(x, way * (vessel.size[1] / 2 + off), 0.0) for way in (1, -1)]
     ways = [Crossing(vessel.world(side)[:2], inside) for side in sides]
-    ways = [way for way in ways if floor.room_at(way.near) > 0.8 * BODY * k and floor.inside(way.near)]
+    ways = [way for way in ways if floor.room_at(way.near) > 0.8 * BODY * scale and floor.inside(way.near)]
     ways.sort(key=lambda way: math.dist(outside, way.near) + 2 * math.dist(way.near, way.far))
-    return next((way for way in ways if floor.path(outside, way.near, k) is not None), None)
+    return next((way for way in ways if floor.path(outside, way.near, scale) is not None), None)
 
 
 def seat_aboard(floor: Floor, seat: SeatPlace) -> bool:

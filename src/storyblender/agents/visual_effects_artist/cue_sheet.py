@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
 
@@ -10,6 +9,7 @@ from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import Crossing, aboard, vessel_at
 from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WAY_OUT, facing
 from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.ways import point_on_line, shorten_way, turn_towards_audience
 from storyblender.catalog.motions import AIMED, MOTIONS, natural_seconds, turning_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.geometry.paths import Vec2, path_length
@@ -18,8 +18,6 @@ from storyblender.memory.vocabulary import Hand
 
 TALK_DISTANCE = 1.15
 """Metres between two people who talk; 1.0 to 1.4 reads as talking."""
-CHEAT = math.radians(20)
-"""Bodies turn this much from their partner towards the audience, so that faces read; the head makes up for it."""
 PROFILE = math.radians(48)
 """Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
 STRETCH, EXTRA = 1.5, 9.0
@@ -109,17 +107,20 @@ class CueSheet:
         """Stand up first, where needed; return the end."""
         if person.upright:
             return t
-        end = self.cue(person, "rise", t, natural_seconds(MOTIONS["rise"], stature=1.7 * person.k))
+        end = self.cue(person, "rise", t, natural_seconds(MOTIONS["rise"], stature=1.7 * person.scale))
         if person.posture in ("lie", "asleep"):
             end += 1.6
         places = self.company.floor.seats(person.support, asked=True)
         seats = [s for s in places if math.dist(s.edge, person.place) < 0.7]
         if seats:
-            person.place = self.company.floor.access(seats[0], person.k)
-            end += SLIDE if math.dist(person.place, seats[0].before(person.k)) > 0.12 else 0.0
+            person.place = self.company.floor.access(seats[0], person.scale)
+            end += SLIDE if math.dist(person.place, seats[0].before(person.scale)) > 0.12 else 0.0
         elif person.posture in ("lie", "asleep") and person.support:
             x, y = person.place
-            person.place = (x + 0.18 * person.k * math.sin(person.yaw), y - 0.18 * person.k * math.cos(person.yaw))
+            person.place = (
+                x + 0.18 * person.scale * math.sin(person.yaw),
+                y - 0.18 * person.scale * math.cos(person.yaw),
+            )
         person.posture, person.support, person.anchor, person.acted = "stand", None, "", True
         return end
 
@@ -143,7 +144,7 @@ class CueSheet:
         people = [p.place for p in self.company.people.values() if p.present and p is not person]
         people = [spot for spot in people if math.dist(spot, goal) > 0.5 and math.dist(spot, person.place) > 0.3]
         floor = self.company.floor
-        way = floor.path(person.place, goal, person.k, people) or floor.path(person.place, goal, person.k)
+        way = floor.path(person.place, goal, person.scale, people) or floor.path(person.place, goal, person.scale)
         if way is None:
             return self.cut_to(person, goal, yaw, t)
         length = path_length(way)
@@ -151,24 +152,24 @@ class CueSheet:
             return self.face(person, yaw, t)
         person.z = 0.0
         budget = max(1.8, self.limit - t - then - 0.4)
-        seconds = natural_seconds(motion, distance=length, stature=1.7 * person.k)
+        seconds = natural_seconds(motion, distance=length, stature=1.7 * person.scale)
         hurried = seconds > budget
         if hurried:
-            speed = (motion.speed or 1.25) * math.sqrt(person.k)
+            speed = (motion.speed or 1.25) * math.sqrt(person.scale)
             fits = max(0.8, (budget - motion.seconds) * speed)
             if person.asset_id in self.leaving and person.acted:
-                way = cut_way(way, fits)
+                way = shorten_way(way, fits)
             elif not person.acted:
-                way = cut_way(way[::-1], fits)[::-1]
+                way = shorten_way(way[::-1], fits)[::-1]
                 self.start_at(person, way[0], facing(way[0], way[1]))
                 self.cheat(person, f"starts {length - path_length(way):.1f} m nearer")
             length = path_length(way)
-            natural = natural_seconds(motion, distance=length, stature=1.7 * person.k)
+            natural = natural_seconds(motion, distance=length, stature=1.7 * person.scale)
             seconds = min(natural, max(budget, natural / HURRY))
         first, last = facing(way[0], way[1]), facing(way[-2], way[-1])
         turns = (turn_between(person.yaw, first), 0.0 if yaw is None else turn_between(last, yaw))
         person.place, person.yaw = way[-1], last if yaw is None else yaw
-        whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.k) for turn in turns)
+        whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.scale) for turn in turns)
         duration = round(whole * self.fps) if hurried else None
         end = self.cue(person, clip, t, whole, mark=person.mark(), duration=duration)
         person.acted = True
@@ -198,10 +199,10 @@ class CueSheet:
         if here is there:
             return t
         if here is not None:
-            way = aboard(floor, here, person.place, goal, person.k)
+            way = aboard(floor, here, person.place, goal, person.scale)
             t = self.cross(person, way.back, t, "climb", here.node_id) if way else t
         if there is not None:
-            way = aboard(floor, there, goal, person.place, person.k)
+            way = aboard(floor, there, goal, person.place, person.scale)
             if way is not None:
                 t = self.go(person, way.near, facing(way.near, way.far), t)
                 t = self.cross(person, way, t, "climb", there.node_id)
@@ -245,18 +246,18 @@ class CueSheet:
         """Turn on the spot where the turn is worth it; return the end."""
         if yaw is None or abs(turn_between(person.yaw, yaw)) < math.radians(30) or not person.upright:
             return t
-        seconds = turning_seconds(math.degrees(turn_between(person.yaw, yaw)), 1.7 * person.k)
+        seconds = turning_seconds(math.degrees(turn_between(person.yaw, yaw)), 1.7 * person.scale)
         person.yaw = yaw
         self.cue(person, "turn", t, seconds, mark=person.mark())
         person.acted = True
         return t + seconds
 
     def face_person(self, person: Person, other: Person, t: float) -> float:
-        """Turn to somebody, cheated towards the audience; only if they are out of a comfortable look."""
+        """Turn to another person and a little towards the audience; only if they are more than 55 degrees aside."""
         yaw = facing(person.place, other.place)
         if abs(turn_between(person.yaw, yaw)) < math.radians(55):
             return t
-        return self.face(person, cheated(yaw), t)
+        return self.face(person, turn_towards_audience(yaw), t)
 
     def found_in_hand(self, person: Person, prop: str) -> None:
         """Let a person hold a prop from the shot's first frame on: a cut nobody sees."""
@@ -307,7 +308,7 @@ class CueSheet:
             spot = (x + distance * math.sin(angle), y - distance * math.cos(angle))
             room = self.company.floor.room_at(spot)
             if (
-                room < BODY * person.k
+                room < BODY * person.scale
                 or not self.company.floor.inside(spot)
                 or any(math.dist(spot, p) < 0.6 for p in others)
             ):
@@ -321,9 +322,9 @@ class CueSheet:
         spot = (
             best[1]
             if best
-            else self.company.floor.free_near((x, y), person.k, [*others, partner.place], apart=distance)
+            else self.company.floor.free_near((x, y), person.scale, [*others, partner.place], apart=distance)
         )
-        return spot, cheated(facing(spot, partner.place))
+        return spot, turn_towards_audience(facing(spot, partner.place))
 
     def goal(
         self, action: CharacterAction, person: Person, partner: Person | None, speed: float
@@ -338,26 +339,26 @@ class CueSheet:
         if leaves and not self.company.floor.inside(point):  # to a plane on the field: out, on its side
             return self._out_towards(person, point, others), None
         if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):
-            spot = self.company.floor.spot_at(point, person.place, person.k, others, REACH)
-            spot = spot or self.company.floor.free_near(point, person.k, others)
+            spot = self.company.floor.spot_at(point, person.place, person.scale, others, REACH)
+            spot = spot or self.company.floor.free_near(point, person.scale, others)
             return spot, facing(spot, thing.location[:2])
         up = "stairs" if action.motion == "climb" and not person.entering else None
         named = self.company.floor.mark_of(action.target_id or up)
         if named is not None:
-            return self.company.floor.free_near(named, person.k, others), None
+            return self.company.floor.free_near(named, person.scale, others), None
         if leaves:
             return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, person.place)), None
         if action.distance:
             x, y = person.place
             wish = (x + action.distance * math.sin(person.yaw), y - action.distance * math.cos(person.yaw))
-            return self.company.floor.free_near(wish, person.k, others), None
+            return self.company.floor.free_near(wish, person.scale, others), None
         home, yaw = self.company.home.get(person.asset_id, (self.company.middle(), 0.0))
         if math.dist(home, person.place) > 1.0:
-            return self.company.floor.free_near(home, person.k, others), yaw
+            return self.company.floor.free_near(home, person.scale, others), yaw
         across = 2 * (self.company.middle()[0] - person.place[0])
         most = max(2.5, ON_THE_MOVE * speed)
         step = max(-most, min(most, across)) or 2.0
-        return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.k, others), None
+        return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.scale, others), None
 
     def _out_towards(self, person: Person, point: Vec2, others: Sequence[Vec2]) -> Vec2:
         """Return where one is last seen who leaves for what stands off stage: on the way there, or where one goes out.
@@ -367,32 +368,10 @@ class CueSheet:
         floor, apart = self.company.floor, math.dist(point, person.place)
         for part in (1.0, 0.8, 0.6) if floor.open_air else ():
             step = part * min(WAY_OUT, apart - REACH)
-            spot = _on_the_way(person.place, point, step)
-            free = all(math.dist(spot, other) > PERSONAL for other in others) and floor.room_at(spot) > BODY * person.k
+            spot = point_on_line(person.place, point, step)
+            free = (
+                all(math.dist(spot, other) > PERSONAL for other in others) and floor.room_at(spot) > BODY * person.scale
+            )
             if step > REACH and free and floor.inside(spot, -floor.beyond):
                 return spot
         return min(self.company.exit_marks(), key=lambda spot: math.dist(spot, point))
-
-
-def _on_the_way(start: Vec2, goal: Vec2, length: float) -> Vec2:
-    share = length / max(math.dist(start, goal), 1e-6)
-    return start[0] + share * (goal[0] - start[0]), start[1] + share * (goal[1] - start[1])
-
-
-def cheated(yaw: float) -> float:
-    """Return a facing turned some degrees towards the audience at -Y."""
-    away = turn_between(yaw, 0.0)
-    return yaw + max(-CHEAT, min(CHEAT, away))
-
-
-def cut_way(way: Sequence[Vec2], length: float) -> list[Vec2]:
-    """Return the first metres of a way."""
-    kept = [way[0]]
-    for a, b in itertools.pairwise(way):
-        step = math.dist(a, b)
-        if step >= length:
-            w = length / max(1e-9, step)
-            return [*kept, (a[0] + (b[0] - a[0]) * w, a[1] + (b[1] - a[1]) * w)]
-        kept.append(b)
-        length -= step
-    return kept

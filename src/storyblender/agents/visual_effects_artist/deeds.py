@@ -67,7 +67,7 @@ class Deeds:
         if instead is None or motion.key not in WITH_SOMEBODY:
             return motion
         key = WITH_SOMEBODY[motion.key]
-        return MOTIONS["hug" if key == "lift" and instead.k > LIGHTER * person.k else key]
+        return MOTIONS["hug" if key == "lift" and instead.scale > LIGHTER * person.scale else key]
 
     def _stays(self, person: Person) -> bool:
         """Tell whether the script keeps a person in a posture, such as seated, to the end of the shot."""

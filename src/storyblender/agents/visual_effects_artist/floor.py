@@ -114,9 +114,9 @@ class SeatPlace:
     edge: Vec2
     yaw: float
 
-    def before(self, k: float) -> Vec2:
+    def before(self, scale: float) -> Vec2:
         """Return where one stands before sitting down."""
-        return self.edge[0] + 0.18 * k * math.sin(self.yaw), self.edge[1] - 0.18 * k * math.cos(self.yaw)
+        return self.edge[0] + 0.18 * scale * math.sin(self.yaw), self.edge[1] - 0.18 * scale * math.cos(self.yaw)
 
     def takes(self, spot: Vec3) -> bool:
         """Tell whether who sits here sits on what lies there."""
@@ -212,19 +212,25 @@ class Floor:
         """Metres from the playing area that people may end a way."""
         return WAY_OUT if self.open_air else OFF_STAGE
 
-    def path(self, start: Vec2, goal: Vec2, k: float, people: Sequence[Vec2] = ()) -> list[Vec2] | None:
-        """Return the way for a person of scale ``k`` past furniture and people who stand."""
+    def path(self, start: Vec2, goal: Vec2, scale: float, people: Sequence[Vec2] = ()) -> list[Vec2] | None:
+        """Return the way for a person of scale ``scale`` past furniture and people who stand."""
         others = [Footprint(point, (0.0, 0.0), 0.0, 0.8 * BODY) for point in people]
         obstacles = [box for box in self.obstacles() if float(clearance(np.array([start]), [box])[0]) > -0.02]
         boxes = obstacles + others
-        wide = find_path(start, goal, boxes, self.bounds, BODY * k + PADDING)
-        return wide or find_path(start, goal, boxes, self.bounds, SQUEEZE * k)
+        wide = find_path(start, goal, boxes, self.bounds, BODY * scale + PADDING)
+        return wide or find_path(start, goal, boxes, self.bounds, SQUEEZE * scale)
 
     def free_near(
-        self, wish: Vec2, k: float, people: Sequence[Vec2] = (), *, room: float | None = None, apart: float = PERSONAL
+        self,
+        wish: Vec2,
+        scale: float,
+        people: Sequence[Vec2] = (),
+        *,
+        room: float | None = None,
+        apart: float = PERSONAL,
     ) -> Vec2:
         """Return the spot nearest to a wish where a person fits; the wish itself where nothing is better."""
-        need = BODY * k + 0.04 if room is None else room
+        need = BODY * scale + 0.04 if room is None else room
         x0, y0, x1, y1 = self.bounds
         wish = (max(x0 + 0.2, min(x1 - 0.2, wish[0])), max(y0 + 0.2, min(y1 - 0.2, wish[1])))
         rings = [(0.0, 0.0)]
@@ -241,7 +247,7 @@ class Floor:
         best = points[found[0]] if len(found) else points[0]
         return float(best[0]), float(best[1])
 
-    def spot_at(self, point: Vec2, start: Vec2, k: float, people: Sequence[Vec2], reach: float) -> Vec2 | None:
+    def spot_at(self, point: Vec2, start: Vec2, scale: float, people: Sequence[Vec2], reach: float) -> Vec2 | None:
         """Return the free spot around a point, within reach of it, that is easiest to come to and to reach from."""
         around = [
             (point[0] + r * math.sin(a), point[1] - r * math.cos(a))
@@ -252,12 +258,12 @@ class Floor:
         fitting = [
             spot
             for spot, free in zip(around, room, strict=True)
-            if free > BODY * k + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
+            if free > BODY * scale + 0.02 and self.inside(spot) and all(math.dist(spot, p) > 0.45 for p in people)
         ]
         fitting.sort(key=lambda s: math.dist(s, start) + 3.0 * math.dist(s, point) + BACK * _back_turned(s, point))
         best: tuple[float, Vec2] | None = None
         for spot in fitting[:24]:
-            way = self.path(start, spot, k)
+            way = self.path(start, spot, scale)
             detour = math.inf if way is None else path_length(way) - math.dist(start, spot)
             if detour < DETOUR:
                 return spot
@@ -300,10 +306,10 @@ class Floor:
         seats = [seat for t in named for seat in self.seats(t.node_id, asked=name is not None)]
         return [seat for seat in seats if all(math.dist(seat.edge, spot) > 0.4 for spot in taken)]
 
-    def access(self, seat: SeatPlace, k: float) -> Vec2:
+    def access(self, seat: SeatPlace, scale: float) -> Vec2:
         """Return where one stands before sitting down: in front, or beside a seat at a table."""
         thing = self.things[seat.node_id]
-        return seat_access(seat.edge, seat.yaw, thing.size[0], k, self.obstacles(), seat.node_id)
+        return seat_access(seat.edge, seat.yaw, thing.size[0], scale, self.obstacles(), seat.node_id)
 
     def beds(self, name: str | None) -> list[tuple[SeatPlace, float]]:
         """Return each long edge of a bed as a place to sit before lying down, and the yaw from head to feet."""

@@ -1,267 +1,318 @@
-"""Things in hands: fetched, taken out, used, passed on, put down. Pure."""
+"""Cues of people who handle props: fetch, take, use, throw and put down. Pure.
+
+Times are seconds of the shot. Places are in metres in the set; yaws are in radians, counter-clockwise, and 0 faces the
+audience at -Y. A prop is named by its asset id.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
-from storyblender.agents.visual_effects_artist.floor import TOPS, Thing, facing
+from storyblender.agents.visual_effects_artist.floor import TOPS, facing
 from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.prop_spots import PropSpots
 from storyblender.catalog.carrying import hand_towards
-from storyblender.catalog.hollows import OPEN_ABOVE, inside
+from storyblender.catalog.hollows import OPEN_ABOVE
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
 from storyblender.geometry.boxes import turn_between
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CharacterAction, Mark
 from storyblender.memory.vocabulary import Hand
 
-GETTING = frozenset({"pick_up", "take", "hold", "catch"})
-"""Motions after which one has something in hand."""
-FETCH, AT_HAND, ACROSS = 5.0, 3.0, 12.0
-"""Metres one goes to get a thing, to use one, and to open one that stands; what is used and lies farther off is in hand
-from the start."""
-BOX = 0.18
-"""Metres of the second largest extent."""
-LEFT = 0.2
-"""Metres to one's left from which the left hand takes a thing."""
-POCKET = (0.12, 0.22, 0.36)
-"""Metres: what is smaller, the smallest extent first, is carried in one's clothes and not seen there."""
+TAKING_MOTIONS = frozenset({"pick_up", "take", "hold", "catch"})
+"""Motions after which a person has the prop in hand."""
+FETCH_DISTANCE = 5.0
+"""Metres from which a person walks to a prop to take it."""
+USE_DISTANCE = 3.0
+"""Metres from which a person walks to a prop to use it; a prop that lies farther off is in hand from the start."""
+WORK_DISTANCE = 12.0
+"""Metres from which a person walks to a prop that is opened, typed on or pressed where it stands."""
+BOX_WIDTH = 0.18
+"""Metres: a prop whose second largest extent is greater is opened where it stands, not in the hand."""
+LEFT_HAND_OFFSET = 0.2
+"""Metres to a person's left from which the left hand takes a prop."""
+POCKET_SIZE = (0.12, 0.22, 0.36)
+"""Extents in metres, ascending: a prop smaller in all three fits into somebody's clothes."""
 SEATED_REACH = 0.45
-"""Metres from a seat's edge to what its sitter can take."""
-BEFORE, TO_THE_SIDE, AT_TABLE = 0.27, 0.18, 1.3
-"""Metres: how far before the edge of a sitter's seat, and at most how far aside, a thing is put down for them, by who
-comes that near."""
-INWARD, HIPS = 0.2, 0.18
-"""Metres: how far behind the edge of a seat a thing is put on it, and half of who sits there."""
-FROM_SEAT, AT_MOST, AHEAD = 0.9, 1.0, 0.42
-"""Metres within which who sits puts something down, and who stands; how far ahead of one's feet a thing is put on the
-floor."""
-HIGHEST, FROM_FLOOR, TOO_FAR = 1.0, 0.6, 1.25
-"""Metres: the highest top on which who sits or leans puts something down, and who is on the floor; from where on they
-get up and go to what the script names."""
-BAG, STICK, BULK, RING, BESIDE_FOOT, AT_FEET = 0.4, 0.06, 0.2, 0.06, 0.34, 0.6
-"""Metres: a bag is longer, a stick thinner, and a case thicker, a ring smaller; how far beside one a bag is put
-down, and how far from others."""
-ASIDE = math.radians(60)
-"""What is farther aside than this is turned to before it is handled."""
+"""Metres from the place of a sitting person to the props they can take."""
+SEATED_TOP_DISTANCE = 0.9
+"""Metres within which a person who does not stand looks for a top to put a prop on."""
+STANDING_REACH = 1.0
+"""Metres from a standing person to the farthest spot on which they put a prop down."""
+AHEAD_OF_FEET = 0.42
+"""Metres ahead of a person at which a prop is put on the floor, times stature over 1.7."""
+HIGHEST_TOP_SEATED = 1.0
+"""Metres above the floor: the highest top on which a sitting or leaning person puts a prop."""
+HIGHEST_TOP_FROM_FLOOR = 0.6
+"""Metres above the floor: the highest top on which a person who sits or lies on the floor puts a prop."""
+SEATED_FARTHEST = 1.25
+"""Metres to a spot beyond which a person who does not stand gets up and goes there."""
+CASE_DEPTH = 0.2
+"""Metres: a bag whose smallest extent is at least this stands on the floor, not on a table."""
+RING_SIZE = 0.06
+"""Metres: a prop whose largest extent is less is worn once somebody has put it on."""
+TURN_ANGLE = math.radians(60)
+"""Radians: a person turns to a spot that is farther than this from straight ahead before they handle a prop there."""
+
+
+class Release(NamedTuple):
+    """The release of a prop from a hand.
+
+    Attributes:
+        second: Second of the shot at which the person can let go.
+        mark: Where the prop is put down; None if it is dropped or thrown.
+        hand: The hand that holds the prop.
+    """
+
+    second: float
+    mark: Mark | None
+    hand: Hand | None
 
 
 class Handling:
-    """Writes what people do with props.
+    """Writes the cues of people who handle props.
 
     Args:
-        company: People and props.
-        sheet: Where the cues go.
+        company: People and props of the scene.
+        sheet: The cue sheet that takes the cues.
     """
 
     def __init__(self, company: Company, sheet: CueSheet) -> None:
-        self.company, self.sheet = company, sheet
+        self.company, self.sheet, self.spots = company, sheet, PropSpots(company)
 
-    def handle(
+    def handle_prop(
         self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
     ) -> None:
-        """Do something with a prop, after going to it or having it in hand."""
-        start, getting = self.sheet.start_of(person), motion.key in GETTING
+        """Write the cues of one action on a prop, including the walk to the prop and taking it in hand.
+
+        Args:
+            action: The action in the script.
+            motion: The motion that plays the action.
+            person: The person who acts.
+            prop: Asset id of the prop.
+            later: The actions that follow in the shot; the first one on the prop tells who catches it.
+        """
+        start, getting = self.sheet.start_of(person), motion.key in TAKING_MOTIONS
         if (getting and person.hand_of(prop)) or (motion.key == "hold" and prop in person.on_body):
             return
-        t = self._hands_freed(person, prop, start) if motion.hands == 2 else start
+        now = self._put_bags_down(person, prop, start) if motion.hands == 2 else start
         switched = motion.key == "press" and prop in self.company.lying
         switched = switched and not fits_in_clothes(self.company.size_of(prop))
-        where_it_is = switched or (motion.key in ("open", "close", "type") and self._stands(prop))
-        t = self._gone_to(person, prop, ACROSS if where_it_is else FETCH if getting else AT_HAND, t)
-        lies = self._within_reach(person, prop)
+        where_it_is = switched or (motion.key in ("open", "close", "type") and self._is_used_in_place(prop))
+        farthest = WORK_DISTANCE if where_it_is else FETCH_DISTANCE if getting else USE_DISTANCE
+        now = self._go_to_prop(person, prop, farthest, now)
+        lies = self._location_in_reach(person, prop)
         bag = self.company.bag_for(person, prop) if getting else None
         if switched:
             at = self.company.lying[prop]
-            t = self.turn_to(person, at, t) if person.upright else t
+            now = self.turn_to_spot(person, at, now) if person.upright else now
             thing = self.company.floor.thing(prop)
             target = thing.node_id if thing is not None else prop
-            end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=target, mood=action.mood)
+            end = self.sheet.cue(person, motion.key, now, natural_seconds(motion), target_id=target, mood=action.mood)
             self.sheet.done(person, start, end)
             return
         if lies is not None and where_it_is:
-            self._open_where_it_stands(person, motion, prop, start, self.turn_to(person, lies, t))
+            self._work_in_place(person, motion, prop, start, self.turn_to_spot(person, lies, now))
             return
         if lies is not None:
-            t = self._picked_up(person, prop, lies, t)
+            now = self._pick_up(person, prop, lies, now)
         elif bag is not None:
-            t = self._taken(person, MOTIONS["take"], prop, t, bag)
-        elif getting and self._in_clothes(person, prop):
+            now = self._take(person, MOTIONS["take"], prop, now, bag)
+        elif getting and self._comes_out_of_clothes(person, prop):
             self.sheet.found_in_clothes(person, prop)
-            t = self._taken(person, MOTIONS["take"], prop, t, person.asset_id)
+            now = self._take(person, MOTIONS["take"], prop, now, person.asset_id)
         elif not person.hand_of(prop):
             self.sheet.found_in_hand(person, prop)
             if getting:
-                self._shown(person, motion, prop, start, t)
+                self._show_taken_prop(person, motion, prop, start, now)
                 return
         if getting:
-            self.sheet.done(person, start, t)
+            self.sheet.done(person, start, now)
             return
-        catcher = self._catcher(person, prop, later) if motion.key == "throw" else None
+        catcher = self._find_catcher(person, prop, later) if motion.key == "throw" else None
         if catcher is not None:
-            self._pass(person, catcher, prop, t)
+            self._throw_to_catcher(person, catcher, prop, now)
         else:
-            self._use(action, motion, person, prop, start, t)
+            self._use_held_prop(action, motion, person, prop, start, now)
 
-    def _shown(self, person: Person, motion: Motion, prop: str, start: float, t: float) -> None:
-        """Look at what was just taken from where nobody sees it, held up: it has to be seen that it is there now."""
+    def _show_taken_prop(self, person: Person, motion: Motion, prop: str, start: float, now: float) -> None:
+        """Write a cue in which a person holds up a prop taken from out of sight, so that the audience sees it.
+
+        Args:
+            person: The person who holds the prop.
+            motion: The motion that took the prop; nothing is shown after ``hold``.
+            prop: Asset id of the prop; a bag is not shown.
+            start: Second of the shot at which the action began.
+            now: Second of the shot at which the prop is held up.
+        """
         hand = person.hand_of(prop)
-        if hand is not None and motion.key != "hold" and not self._is_bag(prop):
-            end = self.sheet.cue(person, "show", t, natural_seconds(MOTIONS["show"]), prop_id=prop, hand=hand)
+        if hand is not None and motion.key != "hold" and not self.spots.is_bag(prop):
+            end = self.sheet.cue(person, "show", now, natural_seconds(MOTIONS["show"]), prop_id=prop, hand=hand)
             self.sheet.done(person, start, end)
 
-    def fetch(self, person: Person, prop: str) -> None:
-        """Have a prop in hand that lies somewhere near."""
+    def fetch_prop(self, person: Person, prop: str) -> None:
+        """Let a person walk to a prop (asset id) that lies nearby and pick it up, if they have a free hand."""
         start = self.sheet.start_of(person)
-        t = self._gone_to(person, prop, FETCH, start)
-        lies = self._within_reach(person, prop)
+        now = self._go_to_prop(person, prop, FETCH_DISTANCE, start)
+        lies = self._location_in_reach(person, prop)
         if lies is not None and person.free_hand() is not None:
-            t = self._picked_up(person, prop, lies, t)
-            self.sheet.done(person, start, t, holds=True)
+            now = self._pick_up(person, prop, lies, now)
+            self.sheet.done(person, start, now, holds=True)
 
-    def _hands_freed(self, person: Person, prop: str, t: float) -> float:
-        """Put a bag on the floor beside one before both hands do something; return the end."""
-        return self.put_aside(person, [held for held in person.held.values() if held != prop and self._is_bag(held)], t)
+    def _put_bags_down(self, person: Person, prop: str, now: float) -> float:
+        """Put down all held bags but ``prop`` from second ``now`` on; return the second at which that ends."""
+        bags = [held for held in person.held.values() if held != prop and self.spots.is_bag(held)]
+        return self.put_props_aside(person, bags, now)
 
-    def _is_bag(self, prop: str, bulk: float = 0.0) -> bool:
-        """Tell whether a thing is as long as a bag, and as thick: what is bulky stands on the floor, not on a table.
+    def put_props_aside(self, person: Person, props: Sequence[str], now: float) -> float:
+        """Put held props on the floor beside a standing person; they stay there until the script has them taken again.
 
-        A stick is as long and no bag: it stays in the hand.
-        """
-        size = self.company.size_of(prop)
-        return size is not None and size[2] >= BAG and size[1] >= STICK and size[0] >= bulk
+        Args:
+            person: The person; nothing happens if they do not stand.
+            props: Asset ids of props in the person's hands.
+            now: Second of the shot at which the person begins.
 
-    def put_aside(self, person: Person, props: Sequence[str], t: float) -> float:
-        """Put what is in somebody's hands on the floor beside them, if they stand; return the end.
-
-        They do not have it in hand again because the script has not said that they put it down.
+        Returns:
+            Second of the shot at which the last prop is down; ``now`` if none was put down.
         """
         for prop in props:
             hand = person.hand_of(prop)
-            spot = self._free_beside(person, prop, hand) if person.upright else None
+            spot = self.spots.find_beside(person, prop, hand) if person.upright else None
             if spot is None:
                 continue
-            across = hand == "R" and hand_towards(person.place, person.yaw, spot[:2], LEFT) == "L"
-            t = self.sheet.face(person, facing(person.place, spot[:2]), t) if across else self.turn_to(person, spot, t)
+            across = hand == "R" and hand_towards(person.place, person.yaw, spot[:2], LEFT_HAND_OFFSET) == "L"
+            yaw = facing(person.place, spot[:2])
+            now = self.sheet.face(person, yaw, now) if across else self.turn_to_spot(person, spot, now)
             length = natural_seconds(MOTIONS["put_down"])
-            mark = _mark_of(person, prop, spot)
-            t = self.sheet.cue(person, "put_down", t, length, prop_id=prop, hand=hand, mark=mark)
+            mark = _prop_mark(person, prop, spot)
+            now = self.sheet.cue(person, "put_down", now, length, prop_id=prop, hand=hand, mark=mark)
             self.company.lay(person, prop, spot)
             self.company.aside.add(prop)
-        return t
+        return now
 
-    def _free_beside(self, person: Person, prop: str, hand: Hand | None) -> Vec3 | None:
-        """Return where on the floor by somebody a thing has room: ahead first, on the side of the hand."""
-        half = (self.company.size_of(prop) or [0.2])[1] / 2
-        away = BESIDE_FOOT * person.k + max(0.0, half - 0.1)
-        side = 1 if hand == "L" else -1
-        others = self.company.others(person)
-        for turn in (50, -50, 90, -90, 130, -130):  # what is ahead needs no turn
-            yaw = person.yaw + side * math.radians(turn)
-            spot = (person.place[0] + away * math.sin(yaw), person.place[1] - away * math.cos(yaw))
-            clear = all(math.dist(spot, place) > AT_FEET for place in others)
-            if clear and self.company.floor.room_at(spot) > half and self._clear_of_props((*spot, 0.0)) == (*spot, 0.0):
-                return (*spot, 0.0)
-        return None
-
-    def _gone_to(self, person: Person, prop: str, farthest: float, t: float) -> float:
-        """Go to where a prop lies, if that is no farther; return the end."""
+    def _go_to_prop(self, person: Person, prop: str, farthest: float, now: float) -> float:
+        """Walk to a prop that lies less than ``farthest`` metres away; return the second of the shot of the arrival."""
         lies = None if person.hand_of(prop) else self.company.lying.get(prop)
         if lies is None or not person.upright or not REACH < math.dist(lies[:2], person.place) < farthest:
-            return t
-        spot = self.company.floor.spot_at(lies[:2], person.place, person.k, self.company.others(person), REACH)
-        return t if spot is None else self.sheet.go(person, spot, facing(spot, lies[:2]), t)
+            return now
+        spot = self.company.floor.spot_at(lies[:2], person.place, person.scale, self.company.others(person), REACH)
+        return now if spot is None else self.sheet.go(person, spot, facing(spot, lies[:2]), now)
 
-    def _within_reach(self, person: Person, prop: str) -> Vec3 | None:
-        """Return where a prop lies if a person can take it from where they are."""
+    def _location_in_reach(self, person: Person, prop: str) -> Vec3 | None:
+        """Return the position of a lying prop, in metres in the set, if the person can take it without walking."""
         lies = None if person.hand_of(prop) else self.company.lying.get(prop)
         reach = REACH + 0.25 if person.upright else SEATED_REACH
         return lies if lies is not None and math.dist(lies[:2], person.place) <= reach else None
 
-    def _in_clothes(self, person: Person, prop: str) -> bool:
-        """Tell whether a thing is small enough to come out of somebody's clothes, by a free hand."""
+    def _comes_out_of_clothes(self, person: Person, prop: str) -> bool:
+        """Tell whether a person can take a prop out of their clothes: it fits, nobody has it, and a hand is free."""
         return (
             fits_in_clothes(self.company.size_of(prop))
             and self.company.holder(prop) is None
             and person.free_hand() is not None
         )
 
-    def _picked_up(self, person: Person, prop: str, lies: Vec3, t: float) -> float:
-        """Take a prop from where it lies, with the left hand what is on the left; return the end."""
-        t = self.turn_to(person, lies, t)
-        wish = hand_towards(person.place, person.yaw, lies[:2], LEFT)
-        return self._taken(person, MOTIONS["pick_up"], prop, t, wish=wish)
+    def _pick_up(self, person: Person, prop: str, lies: Vec3, now: float) -> float:
+        """Turn to a prop at the position ``lies`` and pick it up with the hand on its side; return the end second."""
+        now = self.turn_to_spot(person, lies, now)
+        wish = hand_towards(person.place, person.yaw, lies[:2], LEFT_HAND_OFFSET)
+        return self._take(person, MOTIONS["pick_up"], prop, now, wish=wish)
 
-    def _taken(
-        self, person: Person, motion: Motion, prop: str, t: float, source: str | None = None, wish: Hand = "R"
+    def _take(
+        self, person: Person, motion: Motion, prop: str, now: float, source: str | None = None, wish: Hand = "R"
     ) -> float:
-        """Take a prop, out of a bag or out of clothes if they are named; return the end."""
-        hand = person.free_hand(wish)
-        t = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=source, prop_id=prop, hand=hand)
-        self.company.hand_over(person, prop, wish)
-        return t
+        """Write the cue in which a person takes a prop.
 
-    def _open_where_it_stands(self, person: Person, motion: Motion, prop: str, start: float, t: float) -> None:
-        end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), prop_id=prop, hand=person.free_hand())
+        Args:
+            person: The person.
+            motion: The motion that takes the prop.
+            prop: Asset id of the prop.
+            now: Second of the shot at which the cue starts.
+            source: Asset id of the bag, or of the person in whose clothes the prop is; None if it lies in the open.
+            wish: The hand that takes the prop if it is free.
+
+        Returns:
+            Second of the shot at which the cue ends.
+        """
+        hand = person.free_hand(wish)
+        now = self.sheet.cue(
+            person, motion.key, now, natural_seconds(motion), target_id=source, prop_id=prop, hand=hand
+        )
+        self.company.hand_over(person, prop, wish)
+        return now
+
+    def _work_in_place(self, person: Person, motion: Motion, prop: str, start: float, now: float) -> None:
+        """Open, close or type on a prop where it stands, from second ``now`` of an action begun at ``start``."""
+        end = self.sheet.cue(person, motion.key, now, natural_seconds(motion), prop_id=prop, hand=person.free_hand())
         person.opened = prop if motion.key == "open" else ""
         self.sheet.done(person, start, end)
 
-    def _use(self, action: CharacterAction, motion: Motion, person: Person, prop: str, start: float, t: float) -> None:
-        """Do something with a prop that is in hand."""
+    def _use_held_prop(
+        self, action: CharacterAction, motion: Motion, person: Person, prop: str, start: float, now: float
+    ) -> None:
+        """Write the cue of a motion with a held prop, from second ``now`` of an action begun at second ``start``."""
         target = action.target_id if action.target_id != prop else None
         hand = person.hand_of(prop)
         mark = None
         if motion.key in ("put_down", "drop", "throw"):
-            t, mark, hand = self._let_go(action, person, prop, t, motion.key)
+            now, mark, hand = self._prepare_release(action, person, prop, now, motion.key)
         known = target if target in self.company.people or self.company.floor.thing(target) else None
         length = natural_seconds(motion)
         end = self.sheet.cue(
-            person, motion.key, t, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
+            person, motion.key, now, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
         )
         self.sheet.done(person, start, end)
         size = self.company.size_of(prop)
-        if motion.key == "dress" and size is not None and size[2] < RING:
+        if motion.key == "dress" and size is not None and size[2] < RING_SIZE:
             self.company.wear(person, prop)
 
-    def _stands(self, prop: str) -> bool:
-        """Tell whether a thing is opened or typed on where it stands, not in the hand: a box, a case, a laptop."""
+    def _is_used_in_place(self, prop: str) -> bool:
+        """Tell whether a prop is too wide to be opened or typed on in the hand, such as a case or a laptop."""
         size = self.company.size_of(prop)
-        return size is not None and size[1] > BOX
+        return size is not None and size[1] > BOX_WIDTH
 
-    def _catcher(self, person: Person, prop: str, later: Sequence[CharacterAction]) -> Person | None:
-        """Return who catches what a person throws."""
+    def _find_catcher(self, person: Person, prop: str, later: Sequence[CharacterAction]) -> Person | None:
+        """Return the person who catches a thrown prop in the next of the ``later`` actions; None if nobody does."""
         for action in later:
             catcher = self.company.people.get(action.asset_id)
             if catcher is None or catcher is person or self.company.prop_of(action) != prop:
                 continue
             able = catcher.present and catcher.free_hand() and catcher.posture not in ("lie", "asleep")
-            return catcher if able and clip_of(action.motion).key in GETTING else None
+            return catcher if able and clip_of(action.motion).key in TAKING_MOTIONS else None
         return None
 
-    def _pass(self, person: Person, catcher: Person, prop: str, t: float) -> None:
-        """Throw something that somebody catches."""
-        start = t
-        t = self.sheet.face(person, facing(person.place, catcher.place), max(t, catcher.busy))
+    def _throw_to_catcher(self, person: Person, catcher: Person, prop: str, now: float) -> None:
+        """Write the cues of a throw and its catch; both begin at second ``now``, or later when both people are free."""
+        start = now
+        now = self.sheet.face(person, facing(person.place, catcher.place), max(now, catcher.busy))
         if catcher.upright:
-            t = max(t, self.sheet.face(catcher, facing(catcher.place, person.place), t))
+            now = max(now, self.sheet.face(catcher, facing(catcher.place, person.place), now))
         hand = person.hand_of(prop)
         end = self.sheet.cue(
-            person, "throw", t, natural_seconds(MOTIONS["throw"]), target_id=catcher.asset_id, prop_id=prop, hand=hand
+            person, "throw", now, natural_seconds(MOTIONS["throw"]), target_id=catcher.asset_id, prop_id=prop, hand=hand
         )
         free = catcher.free_hand()
         caught = self.sheet.cue(
-            catcher, "catch", t, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
+            catcher, "catch", now, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
         )
         self.company.hand_over(catcher, prop)
         self.sheet.done(person, start, end)
         self.sheet.done(catcher, start, caught, holds=True)
 
-    def _let_go(
-        self, action: CharacterAction, person: Person, prop: str, t: float, key: str
-    ) -> tuple[float, Mark | None, Hand | None]:
-        """Choose where a prop goes when it leaves the hand, and go there; return the end, the place and the hand."""
+    def _prepare_release(self, action: CharacterAction, person: Person, prop: str, now: float, key: str) -> Release:
+        """Choose where a prop goes when it leaves the hand, lay it there, and bring the person to that spot.
+
+        Args:
+            action: The action in the script; its target is what the prop is put on or thrown to.
+            person: The person who holds the prop.
+            prop: Asset id of the prop.
+            now: Second of the shot at which the person is ready.
+            key: Key of the motion: ``put_down``, ``drop`` or ``throw``.
+        """
         hand = person.hand_of(prop)
         thing = self.company.floor.thing(action.target_id) if action.target_id != prop else None
         if key != "put_down":
@@ -271,100 +322,49 @@ class Handling:
             x, y = person.place
             landing = goal or (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw))
             self.company.lay(person, prop, (*landing, 0.0))
-            return t, None, hand
+            return Release(now, None, hand)
         spot: Vec3 | None = None
         hollow = thing is not None and self.company.floor.kinds.get(thing.asset_id) in OPEN_ABOVE
         if thing is None or not (hollow or thing.of_kind("top") or thing.size[2] < 1.4):
-            near = 0.0 if self._is_bag(prop, BULK) else 2.5 if person.upright else FROM_SEAT
-            highest = TOPS[1] if person.upright else HIGHEST if person.support else FROM_FLOOR
+            near = (
+                0.0 if self.spots.is_bag(prop, min_depth=CASE_DEPTH) else 2.5 if person.upright else SEATED_TOP_DISTANCE
+            )
+            highest = TOPS[1] if person.upright else HIGHEST_TOP_SEATED if person.support else HIGHEST_TOP_FROM_FLOOR
             thing = self.company.floor.nearest_top(person.place, near, highest)
         if thing is not None:
-            spot = self._spot_on(thing, person, prop)
-            if math.dist(spot[:2], person.place) > (REACH if person.upright else TOO_FAR):
-                stand = self.company.floor.spot_at(spot[:2], person.place, person.k, self.company.others(person), REACH)
+            spot = self.spots.find_on(thing, person, prop)
+            if math.dist(spot[:2], person.place) > (REACH if person.upright else SEATED_FARTHEST):
+                stand = self.company.floor.spot_at(
+                    spot[:2], person.place, person.scale, self.company.others(person), REACH
+                )
                 if stand is not None:
-                    t = self.sheet.go(person, stand, facing(stand, spot[:2]), t)
-                    spot = self._spot_on(thing, person, prop)
-        if spot is None or (person.upright and math.dist(spot[:2], person.place) > AT_MOST):
+                    now = self.sheet.go(person, stand, facing(stand, spot[:2]), now)
+                    spot = self.spots.find_on(thing, person, prop)
+        if spot is None or (person.upright and math.dist(spot[:2], person.place) > STANDING_REACH):
             x, y = person.place
-            ahead = AHEAD * person.k
+            ahead = AHEAD_OF_FEET * person.scale
             spot = (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw), 0.0)
-        t = self.turn_to(person, spot, t)
-        if not person.upright and hand_towards(person.place, person.yaw, spot[:2], LEFT) != hand:
+        now = self.turn_to_spot(person, spot, now)
+        if not person.upright and hand_towards(person.place, person.yaw, spot[:2], LEFT_HAND_OFFSET) != hand:
             self.sheet.change_hand(person, prop)
             hand = person.hand_of(prop)
         self.company.lay(person, prop, spot)
-        return t, _mark_of(person, prop, spot), hand
+        return Release(now, _prop_mark(person, prop, spot), hand)
 
-    def _spot_on(self, thing: Thing, person: Person, prop: str) -> Vec3:
-        """Return where something is put on a top: before who sits at it, towards who puts it there; else nearest.
-
-        Beside who sits on it; on the side of the hand that holds something there is less room.
-        """
-        floor = self.company.floor
-        key, (low, middle, long) = floor.kinds.get(thing.asset_id), self.company.size_of(prop) or (0.1, 0.1, 0.1)
-        if key in OPEN_ABOVE and (place := inside(key, thing.size, (long, middle, low))) is not None:
-            return thing.world(place)
-        sitters = [p for p in self.company.people.values() if p.present and p.posture == "sit"]
-        if (beside := self._beside_sitters(thing, person, prop, sitters)) is not None:
-            return beside
-        for sitter in sorted(sitters, key=lambda each: math.dist(each.place, person.place)):
-            (x, y), yaw = sitter.place, sitter.yaw
-            away = (person.place[0] - x) * math.cos(yaw) + (person.place[1] - y) * math.sin(yaw)
-            most = 0.5 * TO_THE_SIDE if ("L" if away > 0 else "R") in sitter.held else TO_THE_SIDE
-            aside = max(-most, min(most, away))
-            ahead = (x + BEFORE * math.sin(yaw), y - BEFORE * math.cos(yaw))
-            spot = floor.on_top(thing, (ahead[0] + aside * math.cos(yaw), ahead[1] + aside * math.sin(yaw)))
-            if spot is not None and math.dist(spot[:2], person.place) < AT_TABLE:
-                return self._clear_of_props(spot)
-        return self._clear_of_props(floor.top_of(thing, person.place))
-
-    def _beside_sitters(self, thing: Thing, person: Person, prop: str, sitters: Sequence[Person]) -> Vec3 | None:
-        """Return the free place on a seat: between two who sit there, else beside the one; None if nobody does."""
-        there = [each for each in sitters if each.support == thing.node_id]
-        if not there:
-            return None
-        there.sort(key=lambda each: math.dist(each.place, person.place))
-        (x, y), yaw = there[0].place, there[0].yaw
-        left = (math.cos(yaw), math.sin(yaw))
-        along = [(each.place[0] - x) * left[0] + (each.place[1] - y) * left[1] for each in there]
-        wish = sum(along[:2]) / len(along[:2])
-        half = (self.company.size_of(prop) or [0.2])[-1] / 2
-        full = person is there[0] and person.free_hand() is None  # then the other hand cannot take it across
-        free: list[tuple[float, Vec3]] = []
-        for step in range(-24, 25):
-            s = 0.05 * step
-            spot = self.company.floor.on_top(
-                thing, (x + s * left[0] - INWARD * math.sin(yaw), y + s * left[1] + INWARD * math.cos(yaw))
-            )
-            clear = all(abs(s - at) > HIPS * each.k + half for at, each in zip(along, there, strict=True))
-            if spot is not None and clear and self._clear_of_props(spot) == spot:
-                across = full and (s > 0) == (person.hand_of(prop) == "R")
-                free.append((abs(s - wish) + across, spot))
-        return min(free)[1] if free else None
-
-    def _clear_of_props(self, spot: Vec3) -> Vec3:
-        """Move a place on a top aside until nothing stands there."""
-        taken = [place for place in self.company.lying.values() if abs(place[2] - spot[2]) < 0.1]
-        for dx, dy in ((0.0, 0.0), (0.18, 0.0), (-0.18, 0.0), (0.0, 0.16), (0.0, -0.16), (0.3, 0.1), (-0.3, 0.1)):
-            moved = (spot[0] + dx, spot[1] + dy, spot[2])
-            if all(math.dist(moved[:2], place[:2]) > 0.15 for place in taken):
-                return moved
-        return spot
-
-    def turn_to(self, person: Person, spot: Vec3, t: float) -> float:
-        """Face what the hands are about to work on; return the end."""
+    def turn_to_spot(self, person: Person, spot: Vec3, now: float) -> float:
+        """Turn a person to a spot that is far to their side; return the second of the shot at which the turn ends."""
         if math.dist(spot[:2], person.place) < 0.2:
-            return t
+            return now
         yaw = facing(person.place, spot[:2])
-        return self.sheet.face(person, yaw, t) if abs(turn_between(person.yaw, yaw)) > ASIDE else t
+        return self.sheet.face(person, yaw, now) if abs(turn_between(person.yaw, yaw)) > TURN_ANGLE else now
 
 
 def fits_in_clothes(size: Sequence[float] | None) -> bool:
-    """Tell whether a thing is small enough for somebody's clothes, by its extents, the smallest first."""
-    return size is not None and all(side < room for side, room in zip(size, POCKET, strict=True))
+    """Tell whether a prop fits into clothes; ``size`` has its extents in metres, ascending, or is None if unknown."""
+    return size is not None and all(side < room for side, room in zip(size, POCKET_SIZE, strict=True))
 
 
-def _mark_of(person: Person, prop: str, spot: Vec3) -> Mark:
+def _prop_mark(person: Person, prop: str, spot: Vec3) -> Mark:
+    """Return the mark of a prop that a person puts on a spot, turned as the person is."""
     rounded = (round(spot[0], 3), round(spot[1], 3), round(spot[2], 3))
     return Mark(asset_id=prop, location=rounded, yaw=round(math.degrees(person.yaw) % 360, 1))

@@ -111,12 +111,12 @@ class Meetings:
             takes = one is (partner if motion.key == "give" else person) and motion.key in ("give", "take")
             if motion.key in EMPTY_HANDED or (takes and self.company.full_handed(one)):
                 largest = sorted(held, key=lambda name: self.company.size_of(name) or [], reverse=True)
-                ends.append(self.hands.put_aside(one, largest[:1] if takes else largest, max(t, one.busy)))
+                ends.append(self.hands.put_props_aside(one, largest[:1] if takes else largest, max(t, one.busy)))
         return max(ends)
 
     def _gone_to(self, motion: Motion, person: Person, partner: Person, t: float) -> float:
         """Go to where the two can do it, and kneel to who lies on the floor; return the end."""
-        distance = motion.distance * 0.5 * (person.k + partner.k)
+        distance = motion.distance * 0.5 * (person.scale + partner.scale)
         if partner.posture in SEATED:
             distance = max(distance, 0.68)
         gap = math.dist(person.place, partner.place)
@@ -162,10 +162,10 @@ class Meetings:
         if motion.key not in TOGETHER or not person.upright or not partner.upright:
             return None
         gap = math.dist(person.place, partner.place)
-        share = PARTED * 0.5 * (person.k + partner.k) / max(gap, 0.05)
+        share = PARTED * 0.5 * (person.scale + partner.scale) / max(gap, 0.05)
         (x, y), (px, py) = partner.place, person.place
         spot = x + (px - x) * share, y + (py - y) * share
-        return spot if share > 1 and self.company.floor.room_at(spot) > BODY * person.k else None
+        return spot if share > 1 and self.company.floor.room_at(spot) > BODY * person.scale else None
 
     def _face_each_other(self, person: Person, partner: Person, t: float) -> float:
         """Turn two towards each other, at the same time; return when both have."""
@@ -186,7 +186,7 @@ class Meetings:
     def _beside_breast(self, partner: Person, person: Person) -> tuple[Vec2, Vec2]:
         """Return where one kneels beside somebody who lies on the floor, feet where they stood, and their breast."""
         ahead, right = (math.sin(partner.yaw), -math.cos(partner.yaw)), (math.cos(partner.yaw), math.sin(partner.yaw))
-        x, y = (v - 0.75 * partner.k * a for v, a in zip(partner.place, ahead, strict=True))
+        x, y = (v - 0.75 * partner.scale * a for v, a in zip(partner.place, ahead, strict=True))
         sides = [(x + way * 0.6 * right[0], y + way * 0.6 * right[1]) for way in (1, -1)]
         room = self.company.floor.room_at
         spot = max(sides, key=lambda side: 4 * min(0.3, room(side)) - math.dist(side, person.place))
@@ -196,7 +196,7 @@ class Meetings:
         """Return the place beside the knees of somebody who sits, else before them, if there is room."""
         (x, y), yaw = partner.place, partner.yaw
         others = [spot for spot in self.company.others(person) if spot != partner.place]
-        aside, room = BESIDE_KNEES * person.k, 0.8 * BODY * person.k
+        aside, room = BESIDE_KNEES * person.scale, 0.8 * BODY * person.scale
         places = [(BY_EDGE, aside), (BY_EDGE, -aside), (BEFORE_SITTER, 0.0)]
         spots = [
             (x + ahead * math.sin(yaw) + left * math.cos(yaw), y - ahead * math.cos(yaw) + left * math.sin(yaw))

@@ -24,7 +24,7 @@ _STEP, _FARTHEST, _TURNS = 0.2, 1.8, 16
 
 
 def room_for(
-    floor: Floor, posture: Posture, place: Vec2, yaw: float, k: float, others: Sequence[Vec2] = ()
+    floor: Floor, posture: Posture, place: Vec2, yaw: float, scale: float, others: Sequence[Vec2] = ()
 ) -> tuple[Vec2, float]:
     """Return the place of the hips and the yaw, nearest to those wished, at which a body is clear of everything.
 
@@ -33,18 +33,18 @@ def room_for(
         posture: Lying with the feet ahead, or kneeling; all else needs no more room than standing.
         place: Wish.
         yaw: Wish, radians.
-        k: Stature over 1.7.
+        scale: Stature over 1.7.
         others: Where other people are.
     """
     if posture not in SPANS:
         return place, yaw
-    near = [*others, *_fronts_of_seats(floor, k)] if posture != "kneel" else []
+    near = [*others, *_fronts_of_seats(floor, scale)] if posture != "kneel" else []
     wish = np.array([place], dtype=float)
-    if _fits(floor, posture, wish, np.array([yaw]), k, near)[0, 0]:
+    if _fits(floor, posture, wish, np.array([yaw]), scale, near)[0, 0]:
         return place, yaw
     around: NDArray[np.float64] = np.add(wish, _disc(_FARTHEST, _STEP))
     turns = np.linspace(-math.pi, math.pi, _TURNS, endpoint=False)
-    fits = _fits(floor, posture, around, yaw + turns, k, near)
+    fits = _fits(floor, posture, around, yaw + turns, scale, near)
     cost = np.hypot(*(around - wish).T)[:, None] + TURNING * np.abs(turns)
     best = int(np.argmin(np.where(fits, np.round(cost, 6), math.inf)))
     if not fits.flat[best]:
@@ -61,21 +61,26 @@ def _disc(radius: float, step: float) -> list[Vec2]:
 
 
 def _fits(
-    floor: Floor, posture: Posture, places: NDArray[np.float64], yaws: NDArray[np.float64], k: float, near: list[Vec2]
+    floor: Floor,
+    posture: Posture,
+    places: NDArray[np.float64],
+    yaws: NDArray[np.float64],
+    scale: float,
+    near: list[Vec2],
 ) -> NDArray[np.bool_]:
     """Return whether a body is clear of everything, by place and yaw."""
     behind, ahead = SPANS[posture]
-    along = k * np.linspace(behind, ahead, 8)
+    along = scale * np.linspace(behind, ahead, 8)
     forward = np.stack([np.sin(yaws), -np.cos(yaws)], axis=1)
     points = places[:, None, None, :] + forward[None, :, None, :] * along[None, None, :, None]
     flat = points.reshape(-1, 2)
     x0, y0, x1, y1 = floor.bounds
-    free = clearance(flat, floor.obstacles()) >= HALF_WIDE[posture] * k
+    free = clearance(flat, floor.obstacles()) >= HALF_WIDE[posture] * scale
     free &= (flat >= (x0, y0)).all(axis=1) & (flat <= (x1, y1)).all(axis=1)
     for other in near:
         free &= np.hypot(*(flat - other).T) >= APART
     return free.reshape(points.shape[:3]).all(axis=2)
 
 
-def _fronts_of_seats(floor: Floor, k: float) -> list[Vec2]:
-    return [seat.before(k) for name in floor.things for seat in floor.seats(name)]
+def _fronts_of_seats(floor: Floor, scale: float) -> list[Vec2]:
+    return [seat.before(scale) for name in floor.things for seat in floor.seats(name)]

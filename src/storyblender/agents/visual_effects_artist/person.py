@@ -16,46 +16,52 @@ SEATED: tuple[Posture, ...] = ("sit", "lie", "asleep")
 
 @dataclass
 class Person:
-    """Somebody of the scene, as of the cue written last."""
+    """A person of the scene, as of the cue written last."""
 
     asset_id: str
-    k: float
+    scale: float
+    """Stature over 1.7 m."""
     place: Vec2 = (0.0, 0.0)
+    """Metres on the floor of the set; of a seated person, the middle of the seat's front edge."""
     yaw: float = 0.0
+    """Radians, counter-clockwise; 0 faces the audience at -Y."""
     posture: Posture = "stand"
     support: str | None = None
+    """Node id of the furniture that carries the person; None on the floor."""
     anchor: str = ""
+    """Name of the anchor of that furniture, such as a seat."""
     held: dict[Hand, str] = field(default_factory=dict)
+    """Asset id of the prop in each hand that is not empty."""
     on_body: dict[str, Grip] = field(default_factory=dict)
-    """What is carried in no hand, and how: under the arm, in the mouth, worn."""
+    """Asset ids of props carried in no hand, with the way they are carried: under the arm, in the mouth, worn."""
     present: bool = False
     busy: float = 0.0
     """Second of the shot until which the body acts."""
     acted: bool = False
-    """Has moved in this shot: the start mark stands."""
+    """Whether the person has moved in this shot, so that the start mark must stay."""
     entering: bool = False
-    """Comes in through a door as the shot begins."""
+    """Whether the person comes in through a door as the shot begins."""
     pace: str = ""
-    """How the next way is gone, where the script said so before it said where to."""
+    """Key of the motion of the next walk, if the script gave it before the goal; empty if not."""
 
     z: float = 0.0
     """Height of the feet above the floor, metres."""
     spot: Spot | None = None
-    """The spot of the script that they were last brought to."""
+    """The spot of the script to which the person was brought last."""
     activity: str = ""
-    """Lasting motion, kept from shot to shot until it changes."""
+    """Lasting activity, kept from shot to shot until it changes."""
     told: str = ""
     """The last activity in the script."""
     opened: str = ""
-    """What they have opened in this shot without taking it in hand."""
+    """Asset id of the prop opened in this shot where it stands; empty if none."""
 
     @property
     def upright(self) -> bool:
-        """Can walk off without getting up."""
+        """Whether the person can walk off without getting up."""
         return self.posture == "stand"
 
     def mark(self, **changes: object) -> Mark:
-        """Return where this person is."""
+        """Return the mark of the person's place, posture and hands; ``changes`` replace fields of the mark."""
         values: dict[str, object] = {
             "asset_id": self.asset_id,
             "location": (round(self.place[0], 3), round(self.place[1], 3), round(self.z, 3)),
@@ -68,16 +74,16 @@ class Person:
         return Mark.model_validate({**values, **changes})
 
     def hand_of(self, prop: str) -> Hand | None:
-        """Return the hand that holds a prop."""
+        """Return the hand that holds a prop (asset id); None if no hand does."""
         return next((hand for hand, held in self.held.items() if held == prop), None)
 
     def let_go(self, prop: str) -> None:
-        """Have a thing no more, in hand or on the body."""
+        """Remove a prop (asset id) from the hands and the body."""
         self.held = {hand: held for hand, held in self.held.items() if held != prop}
         self.on_body.pop(prop, None)
 
     def hold_as(self, prop: str, grip: Grip | None) -> None:
-        """Hold a thing as the script says: in one hand, in both, or in none if it is on the body."""
+        """Move a prop (asset id) to the hands or the body part of a grip; nothing changes if a hand is not free."""
         kept: dict[Hand, str] = {hand: held for hand, held in self.held.items() if held != prop}
         wish: dict[str, tuple[Hand, ...]] = {"left": ("L",), "right": ("R",), "both": ("L", "R")}
         if grip is not None and grip not in wish:
@@ -91,13 +97,13 @@ class Person:
             self.held[hand] = prop
 
     def free_hand(self, wish: Hand = "R") -> Hand | None:
-        """Return an empty hand, the wished one first."""
+        """Return an empty hand, ``wish`` if it is empty; None if both hold something."""
         far: Hand = "L" if wish == "R" else "R"
         return next((hand for hand in (wish, far) if hand not in self.held), None)
 
 
 def stature_of(asset: Asset) -> float:
-    """Return somebody's height in metres."""
+    """Return a character's height in metres: as measured, else as described, else 1.7."""
     if asset.canonical is not None:
         return asset.canonical.dimensions[2]
     return (asset.look.stature if asset.look else None) or 1.7

@@ -14,7 +14,7 @@ from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.geometry.boxes import Box, facing
 from storyblender.geometry.paths import clearance
-from storyblender.geometry.stations import Sort, Station, cheated, stations
+from storyblender.geometry.stations import Sort, Station, stations, turn_towards_audience
 from storyblender.memory.scene_context import Spot
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
@@ -86,9 +86,9 @@ class Places:
         carrier, thing = self.people.get(name or ""), self.floor.thing(name)
         if carrier is not None and carrier is not person and carrier.present:
             (x, y), yaw = carrier.place, carrier.yaw
-            back = _ON_BACK[0] * carrier.k
+            back = _ON_BACK[0] * carrier.scale
             person.place, person.yaw = (x - back * math.sin(yaw), y + back * math.cos(yaw)), yaw
-            person.z, person.support = _ON_BACK[1] * carrier.k, None
+            person.z, person.support = _ON_BACK[1] * carrier.scale, None
             return True
         if thing is None:
             return False
@@ -114,7 +114,7 @@ class Places:
             return None
         seats = self.floor.seats(thing.node_id) or [edge for edge, _ in self.floor.beds(thing.node_id)]
         seat = min(seats, key=lambda each: math.dist(each.edge, person.place))
-        x, y = self.floor.access(seat, person.k)
+        x, y = self.floor.access(seat, person.scale)
         return Station(x, y, seat.yaw)
 
     def _is_boarded(self, spot: Spot) -> bool:
@@ -128,7 +128,9 @@ class Places:
             return self._turned(person, spot, Station(*person.place, person.yaw), None) if spot.facing else None
         box, sort, thing = found
         spot = _on_the_floor(spot, posture, box, sort)
-        options = self._at_door(thing, spot) or stations(box, sort, spot.relation, spot.side, spot.distance, person.k)
+        options = self._at_door(thing, spot) or stations(
+            box, sort, spot.relation, spot.side, spot.distance, person.scale
+        )
         best = min(options, key=lambda each: self._cost(person, each, spot.relation in WITHIN))
         if spot.relation not in WITHIN:
             best = self._clear(person, best)
@@ -143,7 +145,7 @@ class Places:
         if found is None or spot.relation in WITHIN or spot.height is not None:
             return False
         box, sort, _ = found
-        places = stations(box, sort, spot.relation, spot.side, spot.distance, person.k)
+        places = stations(box, sort, spot.relation, spot.side, spot.distance, person.scale)
         return not any(self.floor.inside((each.x, each.y)) for each in places)
 
     def _clear(self, person: Person, station: Station) -> Station:
@@ -153,7 +155,7 @@ class Places:
         reached = self.floor.inside(point, -self.floor.beyond)  # walk towards things that are only seen in the distance
         if reached and all(math.dist(point, other) > _TOO_NEAR for other in others):
             return station
-        x, y = self.floor.free_near(point, person.k, others, apart=_APART)
+        x, y = self.floor.free_near(point, person.scale, others, apart=_APART)
         return replace(station, x=x, y=y)
 
     def anchor(self, name: str | None, person: Person | None = None) -> tuple[Box, Sort, Thing | None] | None:
@@ -167,7 +169,9 @@ class Places:
         other = holder or self.people.get(name or "")  # in front of the pistol is in front of who aims it
         if other is not None and other is not person:
             return (
-                (Box(*other.place, 0.0, 0.5, 0.36, 1.7 * other.k, other.yaw), "person", None) if other.present else None
+                (Box(*other.place, 0.0, 0.5, 0.36, 1.7 * other.scale, other.yaw), "person", None)
+                if other.present
+                else None
             )
         thing = self.floor.thing(name, person.place if person is not None else None)
         if thing is not None:
@@ -203,7 +207,7 @@ class Places:
         if within:
             return round(cost, 4)
         room = float(clearance(np.array([point]), self.floor.obstacles())[0]) if self.floor.inside(point) else -1.0
-        return round(cost + _TIGHT * max(0.0, BODY * person.k + 0.02 - room), 4)
+        return round(cost + _TIGHT * max(0.0, BODY * person.scale + 0.02 - room), 4)
 
     def _nearest_at(self, person: Person, station: Station) -> Person | None:
         """Return the nearest seated or kneeling person: a person who stops beside a piano turns to its player."""
@@ -220,9 +224,9 @@ class Places:
         elif spot.facing == "away" and anchor is not None:
             yaw = facing(here[0] - anchor.x, here[1] - anchor.y)
         elif spot.facing is None and spot.relation == "next_to" and (other := self._nearest_at(person, station)):
-            yaw = cheated(facing(other.place[0] - here[0], other.place[1] - here[1]))
+            yaw = turn_towards_audience(facing(other.place[0] - here[0], other.place[1] - here[1]))
         elif spot.facing is not None and (found := self.anchor(spot.facing, person)) is not None:
-            yaw = cheated(facing(found[0].x - here[0], found[0].y - here[1]))
+            yaw = turn_towards_audience(facing(found[0].x - here[0], found[0].y - here[1]))
         height = spot.height if spot.height is not None else station.z
         return Station(station.x, station.y, yaw, station.dislike, height)
 

@@ -124,7 +124,7 @@ class Seats:
         absent = [place for name, place in self.home.items() if not self.people[name].present]
 
         def unfit(seat: SeatPlace) -> bool:
-            crowded = any(math.dist(seat.before(person.k), other) < PERSONAL for other in self._others(person))
+            crowded = any(math.dist(seat.before(person.scale), other) < PERSONAL for other in self._others(person))
             kept = any(math.dist(seat.edge, place) < 0.3 for place in absent)
             return crowded or kept or any(seat.takes(at) for at in self.things())
 

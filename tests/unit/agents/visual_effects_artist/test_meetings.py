@@ -146,5 +146,5 @@ def test_who_puts_something_aside_across_themselves_turns_to_it() -> None:
     rick, ilsa = company.people["rick"], company.people["ilsa"]
     rick.present = ilsa.present = True
     rick.place, rick.held, ilsa.place = (0.0, -1.0), {"R": "lamp"}, (-0.55, -1.1)  # on the right of who faces -Y
-    Handling(company, sheet).put_aside(rick, ["lamp"], 0.0)
+    Handling(company, sheet).put_props_aside(rick, ["lamp"], 0.0)
     assert [cue.clip for cue in sheet.cues] == ["turn", "put_down"]
