@@ -13,8 +13,8 @@ import time
 
 import numpy as np
 
-from storyblender.geometry.boxes import Box, facing, wrapped
-from storyblender.geometry.relations import BEARING, TURN, Room, Thing, slid, violations
+from storyblender.geometry.boxes import Box, wrap_angle, yaw_along
+from storyblender.geometry.relations import BEARING, DIRECTION_TURN, Room, Thing, slide_to_gap, violations
 from storyblender.geometry.solver import solve
 
 ROOMS = 200
@@ -65,16 +65,16 @@ def _relate(thing: Thing, anchor: Thing, rng: np.random.Generator) -> None:
     if rng.random() < 0.5:
         angle = math.radians(float(rng.choice((0, 90, 180, 270))) + float(rng.uniform(-15, 15)))
         box.x, box.y = base.x + math.cos(angle), base.y + math.sin(angle)
-        box.x, box.y = slid(box, base, 0.02, angle)
+        box.x, box.y = slide_to_gap(box, base, 0.02, angle)
         thing.contact = True
     else:
         thing.contact = (False, None)[int(rng.integers(2))]
     bearing = math.atan2(box.y - base.y, box.x - base.x)
-    thing.relationship = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
+    thing.relationship = min(BEARING, key=lambda name: abs(wrap_angle(bearing - BEARING[name])))
     thing.anchor = anchor.name
     if rng.random() < 0.5:
-        thing.direction = str(rng.choice(list(TURN)))
-        ideal = facing(base.x - box.x, base.y - box.y) + TURN[thing.direction]
+        thing.direction = str(rng.choice(list(DIRECTION_TURN)))
+        ideal = yaw_along(base.x - box.x, base.y - box.y) + DIRECTION_TURN[thing.direction]
         box.turn_to(ideal + math.radians(float(rng.uniform(-20, 20))))
 
 

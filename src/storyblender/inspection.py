@@ -10,7 +10,7 @@ from storyblender.agents.layout_artist.layout_brief import measures_of
 from storyblender.agents.layout_artist.layout_things import layout_violations
 from storyblender.catalog.sets import plan_of
 from storyblender.deliver.checklist import STAGING, names_of, picture_flaws, plain
-from storyblender.geometry.continuity import side_of_line, walked_around
+from storyblender.geometry.continuity import has_new_line, side_of_line
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Frozen, Vec3, scene_name, shot_name
 from storyblender.memory.graph import ContinuityMemoryGraph
@@ -213,7 +213,7 @@ def _line_row(graph: ContinuityMemoryGraph, sights: dict[str, ShotSight], findin
             if first not in faces or second not in faces:
                 continue
             line = (faces[first], faces[second])
-            if walked_around(lines.setdefault(frozenset(axis), line), line):
+            if has_new_line(lines.setdefault(frozenset(axis), line), line):
                 del sides[frozenset(axis)]
             lines[frozenset(axis)] = line
             side = side_of_line(_orbit(shot.camera.poses[0]).position, *line)

@@ -11,7 +11,7 @@ import camera_stage  # noqa: E402
 
 from storyblender.blender.session import Session  # noqa: E402
 from storyblender.blender.windows import follow_daylight  # noqa: E402
-from storyblender.geometry.orbit import between  # noqa: E402
+from storyblender.geometry.orbit import camera_looking_at  # noqa: E402
 from storyblender.memory.graph import ProjectFormat  # noqa: E402
 from storyblender.memory.jobs import FrameJob, MotionJob, PackRef  # noqa: E402
 from storyblender.memory.measure import ViewRequest  # noqa: E402
@@ -37,7 +37,7 @@ def session(tmp_path):
 
 
 def request(shot_id: int, x: float = 0.0) -> ViewRequest:
-    camera = between((x, -2.5, 1.5), (0, 0, 1.5), 35)
+    camera = camera_looking_at((x, -2.5, 1.5), (0, 0, 1.5), 35)
     pose = CameraPose(pivot=camera.pivot, rotation=camera.rotation, distance=camera.distance, lens=35)
     return ViewRequest(scene_id=1, shot_id=shot_id, frame=0, pose=pose, focus_ids=("anna",))
 

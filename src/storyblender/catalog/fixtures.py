@@ -10,7 +10,7 @@ from typing import Literal
 from storyblender.catalog.openings import openings_of
 from storyblender.catalog.props.variants import singular, words_of
 from storyblender.catalog.set_plan import SetPlan
-from storyblender.geometry.boxes import Box, facing
+from storyblender.geometry.boxes import Box, yaw_along
 
 FixtureKind = Literal["door", "window", "wall", "corner", "piece", "mark"]
 
@@ -96,7 +96,7 @@ def _wall(name: str, start: tuple[float, float], end: tuple[float, float], heigh
     length = math.dist(start, end)
     along = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
     middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-    box = Box(*middle, 0.0, length, _MARK, height, facing(-along[1], along[0]))
+    box = Box(*middle, 0.0, length, _MARK, height, yaw_along(-along[1], along[0]))
     sides = {(0, 1): "right", (0, -1): "left", (1, 0): "front", (-1, 0): "back"}
     side = sides.get((round(along[0]), round(along[1])), "side")
     return Fixture(name, "wall", box, ("wall", side))
@@ -107,5 +107,5 @@ def _corners(plan: SetPlan) -> Iterator[Fixture]:
     size = plan.size
     for side, x in (("left", size.x_negative + _IN_CORNER), ("right", size.x - _IN_CORNER)):
         y = size.y - _IN_CORNER
-        yaw = facing((size.x + size.x_negative) / 2 - x, (size.y + size.y_negative) / 2 - y)
+        yaw = yaw_along((size.x + size.x_negative) / 2 - x, (size.y + size.y_negative) / 2 - y)
         yield Fixture(f"{side}_corner", "corner", Box(x, y, 0.0, _MARK, _MARK, 0.0, yaw), ("corner", side))

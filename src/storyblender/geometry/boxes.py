@@ -43,7 +43,7 @@ class Box:
 
     def turn_to(self, yaw: float) -> None:
         """Set the yaw in radians, wrapped to -pi..pi."""
-        self.yaw = wrapped(yaw)
+        self.yaw = wrap_angle(yaw)
         self.cos, self.sin = math.cos(yaw), math.sin(yaw)
 
     @property
@@ -81,22 +81,22 @@ class Box:
         return (u + v) / 2
 
 
-def wrapped(angle: float) -> float:
+def wrap_angle(angle: float) -> float:
     """Return the angle in radians brought into -pi..pi."""
     return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
-def turn_between(a: float, b: float) -> float:
+def shortest_turn(a: float, b: float) -> float:
     """Return the shortest turn from angle ``a`` to ``b``, radians."""
-    return wrapped(b - a)
+    return wrap_angle(b - a)
 
 
-def facing(dx: float, dy: float) -> float:
+def yaw_along(dx: float, dy: float) -> float:
     """Return the yaw in radians that looks along (dx, dy)."""
     return math.atan2(dx, -dy)
 
 
-def separation(a: Box, b: Box) -> tuple[float, Axis]:
+def footprint_gap(a: Box, b: Box) -> tuple[float, Axis]:
     """Return the signed gap of two footprints and the axis from ``b`` to ``a`` along which it is widest.
 
     Separating-axis test over the four face normals: negative is the penetration depth, and then moving ``a`` by
@@ -129,7 +129,7 @@ def penetration(a: Box, b: Box, tolerance: float = 0.0) -> tuple[float, Axis]:
         return 0.0, (1.0, 0.0)
     if math.hypot(a.x - b.x, a.y - b.y) > a.radius + b.radius:
         return 0.0, (1.0, 0.0)
-    gap, axis = separation(a, b)
+    gap, axis = footprint_gap(a, b)
     return max(-gap, 0.0), axis
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 
 from storyblender.geometry.framing import Film
-from storyblender.geometry.moves import eased, in_between
+from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.shot_context import CameraPose, CameraState
 
@@ -33,5 +33,5 @@ def camera_at(state: CameraState, frame: float, film: Film) -> Orbit:
     for before, after in itertools.pairwise(state.poses):
         if frame <= after.frame:
             share = (frame - before.frame) / max(1, after.frame - before.frame)
-            return in_between(orbit_of(before, film), orbit_of(after, film), eased(share))
+            return interpolate_cameras(orbit_of(before, film), orbit_of(after, film), ease_in_out(share))
     return orbit_of(state.poses[-1], film)

@@ -15,7 +15,7 @@ from storyblender.memory.asset_sheet import AssetDimension
 Floats = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
-UP_PRIOR = 2.1
+UPRIGHT_MARGIN = 2.1
 """How much worse the file's own up may score before another is taken: it must be about to fall over."""
 UNITS: tuple[tuple[str, float], ...] = (
     ("metres", 1.0),
@@ -23,13 +23,13 @@ UNITS: tuple[tuple[str, float], ...] = (
     ("millimetres", 0.001),
     ("inches", 0.0254),
 )
-LIKELY = ((0.02, 32.0), (0.1, 8.0), (0.1, 8.0))
+LIKELY_EXTENTS = ((0.02, 32.0), (0.1, 8.0), (0.1, 8.0))
 """Metres: the largest extent that makes a metre, a centimetre, a millimetre file believable."""
-PLAUSIBLE = 2.5
+PLAUSIBLE_RATIO = 2.5
 """How many times larger or smaller than usual a thing may be and keep its own size."""
 
 
-def stand_up(vertices: Floats, triangles: Triangles) -> Floats:
+def find_upright_rotation(vertices: Floats, triangles: Triangles) -> Floats:
     """Return the (3, 3) rotation that puts a model on its feet; the identity unless it would fall over as it is.
 
     Args:
@@ -38,12 +38,12 @@ def stand_up(vertices: Floats, triangles: Triangles) -> Floats:
     """
     x, y, z = np.eye(3)
     candidates = [np.array(rows) for rows in ((x, y, z), (x, z, -y), (x, -z, y), (x, -y, -z), (-z, y, x), (z, y, -x))]
-    scores = np.array([stability(vertices @ turn.T, triangles) for turn in candidates])
+    scores = np.array([measure_stability(vertices @ turn.T, triangles) for turn in candidates])
     best = int(scores.argmax())
-    return candidates[best] if scores[best] > scores[0] + UP_PRIOR else candidates[0]
+    return candidates[best] if scores[best] > scores[0] + UPRIGHT_MARGIN else candidates[0]
 
 
-def stability(vertices: Floats, triangles: Triangles) -> float:
+def measure_stability(vertices: Floats, triangles: Triangles) -> float:
     """Return -1..2: how well the model stands on what touches the ground when +Z is up.
 
     The share of its footprint that its support polygon covers, plus how far inside that polygon its mass lies.
@@ -54,7 +54,7 @@ def stability(vertices: Floats, triangles: Triangles) -> float:
     if len(hull) < 3:
         return 0.0
     share = polygon_area(hull) / (extent[0] * extent[1])
-    centers, areas = _centers(vertices, triangles)
+    centers, areas = _triangle_centres_and_areas(vertices, triangles)
     mass = np.average(centers[:, :2], axis=0, weights=areas)
     return float(share + np.clip(_depth_inside(hull, mass) / (0.25 * extent[:2].min()), -1, 1))
 
@@ -91,13 +91,13 @@ def _depth_inside(hull: Floats, point: Floats) -> float:
     return float((_cross(edges, point - hull) / np.maximum(np.linalg.norm(edges, axis=1), 1e-12)).min())
 
 
-def _centers(vertices: Floats, triangles: Triangles) -> tuple[Floats, Floats]:
+def _triangle_centres_and_areas(vertices: Floats, triangles: Triangles) -> tuple[Floats, Floats]:
     corners = vertices[triangles]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return corners.mean(axis=1), np.maximum(np.linalg.norm(normal, axis=1) / 2, 1e-12)
 
 
-def scale_of(extent: Floats, dimension: AssetDimension | None, *, told: bool) -> tuple[float, str]:
+def find_scale(extent: Floats, dimension: AssetDimension | None, *, told: bool) -> tuple[float, str]:
     """Return metres of one unit of a model, and why it is not 1; the reason is empty where the model keeps its size.
 
     Args:
@@ -105,23 +105,23 @@ def scale_of(extent: Floats, dimension: AssetDimension | None, *, told: bool) ->
         dimension: What the thing measures, usually.
         told: Whether the script states that measure, so that it counts and not the file's.
     """
-    wanted = _wanted(extent, dimension)
+    wanted = _usual_measure(extent, dimension)
     if wanted is None:
-        name, unit = _likely(float(extent.max()))
+        name, unit = _likely_unit(float(extent.max()))
         return unit, "" if unit == 1 else f"it is taken to be in {name}"
     measured, goal = wanted
     ratio = goal / max(measured, 1e-9)
     if told:
         return ratio, "" if abs(ratio - 1) < 0.02 else "the script says how large it is"
-    if 1 / PLAUSIBLE <= ratio <= PLAUSIBLE:
+    if 1 / PLAUSIBLE_RATIO <= ratio <= PLAUSIBLE_RATIO:
         return 1.0, ""
     name, unit = min(UNITS, key=lambda each: abs(np.log(ratio / each[1])))
-    if 1 / PLAUSIBLE <= ratio / unit <= PLAUSIBLE:
+    if 1 / PLAUSIBLE_RATIO <= ratio / unit <= PLAUSIBLE_RATIO:
         return unit, f"it is taken to be in {name}"
     return ratio, "it is far from the usual size of such a thing"
 
 
-def _wanted(extent: Floats, dimension: AssetDimension | None) -> tuple[float, float] | None:
+def _usual_measure(extent: Floats, dimension: AssetDimension | None) -> tuple[float, float] | None:
     """Return the extent that a dimension is about and its metres; of width and depth the larger stands for either."""
     if dimension is None:
         return None
@@ -131,9 +131,9 @@ def _wanted(extent: Floats, dimension: AssetDimension | None) -> tuple[float, fl
     return None if side is None else (float(extent[:2].max()), side)
 
 
-def _likely(largest: float) -> tuple[str, float]:
+def _likely_unit(largest: float) -> tuple[str, float]:
     """Return the unit under which the largest extent is likely; metres where they are."""
-    for (name, metres), (least, most) in zip(UNITS, LIKELY, strict=False):
+    for (name, metres), (least, most) in zip(UNITS, LIKELY_EXTENTS, strict=False):
         if least <= largest * metres <= most:
             return name, metres
     return UNITS[0]

@@ -7,17 +7,17 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from storyblender.geometry.boxes import wrapped
+from storyblender.geometry.boxes import wrap_angle
 from storyblender.geometry.orbit import Orbit
 
-THIRTY = 30.0
+JUMP_CUT_DEGREES = 30.0
 """Degrees that a camera must move between two shots of one subject in like size."""
 
-_WALKED_AROUND = 50.0
+_NEW_LINE_DEGREES = 50.0
 """Degrees that the line of two people must turn to be another line."""
 
 
-def walked_around(before: ArrayLike, now: ArrayLike) -> bool:
+def has_new_line(before: ArrayLike, now: ArrayLike) -> bool:
     """Return whether two people have moved about each other so far that a new line holds between them.
 
     What was on one side of the old line has no side on the new one: a picture after it may choose, and answers none
@@ -31,7 +31,7 @@ def walked_around(before: ArrayLike, now: ArrayLike) -> bool:
     for faces in (before, now):
         first, second = np.asarray(faces, float)[:, :2]
         angles.append(math.atan2(*(second - first)[::-1]))
-    return abs(wrapped(angles[1] - angles[0])) > math.radians(_WALKED_AROUND)
+    return abs(wrap_angle(angles[1] - angles[0])) > math.radians(_NEW_LINE_DEGREES)
 
 
 def side_of_line(camera: ArrayLike, first: ArrayLike, second: ArrayLike) -> int:
@@ -54,7 +54,7 @@ def crosses_line(camera: Orbit, first: ArrayLike, second: ArrayLike, side: int) 
     return side != 0 and here != 0 and here != side
 
 
-def view_change(before: Orbit, after: Orbit, subject: ArrayLike) -> float:
+def angle_between_views(before: Orbit, after: Orbit, subject: ArrayLike) -> float:
     """Return the angle in degrees between two cameras as seen from the subject."""
     a = before.position - np.asarray(subject, float)
     b = after.position - np.asarray(subject, float)
@@ -62,9 +62,9 @@ def view_change(before: Orbit, after: Orbit, subject: ArrayLike) -> float:
     return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
 
 
-def jumps(before: Orbit, after: Orbit, subject: ArrayLike, size_steps: int) -> bool:
+def is_jump_cut(before: Orbit, after: Orbit, subject: ArrayLike, size_steps: int) -> bool:
     """Return whether a cut would jump: the same subject, less than 30 degrees and less than two sizes apart."""
-    return size_steps < 2 and view_change(before, after, subject) < THIRTY
+    return size_steps < 2 and angle_between_views(before, after, subject) < JUMP_CUT_DEGREES
 
 
 def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
@@ -74,17 +74,19 @@ def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
     return float(camera.axes[:, 0] @ flat / length) if length > 1e-9 else 0.0
 
 
-def looks_meet(one: Orbit, one_look: ArrayLike, other: Orbit, other_look: ArrayLike, *, least: float = 0.12) -> bool:
+def do_looks_match(
+    one: Orbit, one_look: ArrayLike, other: Orbit, other_look: ArrayLike, *, least: float = 0.12
+) -> bool:
     """Return whether two singles match: the faces look to opposite sides of the picture."""
     a, b = screen_direction(one, one_look), screen_direction(other, other_look)
     return a * b < 0 or abs(a) < least or abs(b) < least
 
 
-def mirrored(azimuth: float, first: ArrayLike, second: ArrayLike) -> float:
+def mirror_azimuth(azimuth: float, first: ArrayLike, second: ArrayLike) -> float:
     """Return the azimuth that mirrors a camera across the plane between two people, degrees.
 
     The reverse of a single: same side of the line, same angle off it, looking at the other one.
     """
     line = np.asarray(second, float) - np.asarray(first, float)
     along = math.degrees(math.atan2(line[0], -line[1]))
-    return math.degrees(wrapped(math.radians(2 * (along + 90.0) - azimuth)))
+    return math.degrees(wrap_angle(math.radians(2 * (along + 90.0) - azimuth)))

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from storyblender.geometry.orbit import Orbit, between, pan, stand
+from storyblender.geometry.orbit import Orbit, camera_around, camera_looking_at, pan
 from storyblender.memory.shot_sizes import SIZES, WHOLE, ShotSize
 
 Floats = NDArray[np.float64]
@@ -40,33 +40,33 @@ FACE_ANGLE: dict[str, float] = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "
 """Degrees a focus face may be turned from the camera, by kind of shot."""
 DUTCH_ROLL = 12.0
 """Degrees."""
-THIRD = 1 / 6
+THIRD_FROM_CENTRE = 1 / 6
 """How far a third line is from the middle of the picture."""
-OVER_CROWN = -0.04
+SHOULDER_CROWN_Y = -0.04
 """Highest that the near head of an over-the-shoulder goes: a little hair may be cut, not the head."""
-_OVER_LARGER = 3.2
+_SHOULDER_HEAD_RATIO = 3.2
 """Most times that the near head of an over-the-shoulder is as large as the far one, which it would dwarf."""
-_OVER_FAR = 1.6
+_SHOULDER_DISTANCE_RATIO = 1.6
 """Most times as far as the size wants that a shoulder may send the camera back: from there the subject is tiny."""
-_OVER_TALLER = 0.5
+_SHOULDER_RISE_SHARE = 0.5
 """How much of a standing partner's height over a sitting subject the camera goes up."""
-_FOCUS_OFF = 0.13
+_SHOULDER_FACE_OFFSET = 0.13
 """How far from the middle the face of an over-the-shoulder goes, on the side without the shoulder."""
-_LOWEST = 0.55
+_SHOULDER_FACE_LOWEST_Y = 0.55
 """Lowest a subject's face goes in an over-the-shoulder, for the head before it."""
-_NEAREST_FACE = 0.8
+_MIN_FACE_DEPTH = 0.8
 """Metres: nobody of a group is nearer to the camera, or behind it."""
-_HATS = 0.12
+_MIN_CROWN_Y = 0.12
 """Highest that the crowns of a group go: some of them wear hats."""
-_LOWER = 0.1
+_MAX_BODY_DROP = 0.1
 """Most that a whole body lower than a standing one goes down in the picture."""
-_BODIES = 0.83
+_BODY_SHARE = 0.83
 """Most of the picture's height that whole bodies take in a group."""
 _HEADS, _CROWN_TO_CHIN = 0.62, 0.82
 """Largest share of the picture height between the faces of a group, and from its top crown to its lowest chin."""
-_LOW_WHOLE = 0.5
+_WHOLE_BODY_LOW_ANGLE = 0.5
 """What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
-_CROWN = 0.55
+_CROWN_ABOVE_FACE = 0.55
 """Crown above the face's centre, in head heights."""
 
 
@@ -99,7 +99,7 @@ class Figure:
     def crown(self) -> tuple[float, float, float]:
         """Top of the head, world metres."""
         x, y, z = self.face
-        return x, y, z + _CROWN * self.head
+        return x, y, z + _CROWN_ABOVE_FACE * self.head
 
     def turned_from(self, eye: ArrayLike) -> float:
         """Return the degrees between where the face looks and the way to a point; 0 is full face."""
@@ -110,7 +110,7 @@ class Figure:
 
 def elevation_of(angle: str, size: ShotSize) -> float:
     """Return the degrees that the camera is above the subject's eyes, for an angle of ``ELEVATION`` and a shot size."""
-    return ELEVATION[angle] * (_LOW_WHOLE if angle == "low angle" and size in WHOLE else 1.0)
+    return ELEVATION[angle] * (_WHOLE_BODY_LOW_ANGLE if angle == "low angle" and size in WHOLE else 1.0)
 
 
 def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
@@ -136,7 +136,7 @@ def distance_for(height: float, share: float, camera_tangent: float) -> float:
     return height / share / (2 * camera_tangent)
 
 
-def placed(camera: Orbit, point: ArrayLike, x: float, y: float) -> Orbit:
+def place_on_screen(camera: Orbit, point: ArrayLike, x: float, y: float) -> Orbit:
     """Pan the camera until a world point is seen at screen position (x, y)."""
     for _ in range(2):
         screen, depth = project(camera, point)
@@ -146,23 +146,23 @@ def placed(camera: Orbit, point: ArrayLike, x: float, y: float) -> Orbit:
     return camera
 
 
-def lead_room(camera: Orbit, figure: Figure) -> float:
+def lead_room_x(camera: Orbit, figure: Figure) -> float:
     """Return the screen x for a lone figure: looking across the picture, it gets room before its face.
 
     A large head takes that room itself: behind its face are hair and neck, and they stay in the picture.
     """
     across = float(np.dot(figure.forward, camera.axes[:, 0]))
-    room = THIRD * 0.85 * (1 - 1.5 * max(0.0, head_share(camera, figure) - 0.25))
+    room = THIRD_FROM_CENTRE * 0.85 * (1 - 1.5 * max(0.0, head_share(camera, figure) - 0.25))
     return 0.5 - max(room, 0.0) * max(-1.0, min(1.0, 1.4 * across)) if abs(across) > 0.2 else 0.5
 
 
-def face_height(size: ShotSize) -> float:
+def face_screen_y(size: ShotSize) -> float:
     """Return the screen y of the face's centre for a shot size."""
     scale = SIZES[size]
-    return scale.crown + _CROWN * scale.head
+    return scale.crown + _CROWN_ABOVE_FACE * scale.head
 
 
-def crown_height(head: float) -> float:
+def crown_screen_y(head: float) -> float:
     """Return the screen y of the crown for a head of that share of the picture's height."""
     heads, crowns = zip(*((scale.head, scale.crown) for scale in SIZES.values()), strict=True)
     return float(np.interp(head, heads, crowns))
@@ -181,23 +181,23 @@ class Film:
 
     def look(self, pivot: ArrayLike, azimuth: float, elevation: float, distance: float, lens: float) -> Orbit:
         """Return a camera around a pivot with this film."""
-        return stand(
+        return camera_around(
             pivot, azimuth, elevation, distance, lens, sensor_width=self.sensor_width, aspect=self.aspect
         )  # fmt: skip
 
 
-def single(film: Film, figure: Figure, size: ShotSize, azimuth: float, elevation: float, lens: float) -> Orbit:
+def frame_single(film: Film, figure: Figure, size: ShotSize, azimuth: float, elevation: float, lens: float) -> Orbit:
     """Return the camera for one person: face at its height, with lead room; who is bent or sits low is lower in it."""
     distance = distance_for(figure.head, SIZES[size].head, film.tangent(lens))
     camera = film.look(figure.face, azimuth, elevation, distance, lens)
-    camera = placed(camera, figure.face, lead_room(camera, figure), face_height(size))
+    camera = place_on_screen(camera, figure.face, lead_room_x(camera, figure), face_screen_y(size))
     if size != "FS":
         return camera
     screen, _ = project(camera, [figure.crown, figure.base])
-    return pan(camera, 0.0, min(max(0.5 - float(screen[:, 1].mean()), 0.0), _LOWER))
+    return pan(camera, 0.0, min(max(0.5 - float(screen[:, 1].mean()), 0.0), _MAX_BODY_DROP))
 
 
-def group(
+def frame_group(
     film: Film,
     figures: Sequence[Figure],
     size: ShotSize,
@@ -217,27 +217,29 @@ def group(
     camera = film.look(middle, azimuth, elevation, distance_for(head, SIZES[size].head, tangent), lens)
     for _ in range(3):
         _, depth = project(camera, faces)
-        camera = replace(camera, distance=camera.distance + max(0.0, _NEAREST_FACE - float(depth.min())))
+        camera = replace(camera, distance=camera.distance + max(0.0, _MIN_FACE_DEPTH - float(depth.min())))
         screen, depth = project(camera, faces)
         aside = np.abs(screen[:, 0] - 0.5) * 2 * depth
         needed = aside / span - depth + camera.distance
         camera = replace(camera, distance=max(camera.distance, float(needed.max())))
-    chins = [(*each.face[:2], each.face[2] - (1 - _CROWN) * each.head) for each in figures]
+    chins = [(*each.face[:2], each.face[2] - (1 - _CROWN_ABOVE_FACE) * each.head) for each in figures]
     ends = project(camera, [*(each.crown for each in figures), *chins])[0][:, 1]
     taken = max(float(np.ptp(project(camera, faces)[0][:, 1])) / _HEADS, float(np.ptp(ends)) / _CROWN_TO_CHIN)
     camera = replace(camera, distance=camera.distance * max(taken, 1.0))
     if size in WHOLE:
         tops, bottoms = (project(camera, [getattr(each, end) for each in figures])[0] for end in ("crown", "base"))
         tall = float(bottoms[:, 1].max() - tops[:, 1].min())
-        camera = replace(camera, distance=camera.distance * max(tall / _BODIES, 1.0))
+        camera = replace(camera, distance=camera.distance * max(tall / _BODY_SHARE, 1.0))
     tallest = max(figures, key=lambda figure: figure.face[2])
     share = tallest.head / camera.frame_height
-    camera = placed(camera, tallest.face, 0.5, max(crown_height(share), _HATS) + (_CROWN + 0.1) * share)
+    camera = place_on_screen(
+        camera, tallest.face, 0.5, max(crown_screen_y(share), _MIN_CROWN_Y) + (_CROWN_ABOVE_FACE + 0.1) * share
+    )
     screen, _ = project(camera, faces)
     return pan(camera, float(screen[:, 0].min() + screen[:, 0].max() - 1) / 2 * film.aspect, 0.0)
 
 
-def group_from(
+def frame_group_from(
     film: Film,
     figures: Sequence[Figure],
     size: ShotSize,
@@ -272,32 +274,34 @@ def group_from(
     if size in WHOLE:
         feet = np.arctan2([figure.base[2] - eye[2] for figure in figures], apart)
         tall = 2 * math.tan(float(crowns.max() - feet.min()) / 2)
-        sized = min(sized, _BODIES / tall * film.sensor_width / film.aspect)
+        sized = min(sized, _BODY_SHARE / tall * film.sensor_width / film.aspect)
     low = np.arctan2([figure.face[2] - eye[2] for figure in figures], apart).min()
     sized = min(
         sized, _HEADS / (2 * math.tan(max(float(crowns.max() - low), 1e-3) / 2)) * film.sensor_width / film.aspect
     )
     lens = min(lens, max(min(holds, sized), widest))
     high = int(crowns.argmax())
-    crown = max(crown_height(float(heads[high]) / (2 * film.tangent(lens))), _HATS)
+    crown = max(crown_screen_y(float(heads[high]) / (2 * film.tangent(lens))), _MIN_CROWN_Y)
     pitch = float(crowns[high]) - math.atan((1 - 2 * crown) * film.tangent(lens))
     way = np.array([math.sin(ahead), math.cos(ahead), math.tan(pitch)])
     distance = max(float((ways[:, :2] @ way[:2]).mean()), 0.6)
-    return between(eye, eye + way * distance, lens, sensor_width=film.sensor_width, aspect=film.aspect)
+    return camera_looking_at(eye, eye + way * distance, lens, sensor_width=film.sensor_width, aspect=film.aspect)
 
 
-def holds_shoulder(film: Film, focus: Figure, over: Figure, size: ShotSize, lens: float) -> bool:
+def can_frame_over_shoulder(film: Film, focus: Figure, over: Figure, size: ShotSize, lens: float) -> bool:
     """Return whether a camera behind somebody's shoulder sees the subject about as large as the size wants."""
     apart = math.dist(focus.face[:2], over.face[:2])
-    return _behind_shoulder(apart) <= _OVER_FAR * distance_for(focus.head, SIZES[size].head, film.tangent(lens))
+    return _distance_over_shoulder(apart) <= _SHOULDER_DISTANCE_RATIO * distance_for(
+        focus.head, SIZES[size].head, film.tangent(lens)
+    )
 
 
-def _behind_shoulder(apart: float) -> float:
+def _distance_over_shoulder(apart: float) -> float:
     """Return the least metres to the subject from behind a partner ``apart`` from them."""
-    return apart + max(0.75, apart / (_OVER_LARGER - 1))
+    return apart + max(0.75, apart / (_SHOULDER_HEAD_RATIO - 1))
 
 
-def over_shoulder(
+def frame_over_shoulder(
     film: Film, focus: Figure, over: Figure, size: ShotSize, side: float, elevation: float, lens: float
 ) -> Orbit:
     """Return the camera behind a shoulder: the listener's head a dark third, the speaker's face in the other.
@@ -316,35 +320,40 @@ def over_shoulder(
     apart = max(float(np.hypot(line[0], line[1])), 0.4)
     ahead = np.array([line[0], line[1], 0.0]) / apart
     left = np.array([-ahead[1], ahead[0], 0.0])
-    distance = max(distance_for(focus.head, SIZES[size].head, tangent), _behind_shoulder(apart))
+    distance = max(distance_for(focus.head, SIZES[size].head, tangent), _distance_over_shoulder(apart))
     behind = distance - apart
     spread = 0.42 * 2 * tangent * film.aspect
     # Placing the face on its third takes the camera back by as much.
-    taken = _FOCUS_OFF * 2 * tangent * film.aspect * distance
+    taken = _SHOULDER_FACE_OFFSET * 2 * tangent * film.aspect * distance
     aside = min(spread / (1 / behind - 1 / distance) + taken, 0.75 * behind, 0.7 * distance)
     aside = max(aside, 0.32)
     lift = distance * math.tan(math.radians(elevation))
     position = np.asarray(over.face) - ahead * behind + left * side * aside
     taller = max(over.face[2] - focus.face[2], 0.0)
-    position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift + _OVER_TALLER * taller
-    camera = between(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
-    height = min(face_height(size) + 0.03, 0.42)
-    camera = placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, height)
+    position[2] = max(focus.face[2], over.face[2]) + 0.06 + lift + _SHOULDER_RISE_SHARE * taller
+    camera = camera_looking_at(position, focus.face, lens, sensor_width=film.sensor_width, aspect=film.aspect)
+    height = min(face_screen_y(size) + 0.03, 0.42)
+    camera = place_on_screen(camera, focus.face, 0.5 - side * _SHOULDER_FACE_OFFSET, height)
     screen, depth = project(camera, [over.crown, focus.face])
-    if screen[0, 1] >= OVER_CROWN:
+    if screen[0, 1] >= SHOULDER_CROWN_Y:
         return camera
     # A camera that goes up moves a near head further down its picture than the face behind it.
-    lower = (OVER_CROWN - float(screen[0, 1])) * float(depth[0] / depth[1])
-    return placed(camera, focus.face, 0.5 - side * _FOCUS_OFF, max(height, min(height + lower, _LOWEST)))
+    lower = (SHOULDER_CROWN_Y - float(screen[0, 1])) * float(depth[0] / depth[1])
+    return place_on_screen(
+        camera,
+        focus.face,
+        0.5 - side * _SHOULDER_FACE_OFFSET,
+        max(height, min(height + lower, _SHOULDER_FACE_LOWEST_Y)),
+    )
 
 
-def through_eyes(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:
+def frame_point_of_view(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:
     """Return what somebody sees: the camera in their eyes, on the target."""
     position = np.asarray(eyes.face) + 0.12 * np.asarray(eyes.forward)
-    return between(position, target, lens, sensor_width=film.sensor_width, aspect=film.aspect)
+    return camera_looking_at(position, target, lens, sensor_width=film.sensor_width, aspect=film.aspect)
 
 
-def insert(
+def frame_insert(
     film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.5, reach: float = 0.45
 ) -> Orbit:
     """Return the camera for a thing, given its corners: it fills ``fill`` of the height or of the width.
@@ -366,7 +375,9 @@ def insert(
     return replace(camera, distance=max(10.0 * float(extent.max()), reach))
 
 
-def master(film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.86) -> Orbit:
+def frame_master(
+    film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.86
+) -> Orbit:
     """Return the camera that holds all points (the place and whoever is in it) within ``fill`` of the picture."""
     corners = np.asarray(points, float)
     middle = (corners.min(0) + corners.max(0)) / 2
@@ -380,4 +391,4 @@ def master(film: Film, points: ArrayLike, azimuth: float, elevation: float, lens
         camera = replace(camera, distance=max(float((off.max(1) * depth - depth).max()) + camera.distance, 1.0))
     screen, _ = project(camera, corners)
     box = (screen.min(0) + screen.max(0)) / 2
-    return placed(camera, middle, 0.5, 0.5 + float(project(camera, middle)[0][0, 1] - box[1]))
+    return place_on_screen(camera, middle, 0.5, 0.5 + float(project(camera, middle)[0][0, 1] - box[1]))

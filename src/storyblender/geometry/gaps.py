@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-MOST_GAP = 7.5
+MAX_FACE_GAP = 7.5
 """Heads between two neighbours from which the middle of a picture of them is empty."""
 
 
-def empty_middle(faces: Sequence[tuple[float, float]], aspect: float) -> float:
+def widest_face_gap(faces: Sequence[tuple[float, float]], aspect: float) -> float:
     """Return the widest gap between neighbouring faces of a picture, in heights of the largest head.
 
     Args:

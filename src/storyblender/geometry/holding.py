@@ -9,16 +9,16 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-SPAN = 0.095
+MAX_GRIP = 0.095
 """Metres that a hand closes around."""
-HELD = 1.3
+MAX_HELD_LENGTH = 1.3
 """Metres: the longest side of what is carried in a hand."""
-CARRIED = 0.6
+MAX_HELD_WIDTH = 0.6
 """Metres: the second longest."""
 _SLICES = 32
-_FIST = 0.05
+_MIN_GRIP_LENGTH = 0.05
 """Metres of a shaft that a hand needs, at least."""
-_ACROSS = 1.6
+_MAX_HANDLE_RATIO = 1.6
 """How many times wider than thick a handle may be; a blade is more."""
 
 
@@ -48,13 +48,13 @@ def find_hold(vertices: Floats, triangles: NDArray[np.int64]) -> Hold | None:
     """
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     extent = np.sort(high - low)
-    if extent[2] > HELD or extent[1] > CARRIED:
+    if extent[2] > MAX_HELD_LENGTH or extent[1] > MAX_HELD_WIDTH:
         return None
     corners = vertices[triangles]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     mass = np.average(corners.mean(axis=1), axis=0, weights=np.maximum(areas, 1e-12))
     axis = int((high - low).argmax())
-    slender = _slender(_outline(corners, low, high, axis), mass[axis])
+    slender = _find_handle(_measure_slices(corners, low, high, axis), mass[axis])
     if slender is not None:
         middle = [0.0, 0.0, 0.0]
         middle[axis] = slender[0]
@@ -63,19 +63,19 @@ def find_hold(vertices: Floats, triangles: NDArray[np.int64]) -> Hold | None:
             middle[side] = value
         across = 1 if axis == 0 else 0
         half = slender[2][across]
-        return Hold((middle[0], middle[1], middle[2]), axis, half, _closed(max(slender[2])))
+        return Hold((middle[0], middle[1], middle[2]), axis, half, _grip_closure(max(slender[2])))
     x, y, z = ((low + high) / 2).tolist()
     z = float(np.clip(mass[2], low[2] + 0.3 * (high - low)[2], low[2] + 0.7 * (high - low)[2]))
     half = float((high - low)[0] / 2)
-    return Hold((x, y, z), 2, half, _closed(half))
+    return Hold((x, y, z), 2, half, _grip_closure(half))
 
 
-def _closed(half: float) -> float:
+def _grip_closure(half: float) -> float:
     """Return how far a hand closes around something of a half width: a fist around a rod, flat against a box."""
     return float(np.interp(half, (0.012, 0.05, 0.12), (0.9, 0.55, 0.3)))
 
 
-def _outline(corners: Floats, low: Floats, high: Floats, axis: int) -> Floats:
+def _measure_slices(corners: Floats, low: Floats, high: Floats, axis: int) -> Floats:
     """Return (slices, 5): place along the axis, and low and high of the other two sides in each slice; NaN if empty."""
     edges = np.linspace(low[axis], high[axis], _SLICES + 1)
     others = [side for side in range(3) if side != axis]
@@ -88,13 +88,13 @@ def _outline(corners: Floats, low: Floats, high: Floats, axis: int) -> Floats:
         inside = (starts <= index) & (ends >= index)
         if not inside.any():
             continue
-        cut = _cut(corners[inside], axis, float(edges[index]), float(edges[index + 1]))
+        cut = _slice_triangles(corners[inside], axis, float(edges[index]), float(edges[index + 1]))
         for column, side in enumerate(others):
             outline[index, 1 + 2 * column : 3 + 2 * column] = cut[:, side].min(), cut[:, side].max()
     return outline
 
 
-def _cut(corners: Floats, axis: int, low: float, high: float) -> Floats:
+def _slice_triangles(corners: Floats, axis: int, low: float, high: float) -> Floats:
     """Return the points of triangles' edges within a slice, and where the edges enter and leave it."""
     first, second = corners.reshape(-1, 3), np.roll(corners, -1, axis=1).reshape(-1, 3)
     start, step = first[:, axis], second[:, axis] - first[:, axis]
@@ -110,20 +110,20 @@ def _cut(corners: Floats, axis: int, low: float, high: float) -> Floats:
     return points if len(points) else corners.reshape(-1, 3)
 
 
-def _slender(outline: Floats, mass: float) -> tuple[float, tuple[float, float], tuple[float, float]] | None:
+def _find_handle(outline: Floats, mass: float) -> tuple[float, tuple[float, float], tuple[float, float]] | None:
     """Return place along the axis, middle and half widths of the graspable run that is nearest to the mass."""
     width = np.stack([outline[:, 2] - outline[:, 1], outline[:, 4] - outline[:, 3]], axis=1)
     thick, thin = np.nan_to_num(width, nan=9.0).max(axis=1), np.nan_to_num(width, nan=9.0).min(axis=1)
-    fits = (thick < SPAN) & (thick > 0.006)
-    round_ = fits & (thick < _ACROSS * np.maximum(thin, 1e-6)) & (thin > 0.01)
+    fits = (thick < MAX_GRIP) & (thick > 0.006)
+    round_ = fits & (thick < _MAX_HANDLE_RATIO * np.maximum(thin, 1e-6)) & (thin > 0.01)
     step = float(outline[1, 0] - outline[0, 0])
     for chosen in (round_, fits):
-        runs = [run for run in _runs(chosen) if len(run) * step >= _FIST]
+        runs = [run for run in _runs(chosen) if len(run) * step >= _MIN_GRIP_LENGTH]
         if not runs:
             continue
         best = min(runs, key=lambda run: float(np.abs(outline[run, 0] - mass).min()))
-        inner = best[(best - best[0]) * step >= _FIST / 2]
-        inner = inner[(best[-1] - inner) * step >= _FIST / 2 - step] if len(inner) else best
+        inner = best[(best - best[0]) * step >= _MIN_GRIP_LENGTH / 2]
+        inner = inner[(best[-1] - inner) * step >= _MIN_GRIP_LENGTH / 2 - step] if len(inner) else best
         inner = inner if len(inner) else best
         at = int(inner[np.abs(outline[inner, 0] - mass).argmin()])
         middle = ((outline[at, 1] + outline[at, 2]) / 2, (outline[at, 3] + outline[at, 4]) / 2)

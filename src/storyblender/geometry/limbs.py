@@ -7,14 +7,14 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-THICK: dict[str, float] = {
+BONE_RADII: dict[str, float] = {
     "hips": 0.07, "spine": 0.066, "chest": 0.07, "upper_chest": 0.07, "neck": 0.028, "head": 0.05,
     "thigh": 0.04, "shin": 0.027,
 }  # fmt: skip
 """Radius of a bone capsule as a share of the stature, slightly thinner than the body; arms may touch: left out."""
 
 
-def depth_between(one: Floats, one_radii: Floats, other: Floats, other_radii: Floats) -> float:
+def capsule_penetration(one: Floats, one_radii: Floats, other: Floats, other_radii: Floats) -> float:
     """Return the largest penetration depth of the capsules of two bodies in metres; 0 if they do not intersect.
 
     Args:

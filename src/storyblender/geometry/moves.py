@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.geometry.orbit import Orbit, matrix, orbit, slerp, swivel
+from storyblender.geometry.orbit import Orbit, orbit, rotation_matrix, slerp, swivel
 
 _SIGN = {"left": 1.0, "right": -1.0, "up": 1.0, "down": -1.0}
 _PAN, _TILT, _ORBIT = 18.0, 12.0, 28.0
@@ -18,7 +18,7 @@ _TRUCK, _PEDESTAL = 0.45, 0.35
 """Travel in heights of the picture at the pivot."""
 
 
-def moved(camera: Orbit, movement: str, direction: str | None = None, share: float = 1.0) -> Orbit:
+def move_camera(camera: Orbit, movement: str, direction: str | None = None, share: float = 1.0) -> Orbit:
     """Return the camera after a share of a plain move; minus one half is where to start to be centred on it.
 
     Args:
@@ -36,15 +36,15 @@ def moved(camera: Orbit, movement: str, direction: str | None = None, share: flo
     if movement == "orbit":
         return orbit(camera, 0.0, _ORBIT / 2 * sign) if vertical else orbit(camera, -_ORBIT * sign)
     if movement == "pedestal" or (movement == "truck" and vertical):
-        return _shifted(camera, camera.axes[:, 1] * camera.frame_height * _PEDESTAL * sign)
+        return _shift_camera(camera, camera.axes[:, 1] * camera.frame_height * _PEDESTAL * sign)
     if movement in ("truck", "track"):
-        return _shifted(camera, camera.axes[:, 0] * camera.frame_height * _TRUCK * -sign)
+        return _shift_camera(camera, camera.axes[:, 0] * camera.frame_height * _TRUCK * -sign)
     factor = {"push in": 1 / _PUSH, "pull out": _PUSH}.get(movement, 1.0) ** share
     zoom = {"zoom in": _ZOOM, "zoom out": 1 / _ZOOM}.get(movement, 1.0) ** share
     return replace(camera, distance=camera.distance * factor, lens=camera.lens * zoom)
 
 
-def followed(camera: Orbit, movement: str, travel: tuple[float, float, float]) -> Orbit:
+def follow_subject(camera: Orbit, movement: str, travel: tuple[float, float, float]) -> Orbit:
     """Return the camera that keeps a walker in the picture: ``track`` goes along, anything else turns on the tripod.
 
     Args:
@@ -52,15 +52,15 @@ def followed(camera: Orbit, movement: str, travel: tuple[float, float, float]) -
         movement: How to follow.
         travel: How far the subject goes, metres.
     """
-    return _shifted(camera, np.asarray(travel)) if movement == "track" else _turned_after(camera, travel)
+    return _shift_camera(camera, np.asarray(travel)) if movement == "track" else _turn_to_follow(camera, travel)
 
 
-def _shifted(camera: Orbit, by: np.ndarray) -> Orbit:
+def _shift_camera(camera: Orbit, by: np.ndarray) -> Orbit:
     x, y, z = np.asarray(camera.pivot) + by
     return replace(camera, pivot=(float(x), float(y), float(z)))
 
 
-def _turned_after(camera: Orbit, travel: tuple[float, float, float]) -> Orbit:
+def _turn_to_follow(camera: Orbit, travel: tuple[float, float, float]) -> Orbit:
     """Turn on the tripod until the travelled pivot is where it was in the picture."""
     old = np.asarray(camera.pivot) - camera.position
     new = old + np.asarray(travel)
@@ -71,13 +71,13 @@ def _turned_after(camera: Orbit, travel: tuple[float, float, float]) -> Orbit:
     return replace(turned, distance=float(np.linalg.norm(new)), pivot=tuple((camera.position + new).tolist()))
 
 
-def eased(share: float) -> float:
+def ease_in_out(share: float) -> float:
     """Return the share of the way gone at a share of the time: minimum jerk, at rest at both ends."""
     t = min(max(share, 0.0), 1.0)
     return t * t * t * (10 - 15 * t + 6 * t * t)
 
 
-def in_between(start: Orbit, end: Orbit, share: float) -> Orbit:
+def interpolate_cameras(start: Orbit, end: Orbit, share: float) -> Orbit:
     """Return the camera that share of the way from start to end (ease the share first).
 
     A camera on a tripod keeps its position, one that travels keeps its eye on the moving pivot.
@@ -87,7 +87,7 @@ def in_between(start: Orbit, end: Orbit, share: float) -> Orbit:
     distance = start.distance ** (1 - share) * end.distance**share
     if np.linalg.norm(end.position - start.position) < np.linalg.norm(b - a):
         position = (1 - share) * start.position + share * end.position
-        pivot = position - matrix(rotation)[:, 2] * distance
+        pivot = position - rotation_matrix(rotation)[:, 2] * distance
     else:
         pivot = (1 - share) * a + share * b
     lens = start.lens ** (1 - share) * end.lens**share

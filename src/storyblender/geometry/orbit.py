@@ -46,7 +46,7 @@ class Orbit:
     @cached_property
     def axes(self) -> Floats:
         """Columns: right, up and backward of the camera in the world (R(r))."""
-        return matrix(self.rotation)
+        return rotation_matrix(self.rotation)
 
     @cached_property
     def position(self) -> Floats:
@@ -97,7 +97,7 @@ class Orbit:
         return math.degrees(math.atan2(axes[2, 0], axes[2, 1]))
 
 
-def stand(
+def camera_around(
     pivot: ArrayLike,
     azimuth: float,
     elevation: float,
@@ -109,35 +109,39 @@ def stand(
     aspect: float = 16 / 9,
 ) -> Orbit:
     """Return a camera at an azimuth (0 at -Y, 90 at +X) and elevation around the pivot; angles in degrees."""
-    about_z = turn((0.0, 0.0, 1.0), azimuth)
-    about_x = turn((1.0, 0.0, 0.0), 90.0 - elevation)
-    about_view = turn((0.0, 0.0, 1.0), roll)
-    rotation = product(product(about_z, about_x), about_view)
-    return Orbit(_triple(pivot), rotation, distance, lens, sensor_width, aspect)
+    about_z = axis_rotation((0.0, 0.0, 1.0), azimuth)
+    about_x = axis_rotation((1.0, 0.0, 0.0), 90.0 - elevation)
+    about_view = axis_rotation((0.0, 0.0, 1.0), roll)
+    rotation = multiply_quaternions(multiply_quaternions(about_z, about_x), about_view)
+    return Orbit(_as_point(pivot), rotation, distance, lens, sensor_width, aspect)
 
 
-def between(position: ArrayLike, target: ArrayLike, lens: float, *, roll: float = 0.0, **film: float) -> Orbit:
+def camera_looking_at(
+    position: ArrayLike, target: ArrayLike, lens: float, *, roll: float = 0.0, **film: float
+) -> Orbit:
     """Return a camera at a position that looks at a target; ``film`` is sensor_width and aspect."""
     back = np.asarray(position, float) - np.asarray(target, float)
     distance = float(np.linalg.norm(back))
     azimuth = math.degrees(math.atan2(back[0], -back[1]))
     elevation = math.degrees(math.asin(back[2] / distance))
-    return stand(target, azimuth, elevation, distance, lens, roll=roll, **film)
+    return camera_around(target, azimuth, elevation, distance, lens, roll=roll, **film)
 
 
 def pan(camera: Orbit, dx: float, dy: float) -> Orbit:
     """Move the camera and its pivot across the picture: by shares of its height, right and up; 1:1 at the pivot."""
     axes, eta = camera.axes, camera.frame_height
     shift = axes[:, 0] * dx * eta + axes[:, 1] * dy * eta
-    return replace(camera, pivot=_triple(np.asarray(camera.pivot) + shift))
+    return replace(camera, pivot=_as_point(np.asarray(camera.pivot) + shift))
 
 
 def orbit(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
     """Walk around the pivot by degrees; the horizon stays as it is, and the camera never passes the zenith."""
     elevation = min(max(camera.elevation + elevation, -85.0), 85.0) - camera.elevation
-    level = product(camera.rotation, turn((0.0, 0.0, 1.0), -camera.roll))
-    tilted = product(product(turn((0.0, 0.0, 1.0), azimuth), level), turn((1.0, 0.0, 0.0), -elevation))
-    return replace(camera, rotation=product(tilted, turn((0.0, 0.0, 1.0), camera.roll)))
+    level = multiply_quaternions(camera.rotation, axis_rotation((0.0, 0.0, 1.0), -camera.roll))
+    tilted = multiply_quaternions(
+        multiply_quaternions(axis_rotation((0.0, 0.0, 1.0), azimuth), level), axis_rotation((1.0, 0.0, 0.0), -elevation)
+    )
+    return replace(camera, rotation=multiply_quaternions(tilted, axis_rotation((0.0, 0.0, 1.0), camera.roll)))
 
 
 def dolly(camera: Orbit, steps: float) -> Orbit:
@@ -147,25 +151,28 @@ def dolly(camera: Orbit, steps: float) -> Orbit:
 
 def roll(camera: Orbit, angle: float) -> Orbit:
     """Lean the horizon by degrees."""
-    return replace(camera, rotation=product(camera.rotation, turn((0.0, 0.0, 1.0), angle)))
+    return replace(camera, rotation=multiply_quaternions(camera.rotation, axis_rotation((0.0, 0.0, 1.0), angle)))
 
 
 def swivel(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
     """Turn on the tripod by degrees, left and up positive: the position stays, the pivot moves."""
     position = camera.position
-    turned = product(product(turn((0.0, 0.0, 1.0), azimuth), camera.rotation), turn((1.0, 0.0, 0.0), elevation))
-    back = matrix(turned)[:, 2]
-    return replace(camera, rotation=turned, pivot=_triple(position - back * camera.distance))
+    turned = multiply_quaternions(
+        multiply_quaternions(axis_rotation((0.0, 0.0, 1.0), azimuth), camera.rotation),
+        axis_rotation((1.0, 0.0, 0.0), elevation),
+    )
+    back = rotation_matrix(turned)[:, 2]
+    return replace(camera, rotation=turned, pivot=_as_point(position - back * camera.distance))
 
 
-def turn(axis: tuple[float, float, float], angle: float) -> Quaternion:
+def axis_rotation(axis: tuple[float, float, float], angle: float) -> Quaternion:
     """Return the quaternion of a turn about a unit axis by degrees."""
     half = math.radians(angle) / 2
     s = math.sin(half)
     return math.cos(half), axis[0] * s, axis[1] * s, axis[2] * s
 
 
-def product(a: Quaternion, b: Quaternion) -> Quaternion:
+def multiply_quaternions(a: Quaternion, b: Quaternion) -> Quaternion:
     """Return the Hamilton product: first ``b``, then ``a``; normalised."""
     aw, ax, ay, az = a
     bw, bx, by, bz = b
@@ -179,7 +186,7 @@ def product(a: Quaternion, b: Quaternion) -> Quaternion:
     return out[0] / length, out[1] / length, out[2] / length, out[3] / length
 
 
-def matrix(q: Quaternion) -> Floats:
+def rotation_matrix(q: Quaternion) -> Floats:
     """Return the 3 x 3 rotation of a unit quaternion."""
     w, x, y, z = q
     return np.array(
@@ -204,6 +211,6 @@ def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
     return float(out[0]), float(out[1]), float(out[2]), float(out[3])
 
 
-def _triple(values: ArrayLike) -> tuple[float, float, float]:
+def _as_point(values: ArrayLike) -> tuple[float, float, float]:
     x, y, z = np.asarray(values, float)
     return float(x), float(y), float(z)

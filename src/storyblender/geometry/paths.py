@@ -21,7 +21,7 @@ Track = Callable[[float], Vec2]
 """Where somebody is at a time in seconds."""
 Floats = NDArray[np.float64]
 
-SQUEEZE = 0.19
+SQUEEZE_RADIUS = 0.19
 """Metres times k: the clearance of somebody who edges between a table and a chair."""
 BEFORE_SEAT = 0.18
 """Metres times k from a seat's edge to where one stands; nearer, clothes cut the chair while turning."""
@@ -30,7 +30,7 @@ LEG_ROOM = 0.17
 
 GRID = 0.10
 """Cell of the search grid in metres."""
-CORNER = 0.22
+CORNER_RADIUS = 0.22
 """Largest radius of a rounded corner; more would cut into furniture at the padding people keep."""
 
 
@@ -84,7 +84,7 @@ def find_path(
     Returns:
         Way points from start to goal, corners rounded.
     """
-    room = _Room(start, goal, obstacles, radius)
+    room = _FreeSpace(start, goal, obstacles, radius)
     if room.free_line(start, goal):
         return [start, goal]
     cells = _search(room, start, goal, bounds)
@@ -101,7 +101,7 @@ def find_path(
     return round_corners(pulled)
 
 
-class _Room:
+class _FreeSpace:
     """Clearances, with the relaxation around tight ends."""
 
     def __init__(self, start: Vec2, goal: Vec2, obstacles: Sequence[Footprint], radius: float) -> None:
@@ -123,7 +123,7 @@ class _Room:
         return bool(self.free(line).all())
 
 
-def _search(room: _Room, start: Vec2, goal: Vec2, bounds: Bounds) -> list[Vec2] | None:
+def _search(room: _FreeSpace, start: Vec2, goal: Vec2, bounds: Bounds) -> list[Vec2] | None:
     """A* over 8 neighbours; returns cell centres with the exact ends."""
     low = np.minimum(np.minimum(bounds[:2], start), goal) - GRID
     high = np.maximum(np.maximum(bounds[2:], start), goal) + GRID
@@ -160,7 +160,7 @@ def _search(room: _Room, start: Vec2, goal: Vec2, bounds: Bounds) -> list[Vec2] 
     return [start, *points[1:-1], goal]
 
 
-def round_corners(points: Sequence[Vec2], radius: float = CORNER) -> list[Vec2]:
+def round_corners(points: Sequence[Vec2], radius: float = CORNER_RADIUS) -> list[Vec2]:
     """Replace every corner of a polyline by a parabola that starts at most ``radius`` before it."""
     corners = [np.asarray(point, float) for point in points]
     smooth = [corners[0]]
@@ -179,7 +179,7 @@ def path_length(points: Sequence[Vec2]) -> float:
     return sum(math.dist(a, b) for a, b in itertools.pairwise(points))
 
 
-def seat_access(edge: Vec2, yaw: float, width: float, k: float, obstacles: Sequence[Footprint], seat: str) -> Vec2:
+def find_seat_access(edge: Vec2, yaw: float, width: float, k: float, obstacles: Sequence[Footprint], seat: str) -> Vec2:
     """Return where one stands before sitting down and after getting up.
 
     In front of the seat; beside it where a table leaves no room in front.
@@ -203,7 +203,7 @@ def seat_access(edge: Vec2, yaw: float, width: float, k: float, obstacles: Seque
     return float(spot[0]), float(spot[1])
 
 
-def waiting_time(
+def find_waiting_time(
     track: Track, duration: float, start: float, others: Sequence[tuple[Track, float]], *, step: float = 0.3
 ) -> tuple[float, float]:
     """Return how long to wait before setting out so as to pass everybody, and the smallest distance then left.

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def without_seams(free: NDArray[np.bool_], cell: float, seam: float) -> NDArray[np.bool_]:
+def close_seams(free: NDArray[np.bool_], cell: float, seam: float) -> NDArray[np.bool_]:
     """Return the free cells and those between them that are no wider than ``seam``; ``cell`` and ``seam`` in metres."""
     closed = free.copy()
     for axis in (0, 1):

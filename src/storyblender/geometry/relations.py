@@ -11,15 +11,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-from storyblender.geometry.boxes import Box, facing, penetration, separation, vertical_gap, wrapped
+from storyblender.geometry.boxes import Box, footprint_gap, penetration, vertical_gap, wrap_angle, yaw_along
 
-PENETRATION = 0.02
+PENETRATION_TOLERANCE = 0.02
 """Metres that two boxes may share."""
-CONTACT = 0.05
+CONTACT_DISTANCE = 0.05
 """Metres within which two things touch."""
-CONE = math.radians(45)
+DIRECTION_TOLERANCE = math.radians(45)
 """How far a direction may be off."""
-SECTOR = math.radians(45)
+BEARING_TOLERANCE = math.radians(45)
 """How far a bearing may be off, either way."""
 
 BEARING: dict[str, float] = {
@@ -29,7 +29,7 @@ BEARING: dict[str, float] = {
     "in_front_of": -math.pi / 2,
 }
 """Where the thing lies as seen from its anchor, radians from +X."""
-TURN: dict[str, float] = {
+DIRECTION_TURN: dict[str, float] = {
     "facing": 0.0,
     "facing_away": math.pi,
     "left_side_facing": -math.pi / 2,
@@ -121,7 +121,7 @@ class Violation(NamedTuple):
     """Signed deviation from the ideal, same unit."""
 
 
-def rides(thing: Thing) -> bool:
+def may_overlap_anchor(thing: Thing) -> bool:
     """Return whether a thing is in, under or seated on its anchor, so that their boxes may overlap."""
     return thing.anchor is not None and thing.relationship is None and thing.direction is None
 
@@ -135,7 +135,7 @@ def surface_of(thing: Thing, anchor: Thing) -> Surface:
 
 def carrier(thing: Thing, by_name: Mapping[str, Thing]) -> Thing | None:
     """Return what carries the thing along when moved: its support, its seat, or nothing."""
-    if thing.anchor is not None and (thing.relationship == "on_top_of" or rides(thing)):
+    if thing.anchor is not None and (thing.relationship == "on_top_of" or may_overlap_anchor(thing)):
         return by_name.get(thing.anchor)
     return None
 
@@ -150,7 +150,7 @@ def carriers(thing: Thing, by_name: Mapping[str, Thing]) -> list[Thing]:
     return chain
 
 
-def moored(thing: Thing, by_name: Mapping[str, Thing]) -> bool:
+def cannot_move(thing: Thing, by_name: Mapping[str, Thing]) -> bool:
     """Return whether a thing is fixed, or carried by what is: who sits in a boat at a quay is off the quay."""
     return thing.fixed or any(support.fixed for support in carriers(thing, by_name))
 
@@ -167,21 +167,21 @@ def exempt_pairs(things: Iterable[Thing], by_name: Mapping[str, Thing]) -> set[t
 
 def bearing_error(thing: Box, anchor: Box, relationship: str) -> float:
     """Return how far the bearing is from the middle of its sector, radians, counter-clockwise positive."""
-    return wrapped(math.atan2(thing.y - anchor.y, thing.x - anchor.x) - BEARING[relationship])
+    return wrap_angle(math.atan2(thing.y - anchor.y, thing.x - anchor.x) - BEARING[relationship])
 
 
 def wanted_yaw(thing: Box, anchor: Box, direction: str) -> float:
     """Return the yaw that satisfies a direction exactly, radians."""
-    return facing(anchor.x - thing.x, anchor.y - thing.y) + TURN[direction]
+    return yaw_along(anchor.x - thing.x, anchor.y - thing.y) + DIRECTION_TURN[direction]
 
 
-def outside(box: Box, room: Room) -> float:
+def distance_outside(box: Box, room: Room) -> float:
     """Return how far the box sticks out of the room, metres."""
     rx, ry = box.reach((1.0, 0.0)), box.reach((0.0, 1.0))
     return max(room.x_min - box.x + rx, box.x + rx - room.x_max, room.y_min - box.y + ry, box.y + ry - room.y_max, 0.0)
 
 
-def overhang(thing: Thing, anchor: Thing) -> float:
+def overhang_distance(thing: Thing, anchor: Thing) -> float:
     """Return how far the centre of a thing lies beyond the surface it stands on, metres."""
     surface = surface_of(thing, anchor)
     u, v = anchor.box.to_local(thing.box.x, thing.box.y)
@@ -194,10 +194,10 @@ def own_violations(thing: Thing, by_name: Mapping[str, Thing], room: Room) -> li
     anchor = by_name.get(thing.anchor) if thing.anchor is not None else None
     if anchor is not None:
         found += _anchor_violations(thing, anchor)
-    lifted = thing.relationship == "on_top_of" or thing.floats or rides(thing)
-    if not lifted and abs(thing.box.z) > CONTACT:
+    lifted = thing.relationship == "on_top_of" or thing.floats or may_overlap_anchor(thing)
+    if not lifted and abs(thing.box.z) > CONTACT_DISTANCE:
         found.append(Violation("floor", thing.name, None, abs(thing.box.z), thing.box.z))
-    if not moored(thing, by_name) and (amount := outside(thing.box, room)) > PENETRATION:
+    if not cannot_move(thing, by_name) and (amount := distance_outside(thing.box, room)) > PENETRATION_TOLERANCE:
         found.append(Violation("bounds", thing.name, None, amount, amount))
     return found
 
@@ -207,24 +207,24 @@ def _anchor_violations(thing: Thing, anchor: Thing) -> list[Violation]:
     box, base = thing.box, anchor.box
     apart = math.hypot(box.x - base.x, box.y - base.y)
     if thing.direction is not None and apart > 1e-3:
-        error = wrapped(box.yaw - wanted_yaw(box, base, thing.direction))
-        if abs(error) > CONE:
-            found.append(Violation("direction", thing.name, anchor.name, abs(error) - CONE, error))
+        error = wrap_angle(box.yaw - wanted_yaw(box, base, thing.direction))
+        if abs(error) > DIRECTION_TOLERANCE:
+            found.append(Violation("direction", thing.name, anchor.name, abs(error) - DIRECTION_TOLERANCE, error))
     if thing.relationship in BEARING:
         error = bearing_error(box, base, thing.relationship)
-        if abs(error) > SECTOR:
-            found.append(Violation("relationship", thing.name, anchor.name, abs(error) - SECTOR, error))
+        if abs(error) > BEARING_TOLERANCE:
+            found.append(Violation("relationship", thing.name, anchor.name, abs(error) - BEARING_TOLERANCE, error))
         if thing.contact is not None:
-            gap, rise = separation(box, base)[0], vertical_gap(box, base)
-            if thing.contact and (gap > CONTACT or rise > CONTACT):
+            gap, rise = footprint_gap(box, base)[0], vertical_gap(box, base)
+            if thing.contact and (gap > CONTACT_DISTANCE or rise > CONTACT_DISTANCE):
                 found.append(Violation("contact", thing.name, anchor.name, max(gap, rise), gap))
-            if not thing.contact and gap <= CONTACT and rise < 0:
-                found.append(Violation("no_contact", thing.name, anchor.name, CONTACT - gap, gap))
+            if not thing.contact and gap <= CONTACT_DISTANCE and rise < 0:
+                found.append(Violation("no_contact", thing.name, anchor.name, CONTACT_DISTANCE - gap, gap))
     elif thing.relationship == "on_top_of":
         lift = box.z - base.z - surface_of(thing, anchor).z
-        if lift > CONTACT - 1e-9 or lift < -PENETRATION:
+        if lift > CONTACT_DISTANCE - 1e-9 or lift < -PENETRATION_TOLERANCE:
             found.append(Violation("support", thing.name, anchor.name, abs(lift), lift))
-        if (beyond := overhang(thing, anchor)) > 1e-6:
+        if (beyond := overhang_distance(thing, anchor)) > 1e-6:
             found.append(Violation("overhang", thing.name, anchor.name, beyond, beyond))
     return found
 
@@ -245,14 +245,14 @@ def violations(things: Sequence[Thing], room: Room, keep_free: Sequence[Box] = (
         for other in things[:index]:
             if (thing.fixed and other.fixed) or (thing.name, other.name) in exempt:
                 continue
-            depth = penetration(thing.box, other.box, PENETRATION)[0]
-            if depth > PENETRATION:
+            depth = penetration(thing.box, other.box, PENETRATION_TOLERANCE)[0]
+            if depth > PENETRATION_TOLERANCE:
                 found.append(Violation("penetration", thing.name, other.name, depth, depth))
         if thing.fixed or thing.walks:
             continue
         for lane in keep_free:
-            depth = penetration(thing.box, lane, PENETRATION)[0]
-            if depth > PENETRATION:
+            depth = penetration(thing.box, lane, PENETRATION_TOLERANCE)[0]
+            if depth > PENETRATION_TOLERANCE:
                 found.append(Violation("lane", thing.name, None, depth, depth))
     return found
 
@@ -268,22 +268,24 @@ def remedy(
     thing = by_name[violation.subject]
     box = thing.box
     if violation.kind == "lane":
-        return max((_way_out(box, lane) for lane in keep_free), key=lambda move: math.hypot(*move.values()), default={})
+        return max(
+            (_move_out(box, lane) for lane in keep_free), key=lambda move: math.hypot(*move.values()), default={}
+        )
     if violation.kind == "bounds":
-        return _shift(clamped(box, room)[0] - box.x, clamped(box, room)[1] - box.y)
+        return _shift(clamp_into_room(box, room)[0] - box.x, clamp_into_room(box, room)[1] - box.y)
     if violation.kind == "floor":
         return {"move_z": -box.z}
     if violation.other is None:
         return {}
     anchor = by_name[violation.other]
     if violation.kind == "penetration":
-        return _way_out(box, anchor.box)
+        return _move_out(box, anchor.box)
     if violation.kind == "direction":
         return {"turn": -math.degrees(violation.error)}
     if violation.kind == "support":
         return {"move_z": -violation.error}
     if violation.kind == "overhang":
-        return _shift(*onto(thing, anchor))
+        return _shift(*shift_onto_surface(thing, anchor))
     return _bearing_remedy(thing, anchor, violation)
 
 
@@ -293,7 +295,9 @@ def _bearing_remedy(thing: Thing, anchor: Thing, violation: Violation) -> dict[s
         apart = math.hypot(box.x - base.x, box.y - base.y)
         angle = BEARING[thing.relationship or ""]
         return _shift(base.x + apart * math.cos(angle) - box.x, base.y + apart * math.sin(angle) - box.y)
-    x, y = slid(box, base, 0.01 if violation.kind == "contact" else CONTACT + 0.05, BEARING[thing.relationship or ""])
+    x, y = slide_to_gap(
+        box, base, 0.01 if violation.kind == "contact" else CONTACT_DISTANCE + 0.05, BEARING[thing.relationship or ""]
+    )
     return _shift(x - box.x, y - box.y)
 
 
@@ -301,22 +305,22 @@ def _shift(dx: float, dy: float) -> dict[str, float]:
     return {"move_x": dx, "move_y": dy}
 
 
-def _way_out(box: Box, other: Box) -> dict[str, float]:
+def _move_out(box: Box, other: Box) -> dict[str, float]:
     depth, axis = penetration(box, other)
     return _shift(axis[0] * depth, axis[1] * depth)
 
 
-def clamped(box: Box, room: Room) -> tuple[float, float]:
+def clamp_into_room(box: Box, room: Room) -> tuple[float, float]:
     """Return the nearest centre at which the box is inside the room; the middle where it is too big."""
     rx, ry = box.reach((1.0, 0.0)), box.reach((0.0, 1.0))
-    return _within(box.x, room.x_min + rx, room.x_max - rx), _within(box.y, room.y_min + ry, room.y_max - ry)
+    return _clamp(box.x, room.x_min + rx, room.x_max - rx), _clamp(box.y, room.y_min + ry, room.y_max - ry)
 
 
-def _within(value: float, low: float, high: float) -> float:
+def _clamp(value: float, low: float, high: float) -> float:
     return (low + high) / 2 if low > high else min(max(value, low), high)
 
 
-def onto(thing: Thing, anchor: Thing) -> tuple[float, float]:
+def shift_onto_surface(thing: Thing, anchor: Thing) -> tuple[float, float]:
     """Return the world shift that brings the whole footprint onto the surface, or its centre where it is too big."""
     surface, box, base = surface_of(thing, anchor), thing.box, anchor.box
     u, v = base.to_local(box.x, box.y)
@@ -324,12 +328,12 @@ def onto(thing: Thing, anchor: Thing) -> tuple[float, float]:
     c, s = abs(math.cos(turn)), abs(math.sin(turn))
     room_u = max((surface.width - box.width * c - box.depth * s) / 2, 0.0)
     room_v = max((surface.depth - box.width * s - box.depth * c) / 2, 0.0)
-    du = _within(u, surface.x - room_u, surface.x + room_u) - u
-    dv = _within(v, surface.y - room_v, surface.y + room_v) - v
+    du = _clamp(u, surface.x - room_u, surface.x + room_u) - u
+    dv = _clamp(v, surface.y - room_v, surface.y + room_v) - v
     return base.cos * du - base.sin * dv, base.sin * du + base.cos * dv
 
 
-def slid(box: Box, base: Box, gap: float, bearing: float) -> tuple[float, float]:
+def slide_to_gap(box: Box, base: Box, gap: float, bearing: float) -> tuple[float, float]:
     """Return the centre on the ray from the anchor through the box at which their gap is ``gap`` metres."""
     dx, dy = box.x - base.x, box.y - base.y
     apart = math.hypot(dx, dy)
@@ -339,7 +343,7 @@ def slid(box: Box, base: Box, gap: float, bearing: float) -> tuple[float, float]
     for _ in range(20):
         middle = (near + far) / 2
         probe.x, probe.y = base.x + ux * middle, base.y + uy * middle
-        if separation(probe, base)[0] < gap:
+        if footprint_gap(probe, base)[0] < gap:
             near = middle
         else:
             far = middle

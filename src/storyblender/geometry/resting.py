@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from storyblender.geometry.rectangles import largest_rectangle, without_seams
+from storyblender.geometry.rectangles import close_seams, largest_rectangle
 from storyblender.memory.asset_sheet import Anchor
 
 Floats = NDArray[np.float64]
@@ -23,28 +23,28 @@ Use = Literal["seat", "bed", "other", ""]
 SEAT_HEIGHTS = {"seat": (0.2, 0.9), "": (0.3, 0.62)}
 """Metres of the sitting surface, for what is called a seat and for what has no known name."""
 BED_HEIGHTS = {"bed": (0.12, 1.1), "": (0.25, 0.75)}
-_ROOM = 0.85
+_MIN_HEADROOM = 0.85
 """Metres free above a seat or a bed. A back is lower than that above the seat's own board, which may go on under it."""
-_SEAM = 0.045
+_MAX_SEAM = 0.045
 """Metres between slats that one sits across."""
 _SEAT_LEAST, _SEAT_AREA = 0.2, 0.045
 """Metres across and square metres of the smallest seat."""
-_SOFT, _SOFT_BED = 0.09, 0.2
+_SEAT_UNEVENNESS, _SOFT_BED = 0.09, 0.2
 """Metres that one seat or bed may vary in height: cushions, blankets and pillows."""
-_SHOULDERS = 0.52
+_SITTER_WIDTH = 0.52
 """Metres that each of several sitters takes."""
-_DEEP = 0.6
+_MAX_SEAT_DEPTH = 0.6
 """Metres: largest distance of a sitting point from the seat's front edge."""
 _BED = (0.55, 1.25)
 """Metres: least width and length of a bed."""
 _BACK, _CLEARER = 0.14, 0.1
 """Metres by which a back rises above the seat, and by which it is higher than what is opposite."""
-_BEYOND = 0.4
+_BACK_SEARCH = 0.4
 """Metres behind a seat in which its back is looked for."""
 
 
 @dataclass(frozen=True)
-class Field:
+class LevelGrid:
     """Level places on a grid.
 
     Attributes:
@@ -107,7 +107,7 @@ class Places:
     backed: bool = False
 
 
-def find_seats(field: Field, use: Use, *, faces_front: bool = False) -> Places:
+def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False) -> Places:
     """Return the seats of a thing, side by side in one row; none if it is called something that is no seat.
 
     What has no known name must have a back to be sat on.
@@ -119,23 +119,23 @@ def find_seats(field: Field, use: Use, *, faces_front: bool = False) -> Places:
     """
     if use not in SEAT_HEIGHTS:
         return Places()
-    rest = _rest(field, SEAT_HEIGHTS[use], _ROOM, _SOFT)
+    rest = _largest_level(field, SEAT_HEIGHTS[use], _MIN_HEADROOM, _SEAT_UNEVENNESS)
     if rest is None or min(rest.size) < _SEAT_LEAST or math.prod(rest.size) < _SEAT_AREA:
         return Places()
     back = 3 if faces_front else rest.behind()
     if back is None and use != "seat":
         return Places()
     if back is None:
-        return Places(tuple(_row(rest, 3 if rest.size[0] >= 0.7 * rest.size[1] else 0)))
-    return Places(tuple(_row(rest, back)), backed=not faces_front)
+        return Places(tuple(_seat_row(rest, 3 if rest.size[0] >= 0.7 * rest.size[1] else 0)))
+    return Places(tuple(_seat_row(rest, back)), backed=not faces_front)
 
 
-def _row(rest: Rest, back: int) -> Iterator[Anchor]:
+def _seat_row(rest: Rest, back: int) -> Iterator[Anchor]:
     ahead = np.array(_FACING[back])
     across = np.array([-ahead[1], ahead[0]])
     middle = (np.array(rest.low) + rest.high) / 2
     depth, width = rest.size if back < 2 else rest.size[::-1]
-    count = max(1, int(width / _SHOULDERS + 0.12))
+    count = max(1, int(width / _SITTER_WIDTH + 0.12))
     front = middle + ahead * depth / 2
     for index in range(count):
         x, y = front + across * (index - (count - 1) / 2) * width / count
@@ -144,29 +144,29 @@ def _row(rest: Rest, back: int) -> Iterator[Anchor]:
             name=f"seat_{index + 1}" if count > 1 else "",
             location=(float(x), float(y), rest.z),
             direction=(float(ahead[0]), float(ahead[1]), 0.0),
-            size=(width / count, min(depth, _DEEP)),
+            size=(width / count, min(depth, _MAX_SEAT_DEPTH)),
         )
 
 
-def find_bed(field: Field, use: Use) -> Places:
+def find_bed(field: LevelGrid, use: Use) -> Places:
     """Return where one lies, and the long edges to sit on; none if a thing is called something that is no bed.
 
     What has no known name must have a headboard and a bed's size.
     """
     if use not in BED_HEIGHTS:
         return Places()
-    rest = _rest(field, BED_HEIGHTS[use], _ROOM, _SOFT_BED)
+    rest = _largest_level(field, BED_HEIGHTS[use], _MIN_HEADROOM, _SOFT_BED)
     if rest is None or min(rest.size) < _BED[0] or max(rest.size) < _BED[1]:
         return Places()
     head = rest.behind()
     if head is None or rest.size[head // 2] < max(rest.size) - 0.35:
-        return Places(tuple(_lying(rest, _pillow_side(field, rest)))) if use == "bed" else Places()
+        return Places(tuple(_bed_anchors(rest, _pillow_side(field, rest)))) if use == "bed" else Places()
     if use != "bed" and not (1.7 < max(rest.size) < 2.4 and min(rest.size) > 0.7):
         return Places()
-    return Places(tuple(_lying(rest, head)), backed=True)
+    return Places(tuple(_bed_anchors(rest, head)), backed=True)
 
 
-def _pillow_side(field: Field, rest: Rest) -> int:
+def _pillow_side(field: LevelGrid, rest: Rest) -> int:
     """Return the end whose part of the bed is higher; +Y or +X if both are alike."""
     along = 0 if rest.size[0] > rest.size[1] + 0.15 else 1
     at = [field.column, field.row][along] * field.cell + field.origin[along]
@@ -177,7 +177,7 @@ def _pillow_side(field: Field, rest: Rest) -> int:
     return 2 * along + (0 if means[0] > means[1] + 0.02 else 1)
 
 
-def _lying(rest: Rest, head: int) -> Iterator[Anchor]:
+def _bed_anchors(rest: Rest, head: int) -> Iterator[Anchor]:
     feet = np.array(_FACING[head])
     side = np.array([-feet[1], feet[0]])
     middle = (np.array(rest.low) + rest.high) / 2
@@ -195,11 +195,11 @@ def _lying(rest: Rest, head: int) -> Iterator[Anchor]:
             name=name,
             location=(float(x), float(y), rest.z),
             direction=(float(way[0]), float(way[1]), 0.0),
-            size=(length * 0.6, min(width, _DEEP)),
+            size=(length * 0.6, min(width, _MAX_SEAT_DEPTH)),
         )
 
 
-def _rest(field: Field, heights: tuple[float, float], room: float, soft: float) -> Rest | None:
+def _largest_level(field: LevelGrid, heights: tuple[float, float], room: float, soft: float) -> Rest | None:
     """Return the largest rectangle of the fullest level within the heights, if there is any."""
     fits = (field.z >= heights[0]) & (field.z <= heights[1]) & (field.room >= room)
     if not fits.any():
@@ -212,20 +212,20 @@ def _rest(field: Field, heights: tuple[float, float], room: float, soft: float) 
     free[field.row[level], field.column[level]] = True
     heights_of = np.full(field.top.shape, np.nan)
     heights_of[field.row[level], field.column[level]] = field.z[level]
-    free |= without_seams(free, field.cell, _SEAM) & (field.top < z[last[first] - 1] + 0.12)
+    free |= close_seams(free, field.cell, _MAX_SEAM) & (field.top < z[last[first] - 1] + 0.12)
     row, column, rows, columns = largest_rectangle(free)
     part = np.s_[row : row + rows, column : column + columns]
     low = field.origin + np.array([column, row]) * field.cell
     high = low + np.array([columns, rows]) * field.cell
     sitting = float(np.nanmedian(heights_of[part]))
-    rises = _rises(field, (row, column, rows, columns), sitting)
+    rises = _side_rises(field, (row, column, rows, columns), sitting)
     return Rest((float(low[0]), float(low[1])), (float(high[0]), float(high[1])), sitting, rises)
 
 
-def _rises(field: Field, place: tuple[int, int, int, int], z: float) -> tuple[float, float, float, float]:
+def _side_rises(field: LevelGrid, place: tuple[int, int, int, int], z: float) -> tuple[float, float, float, float]:
     """Return how far the shape rises beyond each side of a rectangle, on average over the side's middle part."""
     row, column, rows, columns = place
-    beyond = max(1, round(_BEYOND / field.cell))
+    beyond = max(1, round(_BACK_SEARCH / field.cell))
     height = np.where(np.isfinite(field.top), field.top, -np.inf)
 
     def rise(lines: Floats) -> float:

@@ -10,7 +10,7 @@ from storyblender.memory.base import Vec3
 
 PERCHES, HIGHEST = (0.2, 0.95), 2.4
 """Metres: heights of what one sits on that is no seat, a parcel, a desk, and of what one climbs to sit on, a wall."""
-_ROW = 0.45
+_ROW_DISTANCE = 0.45
 """Metres between the rows of seats of a vehicle."""
 _WIDE, _RAIL = 0.25, 0.3
 """Metres across of what one sits on the front edge of; on a narrower thing, such as a fence, one sits astride its top,
@@ -18,7 +18,9 @@ on so much of it.
 """
 
 
-def seats_of(anchors: Iterable[Anchor], dimensions: Vec3, *, asked: bool = False, on_top: bool = False) -> list[Anchor]:
+def list_seats(
+    anchors: Iterable[Anchor], dimensions: Vec3, *, asked: bool = False, on_top: bool = False
+) -> list[Anchor]:
     """Return the seats of a thing in its own frame.
 
     Args:
@@ -43,7 +45,7 @@ def seats_of(anchors: Iterable[Anchor], dimensions: Vec3, *, asked: bool = False
 _Seat = TypeVar("_Seat")
 
 
-def on_side(seats: Sequence[_Seat], side: str, ahead: Callable[[_Seat], tuple[float, float]]) -> list[_Seat]:
+def select_seats(seats: Sequence[_Seat], side: str, ahead: Callable[[_Seat], tuple[float, float]]) -> list[_Seat]:
     """Return the seats of a vehicle on the given side, or all seats if it has none on that side.
 
     Args:
@@ -56,11 +58,11 @@ def on_side(seats: Sequence[_Seat], side: str, ahead: Callable[[_Seat], tuple[fl
         return []
     foremost = max(ahead(seat)[1] for seat in seats)
     rearmost = min(ahead(seat)[1] for seat in seats)
-    rows = foremost - rearmost > _ROW
+    rows = foremost - rearmost > _ROW_DISTANCE
 
     def fits(seat: _Seat) -> bool:
         left, on = ahead(seat)
-        in_front = not rows or foremost - on < _ROW
+        in_front = not rows or foremost - on < _ROW_DISTANCE
         if side == "driver":
             return in_front and left >= 0
         if side == "passenger":

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from storyblender.geometry.boxes import Box
 
 
-def hidden(boxes: Sequence[Box], eye: ArrayLike, points: ArrayLike, spare: float = 0.0) -> NDArray[np.bool_]:
+def find_hidden(boxes: Sequence[Box], eye: ArrayLike, points: ArrayLike, spare: float = 0.0) -> NDArray[np.bool_]:
     """Return which of (n, 3) world points stand behind a box, as seen from the eye.
 
     Args:
@@ -27,14 +27,16 @@ def hidden(boxes: Sequence[Box], eye: ArrayLike, points: ArrayLike, spare: float
     cos, sin = (np.array([getattr(box, name) for box in boxes])[:, None] for name in ("cos", "sin"))
     middle = np.array([(box.x, box.y, box.z + box.height / 2) for box in boxes])[:, None]
     half = np.array([(box.width, box.depth, box.height) for box in boxes])[:, None] / 2
-    local, steps = _turned(start - middle, cos, sin), _turned(ways[None], cos, sin)
+    local, steps = _to_box_frames(start - middle, cos, sin), _to_box_frames(ways[None], cos, sin)
     steps = np.where(np.abs(steps) < 1e-9, 1e-9, steps)
     one, other = (-half - local) / steps, (half - local) / steps
     enter, leave = np.minimum(one, other).max(2), np.maximum(one, other).min(2)
     return (np.maximum(enter, 0.0) < np.minimum(leave, far)).any(0)
 
 
-def _turned(ways: NDArray[np.float64], cos: NDArray[np.float64], sin: NDArray[np.float64]) -> NDArray[np.float64]:
+def _to_box_frames(
+    ways: NDArray[np.float64], cos: NDArray[np.float64], sin: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Return (boxes, n, 3) ways in the frames of the boxes."""
     x, y = ways[..., 0], ways[..., 1]
     return np.stack([cos * x + sin * y, cos * y - sin * x, np.broadcast_to(ways[..., 2], (cos * x).shape)], 2)

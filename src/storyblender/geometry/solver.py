@@ -15,25 +15,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from storyblender.geometry.boxes import Axis, Box, penetration, separation, wrapped
+from storyblender.geometry.boxes import Axis, Box, footprint_gap, penetration, wrap_angle
 from storyblender.geometry.relations import (
     BEARING,
-    CONE,
-    CONTACT,
-    PENETRATION,
-    SECTOR,
+    BEARING_TOLERANCE,
+    CONTACT_DISTANCE,
+    DIRECTION_TOLERANCE,
+    PENETRATION_TOLERANCE,
     Room,
     Thing,
     Violation,
     bearing_error,
+    cannot_move,
     carriers,
-    clamped,
+    clamp_into_room,
     exempt_pairs,
-    moored,
-    onto,
+    may_overlap_anchor,
     own_violations,
-    rides,
-    slid,
+    shift_onto_surface,
+    slide_to_gap,
     surface_of,
     violations,
     wanted_yaw,
@@ -95,7 +95,7 @@ def solve(
     for start in range(restarts):
         current = [thing.copy() for thing in things]
         if start:
-            _draw_in(current, room, rng)
+            _draw_to_middle(current, room, rng)
         relaxation = _Relaxation(current, room, keep_free, rng)
         residual = relaxation.run(passes if start else passes // 2)
         total += relaxation.passes
@@ -108,7 +108,7 @@ def solve(
     return Solution(tuple(best), tuple(least), total, moved)
 
 
-def _draw_in(things: list[Thing], room: Room, rng: np.random.Generator) -> None:
+def _draw_to_middle(things: list[Thing], room: Room, rng: np.random.Generator) -> None:
     """Bring the things that have no anchor towards the middle of the room, with some scatter."""
     middle_x, middle_y = (room.x_min + room.x_max) / 2, (room.y_min + room.y_max) / 2
     for thing in things:
@@ -118,7 +118,7 @@ def _draw_in(things: list[Thing], room: Room, rng: np.random.Generator) -> None:
             thing.box.y = middle_y + 0.4 * (thing.box.y - middle_y) + float(dy)
 
 
-_OUTWARD: dict[str, Axis] = {name: (math.cos(angle), math.sin(angle)) for name, angle in BEARING.items()}
+_OUTWARD_AXIS: dict[str, Axis] = {name: (math.cos(angle), math.sin(angle)) for name, angle in BEARING.items()}
 """Unit vector from an anchor to what has that relationship to it."""
 
 
@@ -182,7 +182,7 @@ class _Relaxation:
             rider.box.y += dy
 
     def _turn(self, thing: Thing, yaw: float) -> None:
-        by = wrapped(yaw - thing.box.yaw)
+        by = wrap_angle(yaw - thing.box.yaw)
         thing.box.turn_to(yaw)
         c, s = math.cos(by), math.sin(by)
         for rider in self.riders[thing.name]:
@@ -198,8 +198,8 @@ class _Relaxation:
         anchor = self._anchor(thing)
         if anchor is not None and thing.relationship == "on_top_of":
             thing.box.z = anchor.box.z + surface_of(thing, anchor).z
-            self._move(thing, *onto(thing, anchor))
-        elif not (thing.floats or rides(thing)):
+            self._move(thing, *shift_onto_surface(thing, anchor))
+        elif not (thing.floats or may_overlap_anchor(thing)):
             thing.box.z = 0.0
 
     def _keep_bearing(self, thing: Thing) -> None:
@@ -209,19 +209,19 @@ class _Relaxation:
             return
         box, base = thing.box, anchor.box
         error = bearing_error(box, base, thing.relationship)
-        edge = SECTOR - math.radians(3)
+        edge = BEARING_TOLERANCE - math.radians(3)
         if abs(error) > edge:
-            apart = max(math.hypot(box.x - base.x, box.y - base.y), CONTACT)
+            apart = max(math.hypot(box.x - base.x, box.y - base.y), CONTACT_DISTANCE)
             angle = BEARING[thing.relationship] + math.copysign(edge, error)
             self._move(thing, base.x + apart * math.cos(angle) - box.x, base.y + apart * math.sin(angle) - box.y)
         if thing.contact is None:
             return
-        gap = separation(box, base)[0]
-        if thing.contact and -PENETRATION / 2 <= gap <= 0.6 * CONTACT:
+        gap = footprint_gap(box, base)[0]
+        if thing.contact and -PENETRATION_TOLERANCE / 2 <= gap <= 0.6 * CONTACT_DISTANCE:
             return
-        if not thing.contact and gap >= CONTACT + 0.02:
+        if not thing.contact and gap >= CONTACT_DISTANCE + 0.02:
             return
-        x, y = slid(box, base, 0.01 if thing.contact else CONTACT + 0.06, BEARING[thing.relationship])
+        x, y = slide_to_gap(box, base, 0.01 if thing.contact else CONTACT_DISTANCE + 0.06, BEARING[thing.relationship])
         self._move(thing, x - box.x, y - box.y)
 
     def _keep_direction(self, thing: Thing) -> None:
@@ -232,14 +232,14 @@ class _Relaxation:
         if math.hypot(thing.box.x - anchor.box.x, thing.box.y - anchor.box.y) < 1e-3:
             return
         ideal = wanted_yaw(thing.box, anchor.box, thing.direction)
-        error = wrapped(thing.box.yaw - ideal)
-        if abs(error) > CONE - math.radians(5):
-            self._turn(thing, ideal + math.copysign(CONE - math.radians(10), error))
+        error = wrap_angle(thing.box.yaw - ideal)
+        if abs(error) > DIRECTION_TOLERANCE - math.radians(5):
+            self._turn(thing, ideal + math.copysign(DIRECTION_TOLERANCE - math.radians(10), error))
 
     def _separate(self, a: Thing, b: Thing) -> None:
         """Push two things apart, the lighter one more; related ones along their relation so that it holds."""
-        depth, axis = penetration(a.box, b.box, PENETRATION)
-        if depth <= PENETRATION / 2:
+        depth, axis = penetration(a.box, b.box, PENETRATION_TOLERANCE)
+        if depth <= PENETRATION_TOLERANCE / 2:
             return
         depth, axis = _along_relation(a, b, depth, axis)
         share_a = 0.0 if a.fixed else (4.0 if a.anchor == b.name else 1.0) / a.mass
@@ -252,15 +252,15 @@ class _Relaxation:
         if thing.walks:
             return
         for lane in self.keep_free:
-            depth, axis = penetration(thing.box, lane, PENETRATION)
-            if depth > PENETRATION / 2:
+            depth, axis = penetration(thing.box, lane, PENETRATION_TOLERANCE)
+            if depth > PENETRATION_TOLERANCE / 2:
                 self._move(thing, axis[0] * (depth + _SLACK), axis[1] * (depth + _SLACK))
 
     def _keep_inside(self, thing: Thing) -> None:
         """Bring a thing back into the room and drag its anchors off the wall to make room for it."""
-        if thing.relationship == "on_top_of" or moored(thing, self.by_name):
+        if thing.relationship == "on_top_of" or cannot_move(thing, self.by_name):
             return
-        x, y = clamped(thing.box, self.room)
+        x, y = clamp_into_room(thing.box, self.room)
         dx, dy = x - thing.box.x, y - thing.box.y
         if dx == 0.0 and dy == 0.0:
             return
@@ -338,17 +338,17 @@ class _Relaxation:
         for member in group:
             for other in self.things:
                 if other.name not in inside and (member.name, other.name) not in self.exempt:
-                    cost += penetration(member.box, other.box, PENETRATION)[0]
+                    cost += penetration(member.box, other.box, PENETRATION_TOLERANCE)[0]
             if not member.walks:
-                cost += sum(penetration(member.box, lane, PENETRATION)[0] for lane in self.keep_free)
+                cost += sum(penetration(member.box, lane, PENETRATION_TOLERANCE)[0] for lane in self.keep_free)
         return cost
 
 
 def _along_relation(a: Thing, b: Thing, depth: float, axis: Axis) -> tuple[float, Axis]:
     """Return the push of ``a`` out of ``b``: along their relation if one of them is placed beside the other."""
     for child, anchor, sign in ((a, b, 1.0), (b, a, -1.0)):
-        if child.anchor == anchor.name and child.relationship in _OUTWARD:
-            out = _OUTWARD[child.relationship]
+        if child.anchor == anchor.name and child.relationship in _OUTWARD_AXIS:
+            out = _OUTWARD_AXIS[child.relationship]
             along = (child.box.x - anchor.box.x) * out[0] + (child.box.y - anchor.box.y) * out[1]
             missing = child.box.reach(out) + anchor.box.reach(out) - along
             if missing > 0:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from storyblender.geometry.boxes import Box, facing, wrapped
+from storyblender.geometry.boxes import Box, wrap_angle, yaw_along
 
 Sort = Literal["thing", "person", "door", "window", "wall", "point"]
 """Type of the anchor. A point is a named place of the set or a corner; people stand on it."""
@@ -120,11 +120,11 @@ def _on_half(anchor: Box, place: Station, aside: float) -> Station:
 
 def turn_towards_audience(yaw: float, most: float = _CHEAT) -> float:
     """Return a yaw turned towards the audience by at most ``most`` radians."""
-    yaw = wrapped(yaw)
+    yaw = wrap_angle(yaw)
     return yaw - max(-most, min(most, yaw))
 
 
-def away_from_audience(yaw: float) -> float:
+def back_to_audience(yaw: float) -> float:
     """Return 0 for a yaw that faces the audience or shows a profile, up to 1 for one that shows the back."""
     return max(0.0, -math.cos(yaw))
 
@@ -147,15 +147,15 @@ def _along(
     slots = [0.0, *((0.45, -0.45) if halves else ())]
     for step in range(1, int(half / _SLOT) + 1):
         slots += [step * _SLOT, -step * _SLOT]
-    inward = facing(-out[0], -out[1])
+    inward = yaw_along(-out[0], -out[1])
     for slot in slots:
         x, y = anchor.x + out[0] * off + along[0] * slot, anchor.y + out[1] * off + along[1] * slot
         yaw = inward
         if relation in ("next_to", "left_of", "right_of"):
-            yaw = turn_towards_audience(facing(0.0 - 0.25 * out[0], -1.0))
+            yaw = turn_towards_audience(yaw_along(0.0 - 0.25 * out[0], -1.0))
         elif relation == "against":
             yaw = inward + math.pi
-        yield Station(x, y, yaw, dislike + 0.15 * abs(slot) + _BACK_TO_US * away_from_audience(yaw))
+        yield Station(x, y, yaw, dislike + 0.15 * abs(slot) + _BACK_TO_US * back_to_audience(yaw))
 
 
 def _by_person(other: Box, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
@@ -182,9 +182,9 @@ def _by_person(other: Box, relation: str, side: str | None, distance: float | No
         for degrees in spread:
             angle = middle + flip + math.radians(degrees)
             x, y = other.x + reach * math.cos(angle), other.y + reach * math.sin(angle)
-            yaw = other.yaw if look == "same" else turn_towards_audience(facing(other.x - x, other.y - y))
+            yaw = other.yaw if look == "same" else turn_towards_audience(yaw_along(other.x - x, other.y - y))
             in_line = max(0.0, abs(math.sin(angle)) - 0.5)  # one person would hide the other
-            yield Station(x, y, yaw, abs(degrees) / 120 + in_line + _BACK_TO_US * away_from_audience(yaw))
+            yield Station(x, y, yaw, abs(degrees) / 120 + in_line + _BACK_TO_US * back_to_audience(yaw))
 
 
 def _by_opening(opening: Box, sort: Sort, relation: str, side: str | None, distance: float | None) -> Iterator[Station]:
@@ -197,11 +197,11 @@ def _by_opening(opening: Box, sort: Sort, relation: str, side: str | None, dista
             x, y = opening.to_world(aside, -out)
             look = opening.to_world(aside * 0.3, 0.0)
             yield Station(
-                x, y, turn_towards_audience(facing(look[0] - x, look[1] - y)), 0.4 * abs(aside) * (side is None)
+                x, y, turn_towards_audience(yaw_along(look[0] - x, look[1] - y)), 0.4 * abs(aside) * (side is None)
             )
         return
     for aside in (0.55 * half, -0.55 * half, half + 0.2, -half - 0.2, 0.0):
         x, y = opening.to_world(aside, -off - (0.15 if sort == "door" else 0.0))
         look = opening.to_world(-aside * 0.5, 0.4)
-        yaw = facing(look[0] - x, look[1] - y)
+        yaw = yaw_along(look[0] - x, look[1] - y)
         yield Station(x, y, turn_towards_audience(yaw, math.radians(45)), 0.3 * (abs(aside) > half))

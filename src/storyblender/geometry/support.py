@@ -12,9 +12,9 @@ COVERAGE = 0.85
 """Share of a footprint that must rest on the surface."""
 _GAP = 0.02
 """Metres between things on one surface."""
-_EDGE = 0.02
+_EDGE_MARGIN = 0.02
 """Metres kept from the edge where there is room."""
-_STEP = 0.04
+_GRID_STEP = 0.04
 """Grid of the search for a free place, metres."""
 
 
@@ -46,7 +46,7 @@ class Perch(NamedTuple):
     """True if the thing lies across, a quarter turn from the asset's yaw."""
 
 
-def perch(
+def choose_perch(
     tops: Sequence[Top],
     size: tuple[float, float, float],
     wish: tuple[float, float] = (0.0, 0.0),
@@ -89,16 +89,16 @@ def _free_place(
 ) -> tuple[float, float] | None:
     """Return the free centre nearest to the wish on one surface."""
     here = [other for other in taken if abs(other.z - surface.z) < 0.05]
-    half_x = max((surface.width - width) / 2 - _EDGE, 0.0)
-    half_y = max((surface.depth - depth) / 2 - _EDGE, 0.0)
+    half_x = max((surface.width - width) / 2 - _EDGE_MARGIN, 0.0)
+    half_y = max((surface.depth - depth) / 2 - _EDGE_MARGIN, 0.0)
     nearest = (
         min(max(wish[0], surface.x - half_x), surface.x + half_x),
         min(max(wish[1], surface.y - half_y), surface.y + half_y),
     )
     grid = [
         (surface.x - half_x + 2 * half_x * i / columns, surface.y - half_y + 2 * half_y * j / rows)
-        for columns in (max(math.ceil(2 * half_x / _STEP), 1),)
-        for rows in (max(math.ceil(2 * half_y / _STEP), 1),)
+        for columns in (max(math.ceil(2 * half_x / _GRID_STEP), 1),)
+        for rows in (max(math.ceil(2 * half_y / _GRID_STEP), 1),)
         for i in range(columns + 1)
         for j in range(rows + 1)
     ]

@@ -120,7 +120,7 @@ def test_timeline_reads_back_with_relative_media(
 
 
 def test_the_shot_list_describes_the_camera_as_it_became(graph: ContinuityMemoryGraph, tmp_path: Path) -> None:
-    still = orbit.stand((0, 0, 1.5), 30, 5, 5.0, 35)
+    still = orbit.camera_around((0, 0, 1.5), 30, 5, 5.0, 35)
     pose = CameraPose(frame=0, pivot=still.pivot, rotation=still.rotation, distance=still.distance, lens=35)
     wanted = CameraInstruction(
         size="CU", kind="insert", movement="pan", description="A panning shot of Rick (script: CLOSE ON)."
@@ -332,7 +332,7 @@ def test_the_frame_of_a_push_in_is_what_the_camera_sees_at_its_end(graph: Contin
 def test_a_panel_says_where_its_camera_really_goes(
     graph: ContinuityMemoryGraph, movement: str, turned: Callable[[orbit.Orbit], orbit.Orbit], way: str | None
 ) -> None:
-    first = orbit.stand((0, 0, 1.5), 30, 5, 5.0, 35)
+    first = orbit.camera_around((0, 0, 1.5), 30, 5, 5.0, 35)
     poses = tuple(
         CameraPose(frame=frame, pivot=o.pivot, rotation=o.rotation, distance=o.distance, lens=35)
         for frame, o in ((0, first), (11, turned(first)))
@@ -346,7 +346,7 @@ def test_a_panel_says_where_its_camera_really_goes(
 
 
 def test_a_camera_is_called_what_it_does_and_not_what_was_wanted(graph: ContinuityMemoryGraph) -> None:
-    first = orbit.stand((0, 0, 1.5), 30, 5, 5.0, 35)
+    first = orbit.camera_around((0, 0, 1.5), 30, 5, 5.0, 35)
     start, end = (
         CameraPose(frame=frame, pivot=o.pivot, rotation=o.rotation, distance=o.distance, lens=35)
         for frame, o in ((0, first), (11, orbit.swivel(first, 20)))

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from storyblender.geometry.boxes import Box, corners, distance_to_point, facing, penetration, separation
+from storyblender.geometry.boxes import Box, corners, distance_to_point, footprint_gap, penetration, yaw_along
 
 place = st.floats(-3, 3)
 extent = st.floats(0.1, 2)
@@ -29,14 +29,14 @@ def test_separation_agrees_with_sampled_points(a: Box, b: Box) -> None:
     grid = np.linspace(-0.5, 0.5, 9)
     inside = [a.to_world(u * a.width, v * a.depth) for u in grid for v in grid]
     if min(distance_to_point(b, *point) for point in inside) < -1e-6:
-        assert separation(a, b)[0] < 0
+        assert footprint_gap(a, b)[0] < 0
 
 
 def test_forward_and_facing_follow_the_convention() -> None:
     assert Box(0, 0, 0, 1, 1, 1).forward == pytest.approx((0, -1))
     assert Box(0, 0, 0, 1, 1, 1, math.pi / 2).forward == pytest.approx((1, 0))
-    assert facing(1, 0) == pytest.approx(math.pi / 2)
-    assert facing(0, -1) == pytest.approx(0)
+    assert yaw_along(1, 0) == pytest.approx(math.pi / 2)
+    assert yaw_along(0, -1) == pytest.approx(0)
 
 
 def test_stacked_boxes_do_not_penetrate() -> None:

@@ -3,20 +3,27 @@ import math
 import numpy as np
 import pytest
 
-from storyblender.geometry.continuity import crosses_line, jumps, looks_meet, mirrored, screen_direction, side_of_line
+from storyblender.geometry.continuity import (
+    crosses_line,
+    do_looks_match,
+    is_jump_cut,
+    mirror_azimuth,
+    screen_direction,
+    side_of_line,
+)
 from storyblender.geometry.framing import (
     Figure,
     Film,
     elevation_of,
-    face_height,
-    group,
-    group_from,
-    insert,
-    master,
-    over_shoulder,
+    face_screen_y,
+    frame_group,
+    frame_group_from,
+    frame_insert,
+    frame_master,
+    frame_over_shoulder,
+    frame_point_of_view,
+    frame_single,
     project,
-    single,
-    through_eyes,
 )
 from storyblender.geometry.orbit import orbit
 from storyblender.memory.shot_sizes import SIZES
@@ -40,38 +47,38 @@ def head_share(camera, who: Figure) -> float:
 
 @pytest.mark.parametrize("size", SIZES)
 def test_a_single_has_the_head_height_of_its_size(size: str) -> None:
-    camera = single(FILM, ANNA, size, 40, 2, 50)
+    camera = frame_single(FILM, ANNA, size, 40, 2, 50)
     assert head_share(camera, ANNA) == pytest.approx(SIZES[size].head, rel=0.06)
-    assert project(camera, ANNA.face)[0][0, 1] == pytest.approx(face_height(size), abs=0.01)
+    assert project(camera, ANNA.face)[0][0, 1] == pytest.approx(face_screen_y(size), abs=0.01)
 
 
 def test_a_body_that_is_bent_is_no_higher_in_the_picture_than_it_has_to_be() -> None:
     bent = figure("anna", -0.6, 0, 90, 0.9)
     bent = Figure(bent.node_id, bent.face, bent.forward, ANNA.head, bent.base)
     for who, crown in ((ANNA, SIZES["FS"].crown), (bent, SIZES["FS"].crown + 0.1)):
-        camera = single(FILM, who, "FS", 40, 2, 50)
+        camera = frame_single(FILM, who, "FS", 40, 2, 50)
         assert project(camera, who.crown)[0][0, 1] == pytest.approx(crown, abs=0.025)
 
 
 def test_lead_room_is_on_the_side_the_face_looks_to() -> None:
     for azimuth in (20, 160):
-        camera = single(FILM, ANNA, "MCU", azimuth, 2, 65)
+        camera = frame_single(FILM, ANNA, "MCU", azimuth, 2, 65)
         looks_right = screen_direction(camera, ANNA.forward) > 0
         assert (project(camera, ANNA.face)[0][0, 0] < 0.5) == looks_right
-    frontal = single(FILM, ANNA, "MCU", 90, 2, 65)
+    frontal = frame_single(FILM, ANNA, "MCU", 90, 2, 65)
     assert project(frontal, ANNA.face)[0][0, 0] == pytest.approx(0.5, abs=0.01)
 
 
 def test_a_large_head_is_nearer_to_the_middle_and_its_hair_stays_in_the_picture() -> None:
     off = {
-        size: abs(float(project(single(FILM, ANNA, size, 160, 2, 85), ANNA.face)[0][0, 0]) - 0.5)
+        size: abs(float(project(frame_single(FILM, ANNA, size, 160, 2, 85), ANNA.face)[0][0, 0]) - 0.5)
         for size in ("MS", "CU")
     }
     assert 0.06 < off["CU"] < 0.8 * off["MS"]
 
 
 def test_a_two_shot_holds_both_and_centres_them() -> None:
-    camera = group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
+    camera = frame_group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
     xs = project(camera, [ANNA.face, TOM.face])[0][:, 0]
     assert xs.mean() == pytest.approx(0.5, abs=0.01)
     assert xs.min() > 0.1 and xs.max() < 0.9
@@ -80,7 +87,7 @@ def test_a_two_shot_holds_both_and_centres_them() -> None:
 
 def test_a_wide_group_steps_back_until_all_are_in() -> None:
     crowd = [figure(f"p{i}", -3 + 1.5 * i, 0.3 * i, 0) for i in range(5)]
-    xs = project(group(FILM, crowd, "MS", 0, 2, 50), [who.face for who in crowd])[0][:, 0]
+    xs = project(frame_group(FILM, crowd, "MS", 0, 2, 50), [who.face for who in crowd])[0][:, 0]
     assert xs.min() > 0.15 and xs.max() < 0.85
 
 
@@ -88,8 +95,8 @@ def test_a_wide_group_steps_back_until_all_are_in() -> None:
 def test_who_lies_at_the_feet_of_another_is_in_the_picture(size: str) -> None:
     lying = figure("tom", 0.6, 0.4, 90, 0.3)
     pair = (figure("anna", 0, 0, 30), lying)
-    held = [group(FILM, pair, size, 10, 2, 50)]
-    held.append(group_from(FILM, pair, size, (0.5, -2.6, 1.5), 50, 18))
+    held = [frame_group(FILM, pair, size, 10, 2, 50)]
+    held.append(frame_group_from(FILM, pair, size, (0.5, -2.6, 1.5), 50, 18))
     for camera in held:
         screen, _ = project(camera, [each.face for each in pair])
         assert screen.min() > 0.03 and screen.max() < 0.97
@@ -99,10 +106,10 @@ def test_who_lies_at_the_feet_of_another_is_in_the_picture(size: str) -> None:
 def test_a_full_shot_of_a_group_holds_heads_and_feet(angle: str) -> None:
     spots = [spot for who in (ANNA, TOM) for spot in (who.crown, who.base)]
     for azimuth in (0, 60):
-        camera = group(FILM, [ANNA, TOM], "FS", azimuth, elevation_of(angle, "FS"), 35)
+        camera = frame_group(FILM, [ANNA, TOM], "FS", azimuth, elevation_of(angle, "FS"), 35)
         ys = project(camera, spots)[0][:, 1]
         assert ys.min() > 0 and ys.max() < 1
-    near = project(group_from(FILM, [ANNA, TOM], "FS", (0, -2.8, 1.0), 35, 18), spots)[0][:, 1]
+    near = project(frame_group_from(FILM, [ANNA, TOM], "FS", (0, -2.8, 1.0), 35, 18), spots)[0][:, 1]
     assert near.min() > 0 and near.max() < 1, "where the room is short the lens is wide enough for the feet"
 
 
@@ -113,7 +120,7 @@ def test_a_low_angle_of_whole_bodies_is_moderate() -> None:
 
 @pytest.mark.parametrize("side", [1, -1])
 def test_over_the_shoulder_shows_both_in_their_halves(side: int) -> None:
-    camera = over_shoulder(FILM, ANNA, TOM, "MS", side, 0, 50)
+    camera = frame_over_shoulder(FILM, ANNA, TOM, "MS", side, 0, 50)
     anna, tom = project(camera, [ANNA.face, TOM.face])[0]
     assert side_of_line(camera.position, TOM.face, ANNA.face) == side
     assert (anna[0] - 0.5) * (tom[0] - 0.5) < 0
@@ -123,32 +130,32 @@ def test_over_the_shoulder_shows_both_in_their_halves(side: int) -> None:
 
 def test_the_shoulder_of_somebody_far_away_is_beside_the_face_and_not_before_it() -> None:
     far = figure("tom", 1.4, 0, -90, 1.85)
-    anna, tom = project(over_shoulder(FILM, ANNA, far, "MCU", 1, 0, 65), [ANNA.face, far.face])[0]
+    anna, tom = project(frame_over_shoulder(FILM, ANNA, far, "MCU", 1, 0, 65), [ANNA.face, far.face])[0]
     assert abs(anna[0] - tom[0]) == pytest.approx(0.42, abs=0.06)
 
 
 def test_point_of_view_is_in_the_eyes() -> None:
-    camera = through_eyes(FILM, ANNA, TOM.face, 50)
+    camera = frame_point_of_view(FILM, ANNA, TOM.face, 50)
     assert np.linalg.norm(camera.position - ANNA.face) < 0.2
     assert project(camera, TOM.face)[0][0] == pytest.approx([0.5, 0.5])
 
 
 def test_an_insert_fills_the_picture_as_wanted() -> None:
     corners = np.array([(x, y, z) for x in (-0.2, 0.2) for y in (-0.1, 0.1) for z in (0.8, 1.0)])
-    camera = insert(FILM, corners, 20, 30, 85)
+    camera = frame_insert(FILM, corners, 20, 30, 85)
     screen, _ = project(camera, corners)
     assert (screen.max(0) - screen.min(0)).max() == pytest.approx(0.5, abs=0.06)
 
 
 def test_a_master_holds_the_whole_place() -> None:
     corners = np.array([(x, y, z) for x in (-4, 4) for y in (-3, 3) for z in (0, 2)])
-    screen, _ = project(master(FILM, corners, 15, 10, 24), corners)
+    screen, _ = project(frame_master(FILM, corners, 15, 10, 24), corners)
     assert screen.min() > 0 and screen.max() < 1
     assert (screen.max(0) - screen.min(0)).max() > 0.7
 
 
 def test_the_line_is_crossed_only_on_the_other_side() -> None:
-    camera = group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
+    camera = frame_group(FILM, [ANNA, TOM], "MS", 0, 2, 50)
     side = side_of_line(camera.position, ANNA.face, TOM.face)
     assert side == -1
     assert not crosses_line(orbit(camera, 60), ANNA.face, TOM.face, side)
@@ -157,16 +164,16 @@ def test_the_line_is_crossed_only_on_the_other_side() -> None:
 
 
 def test_a_small_step_with_the_same_size_jumps() -> None:
-    camera = single(FILM, ANNA, "MS", 40, 2, 50)
-    assert jumps(camera, orbit(camera, 15), ANNA.face, 0)
-    assert not jumps(camera, orbit(camera, 35), ANNA.face, 0)
-    assert not jumps(camera, camera, ANNA.face, 2)
+    camera = frame_single(FILM, ANNA, "MS", 40, 2, 50)
+    assert is_jump_cut(camera, orbit(camera, 15), ANNA.face, 0)
+    assert not is_jump_cut(camera, orbit(camera, 35), ANNA.face, 0)
+    assert not is_jump_cut(camera, camera, ANNA.face, 2)
 
 
 def test_mirrored_singles_match_their_eyelines() -> None:
     azimuth = 50.0
-    reverse = mirrored(azimuth, ANNA.face, TOM.face)
+    reverse = mirror_azimuth(azimuth, ANNA.face, TOM.face)
     assert reverse == pytest.approx(-50)
-    first, second = single(FILM, ANNA, "MCU", azimuth, 2, 65), single(FILM, TOM, "MCU", reverse, 2, 65)
-    assert looks_meet(first, ANNA.forward, second, TOM.forward)
-    assert not looks_meet(first, ANNA.forward, single(FILM, TOM, "MCU", reverse + 180, 2, 65), TOM.forward)
+    first, second = frame_single(FILM, ANNA, "MCU", azimuth, 2, 65), frame_single(FILM, TOM, "MCU", reverse, 2, 65)
+    assert do_looks_match(first, ANNA.forward, second, TOM.forward)
+    assert not do_looks_match(first, ANNA.forward, frame_single(FILM, TOM, "MCU", reverse + 180, 2, 65), TOM.forward)

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from storyblender.geometry.limbs import depth_between
+from storyblender.geometry.limbs import capsule_penetration
 
 
 def _bone(*ends: tuple[float, float, float]) -> np.ndarray:
@@ -23,8 +23,8 @@ RADIUS = np.array([0.1])
 )
 def test_depth_is_the_overlap_of_two_capsules(other: np.ndarray, depth: float) -> None:
     one = _bone((0, 0, 0), (0, 0, 1))
-    assert depth_between(one, RADIUS, other, RADIUS) == pytest.approx(depth, abs=1e-9)
-    assert depth_between(other, RADIUS, one, RADIUS) == pytest.approx(depth, abs=1e-9)
+    assert capsule_penetration(one, RADIUS, other, RADIUS) == pytest.approx(depth, abs=1e-9)
+    assert capsule_penetration(other, RADIUS, one, RADIUS) == pytest.approx(depth, abs=1e-9)
 
 
 def test_distances_are_those_of_sampled_segments() -> None:
@@ -35,4 +35,4 @@ def test_distances_are_those_of_sampled_segments() -> None:
         one, other = (each[0, 0] * (1 - steps)[:, None] + each[0, 1] * steps[:, None] for each in (a, b))
         sampled = np.linalg.norm(one[:, None] - other[None], axis=-1).min()
         radius = np.array([5.0])
-        assert 10.0 - depth_between(a, radius, b, radius) == pytest.approx(sampled, abs=0.02)
+        assert 10.0 - capsule_penetration(a, radius, b, radius) == pytest.approx(sampled, abs=0.02)

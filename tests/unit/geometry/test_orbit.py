@@ -4,19 +4,19 @@ import numpy as np
 import pytest
 
 from storyblender.geometry.framing import project
-from storyblender.geometry.moves import eased, followed, in_between, moved
-from storyblender.geometry.orbit import between, dolly, orbit, pan, roll, stand, swivel
+from storyblender.geometry.moves import ease_in_out, follow_subject, interpolate_cameras, move_camera
+from storyblender.geometry.orbit import camera_around, camera_looking_at, dolly, orbit, pan, roll, swivel
 
-CAMERA = stand((0.3, 1.0, 1.5), 30, 10, 4, 50)
+CAMERA = camera_around((0.3, 1.0, 1.5), 30, 10, 4, 50)
 
 
 def test_angles_go_in_and_come_out() -> None:
-    camera = stand((0, 0, 1), -70, 25, 3, 35, roll=12)
+    camera = camera_around((0, 0, 1), -70, 25, 3, 35, roll=12)
     assert (camera.azimuth, camera.elevation, camera.roll) == pytest.approx((-70, 25, 12))
 
 
 def test_azimuth_zero_is_the_audience_and_the_picture_is_upright() -> None:
-    camera = stand((0, 0, 1), 0, 0, 3, 35)
+    camera = camera_around((0, 0, 1), 0, 0, 3, 35)
     assert camera.position == pytest.approx([0, -3, 1])
     screen, _ = project(camera, [(0.5, 0, 1), (0, 0, 1.5)])
     assert screen[0, 0] > 0.5 and screen[1, 1] < 0.5
@@ -59,7 +59,7 @@ def test_swivel_keeps_the_position() -> None:
 
 
 def test_between_looks_from_a_place_to_a_target() -> None:
-    camera = between((1, -4, 2), (0, 0, 1), 35)
+    camera = camera_looking_at((1, -4, 2), (0, 0, 1), 35)
     assert camera.position == pytest.approx([1, -4, 2])
     assert project(camera, (0, 0, 1))[0][0] == pytest.approx([0.5, 0.5])
 
@@ -80,7 +80,7 @@ def test_between_looks_from_a_place_to_a_target() -> None:
     ],
 )
 def test_moves_end_where_their_name_says(movement, direction, check) -> None:
-    assert check(CAMERA, moved(CAMERA, movement, direction))
+    assert check(CAMERA, move_camera(CAMERA, movement, direction))
 
 
 @pytest.mark.parametrize("movement", ["track", "pan"])
@@ -88,32 +88,32 @@ def test_following_keeps_the_walker_where_they_were(movement: str) -> None:
     walker = np.array([0.5, 1.1, 1.6])
     travel = (1.5, 0.4, 0.0)
     before, _ = project(CAMERA, walker)
-    after, _ = project(followed(CAMERA, movement, travel), walker + travel)
+    after, _ = project(follow_subject(CAMERA, movement, travel), walker + travel)
     assert after[0] == pytest.approx(before[0], abs=0.03)
 
 
 def test_a_panning_camera_stays_on_its_tripod_all_the_way() -> None:
-    end = moved(CAMERA, "pan", "right")
+    end = move_camera(CAMERA, "pan", "right")
     for share in (0.25, 0.5, 0.75):
-        assert in_between(CAMERA, end, share).position == pytest.approx(CAMERA.position)
+        assert interpolate_cameras(CAMERA, end, share).position == pytest.approx(CAMERA.position)
 
 
 def test_in_between_meets_both_ends() -> None:
-    end = replace(moved(CAMERA, "orbit", "left"), lens=70)
+    end = replace(move_camera(CAMERA, "orbit", "left"), lens=70)
     for share, wanted in ((0.0, CAMERA), (1.0, end)):
-        got = in_between(CAMERA, end, share)
+        got = interpolate_cameras(CAMERA, end, share)
         assert got.position == pytest.approx(wanted.position)
         assert got.lens == pytest.approx(wanted.lens)
 
 
 def test_easing_rests_at_both_ends() -> None:
-    assert (eased(0), eased(0.5), eased(1)) == pytest.approx((0, 0.5, 1))
-    assert eased(0.01) < 1e-4
+    assert (ease_in_out(0), ease_in_out(0.5), ease_in_out(1)) == pytest.approx((0, 0.5, 1))
+    assert ease_in_out(0.01) < 1e-4
 
 
 @pytest.mark.parametrize("movement", ["pan", "tilt", "orbit", "push in", "zoom out", "truck", "pedestal"])
 def test_half_a_move_back_and_a_whole_one_on_is_half_a_move_on(movement: str) -> None:
-    start, end = moved(CAMERA, movement, None, -0.5), moved(CAMERA, movement, None, 0.5)
-    middle = in_between(start, end, 0.5)
+    start, end = move_camera(CAMERA, movement, None, -0.5), move_camera(CAMERA, movement, None, 0.5)
+    middle = interpolate_cameras(start, end, 0.5)
     assert middle.position == pytest.approx(CAMERA.position, abs=0.15)
-    assert moved(start, movement).position == pytest.approx(end.position, abs=0.15)
+    assert move_camera(start, movement).position == pytest.approx(end.position, abs=0.15)

@@ -14,10 +14,10 @@ from storyblender.geometry.paths import (
     Footprint,
     clearance,
     find_path,
+    find_seat_access,
+    find_waiting_time,
     path_length,
     round_corners,
-    seat_access,
-    waiting_time,
 )
 
 ROOM = (-4.0, -4.0, 4.0, 4.0)
@@ -84,16 +84,16 @@ def test_who_crosses_waits() -> None:
     def crossing(t: float) -> tuple[float, float]:
         return 0.0, -2 + t
 
-    wait, gap = waiting_time(walk, 4.0, 0.0, [(crossing, 0.6)])
+    wait, gap = find_waiting_time(walk, 4.0, 0.0, [(crossing, 0.6)])
     assert wait > 0
     assert gap >= 0
-    assert waiting_time(walk, 4.0, 0.0, [])[0] == 0
+    assert find_waiting_time(walk, 4.0, 0.0, [])[0] == 0
 
 
 def test_seats_at_a_table_are_entered_from_the_side() -> None:
     chair = Footprint((0, 0.25), (0.5, 0.5), name="chair")
     near = Footprint((0, -0.55), (1.6, 0.8), name="table")
-    assert seat_access((0, 0), 0.0, 0.5, 1.0, [chair], "chair") == pytest.approx((0, -0.18))
-    x, y = seat_access((0, 0), 0.0, 0.5, 1.0, [chair, near], "chair")
+    assert find_seat_access((0, 0), 0.0, 0.5, 1.0, [chair], "chair") == pytest.approx((0, -0.18))
+    x, y = find_seat_access((0, 0), 0.0, 0.5, 1.0, [chair, near], "chair")
     assert abs(x) > 0.4
     assert clearance(np.array([[x, y]]), [chair, near])[0] > 0.15

@@ -7,7 +7,7 @@ import pytest
 
 from storyblender.geometry import solids
 from storyblender.geometry.holding import find_hold
-from storyblender.geometry.resting import Field, find_bed, find_seats
+from storyblender.geometry.resting import LevelGrid, find_bed, find_seats
 
 Boxes = list[tuple[tuple[float, float, float], tuple[float, float, float]]]
 """Middle and size of each."""
@@ -24,7 +24,7 @@ BED: Boxes = [((0, 0, 0.25), (1.4, 2.0, 0.5)), ((0, 1.02, 0.5), (1.4, 0.05, 1.0)
 TABLE: Boxes = [((0, 0, 0.73), (1.6, 0.9, 0.04))]
 
 
-def field(boxes: Boxes, quarter: int, cell: float = 0.02) -> Field:
+def field(boxes: Boxes, quarter: int, cell: float = 0.02) -> LevelGrid:
     """Return the level places of upright boxes, turned by quarters about Z."""
     turned = []
     for (x, y, z), (w, d, h) in boxes:
@@ -45,7 +45,7 @@ def field(boxes: Boxes, quarter: int, cell: float = 0.02) -> Field:
                 ceiling = min(ceiling, level)
                 top[row, column] = max(top[row, column], level)
     table = np.array(found)
-    return Field(cell, low, top, table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
+    return LevelGrid(cell, low, top, table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
 
 
 def ahead(quarter: int) -> tuple[float, float]:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.lanes import WIDTH, lane, way
+from storyblender.geometry.lanes import WALKWAY_WIDTH, find_walkway, lane_boxes
 from storyblender.geometry.relations import Room, Thing, violations
 from storyblender.geometry.solver import solve
 
@@ -79,13 +79,15 @@ def test_a_blocked_walkway_is_opened_for_people() -> None:
     shelf = Thing("shelf", Box(0, 2.1, 0, 0.5, 3.8, 2), fixed=True)
     crates = [Thing(f"crate_{i}", Box(0, -3.6 + 0.9 * i, 0, 0.8, 0.8, 0.8)) for i in range(4)]
     things = [shelf, *crates]
-    assert way((-3, -2), (3, -2), things, ROOM) is None
-    opened = way((-3, -2), (3, -2), things, ROOM, around_fixed_only=True)
+    assert find_walkway((-3, -2), (3, -2), things, ROOM) is None
+    opened = find_walkway((-3, -2), (3, -2), things, ROOM, around_fixed_only=True)
     assert opened is not None
-    solution = solve(things, ROOM, keep_free=lane(opened))
+    solution = solve(things, ROOM, keep_free=lane_boxes(opened))
     assert solution.solved
-    walked = way((-3, -2), (3, -2), solution.things, ROOM)
+    walked = find_walkway((-3, -2), (3, -2), solution.things, ROOM)
     assert walked is not None
     assert all(
-        math.dist(point, (thing.box.x, thing.box.y)) > WIDTH / 2 for point in walked[1:-1] for thing in solution.things
+        math.dist(point, (thing.box.x, thing.box.y)) > WALKWAY_WIDTH / 2
+        for point in walked[1:-1]
+        for thing in solution.things
     )

@@ -11,7 +11,7 @@ from typing import Literal
 from storyblender.agents.frame_critic.doing import SENT_BACK, deeds, fault, staging
 from storyblender.agents.frame_critic.frame_view import FrameView, actions_to_see, speakers, things_to_see
 from storyblender.catalog.motions import clip_of
-from storyblender.geometry.gaps import MOST_GAP, empty_middle
+from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 from storyblender.memory.measure import SubjectView
 from storyblender.memory.shot_context import CameraInstruction, ShotContext
 from storyblender.memory.shot_sizes import SHOT_SIZES, ShotSize
@@ -39,7 +39,7 @@ _PROFILE = 100.0
 """Most degrees between the face and the camera at which a face is readable."""
 _BACK = 118.0
 """Degrees between face and camera from which a person counts as seen from behind."""
-_MOST_APART = MOST_GAP
+_MOST_APART = MAX_FACE_GAP
 """Heads between two neighbours from which a picture of people has an empty middle."""
 _MOST_FLAT, _MOST_VOID, _MOST_FOREGROUND = 0.5, 0.08, 0.35
 _DARK = 0.08
@@ -178,7 +178,7 @@ def _apart(view: FrameView) -> list[Fault]:
     faces = [(each.face[0], each.head_height) for each in shown if each.face is not None and 0 < each.face[0] < 1]
     if instruction.size in _LEAST_WIDE or instruction.kind not in ("group", "two_shot", "action") or len(faces) < 2:
         return []
-    gap = empty_middle(faces, view.aspect)
+    gap = widest_face_gap(faces, view.aspect)
     if gap < _MOST_APART:
         return []
     return [fault("apart", shown[0].node_id, min(1.0 + 0.3 * (gap - _MOST_APART), 3.0), "the middle is empty")]

@@ -16,7 +16,7 @@ from storyblender.agents.layout_artist.layout_brief import LayoutBrief
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import free_seats
 from storyblender.catalog.bystanders import BYSTANDER, VARIANTS
-from storyblender.geometry.boxes import Box, facing
+from storyblender.geometry.boxes import Box, yaw_along
 from storyblender.geometry.relations import Thing
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec2
@@ -90,7 +90,7 @@ def _seated(stage: Stage, people: Sequence[Vec2], most: int, wanted: set[str]) -
             or _in_view((x, y), people)
         ):
             continue
-        yaw = base.yaw + facing(*anchor.direction[:2])
+        yaw = base.yaw + yaw_along(*anchor.direction[:2])
         spot = (x, y, base.z + anchor.location[2])
         open_to_all.append((away, Bystander("sit", 0, spot, yaw, name)))
     chosen = sorted(open_to_all, key=lambda each: (round(each[0], 2), each[1].seat or ""))[:most]
@@ -122,7 +122,7 @@ def _standing(stage: Stage, people: Sequence[Vec2], count: int) -> list[Bystande
         for index in range(size):
             angle = 0.9 * turn + 2 * math.pi * index / size
             px, py = x + _RADIUS[size] * math.cos(angle), y + _RADIUS[size] * math.sin(angle)
-            yaw = facing(x - px, y - py) if size > 1 else facing(people[0][0] - px, people[0][1] - py)
+            yaw = yaw_along(x - px, y - py) if size > 1 else yaw_along(people[0][0] - px, people[0][1] - py)
             found.append(Bystander("stand", len(found) % VARIANTS, (px, py, 0.0), yaw))
             box = Box(px, py, 0.0, 0.5, 0.4, 1.7, yaw)
             stage.add(Thing(f"bystander_{len(found)}", box, fixed=True), "")

@@ -12,8 +12,8 @@ import numpy as np
 from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box, corners, distance_to_point
-from storyblender.geometry.framing import Figure, Film, holds_shoulder
-from storyblender.geometry.moves import eased, in_between
+from storyblender.geometry.framing import Figure, Film, can_frame_over_shoulder
+from storyblender.geometry.moves import ease_in_out, interpolate_cameras
 from storyblender.geometry.orbit import Floats, Orbit
 from storyblender.memory.shot_context import CameraInstruction, CameraPose, CameraState, Flaw
 from storyblender.memory.shot_sizes import SHOT_SIZES, SIZES, TIGHT, WHOLE, ShotSize
@@ -169,7 +169,7 @@ class CameraBrief:
         if self.instruction.kind != "ots" or over is None or not self.people:
             return None
         lead, size = self.people[0], self.instruction.size
-        meets = lead.turned_from(over.face) < TALKS and holds_shoulder(self.film, lead, over, size, self.lens)
+        meets = lead.turned_from(over.face) < TALKS and can_frame_over_shoulder(self.film, lead, over, size, self.lens)
         return over if over.node_id != lead.node_id and (meets or self.instruction.explicit) else None
 
     @cached_property
@@ -355,8 +355,10 @@ class Take:
 
     def at(self, share: float) -> Orbit:
         """Return the camera at a share of the shot's time."""
+        if not self.moves:
+            return self.start
         begins, ends = self.span
-        return in_between(self.start, self.end, eased((share - begins) / (ends - begins))) if self.moves else self.start
+        return interpolate_cameras(self.start, self.end, ease_in_out((share - begins) / (ends - begins)))
 
     def state(self, duration: int, f_number: float, score: float, residual: tuple[Flaw, ...]) -> CameraState:
         """Return what goes into the graph."""

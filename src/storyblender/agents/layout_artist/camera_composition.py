@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.camera_solids import aboard
 from storyblender.agents.layout_artist.camera_start import looks_after, wants_shoulder
 from storyblender.geometry import framing
 from storyblender.geometry.framing import Figure
-from storyblender.geometry.gaps import MOST_GAP, empty_middle
+from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 from storyblender.geometry.orbit import DOLLY, Orbit
 from storyblender.memory.measure import CameraView, SubjectView
 from storyblender.memory.shot_sizes import SIZES
@@ -82,7 +82,7 @@ def composition(brief: CameraBrief, camera: Orbit, moment: Moment, view: CameraV
 def _apart(brief: CameraBrief, camera: Orbit, heads: Sequence[SubjectView]) -> list[Fault]:
     """People of a picture that is no wide shot stand together in it."""
     faces = [(subject.face[0], subject.head_height) for subject in heads if subject.face is not None]
-    over = empty_middle(faces, camera.aspect) - MOST_GAP
+    over = widest_face_gap(faces, camera.aspect) - MAX_FACE_GAP
     if over <= 0 or brief.instruction.size in ("WS", "EWS"):
         return []
     text = "the middle between the people is empty"
@@ -142,7 +142,7 @@ def _size(brief: CameraBrief, heads: Sequence[SubjectView]) -> list[Fault]:
 def _lone_place(brief: CameraBrief, camera: Orbit, figure: Figure, subject: SubjectView) -> list[Fault]:
     """Lead room for one face; in an over-the-shoulder the face has the half without the shoulder."""
     assert subject.face is not None
-    wanted = framing.lead_room(camera, figure)
+    wanted = framing.lead_room_x(camera, figure)
     if brief.over is not None:
         wanted = 0.5 + math.copysign(0.13, subject.face[0] - 0.5)
     off = subject.face[0] - wanted
@@ -160,7 +160,7 @@ def _headroom(brief: CameraBrief, heads: Sequence[SubjectView], over: SubjectVie
     crown, top = SIZES[brief.instruction.size].crown, min(tops)
     if len(heads) > 1:
         # A group may be taken from further away than its size says: then more air belongs above it.
-        crown = max(crown, framing.crown_height(max(subject.head_height for subject in heads)))
+        crown = max(crown, framing.crown_screen_y(max(subject.head_height for subject in heads)))
     if over is not None and over.head_top is not None and over.head_top < top:
         top = max(over.head_top, min(crown, top))
     low = -0.04 if brief.instruction.size == "CU" else 0.01

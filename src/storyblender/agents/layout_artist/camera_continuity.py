@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, in_between
+from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take, interpolate_cameras
 from storyblender.agents.layout_artist.camera_cuts import cuts
 from storyblender.agents.layout_artist.camera_operator import side_used
 from storyblender.geometry.camera_path import orbit_of
-from storyblender.geometry.continuity import walked_around
+from storyblender.geometry.continuity import has_new_line
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CameraState, Flaw, ShotContext
 
@@ -42,7 +42,7 @@ class SceneCuts:
         if axis is None or brief.axis is None:
             return brief
         faces = (brief.axis[0].face, brief.axis[1].face)
-        if walked_around(self._lines.setdefault(axis, faces), faces):
+        if has_new_line(self._lines.setdefault(axis, faces), faces):
             self._sides.pop(axis, None)
             self._answered.pop(axis, None)
         self._lines[axis] = faces
@@ -82,7 +82,7 @@ def judge_cuts(scene: Iterable[tuple[ShotContext, CameraBrief]]) -> Mapping[int,
             continue
         going.follow(shot, brief, state)
         ends = [orbit_of(pose, brief.film) for pose in (state.poses[0], state.poses[-1])]
-        take = Take(in_between(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
+        take = Take(interpolate_cameras(ends[0], ends[1], 0.5), ends[0], ends[1], state.hidden_node_ids)
         found = cuts(brief, take) if brief.moments else []
         now = [Flaw(kind=each.kind, subject=each.subject, weight=each.severity, message=each.message) for each in found]
         kept = [flaw for flaw in state.residual if flaw.kind not in CUT_KINDS]

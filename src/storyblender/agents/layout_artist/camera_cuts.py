@@ -9,7 +9,7 @@ import numpy as np
 from storyblender.agents.layout_artist.camera_brief import CameraBrief, Cut, Take
 from storyblender.agents.layout_artist.camera_composition import fault
 from storyblender.geometry.camera_path import orbit_of
-from storyblender.geometry.continuity import THIRTY, crosses_line, looks_meet, view_change
+from storyblender.geometry.continuity import JUMP_CUT_DEGREES, angle_between_views, crosses_line, do_looks_match
 from storyblender.geometry.framing import head_share
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.base import Vec3, shot_name
@@ -35,7 +35,7 @@ def cuts(brief: CameraBrief, take: Take) -> list[Fault]:
     if reverse is not None and axis is not None and kind in ("single", "reaction", "ots") and brief.people:
         partner = next((figure for figure in axis if figure.node_id != brief.people[0].node_id), None)
         other = orbit_of(reverse.state.poses[0], brief.film)
-        if partner is not None and not looks_meet(take.camera, brief.people[0].forward, other, partner.forward):
+        if partner is not None and not do_looks_match(take.camera, brief.people[0].forward, other, partner.forward):
             found.append(fault("eyeline", name, 1.5, "both singles look to one side of the picture", ops=_AROUND))
     return found
 
@@ -47,10 +47,10 @@ def _jump(brief: CameraBrief, take: Take, name: str) -> list[Fault]:
         return []
     last = orbit_of(before.state.poses[-1], brief.film)
     alike, subject = _alike(brief, before, last, take.start)
-    change = view_change(last, take.start, subject)
-    if not alike or change >= THIRTY:
+    change = angle_between_views(last, take.start, subject)
+    if not alike or change >= JUMP_CUT_DEGREES:
         return []
-    short = THIRTY - change + 3
+    short = JUMP_CUT_DEGREES - change + 3
     way = np.sign(take.start.azimuth - last.azimuth) or 1.0
     text = f"the cut moves only {change:.0f} degrees on the same subject"
     return [fault("jump", name, alike * (0.6 + short / 40), text, azimuth=float(way * short))]

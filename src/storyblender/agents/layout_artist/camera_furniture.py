@@ -9,7 +9,7 @@ from storyblender.agents.layout_artist.camera_room import rays
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import project
 from storyblender.geometry.orbit import Orbit
-from storyblender.geometry.sight import hidden
+from storyblender.geometry.sight import find_hidden
 
 GRID = (15, 8)
 """Columns and rows of the rays that look for what stands before everybody."""
@@ -41,11 +41,11 @@ def in_the_way(brief: CameraBrief, camera: Orbit) -> list[str]:
     if not near:
         return []
     spots = camera.position + rays(camera, *GRID) * deep
-    if float(hidden([box for _, box in near], camera.position, spots).mean()) < _WORTH:
+    if float(find_hidden([box for _, box in near], camera.position, spots).mean()) < _WORTH:
         return []
     gone: list[str] = []
     for node, box in near:
-        if float(hidden([box], camera.position, spots).mean()) > _TAKES:
+        if float(find_hidden([box], camera.position, spots).mean()) > _TAKES:
             gone += [node, *(other for other, each in brief.props.items() if _stands_on(each, box))]
     return gone
 
@@ -93,4 +93,4 @@ def backs(brief: CameraBrief, take: Take, deep: float) -> float:
             behind.append(box)
     if not behind:
         return 0.0
-    return float(np.mean(hidden(behind, camera.position, camera.position + rays(camera, *GRID) * deep)))
+    return float(np.mean(find_hidden(behind, camera.position, camera.position + rays(camera, *GRID) * deep)))

@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.camera_brief import CameraBrief
 from storyblender.agents.layout_artist.camera_room import BEFORE_WALL, VOID, outside, reach_back
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
-from storyblender.geometry.boxes import wrapped
+from storyblender.geometry.boxes import wrap_angle
 from storyblender.geometry.continuity import side_of_line
 from storyblender.geometry.framing import Figure
 from storyblender.geometry.orbit import Orbit
@@ -28,10 +28,10 @@ _EDGE = 0.03
 def grouped(brief: CameraBrief, lens: float, azimuth: float, elevation: float) -> Orbit:
     """Return the camera that holds the focus people wherever they go, or where they are if that is too far."""
     size = brief.instruction.size
-    whole = framing.group(brief.film, brief.stages, size, azimuth, elevation, lens)
+    whole = framing.frame_group(brief.film, brief.stages, size, azimuth, elevation, lens)
     if brief.people[0].head / whole.frame_height > _SMALLEST * SIZES[size].head and _centred(brief, whole):
         return whole
-    return framing.group(brief.film, brief.people, size, azimuth, elevation, lens)
+    return framing.frame_group(brief.film, brief.people, size, azimuth, elevation, lens)
 
 
 def inside(brief: CameraBrief, camera: Orbit) -> Orbit:
@@ -56,9 +56,9 @@ def _held_from(brief: CameraBrief, camera: Orbit, reach: float, widest: float) -
     place = np.asarray(camera.pivot) + camera.axes[:, 2] * reach
 
     def held(figures: Sequence[Figure]) -> Orbit:
-        fit = framing.group_from(film, figures, size, place, camera.lens, widest)
+        fit = framing.frame_group_from(film, figures, size, place, camera.lens, widest)
         lens = brief.instruction.lens or brief.widened(fit.lens)
-        return fit if lens == fit.lens else framing.group_from(film, figures, size, place, lens, lens)
+        return fit if lens == fit.lens else framing.frame_group_from(film, figures, size, place, lens, lens)
 
     whole = held(brief.stages)
     screen, depth = framing.project(whole, [figure.face for figure in brief.stages])
@@ -101,7 +101,7 @@ def _group_cost(brief: CameraBrief, azimuth: float) -> float:
 
 def turned(angle: float) -> float:
     """Return degrees within -180..180."""
-    return math.degrees(wrapped(math.radians(angle)))
+    return math.degrees(wrap_angle(math.radians(angle)))
 
 
 def towards_audience(yaw: float, most: float) -> float:

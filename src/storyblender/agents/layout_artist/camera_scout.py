@@ -19,9 +19,9 @@ from storyblender.agents.layout_artist.camera_solids import aboard, body, holds,
 from storyblender.agents.layout_artist.camera_start import face_limit, looks_after, start, wants_shoulder
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.framing import Figure, head_share, project
-from storyblender.geometry.gaps import MOST_GAP, empty_middle
+from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 from storyblender.geometry.orbit import Floats, Orbit
-from storyblender.geometry.sight import hidden
+from storyblender.geometry.sight import find_hidden
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
 _TURNS = (0, 15, -15, 30, -30, 48, -48, 70, -70, 95, -95, 125, -125, 155, -155, 180)
@@ -167,7 +167,7 @@ def _before(brief: CameraBrief, take: Take) -> float:
     spots = camera.position + rays(camera, columns, rows) * deep
     own = () if brief.people else brief.focus
     boxes = solids(dict(brief.props) if shown else {}, brief.plan, (*take.hidden, *brief.vessels, *own))
-    taken = hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
+    taken = find_hidden(boxes, camera.position, spots).reshape(rows, columns).mean(0)
     third = columns // 3
     share = (taken.sum() + taken[third : columns - third].sum()) / (2 * columns - 2 * third)
     return 8.0 * (max(0.0, float(share) - _FRONT) + max(0.0, backs(brief, take, deep + 2 * _OWN) - _BACKSIDE))
@@ -204,11 +204,11 @@ def _things(brief: CameraBrief, take: Take) -> float:
         # does, as the top of a table does. A boat has none.
         tops = [lidded(box) for box in around if not any(holds(box, figure) for figure in figures)]
         boxes = [*(box for box in [*bodies, *boxes] if box not in around), *tops]
-        framed &= ~hidden(boxes, take.camera.position, spots, _AT_HAND)
+        framed &= ~find_hidden(boxes, take.camera.position, spots, _AT_HAND)
     elif at_hand(brief):
         boxes = [box for figure in brief.drawn.figures if figure.node_id not in take.hidden for box in body(figure)]
         small = np.array([box in at_hand(brief) for box in brief.things])
-        points += _UNSEEN * float((framed & small & hidden(boxes, take.camera.position, middles, _AT_HAND)).sum())
+        points += _UNSEEN * float((framed & small & find_hidden(boxes, take.camera.position, middles, _AT_HAND)).sum())
     lost = 1.6 if brief.people and brief.instruction.explicit else 1.0 if brief.people else 2.5
     return points + lost * float((~framed).sum()) + _wrong_side(brief, take.camera)
 
@@ -283,9 +283,9 @@ def _gap(brief: CameraBrief, camera: Orbit) -> float:
     if len(people) < 2 or brief.instruction.kind in ("establishing", "pov", "insert"):
         return 0.0
     across = project(camera, [figure.face for figure in people])[0][:, 0]
-    gap = empty_middle([(float(x), head_share(camera, each)) for x, each in zip(across, people, strict=True)],
+    gap = widest_face_gap([(float(x), head_share(camera, each)) for x, each in zip(across, people, strict=True)],
                        camera.aspect)  # fmt: skip
-    return min(_APART * max(0.0, gap - MOST_GAP), 2.0)
+    return min(_APART * max(0.0, gap - MAX_FACE_GAP), 2.0)
 
 
 def _beheaded(camera: Orbit, figure: Figure) -> float:
@@ -358,7 +358,7 @@ def hidden_share(camera: Orbit, figure: Figure, boxes: Sequence[Box]) -> float:
 
 def _covered(camera: Orbit, spots: ArrayLike, boxes: Sequence[Box]) -> float:
     """Return the share of points that boxes hide from the camera."""
-    return float(hidden(boxes, camera.position, spots, _OWN).mean())
+    return float(find_hidden(boxes, camera.position, spots, _OWN).mean())
 
 
 def _body_spots(camera: Orbit, figure: Figure) -> Floats:

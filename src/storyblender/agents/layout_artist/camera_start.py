@@ -15,9 +15,9 @@ from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry import framing
 from storyblender.geometry.boxes import corners, distance_to_point
 from storyblender.geometry.camera_path import orbit_of
-from storyblender.geometry.continuity import THIRTY, mirrored, side_of_line
+from storyblender.geometry.continuity import JUMP_CUT_DEGREES, mirror_azimuth, side_of_line
 from storyblender.geometry.framing import Figure
-from storyblender.geometry.moves import eased, followed, moved
+from storyblender.geometry.moves import ease_in_out, follow_subject, move_camera
 from storyblender.geometry.orbit import Orbit, orbit, pan, roll
 from storyblender.memory.shot_sizes import SIZES, TIGHT, WHOLE
 
@@ -87,11 +87,11 @@ def take(brief: CameraBrief, camera: Orbit) -> Take:
     elif _follows(brief, camera):
         # What is drawn is composed; before it and after it the camera goes with the walk.
         span, done, travel = *_walk(brief), np.asarray(brief.travel)
-        first = followed(camera, instruction.movement, tuple(-done * travel))
-        last = followed(camera, instruction.movement, tuple((1 - done) * travel))
+        first = follow_subject(camera, instruction.movement, tuple(-done * travel))
+        last = follow_subject(camera, instruction.movement, tuple((1 - done) * travel))
     elif instruction.movement != "static":
         direction = instruction.direction
-        first, last = (moved(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
+        first, last = (move_camera(camera, instruction.movement, direction, share) for share in (-0.5, 0.5))
     hidden: list[str] = []
     if brief.plan is not None:
         hidden = taken_away(brief.plan, brief.loose, dict.fromkeys((first, camera, last)), _targets(brief))
@@ -141,7 +141,7 @@ def _walk(brief: CameraBrief) -> tuple[tuple[float, float], float]:
             return (0.0, share), 1.0
         if math.dist(drawn.base[:2], first.base[:2]) < TRAVEL / 2:
             return (share, 1.0), 0.0
-    return (0.0, 1.0), eased(share)
+    return (0.0, 1.0), ease_in_out(share)
 
 
 def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
@@ -152,20 +152,20 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     if instruction.kind == "establishing" or not (people or brief.things):
         up = max(elevation, _MASTER_ELEVATION)
         fill = 0.6 if instruction.size == "EWS" else 0.8
-        camera = framing.master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
+        camera = framing.frame_master(film, brief.bounds(), _MASTER_AZIMUTH + turn, up, lens, fill)
         return _near_enough(brief, camera)
     lead = people[0] if people else None
     if lead is None and instruction.size in WHOLE and instruction.kind != "insert" and _by_things(brief):
         azimuth = towards_audience(math.degrees(brief.things[0].yaw), 50.0) + _MASTER_AZIMUTH + turn
-        camera = framing.master(film, brief.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
+        camera = framing.frame_master(film, brief.bounds(), azimuth, max(elevation, _MASTER_ELEVATION), lens, _HELD)
         return _near_enough(brief, camera)
     if lead is None or (brief.things and instruction.kind == "insert"):
         return _of_things(brief, lens, turn, rise)
     if (over := brief.over) is not None:
         side = line_side(brief, lead, over)
-        camera = framing.over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
+        camera = framing.frame_over_shoulder(film, lead, over, instruction.size, side, elevation - 2, lens)
         if abs(turn) > (_LEAVING_TURN if brief.in_stride and looks_after(brief) is not None else _SHOULDER_TURN):
-            return framing.group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
+            return framing.frame_group(film, (lead, over), instruction.size, camera.azimuth + turn, elevation, lens)
         return orbit(camera, turn) if turn else camera
     if len(people) > 1:
         around = turn + (180.0 if instruction.behind else 0.0)
@@ -176,7 +176,7 @@ def _compose(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit
     shown = lead if _tight(brief) else brief.upright(lead)
     if instruction.size not in WHOLE and shown.face[2] - lead.face[2] > _SQUATS:
         shown = lead
-    return framing.single(film, shown, instruction.size, azimuth, elevation, lens)
+    return framing.frame_single(film, shown, instruction.size, azimuth, elevation, lens)
 
 
 def _with_things(brief: CameraBrief, camera: Orbit) -> Orbit:
@@ -237,12 +237,12 @@ def _near_enough(brief: CameraBrief, camera: Orbit) -> Orbit:
     if nearest <= most:
         return camera
     points = [point for figure in people for point in (figure.base, figure.crown)]
-    held = framing.master(brief.film, points, camera.azimuth, camera.elevation, camera.lens, _HELD)
+    held = framing.frame_master(brief.film, points, camera.azimuth, camera.elevation, camera.lens, _HELD)
     if held.distance >= most:
         return held
     middle = np.mean([(*figure.face[:2], (figure.face[2] + figure.base[2]) / 2) for figure in people], axis=0)
     near = brief.film.look(middle, camera.azimuth, camera.elevation, max(most, 2.0), camera.lens)
-    return framing.placed(near, middle, 0.5, 0.6)
+    return framing.place_on_screen(near, middle, 0.5, 0.6)
 
 
 def _by_things(brief: CameraBrief) -> bool:
@@ -267,7 +267,7 @@ def _pov(brief: CameraBrief, lens: float) -> Orbit | None:
     elif brief.things:
         target = np.mean([corners(box).mean(0) for box in brief.things], axis=0)
     lens = brief.instruction.lens or (lens if lens <= _EYES else brief.widened(_EYES))
-    return framing.through_eyes(brief.film, eyes, target, lens)
+    return framing.frame_point_of_view(brief.film, eyes, target, lens)
 
 
 def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orbit:
@@ -281,7 +281,7 @@ def _of_things(brief: CameraBrief, lens: float, turn: float, rise: float) -> Orb
     extent = float(np.ptp(points, axis=0).max())
     wide = SIZES[brief.instruction.size].fill_large if extent >= _LARGE else None
     fill = wide or SIZES[brief.instruction.size].fill
-    return framing.insert(brief.film, points, azimuth, elevation, lens, fill)
+    return framing.frame_insert(brief.film, points, azimuth, elevation, lens, fill)
 
 
 def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, elevation: float) -> Orbit:
@@ -289,7 +289,7 @@ def _of_walk(brief: CameraBrief, figure: Figure, lens: float, turn: float, eleva
     heading = math.degrees(math.atan2(brief.travel[0], -brief.travel[1]))
     sides = [heading + 62.0, heading - 62.0]
     azimuth = min(sides, key=lambda angle: abs(turned(angle))) + turn
-    return framing.single(brief.film, figure, brief.instruction.size, azimuth, elevation, lens)
+    return framing.frame_single(brief.film, figure, brief.instruction.size, azimuth, elevation, lens)
 
 
 def _single_azimuth(brief: CameraBrief, figure: Figure) -> float:
@@ -317,7 +317,7 @@ def _cost(brief: CameraBrief, figure: Figure, azimuth: float) -> float:
     if (before := brief.previous) is not None and brief.size_steps(before.instruction.size) < 2:
         same = set(before.instruction.focus_on_ids) == set(brief.instruction.focus_on_ids)
         last = orbit_of(before.state.poses[-1], brief.film)
-        cost += 2.0 * (same and abs(turned(last.azimuth - azimuth)) < THIRTY)
+        cost += 2.0 * (same and abs(turned(last.azimuth - azimuth)) < JUMP_CUT_DEGREES)
     return cost + 0.4 * (abs(turned(azimuth - figure.yaw)) < 15)
 
 
@@ -329,7 +329,7 @@ def _reverse_azimuth(brief: CameraBrief, figure: Figure) -> float | None:
     if figure.node_id not in (first.node_id, second.node_id):
         return None
     partner = orbit_of(brief.reverse.state.poses[0], brief.film)
-    azimuth = mirrored(partner.azimuth, first.face, second.face)
+    azimuth = mirror_azimuth(partner.azimuth, first.face, second.face)
     return azimuth if abs(turned(azimuth - figure.yaw)) < 75 else None
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import free_seats, take
 from storyblender.catalog.props.kin import kin_of
-from storyblender.geometry.boxes import facing
+from storyblender.geometry.boxes import yaw_along
 from storyblender.geometry.relations import Thing
 from storyblender.geometry.stations import turn_towards_audience
 from storyblender.memory.base import Vec2
@@ -98,8 +98,8 @@ def _stand_together(stage: Stage, group: Sequence[str], principals: Sequence[Vec
         angle = first + 2 * math.pi * index / len(group)
         px, py = x + radius * math.cos(angle), y + radius * math.sin(angle)
         yaw = (
-            turn_towards_audience(facing(x - px, y - py))
+            turn_towards_audience(yaw_along(x - px, y - py))
             if len(group) > 1
-            else facing(principals[0][0] - px, principals[0][1] - py)
+            else yaw_along(principals[0][0] - px, principals[0][1] - py)
         )
         stage.add(Thing(member, stage.box(member, px, py, 0.0, yaw), walks=True), member)

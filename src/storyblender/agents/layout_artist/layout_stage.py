@@ -13,7 +13,7 @@ from storyblender.agents.layout_artist.layout_things import room_of, size_of, th
 from storyblender.catalog.fixtures import Fixture, fixtures_called
 from storyblender.catalog.props.kin import kin_of, meant_by
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.lanes import blocks
+from storyblender.geometry.lanes import blocks_walkers
 from storyblender.geometry.paths import Footprint, clearance
 from storyblender.geometry.relations import Thing
 from storyblender.memory.measure import AssetMeasure
@@ -178,7 +178,7 @@ class Stage:
 
     def clearance(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return how far each point is from what one cannot stand in, people included."""
-        solid = [thing for thing in (*self.things.values(), *self.walls) if thing.walks or blocks(thing)]
+        solid = [thing for thing in (*self.things.values(), *self.walls) if thing.walks or blocks_walkers(thing)]
         footprints = [
             Footprint((thing.box.x, thing.box.y), (thing.box.width, thing.box.depth), thing.box.yaw) for thing in solid
         ]

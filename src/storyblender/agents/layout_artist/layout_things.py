@@ -9,7 +9,7 @@ import numpy as np
 
 from storyblender.catalog.footprints import piece_boxes, wall_boxes
 from storyblender.catalog.set_plan import SetPlan
-from storyblender.geometry.boxes import Box, separation
+from storyblender.geometry.boxes import Box, footprint_gap
 from storyblender.geometry.relations import Room, Surface, Thing, Violation, remedy, violations
 from storyblender.geometry.support import Top
 from storyblender.memory.asset_sheet import Anchor
@@ -103,7 +103,7 @@ def hangs(box: Box, plan: SetPlan) -> bool:
     ceilings = [slab.z for slab in plan.slabs if slab.role == "ceiling"]
     if any(abs(height - box.top) < 2 * _HUNG for height in ceilings):
         return True
-    return any(separation(box, wall.box)[0] < _HUNG for wall in walls_of(plan))
+    return any(footprint_gap(box, wall.box)[0] < _HUNG for wall in walls_of(plan))
 
 
 def walls_of(plan: SetPlan) -> list[Thing]:

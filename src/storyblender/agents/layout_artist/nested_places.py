@@ -9,7 +9,7 @@ from storyblender.agents.layout_artist.layout_things import anchors_of, size_of
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
 from storyblender.catalog.hollows import inside
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.relations import Thing, rides
+from storyblender.geometry.relations import Thing, may_overlap_anchor
 from storyblender.memory.base import Vec2
 from storyblender.memory.scene_context import Spot
 
@@ -24,7 +24,7 @@ _SILL = 0.12
 def put_in(stage: Stage, asset_id: str, anchor: Thing) -> bool:
     """Put a thing into what is hollow, or on a seat of a vehicle that has doors; return whether it was possible."""
     measure = stage.measure(stage.assets[anchor.name])
-    riders = [thing for thing in stage.things.values() if thing.anchor == anchor.name and rides(thing)]
+    riders = [thing for thing in stage.things.values() if thing.anchor == anchor.name and may_overlap_anchor(thing)]
     size, base = size_of(stage.measure(asset_id)), anchor.box
     seats = anchors_of(measure, "seat") if anchors_of(measure, "door") else []
     place = inside(stage.brief.props.get(measure.asset_id), size_of(measure), size, len(riders))

@@ -10,10 +10,10 @@ from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of, size_of, tops_of
 from storyblender.agents.layout_artist.nested_places import at_wall, put_in, put_outside, under
 from storyblender.agents.layout_artist.wall_places import hang, stand_against
-from storyblender.geometry.boxes import Box, facing, separation, wrapped
-from storyblender.geometry.relations import BEARING, Thing, slid
+from storyblender.geometry.boxes import Box, footprint_gap, wrap_angle, yaw_along
+from storyblender.geometry.relations import BEARING, Thing, slide_to_gap
 from storyblender.geometry.stations import TURNS
-from storyblender.geometry.support import Perch, Taken, perch
+from storyblender.geometry.support import Perch, Taken, choose_perch
 from storyblender.memory.base import Vec2
 from storyblender.memory.scene_context import Spot
 
@@ -158,9 +158,9 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, fl
     taken = []
     for thing in stage.things.values():
         stands = thing.anchor == anchor.name and thing.relationship == "on_top_of"
-        if stands or (thing is not anchor and thing.box.z > 0.2 and separation(thing.box, anchor.box)[0] < 0):
+        if stands or (thing is not anchor and thing.box.z > 0.2 and footprint_gap(thing.box, anchor.box)[0] < 0):
             u, v = anchor.box.to_local(thing.box.x, thing.box.y)
-            turn = wrapped(thing.box.yaw - anchor.box.yaw)
+            turn = wrap_angle(thing.box.yaw - anchor.box.yaw)
             c, s = abs(math.cos(turn)), abs(math.sin(turn))
             width, depth = thing.box.width * c + thing.box.depth * s, thing.box.width * s + thing.box.depth * c
             taken.append(Taken(u, v, thing.box.z - anchor.box.z, width, depth))
@@ -173,10 +173,10 @@ def find_perch(stage: Stage, asset_id: str, anchor: Thing, near: tuple[float, fl
         wish = (anchor.box.width / 2, 0.0)
     elif near is not None:
         wish = anchor.box.to_local(*near)
-    chosen = perch(tops, size, wish, taken)
+    chosen = choose_perch(tops, size, wish, taken)
     if chosen is None and len(taken):
         smaller = (size[0] * 0.85, size[1] * 0.85, size[2])
-        chosen = perch(tops, smaller, wish, taken)
+        chosen = choose_perch(tops, smaller, wish, taken)
     return chosen
 
 
@@ -232,7 +232,7 @@ def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> Non
     seat = any(each.kind == "seat" for each in stage.measure(asset_id).anchors) and box.width < _LONG_SEAT
     looked_at = kind == "facing" or (seat and kind in ("behind", "in_front_of", "at") and not anchor.walks)
     if looked_at:
-        box.turn_to(facing(anchor.box.x - box.x, anchor.box.y - box.y))
+        box.turn_to(yaw_along(anchor.box.x - box.x, anchor.box.y - box.y))
     at_wall = stage.brief.placements.get(asset_id) == "wall" and spot.height is None
     if at_wall and hang(stage, asset_id, near=(box.x, box.y)):
         return
@@ -245,7 +245,7 @@ def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> Non
         stage.stand(asset_id, box)
         return
     bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
-    side = min(BEARING, key=lambda name: abs(wrapped(bearing - BEARING[name])))
+    side = min(BEARING, key=lambda name: abs(wrap_angle(bearing - BEARING[name])))
     contact = True if kind == "against" else None
     direction = "facing" if looked_at else None
     off_stage = not (x_min < anchor.box.x < x_max and y_min < anchor.box.y < y_max)
@@ -256,7 +256,7 @@ def _stand_beside(stage: Stage, asset_id: str, spot: Spot, anchor: Thing) -> Non
 
 def _beside(stage: Stage, asset_id: str, anchor: Thing, angle: float, gap: float) -> Box:
     box = stage.box(asset_id, anchor.box.x + math.cos(angle), anchor.box.y + math.sin(angle), 0.0, anchor.box.yaw)
-    box.x, box.y = slid(box, anchor.box, gap, angle)
+    box.x, box.y = slide_to_gap(box, anchor.box, gap, angle)
     return box
 
 

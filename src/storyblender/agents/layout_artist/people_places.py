@@ -11,7 +11,7 @@ from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.people_seats import SEATED, sit
 from storyblender.agents.layout_artist.people_stations import Wanted, in_reach, stand_at, wanted_by, work_place
 from storyblender.catalog.set_plan import PlanMark
-from storyblender.geometry.boxes import facing, separation, wrapped
+from storyblender.geometry.boxes import footprint_gap, wrap_angle, yaw_along
 from storyblender.geometry.relations import Thing
 from storyblender.memory.shot_context import BodyState
 
@@ -162,7 +162,7 @@ def _gather(stage: Stage, members: list[str]) -> None:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
         x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others) + 0.5 * _bareness(stage, x, y))
         box = stage.box(members[0], x, y, 0.0, 0.0)
-        box.turn_to(facing(*_towards_audience(x, y, stage)))
+        box.turn_to(yaw_along(*_towards_audience(x, y, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
     radius = stage.brief.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
@@ -170,7 +170,7 @@ def _gather(stage: Stage, members: list[str]) -> None:
     angles = _FORMATION.get(len(members)) or tuple(np.linspace(200, -20, len(members)).tolist())
     for member, angle in zip(members, angles, strict=True):
         dx, dy = radius * math.cos(math.radians(angle)), radius * math.sin(math.radians(angle))
-        box = stage.box(member, x + dx, y + dy, 0.0, turn_towards_audience(facing(-dx, -dy)))
+        box = stage.box(member, x + dx, y + dy, 0.0, turn_towards_audience(yaw_along(-dx, -dy)))
         stage.add(Thing(member, box, walks=True), member)
     if len(members) == 2:
         left, right = (stage.things[member] for member in members)
@@ -223,13 +223,13 @@ def _join(stage: Stage, member: str, placed: list[Thing]) -> None:
                 best = (cost, x, y)
     assert best is not None
     _, x, y = best
-    box = stage.box(member, x, y, 0.0, turn_towards_audience(facing(first.box.x - x, first.box.y - y)))
+    box = stage.box(member, x, y, 0.0, turn_towards_audience(yaw_along(first.box.x - x, first.box.y - y)))
     stage.add(Thing(member, box, anchor=first.name, direction="facing", walks=True), member)
 
 
 def turn_towards_audience(yaw: float) -> float:
     """Return a yaw turned a little towards the audience (yaw 0)."""
-    yaw = wrapped(yaw)
+    yaw = wrap_angle(yaw)
     return yaw - max(-_CHEAT, min(_CHEAT, yaw))
 
 
@@ -238,5 +238,5 @@ def _look_at_each_other(stage: Stage) -> None:
     for state in stage.brief.states:
         thing, target = stage.things.get(state.asset_id), stage.find(state.looking_at)
         free = thing is not None and thing.anchor is None and target is not None and target is not thing
-        if free and thing is not None and target is not None and separation(thing.box, target.box)[0] > 0:
-            thing.box.turn_to(turn_towards_audience(facing(target.box.x - thing.box.x, target.box.y - thing.box.y)))
+        if free and thing is not None and target is not None and footprint_gap(thing.box, target.box)[0] > 0:
+            thing.box.turn_to(turn_towards_audience(yaw_along(target.box.x - thing.box.x, target.box.y - thing.box.y)))

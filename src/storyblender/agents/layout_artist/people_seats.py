@@ -8,9 +8,9 @@ from collections.abc import Iterable
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of, seat_box
 from storyblender.agents.layout_artist.people_stations import Wanted
-from storyblender.geometry.boxes import distance_to_point, facing
+from storyblender.geometry.boxes import distance_to_point, yaw_along
 from storyblender.geometry.relations import Thing
-from storyblender.geometry.seating import on_side, seats_of
+from storyblender.geometry.seating import list_seats, select_seats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.base import Vec2
 from storyblender.memory.shot_context import BodyState
@@ -57,7 +57,7 @@ def sit(stage: Stage, state: BodyState, wanted: Wanted | None, near: Vec2 | None
         seats = [] if on_it else _free(stage, _drawn_up(stage, support))
         seats = seats or _free(stage, _seats(stage, [support.name], kinds, asked=True))
         if wanted is not None and wanted.side is not None:
-            seats = on_side(seats, wanted.side, lambda seat: (seat[1].location[0], -seat[1].location[1]))
+            seats = select_seats(seats, wanted.side, lambda seat: (seat[1].location[0], -seat[1].location[1]))
     seats = seats or _free(stage, _seats(stage, list(stage.things), kinds, asked=False))
     if not seats:
         return False
@@ -76,7 +76,7 @@ def take(stage: Stage, person: str, seat: Seat) -> None:
     base = stage.things[name].box
     x, y = base.to_world(*anchor.location[:2])
     dx, dy, _ = anchor.direction
-    box = seat_box(x, y, base.z + anchor.location[2], base.yaw + facing(dx, dy))
+    box = seat_box(x, y, base.z + anchor.location[2], base.yaw + yaw_along(dx, dy))
     stage.add(Thing(person, box, anchor=name, walks=True), person)
 
 
@@ -87,7 +87,9 @@ def _seats(stage: Stage, names: Iterable[str], kinds: tuple[str, ...], asked: bo
         measure = stage.measure(stage.assets[name])
         for kind in kinds:
             beds = kind == "bed"
-            anchors = anchors_of(measure, kind) if beds else seats_of(measure.anchors, measure.dimensions, asked=asked)
+            anchors = (
+                anchors_of(measure, kind) if beds else list_seats(measure.anchors, measure.dimensions, asked=asked)
+            )
             found += [(name, anchor) for anchor in anchors]
     return found
 

@@ -10,8 +10,8 @@ import numpy as np
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import anchors_of
 from storyblender.catalog.workplaces import workplaces_of
-from storyblender.geometry.boxes import Box, facing, wrapped
-from storyblender.geometry.relations import BEARING, SECTOR, Thing
+from storyblender.geometry.boxes import Box, wrap_angle, yaw_along
+from storyblender.geometry.relations import BEARING, BEARING_TOLERANCE, Thing
 from storyblender.geometry.stations import Sort, Station, stations, turn_towards_audience
 from storyblender.memory.shot_context import BodyState
 
@@ -107,8 +107,8 @@ def stand_at(stage: Stage, asset_id: str, anchor: Thing, wanted: Wanted) -> None
     thing = Thing(asset_id, box, walks=True)
     if anchor.name in stage.things:
         bearing = math.atan2(box.y - anchor.box.y, box.x - anchor.box.x)
-        name = min(BEARING, key=lambda each: abs(wrapped(bearing - BEARING[each])))
-        if abs(wrapped(bearing - BEARING[name])) < SECTOR:
+        name = min(BEARING, key=lambda each: abs(wrap_angle(bearing - BEARING[each])))
+        if abs(wrap_angle(bearing - BEARING[name])) < BEARING_TOLERANCE:
             thing.anchor, thing.relationship = anchor.name, name
             thing.direction = "facing" if relation in _FACES and _looks_at(box, anchor.box) else None
     stage.add(thing, asset_id)
@@ -123,7 +123,7 @@ def in_reach(stage: Stage, anchor: Thing) -> bool:
 
 
 def _looks_at(box: Box, other: Box) -> bool:
-    return abs(wrapped(facing(other.x - box.x, other.y - box.y) - box.yaw)) < math.radians(44)
+    return abs(wrap_angle(yaw_along(other.x - box.x, other.y - box.y) - box.yaw)) < math.radians(44)
 
 
 def _best(stage: Stage, options: list[Station]) -> tuple[Station, float]:
@@ -166,6 +166,6 @@ def turned_to(stage: Stage, box: Box, wanted: str | None, anchor: Box | None) ->
     if wanted == "camera":
         box.turn_to(0.0)
     elif wanted == "away" and anchor is not None:
-        box.turn_to(facing(box.x - anchor.x, box.y - anchor.y))
+        box.turn_to(yaw_along(box.x - anchor.x, box.y - anchor.y))
     elif wanted is not None and (thing := stage.anchor(wanted)) is not None:
-        box.turn_to(turn_towards_audience(facing(thing.box.x - box.x, thing.box.y - box.y)))
+        box.turn_to(turn_towards_audience(yaw_along(thing.box.x - box.x, thing.box.y - box.y)))

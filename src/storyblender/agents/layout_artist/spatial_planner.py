@@ -16,8 +16,8 @@ from storyblender.agents.layout_artist.layout_things import laid_out, layout_vio
 from storyblender.agents.layout_artist.object_places import place_objects
 from storyblender.agents.layout_artist.people_places import place_people
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.lanes import lane, way
-from storyblender.geometry.relations import Room, Thing, Violation, rides
+from storyblender.geometry.lanes import find_walkway, lane_boxes
+from storyblender.geometry.relations import Room, Thing, Violation, may_overlap_anchor
 from storyblender.geometry.solver import solve
 from storyblender.memory.base import Vec2, content_hash
 from storyblender.memory.scene_context import Layout
@@ -88,7 +88,7 @@ def _let_go(thing: Thing, residual: Sequence[Violation]) -> Thing:
     """Return a thing without its place beside another where there is no room for it: a van across an alley."""
     freed = thing.copy()
     unmet = any(violation.subject == thing.name for violation in residual)
-    if unmet and not (thing.fixed or thing.walks or rides(thing) or thing.relationship == "on_top_of"):
+    if unmet and not (thing.fixed or thing.walks or may_overlap_anchor(thing) or thing.relationship == "on_top_of"):
         freed.anchor = freed.relationship = freed.contact = freed.direction = None
     return freed
 
@@ -115,7 +115,7 @@ def ways_of(brief: LayoutBrief, layout: Layout) -> list[Box]:
 
 def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
     """Return the lanes from a door to everybody, and from the people to what they will go to."""
-    people = [thing for thing in things if thing.walks and not rides(thing)]
+    people = [thing for thing in things if thing.walks and not may_overlap_anchor(thing)]
     if not people:
         return []
     spots = [(person.box.x, person.box.y) for person in people]
@@ -130,8 +130,10 @@ def _walkways(stage: Stage, things: Sequence[Thing]) -> list[Box]:
             trips.append((target.box.to_world(0.0, -target.box.depth / 2 - _REACH), spots[0]))
     volumes: list[Box] = []
     for start, end in trips:
-        points = way(start, end, things, stage.room) or way(start, end, things, stage.room, around_fixed_only=True)
-        volumes += lane(points) if points is not None and math.dist(start, end) > 0.8 else []
+        points = find_walkway(start, end, things, stage.room) or find_walkway(
+            start, end, things, stage.room, around_fixed_only=True
+        )
+        volumes += lane_boxes(points) if points is not None and math.dist(start, end) > 0.8 else []
     return volumes
 
 
@@ -142,7 +144,7 @@ def _doors(brief: LayoutBrief) -> list[tuple[float, float]]:
 
 def _is_open(doors: Sequence[Vec2], spot: Vec2, things: Sequence[Thing], room: Room) -> bool:
     """Return whether somebody can walk to a place from any door."""
-    return any(way(door, spot, things, room, width=_SQUEEZE) is not None for door in doors)
+    return any(find_walkway(door, spot, things, room, width=_SQUEEZE) is not None for door in doors)
 
 
 @dataclass(frozen=True)
@@ -167,7 +169,7 @@ def _unreachable(draft: Layout, view: LayoutBrief) -> list[Fault]:
             message=f"nobody can walk from a door to {person.name}: there is no way {_SQUEEZE} m wide",
         )
         for person in things
-        if doors and person.walks and not rides(person)
+        if doors and person.walks and not may_overlap_anchor(person)
         if not _is_open(doors, (person.box.x, person.box.y), things, room)
     ]
 

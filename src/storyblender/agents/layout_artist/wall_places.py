@@ -9,7 +9,7 @@ import numpy as np
 from storyblender.agents.layout_artist.layout_stage import Stage
 from storyblender.agents.layout_artist.layout_things import size_of
 from storyblender.catalog.set_plan import Wall
-from storyblender.geometry.boxes import Box, facing, separation, wrapped
+from storyblender.geometry.boxes import Box, footprint_gap, wrap_angle, yaw_along
 
 _LONG = 2.0
 """Times its width: what is deeper hangs along the wall, as a rifle does."""
@@ -46,7 +46,7 @@ def hang(
         if box.top > wall.base + wall.height:
             continue
         taken = sum(
-            separation(box, thing.box)[0] < 0.05 and thing.box.top > z - 0.02 and thing.box.z < box.top
+            footprint_gap(box, thing.box)[0] < 0.05 and thing.box.top > z - 0.02 and thing.box.z < box.top
             for thing in stage.things.values()
         )
         cost = dislike + 3 * taken + 0.2 * math.dist((x, y), wish)
@@ -71,7 +71,7 @@ def stand_against(stage: Stage, asset_id: str, near: tuple[float, float] | None 
     middle, pull = (stage.middle, 0.15) if near is None else (near, 1.0)
     for _, x, y, yaw, dislike in _wall_places(stage, width, depth / 2 + 0.02):
         box = stage.box(asset_id, x, y, 0.0, yaw)
-        if any(separation(box, thing.box)[0] < 0.03 and thing.box.top > 0.05 for thing in stage.things.values()):
+        if any(footprint_gap(box, thing.box)[0] < 0.03 and thing.box.top > 0.05 for thing in stage.things.values()):
             continue
         cost = dislike + pull * math.dist((x, y), middle)
         if best is None or cost < best[0] - 1e-9:
@@ -89,8 +89,8 @@ def _wall_places(stage: Stage, width: float, reach: float) -> list[tuple[Wall, f
         length = math.dist(wall.start, wall.end)
         ux, uy = (wall.end[0] - wall.start[0]) / length, (wall.end[1] - wall.start[1]) / length
         inward = (-uy, ux)
-        yaw = facing(*inward)
-        if abs(wrapped(yaw)) > math.radians(135):
+        yaw = yaw_along(*inward)
+        if abs(wrap_angle(yaw)) > math.radians(135):
             continue
         for along in np.arange(width / 2 + 0.05, length - width / 2, 0.15):
             holes = any(hole.x - width / 2 - 0.1 < along < hole.x + hole.width + width / 2 + 0.1
@@ -98,5 +98,5 @@ def _wall_places(stage: Stage, width: float, reach: float) -> list[tuple[Wall, f
             if not holes:
                 x = wall.start[0] + ux * along + inward[0] * reach
                 y = wall.start[1] + uy * along + inward[1] * reach
-                places.append((wall, float(x), float(y), yaw, abs(wrapped(yaw)) / 2))
+                places.append((wall, float(x), float(y), yaw, abs(wrap_angle(yaw)) / 2))
     return places

@@ -10,7 +10,7 @@ import numpy as np
 from storyblender.catalog.set_plan import Piece, SetPlan, Wall
 from storyblender.geometry.boxes import Box, distance_to_point
 from storyblender.geometry.orbit import Floats, Orbit
-from storyblender.geometry.sight import hidden as hidden_from
+from storyblender.geometry.sight import find_hidden as hidden_from
 
 _ON_WALL = 0.45
 """Metres from a taken wall within which a thing goes with it: its pictures, and the shelf before it."""

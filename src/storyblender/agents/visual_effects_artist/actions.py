@@ -18,7 +18,7 @@ from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.agents.visual_effects_artist.vehicle_doors import boarding_station, leaving_station
 from storyblender.catalog.acts import ACTS
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
 from storyblender.geometry.stations import Station
 from storyblender.memory.shot_context import BodyState, CharacterAction
@@ -248,7 +248,7 @@ class Actions:
 
     def _gone_to(self, person: Person, place: Vec2, yaw: float, t: float) -> float:
         """Be where there is room for what comes: from the start, else by walking; return the end."""
-        if math.dist(place, person.place) < STEP and abs(turn_between(person.yaw, yaw)) < math.radians(5):
+        if math.dist(place, person.place) < STEP and abs(shortest_turn(person.yaw, yaw)) < math.radians(5):
             return t
         if person.acted or person.entering:
             return self.sheet.go(person, place, yaw, t)
@@ -357,7 +357,7 @@ class Actions:
             t = self.sheet.face_person(person, partner, t)
         elif thing is not None and person.upright:
             yaw = facing(person.place, thing.location[:2])
-            if abs(turn_between(person.yaw, yaw)) > math.radians(70):
+            if abs(shortest_turn(person.yaw, yaw)) > math.radians(70):
                 t = self.sheet.face(person, yaw, t)
         elif motion.key == "turn":
             self.sheet.done(person, start, self.sheet.face(person, person.yaw + math.pi, t))

@@ -11,7 +11,7 @@ from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, WAY_
 from storyblender.agents.visual_effects_artist.person import Person
 from storyblender.agents.visual_effects_artist.ways import point_on_line, shorten_way, turn_towards_audience
 from storyblender.catalog.motions import AIMED, MOTIONS, natural_seconds, turning_seconds
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2, path_length
 from storyblender.memory.shot_context import CharacterAction, Cue, Flaw, Mark, PropState
 from storyblender.memory.vocabulary import Hand
@@ -167,7 +167,7 @@ class CueSheet:
             natural = natural_seconds(motion, distance=length, stature=1.7 * person.scale)
             seconds = min(natural, max(budget, natural / HURRY))
         first, last = facing(way[0], way[1]), facing(way[-2], way[-1])
-        turns = (turn_between(person.yaw, first), 0.0 if yaw is None else turn_between(last, yaw))
+        turns = (shortest_turn(person.yaw, first), 0.0 if yaw is None else shortest_turn(last, yaw))
         person.place, person.yaw = way[-1], last if yaw is None else yaw
         whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.scale) for turn in turns)
         duration = round(whole * self.fps) if hurried else None
@@ -244,9 +244,9 @@ class CueSheet:
 
     def face(self, person: Person, yaw: float | None, t: float) -> float:
         """Turn on the spot where the turn is worth it; return the end."""
-        if yaw is None or abs(turn_between(person.yaw, yaw)) < math.radians(30) or not person.upright:
+        if yaw is None or abs(shortest_turn(person.yaw, yaw)) < math.radians(30) or not person.upright:
             return t
-        seconds = turning_seconds(math.degrees(turn_between(person.yaw, yaw)), 1.7 * person.scale)
+        seconds = turning_seconds(math.degrees(shortest_turn(person.yaw, yaw)), 1.7 * person.scale)
         person.yaw = yaw
         self.cue(person, "turn", t, seconds, mark=person.mark())
         person.acted = True
@@ -255,7 +255,7 @@ class CueSheet:
     def face_person(self, person: Person, other: Person, t: float) -> float:
         """Turn to another person and a little towards the audience; only if they are more than 55 degrees aside."""
         yaw = facing(person.place, other.place)
-        if abs(turn_between(person.yaw, yaw)) < math.radians(55):
+        if abs(shortest_turn(person.yaw, yaw)) < math.radians(55):
             return t
         return self.face(person, turn_towards_audience(yaw), t)
 
@@ -313,9 +313,9 @@ class CueSheet:
                 or any(math.dist(spot, p) < 0.6 for p in others)
             ):
                 continue
-            out_of_profile = max(0.0, abs(abs(turn_between(0.0, angle)) - math.pi / 2) - PROFILE)
-            behind = 0.0 if not partner.upright and abs(turn_between(partner.yaw, angle)) < math.radians(75) else 0.6
-            behind = behind if not partner.upright else 0.25 * abs(turn_between(partner.yaw, angle)) / math.pi
+            out_of_profile = max(0.0, abs(abs(shortest_turn(0.0, angle)) - math.pi / 2) - PROFILE)
+            behind = 0.0 if not partner.upright and abs(shortest_turn(partner.yaw, angle)) < math.radians(75) else 0.6
+            behind = behind if not partner.upright else 0.25 * abs(shortest_turn(partner.yaw, angle)) / math.pi
             cost = math.dist(spot, person.place) + 1.5 * out_of_profile + 2.0 * behind
             if best is None or cost < best[0] - 1e-9:
                 best = (cost, spot)

@@ -16,8 +16,16 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.props.kin import kin_of, meant_by
 from storyblender.catalog.set_plan import SetPlan
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.paths import SQUEEZE, Footprint, Vec2, clearance, find_path, path_length, seat_access
-from storyblender.geometry.seating import seats_of
+from storyblender.geometry.paths import (
+    SQUEEZE_RADIUS,
+    Footprint,
+    Vec2,
+    clearance,
+    find_path,
+    find_seat_access,
+    path_length,
+)
+from storyblender.geometry.seating import list_seats
 from storyblender.memory.asset_sheet import Anchor, Asset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout
@@ -218,7 +226,7 @@ class Floor:
         obstacles = [box for box in self.obstacles() if float(clearance(np.array([start]), [box])[0]) > -0.02]
         boxes = obstacles + others
         wide = find_path(start, goal, boxes, self.bounds, BODY * scale + PADDING)
-        return wide or find_path(start, goal, boxes, self.bounds, SQUEEZE * scale)
+        return wide or find_path(start, goal, boxes, self.bounds, SQUEEZE_RADIUS * scale)
 
     def free_near(
         self,
@@ -282,7 +290,7 @@ class Floor:
         if thing is None or thing.node_id in self.sat_on:
             return []
         places: list[SeatPlace] = []
-        for anchor in seats_of(thing.anchors, thing.size, asked=asked, on_top=on_top):
+        for anchor in list_seats(thing.anchors, thing.size, asked=asked, on_top=on_top):
             x, y, z = anchor.location
             dx, dy, _ = anchor.direction
             yaw = thing.yaw + math.atan2(dx, -dy)
@@ -309,7 +317,7 @@ class Floor:
     def access(self, seat: SeatPlace, scale: float) -> Vec2:
         """Return where one stands before sitting down: in front, or beside a seat at a table."""
         thing = self.things[seat.node_id]
-        return seat_access(seat.edge, seat.yaw, thing.size[0], scale, self.obstacles(), seat.node_id)
+        return find_seat_access(seat.edge, seat.yaw, thing.size[0], scale, self.obstacles(), seat.node_id)
 
     def beds(self, name: str | None) -> list[tuple[SeatPlace, float]]:
         """Return each long edge of a bed as a place to sit before lying down, and the yaw from head to feet."""

@@ -18,7 +18,7 @@ from storyblender.agents.visual_effects_artist.prop_spots import PropSpots
 from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.hollows import OPEN_ABOVE
 from storyblender.catalog.motions import MOTIONS, Motion, clip_of, natural_seconds
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.memory.base import Vec3
 from storyblender.memory.shot_context import CharacterAction, Mark
 from storyblender.memory.vocabulary import Hand
@@ -356,7 +356,7 @@ class Handling:
         if math.dist(spot[:2], person.place) < 0.2:
             return now
         yaw = facing(person.place, spot[:2])
-        return self.sheet.face(person, yaw, now) if abs(turn_between(person.yaw, yaw)) > TURN_ANGLE else now
+        return self.sheet.face(person, yaw, now) if abs(shortest_turn(person.yaw, yaw)) > TURN_ANGLE else now
 
 
 def fits_in_clothes(size: Sequence[float] | None) -> bool:

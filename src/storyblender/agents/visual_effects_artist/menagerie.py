@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.catalog.motions import clip_of
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.base import Vec3
@@ -110,7 +110,7 @@ class Menagerie:
         if target is not None and math.dist(goal, target) > 0.05:
             yaw = facing(goal, target)
         flies = any(word in f"{action.action_description.lower()} " for word in _FLIGHT)
-        if math.dist(here, goal) < 0.1 and abs(turn_between(beast.yaw, yaw)) < WORTH and not flies:
+        if math.dist(here, goal) < 0.1 and abs(shortest_turn(beast.yaw, yaw)) < WORTH and not flies:
             return None
         way = math.dist(here, goal)
         seconds = 0.5 + PACE * way / math.sqrt(max(0.2, beast.length)) * (0.45 if motion.key == "run" else 1.0)

@@ -12,7 +12,7 @@ from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPla
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.catalog.fixtures import fixtures_called
-from storyblender.geometry.boxes import Box, facing
+from storyblender.geometry.boxes import Box, yaw_along
 from storyblender.geometry.paths import clearance
 from storyblender.geometry.stations import Sort, Station, stations, turn_towards_audience
 from storyblender.memory.scene_context import Spot
@@ -196,7 +196,8 @@ class Places:
             x, y, _ = door.location
             if left is None or x * left > min(_DOOR_NEAR, thing.size[0] / 4):
                 wx, wy, _ = thing.world((x + math.copysign(0.15, x), y, 0.0))
-                found.append(Station(wx, wy, facing(thing.location[0] - wx, thing.location[1] - wy), dislike=0.2 * y))
+                yaw = yaw_along(thing.location[0] - wx, thing.location[1] - wy)
+                found.append(Station(wx, wy, yaw, dislike=0.2 * y))
         return found
 
     def _cost(self, person: Person, station: Station, within: bool) -> float:
@@ -222,11 +223,11 @@ class Places:
         if spot.facing == "camera":
             yaw = 0.0
         elif spot.facing == "away" and anchor is not None:
-            yaw = facing(here[0] - anchor.x, here[1] - anchor.y)
+            yaw = yaw_along(here[0] - anchor.x, here[1] - anchor.y)
         elif spot.facing is None and spot.relation == "next_to" and (other := self._nearest_at(person, station)):
-            yaw = turn_towards_audience(facing(other.place[0] - here[0], other.place[1] - here[1]))
+            yaw = turn_towards_audience(yaw_along(other.place[0] - here[0], other.place[1] - here[1]))
         elif spot.facing is not None and (found := self.anchor(spot.facing, person)) is not None:
-            yaw = turn_towards_audience(facing(found[0].x - here[0], found[0].y - here[1]))
+            yaw = turn_towards_audience(yaw_along(found[0].x - here[0], found[0].y - here[1]))
         height = spot.height if spot.height is not None else station.z
         return Station(station.x, station.y, yaw, station.dislike, height)
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from storyblender.agents.visual_effects_artist.floor import PERSONAL, Floor, SeatPlace
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
 from storyblender.geometry.paths import Vec2
-from storyblender.geometry.seating import on_side
+from storyblender.geometry.seating import select_seats
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import LayoutObject
 from storyblender.memory.shot_context import BodyState
@@ -90,7 +90,7 @@ class Seats:
             free = [] if on_it else self._free(self.at(name), taken)
             free = free or self.floor.free_seats(name, taken)
             free = free or (self._free(self.floor.seats(name, on_top=True), taken) if on_it else [])
-            free = on_side(free, side, self._ahead) if side else free
+            free = select_seats(free, side, self._ahead) if side else free
         return self._best(free or self.floor.free_seats(None, taken), person.place, person)
 
     def at(self, name: str | None) -> list[SeatPlace]:

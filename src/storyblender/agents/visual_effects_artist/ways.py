@@ -9,7 +9,7 @@ import itertools
 import math
 from collections.abc import Sequence
 
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
 
 CHEAT = math.radians(20)
@@ -24,7 +24,7 @@ def point_on_line(start: Vec2, goal: Vec2, length: float) -> Vec2:
 
 def turn_towards_audience(yaw: float) -> float:
     """Return a yaw turned towards yaw 0, the audience, by at most ``CHEAT`` radians."""
-    away = turn_between(yaw, 0.0)
+    away = shortest_turn(yaw, 0.0)
     return yaw + max(-CHEAT, min(CHEAT, away))
 
 

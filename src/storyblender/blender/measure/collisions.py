@@ -17,7 +17,7 @@ from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
 from storyblender.blender.people.body import Body
-from storyblender.geometry.limbs import THICK, depth_between
+from storyblender.geometry.limbs import BONE_RADII, capsule_penetration
 from storyblender.memory.measure import Collision
 
 TOLERANCE = 0.03
@@ -78,10 +78,12 @@ class _Person:
 
     def limbs(self) -> tuple[Floats, Floats]:
         """Return the (n, 2, 3) ends of the trunk, head and leg bones in world space and their (n,) radii, metres."""
-        bones = [bone for bone in self.rig.pose.bones if bone.name.split(".")[0] in THICK]
+        bones = [bone for bone in self.rig.pose.bones if bone.name.split(".")[0] in BONE_RADII]
         ends = np.array([[(*bone.head, 1.0), (*bone.tail, 1.0)] for bone in bones])
         world = ends @ np.array(self.rig.matrix_world).T
-        radii: Floats = np.array([self.stature * THICK[bone.name.split(".")[0]] for bone in bones], dtype=np.float64)
+        radii: Floats = np.array(
+            [self.stature * BONE_RADII[bone.name.split(".")[0]] for bone in bones], dtype=np.float64
+        )
         return np.asarray(world[..., :3], dtype=np.float64), radii
 
     def posed(self) -> Floats:
@@ -138,7 +140,7 @@ def _between(shot: str, frame: int, people: list[_Person]) -> Iterator[Collision
         apart = np.abs(ends.mean(axis=(0, 1)) - others.mean(axis=(0, 1))).max()
         if apart > _NEAR:
             continue
-        depth = depth_between(ends, radii, others, widths)
+        depth = capsule_penetration(ends, radii, others, widths)
         if depth > _EMBRACED:
             yield Collision(shot=shot, frame=frame, asset_id=one, node_id=other, depth=depth)
 

@@ -14,8 +14,8 @@ import numpy as np
 from mathutils.bvhtree import BVHTree
 from numpy.typing import NDArray
 
-from storyblender.geometry.rectangles import largest_rectangle, without_seams
-from storyblender.geometry.resting import Field
+from storyblender.geometry.rectangles import close_seams, largest_rectangle
+from storyblender.geometry.resting import LevelGrid
 from storyblender.memory.asset_sheet import Anchor
 
 Floats = NDArray[np.float64]
@@ -130,7 +130,7 @@ def _fall(mesh: bpy.types.Mesh, cell: float, origin: Floats, shape: tuple[int, i
     return _Hits(table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3], solids)
 
 
-def level_field(mesh: bpy.types.Mesh) -> Field:
+def level_field(mesh: bpy.types.Mesh) -> LevelGrid:
     """Return the level places of a mesh from any modeller: nothing is taken for granted about where its faces face.
 
     Args:
@@ -157,7 +157,7 @@ def level_field(mesh: bpy.types.Mesh) -> Field:
                     found.append((row, column, point.z, ceiling - point.z))
                 ceiling, z = point.z, point.z - 1e-4
     table = np.array(found).reshape(-1, 4)
-    return Field(cell, origin, top, table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
+    return LevelGrid(cell, origin, top, table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2], table[:, 3])
 
 
 def _levels(heights: Floats) -> list[NDArray[np.int64]]:
@@ -181,7 +181,7 @@ def _rectangles(
     height[hits.row[level], hits.column[level]] = hits.z[level]
     room[hits.row[level], hits.column[level]] = hits.room[level]
     free = ~np.isnan(height)
-    free |= without_seams(free, cell, SEAM) & ~hits.is_blocked(shape, float(np.median(hits.z[level])))
+    free |= close_seams(free, cell, SEAM) & ~hits.is_blocked(shape, float(np.median(hits.z[level])))
     found = []
     while free.sum() * cell * cell >= LEAST_AREA:
         row, column, rows, columns = largest_rectangle(free)

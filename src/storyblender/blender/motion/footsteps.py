@@ -14,7 +14,7 @@ from storyblender.blender.motion.gait import Gait
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, other
 from storyblender.catalog.motions import TURN_IN_STRIDE
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import Vec2
 
 TURN_FIRST = math.radians(TURN_IN_STRIDE)
@@ -124,9 +124,9 @@ class Footsteps:
         self.step = style.step * root_k
         self.swing = 2 * self.step * (1 - style.stance)
         self.accelerate, self.brake = style.rise * self.step, style.brake * self.step
-        self.first_turn = turn_between(who.yaw, way.heading(0))
+        self.first_turn = shortest_turn(who.yaw, way.heading(0))
         last = way.heading(way.length)
-        final = turn_between(last, last if end_yaw is None else end_yaw)
+        final = shortest_turn(last, last if end_yaw is None else end_yaw)
         self.last_turn = final if abs(final) < TURN_FIRST else 0.0
         self.leads = "L" if self.first_turn > 0 else "R"
         self.base_yaw = who.yaw + self.first_turn - way.heading(0)
@@ -212,7 +212,7 @@ class Footsteps:
                 gone = max(0.0, self.travelled(middle) - style.settle * stride)
                 place = way.place(gone)
                 plant = who.plant(side, place.x, place.y, self._yaw(gone), width=style.width, splay=4)
-            plant[3] = now[side][3] + turn_between(now[side][3], plant[3])
+            plant[3] = now[side][3] + shortest_turn(now[side][3], plant[3])
             length = math.dist(plant[:2], now[side][:2])
             self.widest = max(self.widest, math.dist(plant[:2], now[other(side)][:2]))
             share = clamp(length / max(1e-6, stride))

@@ -16,8 +16,8 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.plan import Floats, Problem, StageFurniture, StagePlan
 from storyblender.blender.motion.puppets import PropPuppet, facing_yaw
 from storyblender.blender.motion.skeleton import SIDES
-from storyblender.geometry.paths import SQUEEZE, Footprint, Track, Vec2, clearance, find_path, seat_access
-from storyblender.geometry.seating import seats_of
+from storyblender.geometry.paths import SQUEEZE_RADIUS, Footprint, Track, Vec2, clearance, find_path, find_seat_access
+from storyblender.geometry.seating import list_seats
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import Mark
 from storyblender.memory.vocabulary import Mood
@@ -185,7 +185,7 @@ class Stage:
         anchor = None
         if furniture is not None:
             anchor = self.anchor(furniture, ("seat",), mark) or self.anchor(furniture, ("bed",), mark)
-            anchor = anchor or next(iter(seats_of(furniture.anchors, furniture.dimensions, on_top=True)), None)
+            anchor = anchor or next(iter(list_seats(furniture.anchors, furniture.dimensions, on_top=True)), None)
         if furniture is None or anchor is None:
             return None
         world = Matrix(furniture.world.tolist())
@@ -217,7 +217,7 @@ class Stage:
     def access(self, who: Performer, seat: Seat) -> Vector:
         """Return where a person stands before sitting down on a seat."""
         boxes = [box for box in self.footprints(who) if box.name not in self.people]
-        return Vector(seat_access(tuple(seat.edge), seat.yaw, seat.width, who.m.k, boxes, seat.node_id))
+        return Vector(find_seat_access(tuple(seat.edge), seat.yaw, seat.width, who.m.k, boxes, seat.node_id))
 
     # --- ways -----------------------------------------------------------------------------------------------------
 
@@ -240,7 +240,11 @@ class Stage:
     def path(self, who: Performer, goal: Vec2, skip: tuple[str, ...] = ()) -> list[Vec2] | None:
         """Return the way to ``goal`` from where a person will be: with room, or squeezing past, or sideways."""
         start = tuple(who.position)
-        ways = ((GIRTH, who.m.radius + PADDING), (GIRTH, SQUEEZE * who.m.k), (SIDEWAYS, SQUEEZE * who.m.k))
+        ways = (
+            (GIRTH, who.m.radius + PADDING),
+            (GIRTH, SQUEEZE_RADIUS * who.m.k),
+            (SIDEWAYS, SQUEEZE_RADIUS * who.m.k),
+        )
         for girth, room in ways:
             # Whoever already stands inside something (a bed, a bench with arms) may step out of it.
             obstacles = [

@@ -21,7 +21,7 @@ from storyblender.blender.props.registry import Anchors, grip
 from storyblender.catalog.props import PropEntry
 from storyblender.catalog.props.called import called
 from storyblender.errors import InputError
-from storyblender.geometry.canonical import scale_of, stand_up
+from storyblender.geometry.canonical import find_scale, find_upright_rotation
 from storyblender.geometry.holding import Hold, find_hold
 from storyblender.geometry.resting import Places, Use, find_bed, find_seats
 from storyblender.memory.asset_sheet import AssetDimension
@@ -71,7 +71,7 @@ def build_from_file(
     if path.suffix.lower() == ".obj":
         _stand(mesh, entry, dimension, notes)
     extent = np.ptp(_points(mesh), axis=0)
-    scale, reason = scale_of(extent, dimension, told=told)
+    scale, reason = find_scale(extent, dimension, told=told)
     _transform(mesh, np.eye(3) * scale)
     if reason:
         notes.append(f"{_size(extent)} becomes {_size(extent * scale)} ({scale:.4g} times): {reason}")
@@ -142,12 +142,12 @@ def _turn_to_front(mesh: bpy.types.Mesh, places: Places) -> int:
 
 def _stand(mesh: bpy.types.Mesh, entry: PropEntry | None, dimension: AssetDimension | None, notes: list[str]) -> None:
     """Put an .obj on its feet, which may be Z up: as one can sit or lie on it, else as it does not fall over."""
-    turn = stand_up(_points(mesh), _triangles(mesh))
+    turn = find_upright_rotation(_points(mesh), _triangles(mesh))
     if _use(entry) in ("seat", "bed"):
         for candidate in (np.eye(3), _Z_UP):
             trial = mesh.copy()
             _transform(trial, candidate)
-            scale, _ = scale_of(np.ptp(_points(trial), axis=0), dimension, told=False)
+            scale, _ = find_scale(np.ptp(_points(trial), axis=0), dimension, told=False)
             _transform(trial, np.eye(3) * scale)
             found = _places(trial, entry).anchors
             bpy.data.meshes.remove(trial)

@@ -9,7 +9,7 @@ from test_camera_room import brief, person
 
 from storyblender.agents.layout_artist.camera_scout import scouted
 from storyblender.geometry.framing import head_share, project
-from storyblender.geometry.gaps import MOST_GAP, empty_middle
+from storyblender.geometry.gaps import MAX_FACE_GAP, widest_face_gap
 
 
 @pytest.mark.parametrize("apart", [1.2, 2.0, 2.5])
@@ -20,7 +20,7 @@ def test_two_who_are_apart_are_near_each_other_in_the_picture(apart: float) -> N
     camera = scouted(view)[0].camera
     across = project(camera, [each.face for each in pair])[0][:, 0]
     faces = [(float(x), head_share(camera, each)) for x, each in zip(across, pair, strict=True)]
-    assert empty_middle(faces, camera.aspect) < MOST_GAP + 1.5
+    assert widest_face_gap(faces, camera.aspect) < MAX_FACE_GAP + 1.5
 
 
 @pytest.mark.parametrize(

@@ -15,9 +15,17 @@ from storyblender.agents.layout_artist.camera_solids import body
 from storyblender.agents.layout_artist.camera_start import start
 from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.geometry.boxes import Box
-from storyblender.geometry.framing import Figure, Film, crown_height, group, group_from, head_share, project
-from storyblender.geometry.orbit import between, orbit
-from storyblender.geometry.sight import hidden
+from storyblender.geometry.framing import (
+    Figure,
+    Film,
+    crown_screen_y,
+    frame_group,
+    frame_group_from,
+    head_share,
+    project,
+)
+from storyblender.geometry.orbit import camera_looking_at, orbit
+from storyblender.geometry.sight import find_hidden
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
 
 APART = person("anna", -2.4, 1.8, 60), person("tom", 2.3, -0.5, -60), person("sam", 1.9, 2.2, -20)
@@ -38,30 +46,30 @@ def test_a_group_is_never_taken_from_beyond_the_walls(size: str) -> None:
 
 def test_a_camera_that_turns_on_its_place_holds_everybody_with_the_longest_lens_that_does() -> None:
     place = (0.0, -2.6, 1.5)
-    camera = group_from(Film(), APART[::2], "MS", place, 50.0, 18.0)
+    camera = frame_group_from(Film(), APART[::2], "MS", place, 50.0, 18.0)
     assert camera.position == pytest.approx(place)
     screen, _ = project(camera, [who.face for who in APART[::2]])
     assert screen[:, 0].min() == pytest.approx(1 - screen[:, 0].max(), abs=0.06)
     assert 18 < camera.lens < 30 and screen[:, 0].max() - screen[:, 0].min() > 0.6
-    near = group_from(Film(), APART[2:], "MS", (1.9, 0.0, 1.5), 85.0, 18.0)
+    near = frame_group_from(Film(), APART[2:], "MS", (1.9, 0.0, 1.5), 85.0, 18.0)
     away = project(near, [APART[2].face])[1][0]
     assert 0.19 < APART[2].head / away / (2 * near.tangent) < 0.28, "no larger than a medium shot wants"
 
 
 def test_small_heads_stand_lower_in_the_picture_than_large_ones() -> None:
-    assert crown_height(0.03) > crown_height(0.08) > crown_height(0.2)
+    assert crown_screen_y(0.03) > crown_screen_y(0.08) > crown_screen_y(0.2)
     far = person("anna", -4, 0, 0), person("tom", 4, 0, 0)
-    camera = group(Film(), far, "MS", 0.0, 2.0, 35.0)
+    camera = frame_group(Film(), far, "MS", 0.0, 2.0, 35.0)
     assert 1.0 < camera.position[2] < 2.2, "from the height of eyes, not of knees"
 
 
 def test_only_what_hides_the_room_is_taken_away() -> None:
-    camera = between((0.0, -3.2, 1.5), (2.0, 2.0, 1.4), 18.0, sensor_width=36.0, aspect=16 / 9)
+    camera = camera_looking_at((0.0, -3.2, 1.5), (2.0, 2.0, 1.4), 18.0, sensor_width=36.0, aspect=16 / 9)
     assert taken_away(ROOM, {}, [camera], [np.array(APART[1].face)]) == ["front"]
 
 
 def test_the_room_before_a_wall_can_be_asked_for() -> None:
-    camera = between((0.0, -8.0, 1.5), (0.0, 0.0, 1.5), 35.0, sensor_width=36.0, aspect=16 / 9)
+    camera = camera_looking_at((0.0, -8.0, 1.5), (0.0, 0.0, 1.5), 35.0, sensor_width=36.0, aspect=16 / 9)
     assert reach_back(ROOM, camera) == pytest.approx(3.3)
     assert reach_back(ROOM, camera, 0.35) == pytest.approx(2.65)
 
@@ -165,7 +173,7 @@ def test_a_face_is_seen_beside_the_head_of_whom_we_look_past() -> None:
     pair = person("anna", 0.0, 0.0, 0), person("tom", 0.0, -1.8, 180)
     wish = {"kind": "ots", "size": "MCU", "focus_on_ids": ("anna",), "over_id": "tom"}
     view = replace(brief(*pair, in_frame=("anna", "tom"), **wish), plan=None)
-    assert not hidden(body(pair[1]), start(view).camera.position, [pair[0].face]).any()
+    assert not find_hidden(body(pair[1]), start(view).camera.position, [pair[0].face]).any()
 
 
 def test_a_rise_over_a_shoulder_is_a_rise_once() -> None:
@@ -201,8 +209,8 @@ def request(view: CameraBrief, take: Take) -> ViewRequest:
 
 def test_nobody_of_a_group_fills_the_foreground() -> None:
     view = brief(*APART, in_frame=NAMES, kind="group", size="FS", focus_on_ids=NAMES)
-    near = group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
-    far = group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
+    near = frame_group_from(Film(), APART, "FS", (-2.7, 0.9, 1.5), 35.0, 18.0)
+    far = frame_group_from(Film(), APART, "FS", (0.0, -2.6, 1.5), 35.0, 18.0)
     assert cost(view, Take(near, near, near)) > cost(view, Take(far, far, far)) + 0.5
 
 

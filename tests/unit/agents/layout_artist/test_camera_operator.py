@@ -14,7 +14,7 @@ from storyblender.agents.layout_artist.camera_start import start
 from storyblender.catalog.set_plan import SetPlan, Wall
 from storyblender.geometry.boxes import Box, corners, distance_to_point
 from storyblender.geometry.camera_path import orbit_of
-from storyblender.geometry.continuity import looks_meet, screen_direction, side_of_line
+from storyblender.geometry.continuity import do_looks_match, screen_direction, side_of_line
 from storyblender.geometry.framing import Figure, Film, project
 from storyblender.geometry.orbit import Orbit
 from storyblender.memory.measure import CameraView, SubjectView, ViewRequest
@@ -167,7 +167,7 @@ def test_reverse_singles_mirror_each_other() -> None:
     cut = Cut(first.instruction, state)
     second = brief(kind="single", size="MCU", focus_on_ids=("tom",), side=-1, reverse=cut, previous=cut, **TALK)
     one, other = orbit_of(state.poses[0], FILM), shoot(second)[0]
-    assert looks_meet(one, ANNA.forward, other, TOM.forward)
+    assert do_looks_match(one, ANNA.forward, other, TOM.forward)
     assert seen(one, ANNA)[0] < 0.5 < seen(other, TOM)[0]
     assert one.azimuth == pytest.approx(-other.azimuth, abs=12)
 

@@ -14,7 +14,7 @@ from storyblender.agents.layout_artist.wild_walls import taken_away
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab, Wall
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.framing import Figure, Film, project
-from storyblender.geometry.orbit import between
+from storyblender.geometry.orbit import camera_looking_at
 from storyblender.memory.scene_context import SceneSize
 from storyblender.memory.shot_context import CameraInstruction
 
@@ -55,17 +55,17 @@ def brief(*people: Figure, in_frame: tuple[str, ...] = (), **more) -> CameraBrie
     ],
 )
 def test_what_lies_outside_counts(eye, hidden, low: float, high: float) -> None:
-    camera = between(eye, (0.0, 2.9, 1.4), 28.0, **FILM)
+    camera = camera_looking_at(eye, (0.0, 2.9, 1.4), 28.0, **FILM)
     assert low <= outside(ROOM, camera, hidden) <= high
 
 
 def test_outdoors_there_is_no_outside() -> None:
     open_air = ROOM.model_copy(update={"indoor": False})
-    assert outside(open_air, between((0, -8, 1.5), (0, 0, 1), 28.0, **FILM), ()) == 0.0
+    assert outside(open_air, camera_looking_at((0, -8, 1.5), (0, 0, 1), 28.0, **FILM), ()) == 0.0
 
 
 def test_a_long_lens_gives_way_to_the_room_and_keeps_the_size() -> None:
-    camera = between((0, -7.0, 1.5), (0, 0, 1.5), 50.0, **FILM)
+    camera = camera_looking_at((0, -7.0, 1.5), (0, 0, 1.5), 50.0, **FILM)
     inside = fitted(ROOM, camera, "WS")
     assert inside.lens < 50 and abs(inside.position[1]) < 3.5
     assert inside.frame_height == pytest.approx(camera.frame_height)
@@ -120,7 +120,7 @@ def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
     sleeper, guest = person("anna", 0.0, -2.4, 0), person("tom", 0.0, 1.5, 0)
     view = brief(sleeper, guest, in_frame=("anna", "tom"), kind="group", size="MWS", focus_on_ids=("tom",))
     bed = {"bed": Box(0.0, -2.4, 0.0, 1.0, 2.0, 1.4)}
-    camera = between((0.0, -4.5, 1.2), (0.0, 1.5, 1.2), 24.0, **FILM)
+    camera = camera_looking_at((0.0, -4.5, 1.2), (0.0, 1.5, 1.2), 24.0, **FILM)
     assert "bed" not in take(replace(view, props=bed), camera).hidden
     empty = brief(guest, in_frame=("tom",), kind="single", size="MWS", focus_on_ids=("tom",))
     assert "bed" in take(replace(empty, props=bed), camera).hidden, "nobody would float without it"
@@ -128,7 +128,7 @@ def test_what_somebody_lies_on_stays_where_the_wall_before_it_goes() -> None:
 
 def test_who_bows_into_a_wall_opens_none() -> None:
     bowed = replace(person("anna", -3.05, 0, -90), base=(-2.6, 0.0, 0.0))
-    camera = between((0, 0, 1.5), bowed.face, 35.0, **FILM)
+    camera = camera_looking_at((0, 0, 1.5), bowed.face, 35.0, **FILM)
     assert taken_away(ROOM, {}, [camera], [np.array(bowed.face)]) == []
     assert taken_away(ROOM, {}, [camera], [np.array((-3.6, 0.0, 1.6))]) == ["left"], "who is behind a wall is seen"
     best = scouted(brief(bowed, kind="action", size="MWS", focus_on_ids=("anna",)))[0]
@@ -140,7 +140,7 @@ def test_what_hangs_on_a_wall_goes_with_it() -> None:
         Piece(node_id=name, part="mirror", location=place) for name, place in (("m", (0, -3, 1)), ("l", (0, 0, 2.5)))
     )
     plan = ROOM.model_copy(update={"pieces": (mirror, lamp)})
-    camera = between((0, -3.25, 1.5), (0, 0, 1.5), 35.0, **FILM)
+    camera = camera_looking_at((0, -3.25, 1.5), (0, 0, 1.5), 35.0, **FILM)
     assert taken_away(plan, {}, [camera], [np.array([0, 0, 1.5])]) == ["front", "m"]
 
 
@@ -156,5 +156,7 @@ def test_what_stands_on_a_thing_that_goes_with_its_wall_goes_too() -> None:
     shelf, cup = Box(0.0, -2.8, 0.0, 1.6, 0.4, 0.9), Box(0.3, -2.8, 0.9, 0.1, 0.1, 0.1)
     table, lamp = Box(1.5, 1.0, 0.0, 1.2, 0.8, 0.75), Box(1.5, 1.0, 0.75, 0.2, 0.2, 0.4)
     props = {"shelf": shelf, "cup": cup, "lamp": lamp, "table": table}
-    hidden = taken_away(ROOM, props, [between((0, -4.5, 0.8), (0, 0, 0.5), 35.0, **FILM)], [np.array([0, 0, 0.5])])
+    hidden = taken_away(
+        ROOM, props, [camera_looking_at((0, -4.5, 0.8), (0, 0, 0.5), 35.0, **FILM)], [np.array([0, 0, 0.5])]
+    )
     assert {"front", "shelf", "cup"} <= {*hidden} and not {"lamp", "table"} & {*hidden}

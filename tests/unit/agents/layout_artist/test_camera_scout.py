@@ -18,7 +18,7 @@ from storyblender.catalog.footprints import piece_boxes
 from storyblender.catalog.set_plan import Piece, SetPlan, Slab
 from storyblender.geometry.boxes import Box
 from storyblender.geometry.camera_path import camera_at
-from storyblender.geometry.framing import group, head_share, over_shoulder, project
+from storyblender.geometry.framing import frame_group, frame_over_shoulder, head_share, project
 from storyblender.geometry.orbit import pan
 from storyblender.memory.scene_context import SceneSize
 
@@ -108,7 +108,7 @@ def test_three_people_in_a_row_are_seen_past_each_other() -> None:
 
 def test_a_standing_partner_keeps_the_head_over_whose_shoulder_we_look() -> None:
     sitting, standing = figure("anna", 0, 0, 90, 1.3), figure("tom", 1.1, 0, -90, 1.8)
-    camera = over_shoulder(FILM, sitting, standing, "MS", 1.0, 0.0, 50.0)
+    camera = frame_over_shoulder(FILM, sitting, standing, "MS", 1.0, 0.0, 50.0)
     crown = project(camera, standing.crown)[0][0, 1]
     assert -0.15 < crown < 0.05, "and the sitting one goes no lower than that asks for"
     face = project(camera, sitting.face)[0][0]
@@ -189,7 +189,7 @@ def test_a_group_is_held_wherever_one_of_it_walks() -> None:
 
 def test_nobody_of_a_deep_group_is_behind_the_camera() -> None:
     row = [figure("a", 0, -4, 0), figure("b", 0.2, 0, 0), figure("c", 0, 4, 0)]
-    camera = group(FILM, row, "MS", 0.0, 0.0, 18.0)
+    camera = frame_group(FILM, row, "MS", 0.0, 0.0, 18.0)
     assert project(camera, [each.face for each in row])[1].min() > 0.5
     assert np.abs(camera.position).max() < 30
 

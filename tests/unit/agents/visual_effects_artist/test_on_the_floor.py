@@ -23,7 +23,7 @@ from tests.unit.agents.visual_effects_artist.test_animator import (
 from storyblender.agents.visual_effects_artist.animator import RulesAnimator
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.on_the_floor import SPANS, room_for
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.memory.asset_sheet import Anchor
 from storyblender.memory.shot_context import BodyState
 from storyblender.memory.vocabulary import Posture
@@ -100,7 +100,7 @@ def test_who_kneels_to_somebody_on_the_floor_kneels_beside_their_breast() -> Non
     breast = (ilsa.location[0] - 0.75 * math.sin(yaw), ilsa.location[1] + 0.75 * math.cos(yaw))
     assert math.dist(rick.location[:2], breast) < 0.75
     towards = math.atan2(breast[0] - rick.location[0], rick.location[1] - breast[1])
-    assert abs(turn_between(math.radians(rick.yaw), towards)) < math.radians(40)
+    assert abs(shortest_turn(math.radians(rick.yaw), towards)) < math.radians(40)
 
 
 def test_who_sits_goes_to_the_far_table_that_they_put_something_on() -> None:

@@ -9,7 +9,7 @@ import pytest
 from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
-from storyblender.geometry.seating import seats_of
+from storyblender.geometry.seating import list_seats
 from storyblender.memory.asset_sheet import Anchor, Asset, CanonicalAsset
 from storyblender.memory.base import Vec3
 from storyblender.memory.scene_context import Layout, LayoutObject, SceneSize, Spot
@@ -233,9 +233,9 @@ def test_who_climbs_onto_a_thing_ends_on_top_of_it(motion: str) -> None:
 
 @pytest.mark.parametrize(("size", "thin"), [((2.0, 0.1, 1.5), True), ((1.0, 1.0, 1.4), False), ((0.1, 3.0, 2.0), True)])
 def test_who_is_told_to_sit_on_a_fence_or_a_wall_sits_on_top(size: Vec3, thin: bool) -> None:
-    (seat,) = seats_of((), size, on_top=True)
+    (seat,) = list_seats((), size, on_top=True)
     assert seat.location[2] == size[2] and (max(map(abs, seat.location[:2])) < 0.2) == thin
-    assert not seats_of((), size, asked=True)
+    assert not list_seats((), size, asked=True)
 
 
 @pytest.mark.parametrize(("motion", "place"), [("hold", "under_arm"), ("take", None)])

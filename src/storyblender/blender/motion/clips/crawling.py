@@ -18,7 +18,7 @@ from storyblender.blender.motion.hands import hand
 from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import SIDES, sign
 from storyblender.blender.motion.stage import Beat, Stage
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 
 SPEED = 0.55
 """Metres per second at k = 1."""
@@ -85,9 +85,9 @@ def crawl(stage: Stage, who: Performer, beat: Beat) -> float:
         stage.report("no_path", who, beat, f"{who.asset_id} finds no way to ({goal[0]:.2f}, {goal[1]:.2f})")
         return beat.start
     way, t = Way(points), beat.start
-    if abs(turn_between(who.yaw, way.heading(0))) > TURN_FIRST:
+    if abs(shortest_turn(who.yaw, way.heading(0))) > TURN_FIRST:
         t = face(who, t, way.heading(0))
-    base_yaw = who.yaw + turn_between(who.yaw, way.heading(0)) - way.heading(0)
+    base_yaw = who.yaw + shortest_turn(who.yaw, way.heading(0)) - way.heading(0)
     creep = Creep(way, base_yaw, t + DOWN, max(CYCLE, way.length / (SPEED * math.sqrt(who.m.k))))
     end = creep.start + creep.seconds
     who.root.set(t, 0.5 * DOWN, creep.root)

@@ -17,7 +17,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import standing
 from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Stage
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 
 
 def to_mark(stage: Stage, who: Performer, beat: Beat) -> float:
@@ -141,7 +141,7 @@ def recline(
     m, k = who.m, who.m.k
     whole = 2.2
     yaw = math.atan2(feet.x, -feet.y)
-    turn = turn_between(who.yaw, yaw)
+    turn = shortest_turn(who.yaw, yaw)
     hips = head + feet * (m.eye_height - m.hip_height + 0.22 * k)
     lying = height + max(0.86 * m.buttocks_back, 0.085 * k)
     who.root.set(t, 0.62 * whole, (hips.x, hips.y, who.yaw + turn))

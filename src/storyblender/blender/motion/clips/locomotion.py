@@ -14,8 +14,8 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.skeleton import other
 from storyblender.blender.motion.stage import Beat, Stage
 from storyblender.catalog.motions import TURN_STEP, TURN_STEP_SECONDS
-from storyblender.geometry.boxes import turn_between
-from storyblender.geometry.paths import Vec2, waiting_time
+from storyblender.geometry.boxes import shortest_turn
+from storyblender.geometry.paths import Vec2, find_waiting_time
 
 NEAR = 0.06
 """Metres; a mark that near is already reached."""
@@ -24,7 +24,7 @@ NEAR = 0.06
 def step_to(who: Performer, side: str, t: float, duration: float, pose: Floats, lift: float | None = None) -> float:
     """Move one foot to a target in an arc, and return the end."""
     start, goal = np.array(who.feet[side](t), float), np.array(pose, float)
-    turn = turn_between(start[3], goal[3])
+    turn = shortest_turn(start[3], goal[3])
     height = 0.04 * who.m.k if lift is None else lift
 
     def target(now: float) -> Floats:
@@ -54,7 +54,7 @@ def shuffle(who: Performer, t: float, place: Vector) -> float:
 
 def face(who: Performer, t: float, yaw: float) -> float:
     """Turn on the spot to a yaw with footsteps, and return the end."""
-    turn = turn_between(who.yaw, yaw)
+    turn = shortest_turn(who.yaw, yaw)
     x, y = who.position
     if abs(turn) < math.radians(12):
         if abs(turn) > 1e-3:
@@ -99,14 +99,14 @@ def travel(
     way = Way(points)
     t = beat.start
     first = way.heading(0)
-    turning = abs(turn_between(who.yaw, first)) > TURN_FIRST
+    turning = abs(shortest_turn(who.yaw, first)) > TURN_FIRST
     if beat.duration is not None:
         seconds = max(0.5, beat.duration - (0.7 if turning else 0.0))
         style = style.slowed(way.length / max(0.3, seconds - 0.5), who.m.k)
     trial = Footsteps(who, 0.0, way, style, end_yaw)
     lead = 0.6 if turning else 0.0
     others = stage.others_tracks(who, partner, goal)
-    wait, gap = waiting_time(lambda u: trial.root(u)[:2], trial.duration, t + lead, others)
+    wait, gap = find_waiting_time(lambda u: trial.root(u)[:2], trial.duration, t + lead, others)
     if gap < -0.12:
         stage.report("crossing", who, beat, f"{who.asset_id} walks through somebody by {-gap:.2f} m", -gap)
     t += wait

@@ -17,7 +17,7 @@ from storyblender.blender.motion.performer import Performer
 from storyblender.blender.motion.puppets import carried
 from storyblender.blender.motion.skeleton import SIDES, other, sign
 from storyblender.blender.motion.stage import Beat, Seat, Stage
-from storyblender.geometry.boxes import turn_between
+from storyblender.geometry.boxes import shortest_turn
 from storyblender.geometry.paths import BEFORE_SEAT
 from storyblender.memory.shot_context import Mark
 
@@ -238,7 +238,7 @@ def _sit_up(stage: Stage, who: Performer, t: float) -> float:
         return t + whole
     before = seat_mark(who, seat)
     back = min(0.80 * who.m.thigh, 0.5 * seat.depth) - (seat.edge - before).dot(_forward(seat.yaw))
-    turn = turn_between(who.yaw, seat.yaw)
+    turn = shortest_turn(who.yaw, seat.yaw)
     who.root.set(t + 0.3 * whole, 0.6 * whole, (before.x, before.y, who.yaw + turn))
     who.hips.set(t, 0.5 * whole, (0, -who.m.hip_y, seat.height + who.m.seat_drop, -25, 0, 0))
     who.spine.set(t, 0.5 * whole, (22, 0, 0))
