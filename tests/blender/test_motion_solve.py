@@ -222,7 +222,6 @@ def test_the_catalog_and_the_clips_agree() -> None:
     assert set(CLIPS) == set(MOTIONS)
 
 
-@pytest.mark.timeout(400)
 @every("clip", sorted(CLIPS))
 def test_every_clip_plays_on_everybody_without_leaving_the_floor(bodies: dict[str, Body], clip: str) -> None:
     furniture = {"table": table_at(0, 1.2), "chair": chair_at(-1.6, 0.5)}

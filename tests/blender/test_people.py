@@ -156,7 +156,6 @@ def test_no_skin_shows_between_neck_and_hem(age: int) -> None:
 
 
 @needs_data
-@pytest.mark.timeout(400)
 @every("key", GARMENTS)
 def test_every_garment_can_be_worn(key: str) -> None:
     keys = (key,) if GARMENTS[key].covers else ("shirt", "trousers", "shoes", key)

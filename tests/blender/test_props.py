@@ -41,7 +41,6 @@ def test_two_in_a_boat_have_room_for_their_knees():
     assert 0.95 < abs(stern.location[1] - rower.location[1]) < 1.2
 
 
-@pytest.mark.timeout(400)
 @every("key", PROPS)
 def test_a_prop_stands_on_the_origin_with_its_anchors_on_it(key):
     build = build_prop(key, seed=3)

@@ -84,7 +84,6 @@ def meets(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph, degrees: int) 
     return scene.ray_cast(depsgraph, (0.2, -0.2, 1.6), direction, distance=400.0)[0]
 
 
-@pytest.mark.timeout(400)
 @every("kit", SETS)
 def test_every_kit_builds_all_of_its_plan(kit: str, scene: bpy.types.Scene) -> None:
     kit_built = measured(kit)
@@ -93,7 +92,6 @@ def test_every_kit_builds_all_of_its_plan(kit: str, scene: bpy.types.Scene) -> N
     assert not kit_built.faulty
 
 
-@pytest.mark.timeout(400)
 @every("kit", [key for key, kit in SETS.items() if not kit.indoor])
 def test_the_horizon_is_closed(kit: str, scene: bpy.types.Scene) -> None:
     assert not measured(kit).lost
