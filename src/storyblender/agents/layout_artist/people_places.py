@@ -28,29 +28,29 @@ _FORMATION = {2: (180.0, 0.0), 3: (195.0, 90.0, -15.0), 4: (200.0, 130.0, 50.0, 
 
 
 def place_people(stage: Stage) -> None:
-    """Place everybody who is on stage at the start, then those whom a later shot finds at a place of their own."""
+    """Place the people who are on stage at the start, then the people who are first seen in a later shot."""
     states = {state.asset_id: state for state in stage.brief.states}
     wishes = wanted_by(stage)
     for state in sorted(states.values(), key=lambda state: state.asset_id in wishes):
         if state.posture in SEATED:
-            _sit(stage, state, wishes.get(state.asset_id))
+            _seat_person(stage, state, wishes.get(state.asset_id))
     for state in (each for each in states.values() if each.asset_id not in stage.things):
-        _stand(stage, state, wishes.get(state.asset_id))
+        _place_standing_person(stage, state, wishes.get(state.asset_id))
     company = stage.brief.company
     for member in sorted((each for each in states if each not in stage.things), key=lambda each: each not in wishes):
-        _stand_with(stage, member, wishes.get(member), company.get(member, ""))
+        _place_beside_companion(stage, member, wishes.get(member), company.get(member, ""))
     crowds = crowds_of([*states, *(state.asset_id for state in stage.brief.found)])
     many = {member for members in crowds for member in members if not (member in wishes and wishes[member].sure)}
-    for members in _groups(stage, [each for each in states if each not in many]):
-        _gather(stage, members)
+    for members in _group_people(stage, [each for each in states if each not in many]):
+        _place_group(stage, members)
     for state in (each for each in stage.brief.found if each.asset_id not in many):
-        _find(stage, state, wishes.get(state.asset_id))
+        _place_found_person(stage, state, wishes.get(state.asset_id))
     for members in crowds:
         place_crowd(stage, [member for member in members if member in many])
-    _look_at_each_other(stage)
+    _turn_to_looked_at(stage)
 
 
-def _stand(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+def _place_standing_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
     """Stand a person at the thing or part of the set they belong to, at their work, or at the mark of their trade."""
     leaned_on = state.support_id if state.posture == "lean" else None
     carried = wanted is not None and stage.brief.placements.get(leaned_on or "") == "surface"
@@ -60,10 +60,10 @@ def _stand(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
     if anchor is not None and not anchor.walks and in_reach(stage, anchor):
         stand_at(stage, state.asset_id, anchor, wanted or Wanted())
     elif wanted is None or wanted.anchor not in stage.assets.values():
-        _stand_at_work(stage, state.asset_id, wanted)
+        _place_at_set_mark(stage, state.asset_id, wanted)
 
 
-def _stand_with(stage: Stage, member: str, wanted: Wanted | None, companion: str) -> None:
+def _place_beside_companion(stage: Stage, member: str, wanted: Wanted | None, companion: str) -> None:
     """Stand a person relative to another one as the script says, else next to their companion."""
     told = stage.things.get(wanted.anchor or "") if wanted is not None else None
     if wanted is not None and told is not None and told.walks:
@@ -75,12 +75,12 @@ def _stand_with(stage: Stage, member: str, wanted: Wanted | None, companion: str
         _accompany(stage, member, other)
 
 
-def _find(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
-    """Place who is there already when a later shot shows them: on a seat, at what the script says, at their trade."""
+def _place_found_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+    """Place a person who is first seen in a later shot: on a seat, on a set mark, or at a thing in the script."""
     if state.posture in SEATED:
-        _sit(stage, state, wanted)
+        _seat_person(stage, state, wanted)
     if state.asset_id not in stage.things and (wanted is None or not wanted.sure):
-        _stand_at_work(stage, state.asset_id, wanted)
+        _place_at_set_mark(stage, state.asset_id, wanted)
     anchor = stage.anchor(wanted.anchor) if wanted is not None else None
     if state.asset_id in stage.things or wanted is None or anchor is None or anchor.walks:
         return
@@ -88,8 +88,8 @@ def _find(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
         stand_at(stage, state.asset_id, anchor, wanted)
 
 
-def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
-    """Return who stands together: talkers joined by their pairs, the rest one by one."""
+def _group_people(stage: Stage, present: list[str]) -> list[list[str]]:
+    """Return groups of asset ids: talkers whose pairs share a person stand together, others alone."""
     groups: list[list[str]] = []
     for pair in stage.brief.groups:
         here = [member for member in pair if member in present]
@@ -106,34 +106,48 @@ def _groups(stage: Stage, present: list[str]) -> list[list[str]]:
     return groups + [[member] for member in present if member not in told]
 
 
-def _sit(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
-    """Seat a person on the seat that is meant; by their trade if none is named; let them stand if there is none."""
+def _seat_person(stage: Stage, state: BodyState, wanted: Wanted | None) -> None:
+    """Seat a person on the seat in the script, or near the mark of their trade; they stay unplaced if none is free."""
     told = wanted.anchor if wanted is not None and wanted.relation not in ("facing", "in_front_of") else None
-    own = _mark_of(stage, state.asset_id, state.support_id or told)
+    own = _find_set_mark(stage, state.asset_id, state.support_id or told)
     sit(stage, state, wanted, own.location[:2] if own is not None else None)
 
 
-def _mark_of(stage: Stage, person: str, place: str | None) -> PlanMark | None:
-    """Return the set's mark for what somebody is in or at, else for their trade: the dock, the driver's seat.
+def _find_set_mark(stage: Stage, person: str, place: str | None) -> PlanMark | None:
+    """Return the mark of the set whose tags match a person's place best, then their station, then their trade.
 
-    A mark that is meant by the place and by the trade goes before one that only the place means.
+    Args:
+        stage: The set and the brief.
+        person: Asset id of the person; its words may name a trade.
+        place: Asset id of the thing the person is in or at; None if the script names none.
+
+    Returns:
+        The mark, such as a dock or a driver's seat; None if no tag matches.
     """
     trade = {word for word in person.split("_") if not word.isdigit()}
     named = [
         {each, each.rsplit("_", 1)[-1]} if each else set[str]() for each in (place, stage.brief.stations.get(person))
     ]
 
-    def meant(mark: PlanMark) -> int:
+    def match_score(mark: PlanMark) -> int:
         tags = {*mark.tags}
         return 4 * bool(named[0] & tags) + 2 * bool(named[1] & tags) + bool(trade & tags)
 
-    best = max(stage.brief.plan.marks, key=meant)
-    return best if meant(best) else None
+    best = max(stage.brief.plan.marks, key=match_score)
+    return best if match_score(best) else None
 
 
-def _stand_at_work(stage: Stage, asset_id: str, wanted: Wanted | None) -> None:
-    """Stand at one's mark, if the set has it and there is room."""
-    mark = _mark_of(stage, asset_id, wanted.anchor if wanted is not None else None)
+def _place_at_set_mark(stage: Stage, asset_id: str, wanted: Wanted | None) -> None:
+    """Place a person on the mark of the set that belongs to their place in the script or to their trade.
+
+    Nothing happens if the set has no such mark or another thing is within 0.1 m of it.
+
+    Args:
+        stage: Gets the person.
+        asset_id: Asset id of the person; its words may name a trade, such as ``barman_2``.
+        wanted: The place that the script gives the person; None if it gives none.
+    """
+    mark = _find_set_mark(stage, asset_id, wanted.anchor if wanted is not None else None)
     if mark is None:
         return
     x, y, _ = mark.location
@@ -142,27 +156,27 @@ def _stand_at_work(stage: Stage, asset_id: str, wanted: Wanted | None) -> None:
         stage.add(Thing(asset_id, box, walks=True), asset_id)
 
 
-def _towards_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:
+def _direction_to_audience(x: float, y: float, stage: Stage) -> tuple[float, float]:
     middle = (stage.room.x_min + stage.room.x_max) / 2
     return 0.3 * (middle - x), -1.0
 
 
-def _gather(stage: Stage, members: list[str]) -> None:
-    """Stand a group: around whoever sits or works already, else in a formation open to the audience."""
+def _place_group(stage: Stage, members: list[str]) -> None:
+    """Place a group of people: beside those who have a place already, else in a formation open to the audience."""
     placed = [stage.things[member] for member in members if member in stage.things]
     waiting = [member for member in members if member not in stage.things]
     if not waiting:
         return
     if placed:
         for member in waiting:
-            _join(stage, member, placed)
+            _place_beside_group(stage, member, placed)
             placed.append(stage.things[member])
         return
     if len(members) == 1:
         others = [(thing.box.x, thing.box.y) for thing in stage.things.values() if thing.walks]
         x, y = stage.free_spot(stage.middle, 0.5, lambda x, y: _crowding((x, y), others) + 0.5 * _bareness(stage, x, y))
         box = stage.box(members[0], x, y, 0.0, 0.0)
-        box.turn_to(yaw_along(*_towards_audience(x, y, stage)))
+        box.turn_to(yaw_along(*_direction_to_audience(x, y, stage)))
         stage.add(Thing(members[0], box, walks=True), members[0])
         return
     radius = stage.brief.apart * (TALK / 2 if len(members) == 2 else max(0.8, 0.22 * len(members)))
@@ -205,8 +219,8 @@ def _crowding(place: tuple[float, float], others: list[tuple[float, float]]) -> 
     return cost + sum(max(0.5 - abs(place[0] - other[0]), 0.0) for other in others)
 
 
-def _join(stage: Stage, member: str, placed: list[Thing]) -> None:
-    """Stand at talking distance before those who are placed, seen beside them and not in front of them."""
+def _place_beside_group(stage: Stage, member: str, placed: list[Thing]) -> None:
+    """Place a person at talking distance from a group, beside it as the audience sees it and not in front of it."""
     first = placed[0]
     ahead = math.atan2(first.box.forward[1], first.box.forward[0])
     best: tuple[float, float, float] | None = None
@@ -233,8 +247,8 @@ def turn_towards_audience(yaw: float) -> float:
     return yaw - max(-_CHEAT, min(_CHEAT, yaw))
 
 
-def _look_at_each_other(stage: Stage) -> None:
-    """Turn whoever stands alone to whom they look at."""
+def _turn_to_looked_at(stage: Stage) -> None:
+    """Turn every person who stands alone towards the person or thing they look at."""
     for state in stage.brief.states:
         thing, target = stage.things.get(state.asset_id), stage.find(state.looking_at)
         free = thing is not None and thing.anchor is None and target is not None and target is not thing

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,26 +22,40 @@ from storyblender.memory.base import Color, Vec3
 from storyblender.memory.scene_context import Fog, Light, Lighting
 
 
+class WindowWall(NamedTuple):
+    """A wall with windows, which light the room like one window.
+
+    Attributes:
+        wall: The wall.
+        centre: Mean centre of the windows, weighted by area; metres in the set.
+        inward: Unit vector on the floor, from the wall into the room.
+        size: Side of a square with the area of all the windows, metres.
+    """
+
+    wall: Wall
+    centre: Vec3
+    inward: tuple[float, float]
+    size: float
+
+
 def interior(view: LightingView) -> Lighting:
     """Return the light plan of a room."""
     hour, air = HOURS[view.setup.time_of_day], WEATHERS[view.setup.weather]
-    openings = list(_window_walls(view.plan))
+    openings = list(_find_window_walls(view.plan))
     day = hour.lamps < 0.3
     lamps = burning_lamps(view, 1.0 if not openings else hour.lamps)
     if not lamps and not day:
-        lamps = (_ceiling_wash(view.plan, 0.5, (1.0, 0.8, 0.58)),)
+        lamps = (_make_ceiling_light(view.plan, 0.5, (1.0, 0.8, 0.58)),)
     lights: list[Light] = []
     brightness = sum(hour.horizon) / 3 * air.dim
-    for wall, centre, inward, size in openings:
-        lights.append(
-            _window_light(wall, centre, inward, size, level=0.25 + 1.5 * brightness, hour=hour, grey=air.gray)
-        )
+    for opening in openings:
+        lights.append(_make_window_light(opening, luminance=0.25 + 1.5 * brightness, hour=hour, grayness=air.gray))
     if openings and hour.sun * air.sun > 0.4 and hour.elevation < 60:
-        lights.append(_sun_through(openings, hour, air.sun, view.environment.seed))
+        lights.append(_make_window_sun(openings, hour, air.sun, view.environment.seed))
     if day and openings:
-        lights.append(_ceiling_wash(view.plan, 0.22, mix(hour.horizon, (1.0, 0.96, 0.9), 0.6)))
+        lights.append(_make_ceiling_light(view.plan, 0.22, mix(hour.horizon, (1.0, 0.96, 0.9), 0.6)))
     elif lamps:
-        lights.append(_ceiling_wash(view.plan, 0.1, (1.0, 0.80, 0.58)))
+        lights.append(_make_ceiling_light(view.plan, 0.1, (1.0, 0.80, 0.58)))
     warm = mean_color(lamps) if lamps else (1.0, 0.94, 0.86)
     lit_room = not openings and day
     outside = sky_of(hour, view.setup.weather, GROUNDS["stone"])
@@ -59,8 +74,8 @@ def interior(view: LightingView) -> Lighting:
     return metered(plan, view.plan, all_lights=True)
 
 
-def _window_walls(plan: SetPlan) -> Iterator[tuple[Wall, Vec3, tuple[float, float], float]]:
-    """Yield each wall with windows: the middle of its windows, the way into the room, the size of the opening."""
+def _find_window_walls(plan: SetPlan) -> Iterator[WindowWall]:
+    """Yield every wall of a set that has windows without bars."""
     for wall in plan.walls:
         windows = [opening for opening in wall.openings if opening.kind == "window" and opening.style != "bars"]
         if not windows:
@@ -74,37 +89,50 @@ def _window_walls(plan: SetPlan) -> Iterator[tuple[Wall, Vec3, tuple[float, floa
             + sum((window.sill + window.height / 2) * window.width * window.height for window in windows) / area
         )
         middle = np.add(wall.start, along * x)
-        yield wall, (float(middle[0]), float(middle[1]), float(z)), (-float(along[1]), float(along[0])), math.sqrt(area)
+        centre = (float(middle[0]), float(middle[1]), float(z))
+        yield WindowWall(wall, centre, inward=(-float(along[1]), float(along[0])), size=math.sqrt(area))
 
 
-def _window_light(
-    wall: Wall, centre: Vec3, inward: tuple[float, float], size: float, *, level: float, hour: Hour, grey: float
-) -> Light:
-    x, y, z = centre
-    diameter = min(max(size * 1.2, 0.8), 3.4)
+def _make_window_light(opening: WindowWall, *, luminance: float, hour: Hour, grayness: float) -> Light:
+    """Return the area light of the sky that shines into a room through the windows of a wall.
+
+    Args:
+        opening: The wall and its windows.
+        luminance: Luminance of a white surface 3 m in front of the windows; 0.7 of it is used by day, 0.35 by night.
+        hour: The time of day, which gives the colour.
+        grayness: Share of gray in the colour of the sky, 0 in clear weather.
+    """
+    (x, y, z), inward = opening.centre, opening.inward
+    diameter = min(max(opening.size * 1.2, 0.8), 3.4)
     night = hour.lamps > 0.95
     color = (
         (0.40, 0.56, 1.0)
         if night
-        else mix(scaled(hour.horizon, 1 / max(hour.horizon)), (0.8, 0.88, 1.0), 0.4 + 0.3 * grey)
+        else mix(scaled(hour.horizon, 1 / max(hour.horizon)), (0.8, 0.88, 1.0), 0.4 + 0.3 * grayness)
     )
     return Light(
-        name=f"{wall.node_id}_daylight",
+        name=f"{opening.wall.node_id}_daylight",
         kind="AREA",
         role="set",
         location=(round(x + 0.15 * inward[0], 3), round(y + 0.15 * inward[1], 3), z),
         target=(round(x + 4 * inward[0], 3), round(y + 4 * inward[1], 3), 0.6),
-        power=round(area_watts(level * (0.35 if night else 0.7), 3.0, diameter), 2),
+        power=round(area_watts(luminance * (0.35 if night else 0.7), 3.0, diameter), 2),
         color=color,
         size=diameter,
     )
 
 
-def _sun_through(
-    openings: list[tuple[Wall, Vec3, tuple[float, float], float]], hour: Hour, share: float, seed: int
-) -> Light:
-    """Return a sun that falls through the largest windows: a pool of light on the floor."""
-    _, centre, inward, _ = max(openings, key=lambda item: item[3] * (0.3 if item[0].node_id == "wall_front" else 1.0))
+def _make_window_sun(openings: list[WindowWall], hour: Hour, share: float, seed: int) -> Light:
+    """Return the sun light that falls through the largest windows and makes a pool on the floor.
+
+    Args:
+        openings: The walls with windows; the front wall counts least.
+        hour: The time of day; it gives the sun's elevation, power and colour.
+        share: Share of the sun that the weather lets through, 0 to 1.
+        seed: Seed of the set; it decides from which side the sun comes.
+    """
+    largest = max(openings, key=lambda item: item.size * (0.3 if item.wall.node_id == "wall_front" else 1.0))
+    centre, inward = largest.centre, largest.inward
     turn = math.radians(28.0 if seed % 2 else -28.0)
     dx = inward[0] * math.cos(turn) - inward[1] * math.sin(turn)
     dy = inward[0] * math.sin(turn) + inward[1] * math.cos(turn)
@@ -121,8 +149,14 @@ def _sun_through(
     )
 
 
-def _ceiling_wash(plan: SetPlan, level: float, color: Color) -> Light:
-    """Return the soft light that a room's ceiling and walls throw back."""
+def _make_ceiling_light(plan: SetPlan, luminance: float, color: Color) -> Light:
+    """Return the soft area light under the ceiling that stands for light reflected by ceiling and walls.
+
+    Args:
+        plan: The set.
+        luminance: Wanted luminance of a white surface that faces the light, 1 m above the floor.
+        color: Colour of the light, scene-linear.
+    """
     size = plan.size
     ceiling = next((slab.z for slab in plan.slabs if slab.role == "ceiling"), 3.0)
     width = min(size.x - size.x_negative, size.y - size.y_negative)
@@ -134,7 +168,7 @@ def _ceiling_wash(plan: SetPlan, level: float, color: Color) -> Light:
         role="set",
         location=(*middle, round(ceiling - 0.06, 3)),
         target=(*middle, 0.0),
-        power=round(area_watts(level, ceiling - 1.0, diameter), 2),
+        power=round(area_watts(luminance, ceiling - 1.0, diameter), 2),
         color=color,
         size=diameter,
     )

@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from storyblender.agents.visual_effects_artist.actions import Actions
-from storyblender.agents.visual_effects_artist.bearing import Bearing, lasting
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import CueSheet
 from storyblender.agents.visual_effects_artist.deeds import CALL
 from storyblender.agents.visual_effects_artist.fallen import Fallen
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.agents.visual_effects_artist.menagerie import Menagerie
+from storyblender.agents.visual_effects_artist.posture_cues import PostureCues, extend_lasting_cues
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN, Speeches
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.states import Condition
@@ -104,14 +104,14 @@ class Rehearsal:
             else:
                 actions.act(action, person, shot.character_actions[number + 1 :])
         speeches.idle_looks(shot, cast)
-        Bearing(company, sheet).bear(shot)
+        PostureCues(company, sheet).add_posture_cues(shot)
         duration = shot.duration
         if "duration" not in shot.locked:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
             duration = min(max(duration, needed), math.ceil(sheet.latest * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         company.leave(stay)
-        going_on = lasting(sheet.cues, duration)
+        going_on = extend_lasting_cues(sheet.cues, duration)
         beasts, places = self.animals.play(shot, self.fps, duration)
         going_on = [*going_on, *beasts]
         cues = tuple(sorted((_within(cue, duration) for cue in going_on), key=lambda cue: cue.start))

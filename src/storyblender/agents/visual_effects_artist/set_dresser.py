@@ -38,8 +38,8 @@ _STAGE: Vec2 = (0.0, 0.8)
 
 _TOGETHER = 1.8
 """Metres from a thing of the script to the furnishing that is replaced by another thing beside it."""
-_FILLS = 0.25
-"""Share of the floor that a thing takes which is too large for a room."""
+_LARGEST_SHARE_OF_FLOOR = 0.25
+"""Share of a room's floor above which an object is too large for the room."""
 _VEHICLES = kin_of("car")
 """Vehicles: those in the script replace all vehicles of the kit."""
 _COUNTERS = frozenset({"bar_counter", "counter"})
@@ -99,7 +99,7 @@ class RulesSetDresser:
 
     def propose(self, view: DressingView) -> Dressing:
         """Return the dressed set."""
-        taken = _take_over(view)
+        taken = _assign_furnishing_places(view)
         drives = any(prop_of(asset) in _VEHICLES for asset in view.objects)
         parked = {item.node_id for item in view.plan.furnishings if drives and item.prop in _VEHICLES} - taken.keys()
         kept_items = [item for item in view.plan.furnishings if item.node_id not in parked]
@@ -109,7 +109,7 @@ class RulesSetDresser:
         kept, dropped = without_clutter(standing, view.plan, view.people)
         assets = {item.asset.asset_id: item.asset for item in kept if item.asset.origin == "dressing"}
         placed = {asset.asset_id for asset in taken.values()}
-        served = _serves(taken)
+        served = _has_counter(taken)
         return Dressing(
             assets=tuple(assets.values()),
             objects=tuple(item.placed() for item in kept),
@@ -118,7 +118,7 @@ class RulesSetDresser:
                 for asset in view.objects
                 if asset.asset_id not in placed
                 and not _is_the_place(asset, view)
-                and not _is_outside(asset, view.plan)
+                and not _is_too_large_for_room(asset, view.plan)
                 and not (served and prop_of(asset) in _COUNTERS)
             ),
             dropped=(*dropped, *sorted(parked)),
@@ -162,8 +162,8 @@ class DressingCritic:
         return Critique.of(tuple(faults))
 
 
-def _take_over(view: DressingView) -> dict[str, Asset]:
-    """Return which furnishing's place each of the script's objects takes, by the furnishing's node_id."""
+def _assign_furnishing_places(view: DressingView) -> dict[str, Asset]:
+    """Return the script's object that takes the place of each furnishing of the kit, by the furnishing's node id."""
     taken: dict[str, Asset] = {}
     where: dict[str, Vec2] = {}
     anchors = {relation.asset_id: relation.anchor_asset_id for relation in view.setup.relations}
@@ -178,7 +178,7 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
     waiting.sort(key=lambda asset: anchors.get(asset.asset_id) in ids)  # stable: what others stand next to goes first
     for asset in waiting:
         anchor = anchors.get(asset.asset_id)
-        if (anchor in ids and anchor not in where) or (prop_of(asset) in _COUNTERS and _serves(taken)):
+        if (anchor in ids and anchor not in where) or (prop_of(asset) in _COUNTERS and _has_counter(taken)):
             continue
         near = where.get(anchor, _STAGE) if anchor else _STAGE
         found = _best_place(view.plan, prop_of(asset), near, taken)
@@ -188,15 +188,15 @@ def _take_over(view: DressingView) -> dict[str, Asset]:
     return taken
 
 
-def _serves(taken: dict[str, Asset]) -> bool:
-    """Return whether one of the script's things is the counter of the place."""
+def _has_counter(taken: dict[str, Asset]) -> bool:
+    """Tell whether one of the script's objects is the counter; ``taken`` has the objects by furnishing node id."""
     return any(prop_of(asset) in _COUNTERS for asset in taken.values())
 
 
 def _is_the_place(asset: Asset, view: DressingView) -> bool:
-    """Return whether a thing is a part of the kit, or nobody can build it as a prop and the set is or shows it.
+    """Tell whether the set itself already contains an object, so that it needs no prop.
 
-    A pier in a harbour and a lighthouse above a beach are there already; a box with their name on it is not wanted.
+    A harbour has its pier, and a beach its lighthouse.
     """
     name = asset.name.lower()
     kit = SETS[view.plan.kit]
@@ -211,16 +211,26 @@ def _is_the_place(asset: Asset, view: DressingView) -> bool:
     return name in {kit.key.replace("_", " "), view.setup.place.lower(), *kit.tags, *parts}
 
 
-def _is_outside(asset: Asset, plan: SetPlan) -> bool:
-    """Return whether a thing of the script can only be seen from a room: it is higher, and fills much of the floor."""
+def _is_too_large_for_room(asset: Asset, plan: SetPlan) -> bool:
+    """Tell whether an object is higher than the ceiling and covers much of the floor, so that it must be outside."""
     size, (width, depth, height) = plan.size, size_of_asset(asset)
     ceiling = max((wall.base + wall.height for wall in plan.walls), default=math.inf)
     floor = (size.x - size.x_negative) * (size.y - size.y_negative)
-    return plan.indoor and height > ceiling and width * depth > _FILLS * floor
+    return plan.indoor and height > ceiling and width * depth > _LARGEST_SHARE_OF_FLOOR * floor
 
 
 def _best_place(plan: SetPlan, prop: str | None, near: Vec2, taken: dict[str, Asset]) -> Furnishing | None:
-    """Return the free furnishing of the same sort that is nearest; the very same prop wins over its family."""
+    """Return the free furnishing nearest to a floor point that an object can replace.
+
+    Args:
+        plan: The set.
+        prop: Catalog key of the object; None if it is not of the catalog.
+        near: Floor point, metres in the set.
+        taken: Objects that have a place already, by the node id of the furnishing they replace.
+
+    Returns:
+        A furnishing with the same prop, else with one of its family; None if there is none.
+    """
     if prop is None:
         return None
     choices = [

@@ -1,4 +1,4 @@
-"""Who has no deed in a shot: their empty hands say what their face says."""
+"""Empty hands of people without an action in a shot show the same mood as their faces."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 from test_animator import ASSETS, LAYOUT, PLAN
 
 from storyblender.agents.visual_effects_artist.animator import AnimatorView, RulesAnimator
-from storyblender.agents.visual_effects_artist.bearing import MANNERS
+from storyblender.agents.visual_effects_artist.posture_cues import IDLE_HAND_MOTIONS
 from storyblender.catalog.motions import MOTIONS
 from storyblender.memory.shot_context import BodyState, CameraInstruction, CharacterAction, ShotContext
 
@@ -28,11 +28,11 @@ def _hands(state: BodyState, *motions: str) -> set[str]:
     return {cue.clip for cue in cues if cue.asset_id == "rick" and cue.lasting and cue.start == 0}
 
 
-@pytest.mark.parametrize("expression", MANNERS)
+@pytest.mark.parametrize("expression", IDLE_HAND_MOTIONS)
 def test_the_empty_hands_of_who_only_looks_on_are_of_their_mood(expression: str) -> None:
     shown = _hands(BodyState(asset_id="rick", expression=expression))  # type: ignore[arg-type]
-    assert shown <= {*MANNERS[expression]}
-    assert shown or "" in MANNERS[expression]
+    assert shown <= {*IDLE_HAND_MOTIONS[expression]}
+    assert shown or "" in IDLE_HAND_MOTIONS[expression]
 
 
 def test_nobody_has_a_manner_whose_face_is_calm() -> None:
@@ -53,5 +53,5 @@ def test_who_sits_does_not_put_the_hands_on_the_hips() -> None:
 
 
 def test_every_manner_is_a_motion_that_lasts() -> None:
-    clips = {habit for habits in MANNERS.values() for habit in habits if habit}
+    clips = {habit for habits in IDLE_HAND_MOTIONS.values() for habit in habits if habit}
     assert all(MOTIONS[clip].stretches or MOTIONS[clip].lasts for clip in clips), clips

@@ -1,4 +1,4 @@
-"""Bearing of people during their actions: facial expression, gaze, and lasting activities. Pure."""
+"""Cues of facial expressions, gazes, idle hands and lasting activities, in addition to the actions of a shot. Pure."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from storyblender.memory.vocabulary import GazeDirection, Hand
 QUIET = frozenset({"talk", "whisper", "shout", "listen", "look", "idle", "face", "nod", "shake_head", "laugh"})
 """Motions that leave the hands free."""
 ATTENDING = frozenset({"listen", "look", "idle", "face", "turn", "laugh"})
-"""Motions of who has no deed in a shot and says nothing."""
-MANNERS: Mapping[str, tuple[str, ...]] = {
+"""Motions of a person who has no action in a shot and does not speak."""
+IDLE_HAND_MOTIONS: Mapping[str, tuple[str, ...]] = {
     "angry": ("hands_on_hips", "cross_arms"),
     "rage": ("hands_on_hips",),
     "suspicious": ("cross_arms", "hands_on_hips"),
@@ -26,23 +26,24 @@ MANNERS: Mapping[str, tuple[str, ...]] = {
     "thoughtful": ("think",),
     "cry": ("cry",),
 }
-"""Expression -> what empty hands do meanwhile, as it is somebody's habit; an empty name leaves them as they are."""
-SEATED: Mapping[str, str] = {"hands_on_hips": "cross_arms"}
-"""What who sits does instead."""
-CARRIED_ON = frozenset({"phone", "drive", "row"})
-"""Activities that speech does not end: they continue in the next shot."""
-SIDES: tuple[Hand, ...] = ("R", "L")
-GLANCE = 12
-"""Frames of a glance."""
-FAR, BEFORE = 6.0, 1.8
-"""Metres: how far to the side something off screen is, and how much nearer to the audience."""
-EYES = {"up": 3.2, "down": 0.1}
-"""Metres above the floor of a point looked up or down at; other points are at eye height."""
+"""Expression -> motions of empty hands; each person always uses the same one. An empty key leaves the hands still."""
+SEATED_HAND_MOTIONS: Mapping[str, str] = {"hands_on_hips": "cross_arms"}
+"""Motion of empty hands -> the motion that replaces it for a seated person."""
+HANDS: tuple[Hand, ...] = ("R", "L")
+GLANCE_FRAMES = 12
+"""Length of a glance, frames."""
+OFF_SCREEN_DISTANCE = 6.0
+"""Metres from a person to the point they look at off screen, to the left or right or at the camera."""
+OFF_SCREEN_FORWARD = 1.8
+"""Metres by which that point is nearer to the audience, unless it is the camera."""
+GAZE_HEIGHTS = {"up": 3.2, "down": 0.1}
+"""Gaze -> height of the point looked at, metres above the floor; other points are at eye level."""
 EYE_LEVEL = 1.55
+"""Eye level above the floor of a person of 1.7 m, metres."""
 
 
-class Bearing:
-    """Writes the cues of expressions, gaze and lasting activities, in addition to the actions of a shot.
+class PostureCues:
+    """Adds the cues of expressions, gazes, idle hands and lasting activities to the cue sheet of a shot.
 
     Args:
         company: The people and props of the scene.
@@ -52,8 +53,8 @@ class Bearing:
     def __init__(self, company: Company, sheet: CueSheet) -> None:
         self.company, self.sheet = company, sheet
 
-    def bear(self, shot: ShotContext) -> None:
-        """Add the bearing of everyone on stage, before their actions."""
+    def add_posture_cues(self, shot: ShotContext) -> None:
+        """Put the cues of everybody on stage before the cues of their actions."""
         cues: list[Cue] = []
         for state in shot.states:
             person = self.company.people.get(state.asset_id)
@@ -62,40 +63,41 @@ class Bearing:
         self.sheet.cues[:0] = cues
 
     def _cues(self, person: Person, state: BodyState) -> list[Cue]:
+        """Return a person's cues from frame 0 on, as their state at the start of the shot asks for them."""
         found: list[Cue] = []
         if state.expression != "neutral":
             found.append(Cue(asset_id=person.asset_id, clip="face", start=0, expression=state.expression))
         if state.gaze == "closed":
             found.append(Cue(asset_id=person.asset_id, clip="close_eyes", start=0, lasting=True))
         elif state.gaze is not None:
-            there = self._off_screen(person, state.gaze)
-            found.append(Cue(asset_id=person.asset_id, clip="look", start=0, duration=GLANCE, mark=there))
-        activity = self._activity(person, state)
+            there = self._gaze_mark(person, state.gaze)
+            found.append(Cue(asset_id=person.asset_id, clip="look", start=0, duration=GLANCE_FRAMES, mark=there))
+        activity = self._lasting_activity(person, state)
         if activity:
-            found.append(self._going_on(person, state, activity))
-        elif manner := self._manner(person, state):
-            found.append(Cue(asset_id=person.asset_id, clip=manner, start=0, lasting=True))
+            found.append(self._activity_cue(person, state, activity))
+        elif motion := self._idle_hand_motion(person, state):
+            found.append(Cue(asset_id=person.asset_id, clip=motion, start=0, lasting=True))
         return found
 
-    def _manner(self, person: Person, state: BodyState) -> str:
-        """Return what the hands of somebody without a deed say of their mood; empty where they hold something."""
+    def _idle_hand_motion(self, person: Person, state: BodyState) -> str:
+        """Return the key of the motion that shows the mood in a person's hands; empty if they act or hold something."""
         busy = any(cue.asset_id == person.asset_id and cue.clip not in ATTENDING for cue in self.sheet.cues)
-        habits = MANNERS.get(state.expression, ())
+        habits = IDLE_HAND_MOTIONS.get(state.expression, ())
         if busy or not habits or person.held or person.posture not in ("stand", "sit"):
             return ""
         habit = habits[int(content_hash(person.asset_id), 16) % len(habits)]
-        return SEATED.get(habit, habit) if person.posture == "sit" else habit
+        return SEATED_HAND_MOTIONS.get(habit, habit) if person.posture == "sit" else habit
 
-    def _off_screen(self, person: Person, gaze: GazeDirection) -> Mark:
-        """Return the point of a person's gaze, in left and right as the audience sees it."""
+    def _gaze_mark(self, person: Person, gaze: GazeDirection) -> Mark:
+        """Return a mark on the point off screen that a person looks at, left and right as the audience sees them."""
         x, y = person.place
-        aside = {"left": -FAR, "right": FAR}.get(gaze, 0.0)
-        height = EYES.get(gaze, EYE_LEVEL * person.scale)
-        ahead = FAR if gaze == "camera" else BEFORE
+        aside = {"left": -OFF_SCREEN_DISTANCE, "right": OFF_SCREEN_DISTANCE}.get(gaze, 0.0)
+        height = GAZE_HEIGHTS.get(gaze, EYE_LEVEL * person.scale)
+        ahead = OFF_SCREEN_DISTANCE if gaze == "camera" else OFF_SCREEN_FORWARD
         return Mark(asset_id=person.asset_id, location=(round(x + aside, 3), round(y - ahead, 3), height), yaw=0.0)
 
-    def _activity(self, person: Person, state: BodyState) -> str:
-        """Return the clip of a person's lasting activity; empty if their own actions are or end it."""
+    def _lasting_activity(self, person: Person, state: BodyState) -> str:
+        """Return the key of a person's lasting activity; empty if none, or if their actions contain or end it."""
         if state.activity or person.told:
             person.activity = state.activity
         person.told = state.activity
@@ -105,10 +107,10 @@ class Bearing:
             return ""
         return clip
 
-    def _going_on(self, person: Person, state: BodyState, clip: str) -> Cue:
-        """Return the cue of a lasting activity, with its prop in hand and its place."""
+    def _activity_cue(self, person: Person, state: BodyState, clip: str) -> Cue:
+        """Return the cue of a lasting activity ``clip``, with the prop in hand and the furniture it is done at."""
         motion = MOTIONS[clip]
-        hand: Hand | None = next((side for side in SIDES if side in person.held), None)
+        hand: Hand | None = next((side for side in HANDS if side in person.held), None)
         prop = person.held[hand] if hand is not None else None
         place = state.spot.anchor_id if state.spot is not None else None
         thing = self.company.floor.thing(place or state.support_id) if motion.reach == "thing" else None
@@ -123,17 +125,18 @@ class Bearing:
         )
 
 
-def lasting(cues: Sequence[Cue], frames: int) -> list[Cue]:
-    """Return the cues of a shot; a lasting cue continues until another cue needs the same person's hands.
+def extend_lasting_cues(cues: Sequence[Cue], frames: int) -> list[Cue]:
+    """Return the cues of a shot; cues of lasting motions go on until another cue needs the same person's hands.
 
     Args:
         cues: The cues in the order they were written.
         frames: Length of the shot in frames.
     """
-    return [_kept_up(cue, cues, frames) for cue in cues]
+    return [_extend_cue(cue, cues, frames) for cue in cues]
 
 
-def _kept_up(cue: Cue, cues: Sequence[Cue], frames: int) -> Cue:
+def _extend_cue(cue: Cue, cues: Sequence[Cue], frames: int) -> Cue:
+    """Return a cue, extended to the next of ``cues`` that needs the person's hands, or past the end at ``frames``."""
     if cue.lasting or not MOTIONS[cue.clip].lasts or cue.start >= frames:
         return cue
     later = [
