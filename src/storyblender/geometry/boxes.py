@@ -53,7 +53,7 @@ class Box:
 
     @property
     def radius(self) -> float:
-        """Radius of the circle around its footprint."""
+        """Radius of the circle around its footprint, metres."""
         return math.hypot(self.width, self.depth) / 2
 
     @property
@@ -66,16 +66,16 @@ class Box:
         return Box(self.x, self.y, self.z, self.width, self.depth, self.height, self.yaw)
 
     def to_world(self, x: float, y: float) -> Axis:
-        """Return the world position of a point of its own floor plan."""
+        """Return the world x and y of a point of the box's own frame (metres from its centre; its front is at -y)."""
         return self.x + self.cos * x - self.sin * y, self.y + self.sin * x + self.cos * y
 
     def to_local(self, x: float, y: float) -> Axis:
-        """Return where a world point lies in its own floor plan."""
+        """Return a world point in the box's own frame (metres from its centre; its front is at -y)."""
         dx, dy = x - self.x, y - self.y
         return self.cos * dx + self.sin * dy, self.cos * dy - self.sin * dx
 
     def reach(self, axis: Axis) -> float:
-        """Return half the length of its shadow on a unit axis."""
+        """Return half the extent of the footprint along a unit axis of the world, metres."""
         u = abs(self.cos * axis[0] + self.sin * axis[1]) * self.width
         v = abs(self.cos * axis[1] - self.sin * axis[0]) * self.depth
         return (u + v) / 2
@@ -87,17 +87,17 @@ def wrap_angle(angle: float) -> float:
 
 
 def shortest_turn(a: float, b: float) -> float:
-    """Return the shortest turn from angle ``a`` to ``b``, radians."""
+    """Return the shortest turn from angle ``a`` to ``b`` in radians, -pi..pi, counter-clockwise positive."""
     return wrap_angle(b - a)
 
 
 def yaw_along(dx: float, dy: float) -> float:
-    """Return the yaw in radians that looks along (dx, dy)."""
+    """Return the yaw of a front that points along the world direction (dx, dy): radians, 0 at -Y, pi / 2 at +X."""
     return math.atan2(dx, -dy)
 
 
 def footprint_gap(a: Box, b: Box) -> tuple[float, Axis]:
-    """Return the signed gap of two footprints and the axis from ``b`` to ``a`` along which it is widest.
+    """Return the signed gap of two footprints in metres and the unit axis from ``b`` to ``a`` on which it is widest.
 
     Separating-axis test over the four face normals: negative is the penetration depth, and then moving ``a`` by
     that depth along the axis is the shortest way out.
@@ -113,12 +113,12 @@ def footprint_gap(a: Box, b: Box) -> tuple[float, Axis]:
 
 
 def vertical_gap(a: Box, b: Box) -> float:
-    """Return the free height between two boxes; negative if they share some height."""
+    """Return the free height between two boxes in metres; negative if they share some height."""
     return max(a.z - b.z - b.height, b.z - a.z - a.height)
 
 
 def penetration(a: Box, b: Box, tolerance: float = 0.0) -> tuple[float, Axis]:
-    """Return how deep two boxes sit in each other and the axis on which ``a`` leaves ``b``; 0 if they do not.
+    """Return the penetration depth of two boxes in metres (0 if apart) and the unit axis on which ``a`` leaves ``b``.
 
     Args:
         a: The box that would move.
@@ -134,7 +134,7 @@ def penetration(a: Box, b: Box, tolerance: float = 0.0) -> tuple[float, Axis]:
 
 
 def corners(box: Box) -> NDArray[np.float64]:
-    """Return the (8, 3) corners: the four below first, counter-clockwise."""
+    """Return the (8, 3) corners in world metres: the four below first, counter-clockwise seen from above."""
     flat = [box.to_world(sx * box.width / 2, sy * box.depth / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     return np.array([(x, y, z) for z in (box.z, box.top) for x, y in flat])
 

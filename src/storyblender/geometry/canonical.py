@@ -1,4 +1,4 @@
-"""Which way up and in which unit: brings a foreign model to the canonical frame. Pure numpy.
+"""Finds the upright rotation and the unit of an imported model. Pure numpy.
 
 The paper's Asset Formatter asks a vision model. A file format says most of it: glTF and Blender know up and front and
 are in metres, so their pose and size are kept as long as they are plausible. An .obj says nothing, and is tipped up
@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 UPRIGHT_MARGIN = 2.1
-"""How much worse the file's own up may score before another is taken: it must be about to fall over."""
+"""Least difference of ``measure_stability`` by which another up axis must beat the file's own."""
 UNITS: tuple[tuple[str, float], ...] = (
     ("metres", 1.0),
     ("centimetres", 0.01),
@@ -24,13 +24,13 @@ UNITS: tuple[tuple[str, float], ...] = (
     ("inches", 0.0254),
 )
 LIKELY_EXTENTS = ((0.02, 32.0), (0.1, 8.0), (0.1, 8.0))
-"""Metres: the largest extent that makes a metre, a centimetre, a millimetre file believable."""
+"""Least and most metres of the largest extent, for a file in metres, centimetres, millimetres."""
 PLAUSIBLE_RATIO = 2.5
-"""How many times larger or smaller than usual a thing may be and keep its own size."""
+"""Largest ratio of a thing's size to the usual one, either way, at which it keeps its own size."""
 
 
 def find_upright_rotation(vertices: Floats, triangles: Triangles) -> Floats:
-    """Return the (3, 3) rotation that puts a model on its feet; the identity unless it would fall over as it is.
+    """Return the (3, 3) rotation that stands a model upright; the identity unless it would fall over as it is.
 
     Args:
         vertices: (n, 3), Z up as its importer gives it.
@@ -44,9 +44,9 @@ def find_upright_rotation(vertices: Floats, triangles: Triangles) -> Floats:
 
 
 def measure_stability(vertices: Floats, triangles: Triangles) -> float:
-    """Return -1..2: how well the model stands on what touches the ground when +Z is up.
+    """Return how well the model stands when +Z is up, from -1 (falls over) to 2 (stable).
 
-    The share of its footprint that its support polygon covers, plus how far inside that polygon its mass lies.
+    The value is the share of its footprint under its support polygon, plus the depth of its mass inside that polygon.
     """
     low, extent = vertices.min(axis=0), np.maximum(np.ptp(vertices, axis=0), 1e-9)
     touching = vertices[vertices[:, 2] < low[2] + 0.02 * extent[2], :2]
@@ -77,7 +77,7 @@ def convex_hull(points: Floats) -> Floats:
 
 
 def polygon_area(corners: Floats) -> float:
-    """Return the area of a (n, 2) polygon."""
+    """Return the area of an (n, 2) polygon, in squares of its unit."""
     return abs(float(_cross(corners, np.roll(corners, -1, axis=0)).sum())) / 2
 
 
@@ -98,12 +98,12 @@ def _triangle_centres_and_areas(vertices: Floats, triangles: Triangles) -> tuple
 
 
 def find_scale(extent: Floats, dimension: AssetDimension | None, *, told: bool) -> tuple[float, str]:
-    """Return metres of one unit of a model, and why it is not 1; the reason is empty where the model keeps its size.
+    """Return the scale from a model's unit to metres, and the reason for it; the reason is empty where the scale is 1.
 
     Args:
         extent: (3,) width, depth, height in the file's units.
-        dimension: What the thing measures, usually.
-        told: Whether the script states that measure, so that it counts and not the file's.
+        dimension: Usual measure of the thing in metres, if known.
+        told: Whether the script states that measure; it then overrides the size of the file.
     """
     wanted = _usual_measure(extent, dimension)
     if wanted is None:

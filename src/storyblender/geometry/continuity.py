@@ -18,14 +18,14 @@ _NEW_LINE_DEGREES = 50.0
 
 
 def has_new_line(before: ArrayLike, now: ArrayLike) -> bool:
-    """Return whether two people have moved about each other so far that a new line holds between them.
+    """Return whether the line between two people has turned more than 50 degrees, so that a new 180-degree line holds.
 
     What was on one side of the old line has no side on the new one: a picture after it may choose, and answers none
     of those before.
 
     Args:
-        before: (2, 3) their faces, in the same order as ``now``.
-        now: (2, 3).
+        before: (2, 3) world positions of their faces, in the same order as ``now``.
+        now: (2, 3) world positions of their faces.
     """
     angles = []
     for faces in (before, now):
@@ -49,7 +49,7 @@ def side_of_line(camera: ArrayLike, first: ArrayLike, second: ArrayLike) -> int:
 
 
 def crosses_line(camera: Orbit, first: ArrayLike, second: ArrayLike, side: int) -> bool:
-    """Return whether the camera is across the line from the side used so far (0: none used yet)."""
+    """Return whether the camera is across the line from ``side`` (1 left, -1 right, 0 none used yet)."""
     here = side_of_line(camera.position, first, second)
     return side != 0 and here != 0 and here != side
 
@@ -63,12 +63,15 @@ def angle_between_views(before: Orbit, after: Orbit, subject: ArrayLike) -> floa
 
 
 def is_jump_cut(before: Orbit, after: Orbit, subject: ArrayLike, size_steps: int) -> bool:
-    """Return whether a cut would jump: the same subject, less than 30 degrees and less than two sizes apart."""
+    """Return whether a cut on one subject jumps: views less than 30 degrees and fewer than two shot sizes apart.
+
+    ``subject`` is a world point; ``size_steps`` is the number of steps between the two sizes in ``SIZES``.
+    """
     return size_steps < 2 and angle_between_views(before, after, subject) < JUMP_CUT_DEGREES
 
 
 def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
-    """Return how much a world direction runs to the right of the picture: 1 right, -1 left."""
+    """Return the share of a world direction that runs to the right of the picture: 1 right, -1 left, 0 in depth."""
     flat = np.asarray(vector, float)
     length = float(np.linalg.norm(flat))
     return float(camera.axes[:, 0] @ flat / length) if length > 1e-9 else 0.0
@@ -77,13 +80,16 @@ def screen_direction(camera: Orbit, vector: ArrayLike) -> float:
 def do_looks_match(
     one: Orbit, one_look: ArrayLike, other: Orbit, other_look: ArrayLike, *, least: float = 0.12
 ) -> bool:
-    """Return whether two singles match: the faces look to opposite sides of the picture."""
+    """Return whether the looks of two singles run to opposite sides of the picture.
+
+    Looks are world directions; one that runs less than ``least`` (a ``screen_direction``) to a side matches any.
+    """
     a, b = screen_direction(one, one_look), screen_direction(other, other_look)
     return a * b < 0 or abs(a) < least or abs(b) < least
 
 
 def mirror_azimuth(azimuth: float, first: ArrayLike, second: ArrayLike) -> float:
-    """Return the azimuth that mirrors a camera across the plane between two people, degrees.
+    """Return the azimuth of a camera mirrored across the plane midway between two people: degrees, 0 at -Y, 90 at +X.
 
     The reverse of a single: same side of the line, same angle off it, looking at the other one.
     """

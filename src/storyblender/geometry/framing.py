@@ -27,7 +27,7 @@ ELEVATION: dict[str, float] = {
     "worm's-eye": -32.0,
     "dutch": 2.0,
 }
-"""Degrees that the camera is above the subject's eyes; see ``elevation_of``."""
+"""Degrees of the camera above the subject's eyes, by camera angle; see ``elevation_of``."""
 ELEVATION_BAND: dict[str, tuple[float, float]] = {
     "eye-level": (-9.0, 14.0),
     "high angle": (16.0, 55.0),
@@ -41,31 +41,31 @@ FACE_ANGLE: dict[str, float] = {"single": 70.0, "reaction": 70.0, "ots": 75.0, "
 DUTCH_ROLL = 12.0
 """Degrees."""
 THIRD_FROM_CENTRE = 1 / 6
-"""How far a third line is from the middle of the picture."""
+"""Distance of a third line from the middle of the picture, as a share of the picture."""
 SHOULDER_CROWN_Y = -0.04
-"""Highest that the near head of an over-the-shoulder goes: a little hair may be cut, not the head."""
+"""Least screen y of the near crown of an over-the-shoulder: a little hair may be cut, not the head."""
 _SHOULDER_HEAD_RATIO = 3.2
-"""Most times that the near head of an over-the-shoulder is as large as the far one, which it would dwarf."""
+"""Largest ratio of the near head of an over-the-shoulder to the far one."""
 _SHOULDER_DISTANCE_RATIO = 1.6
-"""Most times as far as the size wants that a shoulder may send the camera back: from there the subject is tiny."""
+"""Largest ratio of an over-the-shoulder's camera distance to the distance that the shot size asks for."""
 _SHOULDER_RISE_SHARE = 0.5
-"""How much of a standing partner's height over a sitting subject the camera goes up."""
+"""Share of the height of a partner's face above the subject's by which the camera goes up."""
 _SHOULDER_FACE_OFFSET = 0.13
-"""How far from the middle the face of an over-the-shoulder goes, on the side without the shoulder."""
+"""Screen distance from the middle to the face of an over-the-shoulder, on the side without the shoulder."""
 _SHOULDER_FACE_LOWEST_Y = 0.55
-"""Lowest a subject's face goes in an over-the-shoulder, for the head before it."""
+"""Largest screen y of the subject's face in an over-the-shoulder."""
 _MIN_FACE_DEPTH = 0.8
-"""Metres: nobody of a group is nearer to the camera, or behind it."""
+"""Least metres along the view from the camera to a face of a group."""
 _MIN_CROWN_Y = 0.12
-"""Highest that the crowns of a group go: some of them wear hats."""
+"""Least screen y of the crowns of a group: leaves room for hats."""
 _MAX_BODY_DROP = 0.1
-"""Most that a whole body lower than a standing one goes down in the picture."""
+"""Largest screen shift down of a whole body that is lower than a standing one."""
 _BODY_SHARE = 0.83
-"""Most of the picture's height that whole bodies take in a group."""
+"""Largest share of the picture's height for whole bodies in a group."""
 _HEADS, _CROWN_TO_CHIN = 0.62, 0.82
 """Largest share of the picture height between the faces of a group, and from its top crown to its lowest chin."""
 _WHOLE_BODY_LOW_ANGLE = 0.5
-"""What a low angle is of itself for whole bodies: from nearer the floor legs grow and heads shrink."""
+"""Factor on the elevation of a low angle for whole bodies: from nearer the floor legs grow and heads shrink."""
 _CROWN_ABOVE_FACE = 0.55
 """Crown above the face's centre, in head heights."""
 
@@ -75,12 +75,12 @@ class Figure:
     """A person as the camera sees them at one frame.
 
     Attributes:
-        node_id: Who.
+        node_id: Id of the person.
         face: Centre of the face between crown and chin, world metres.
-        forward: Unit vector the face looks along.
+        forward: World unit vector the face looks along.
         head: Crown to chin, metres.
-        base: Floor point below.
-        hands: Middles of the left and the right hand, world metres; empty for who has none.
+        base: Floor point below the face, world metres.
+        hands: Middles of the left and the right hand, world metres; empty if there are none.
     """
 
     node_id: str
@@ -92,7 +92,7 @@ class Figure:
 
     @property
     def yaw(self) -> float:
-        """Degrees the face is turned to; 0 is -Y."""
+        """Degrees the face is turned to, counter-clockwise from above; 0 is -Y, 90 is +X."""
         return math.degrees(math.atan2(self.forward[0], -self.forward[1]))
 
     @property
@@ -102,7 +102,7 @@ class Figure:
         return x, y, z + _CROWN_ABOVE_FACE * self.head
 
     def turned_from(self, eye: ArrayLike) -> float:
-        """Return the degrees between where the face looks and the way to a point; 0 is full face."""
+        """Return the degrees between the look of the face and the direction to a world point; 0 is full face."""
         way = np.asarray(eye, float) - np.asarray(self.face)
         cosine = float(np.dot(self.forward, way) / max(float(np.linalg.norm(way)), 1e-9))
         return math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
@@ -126,13 +126,13 @@ def project(camera: Orbit, points: ArrayLike) -> tuple[Floats, Floats]:
 
 
 def head_share(camera: Orbit, figure: Figure) -> float:
-    """Return the height of somebody's head as a share of the picture's."""
+    """Return the height of a figure's head (crown to chin) as a share of the picture's height."""
     away = max(float(project(camera, [figure.face])[1][0]), 0.1)
     return max(figure.head / away / (2 * camera.tangent), 1e-3)
 
 
 def distance_for(height: float, share: float, camera_tangent: float) -> float:
-    """Return the distance at which ``height`` metres fill ``share`` of the picture's height."""
+    """Return the metres at which ``height`` metres fill ``share`` of the picture's height; see ``Orbit.tangent``."""
     return height / share / (2 * camera_tangent)
 
 
@@ -170,24 +170,27 @@ def crown_screen_y(head: float) -> float:
 
 @dataclass(frozen=True)
 class Film:
-    """What the camera is loaded with: the same for every shot of a project."""
+    """Sensor width (mm) and aspect (width / height): the same for every shot of a project."""
 
     sensor_width: float = 36.0
     aspect: float = 16 / 9
 
     def tangent(self, lens: float) -> float:
-        """Half the picture's height at one metre through that lens."""
+        """Return half the picture's height at one metre through a lens of ``lens`` mm."""
         return self.sensor_width / self.aspect / (2 * lens)
 
     def look(self, pivot: ArrayLike, azimuth: float, elevation: float, distance: float, lens: float) -> Orbit:
-        """Return a camera around a pivot with this film."""
+        """Return a camera around a world pivot: degrees (azimuth 0 at -Y, 90 at +X), metres, lens in mm."""
         return camera_around(
             pivot, azimuth, elevation, distance, lens, sensor_width=self.sensor_width, aspect=self.aspect
         )  # fmt: skip
 
 
 def frame_single(film: Film, figure: Figure, size: ShotSize, azimuth: float, elevation: float, lens: float) -> Orbit:
-    """Return the camera for one person: face at its height, with lead room; who is bent or sits low is lower in it."""
+    """Return the camera for one person, face at its height, with lead room: degrees, lens in mm.
+
+    In an FS a person who sits low or is bent is placed lower in the picture.
+    """
     distance = distance_for(figure.head, SIZES[size].head, film.tangent(lens))
     camera = film.look(figure.face, azimuth, elevation, distance, lens)
     camera = place_on_screen(camera, figure.face, lead_room_x(camera, figure), face_screen_y(size))
@@ -206,9 +209,9 @@ def frame_group(
     lens: float,
     span: float = 0.62,
 ) -> Orbit:
-    """Return the camera for two or more: all heads in the picture, within ``span`` of its width.
+    """Return the camera that holds all heads of a group within ``span`` of the picture's width: degrees, lens in mm.
 
-    None is larger than the size wants; who lies at the feet of another one makes both of them smaller.
+    No head is larger than the size asks for; a person lying at another's feet makes both smaller.
     """
     faces = np.array([figure.face for figure in figures])
     middle = (faces.min(0) + faces.max(0)) / 2
@@ -248,16 +251,16 @@ def frame_group_from(
     widest: float,
     span: float = 0.72,
 ) -> Orbit:
-    """Return the camera that stands at a place and turns to hold two or more, as small as its widest lens makes them.
+    """Return the camera at a given place, turned and zoomed to hold a group; its lens is never wider than ``widest``.
 
     Args:
         film: Sensor and aspect.
-        figures: Whose heads are held.
-        size: How large the nearest head should be.
-        place: Of the optical centre, world metres.
-        lens: mm, where it holds them.
-        widest: mm, at the widest.
-        span: Share of the width for the heads.
+        figures: People whose heads are held.
+        size: Shot size of the nearest head.
+        place: Optical centre, world metres.
+        lens: Longest focal length, mm.
+        widest: Shortest focal length, mm.
+        span: Share of the picture's width for the heads.
     """
     eye, faces = np.asarray(place, float), np.array([figure.face for figure in figures])
     ways = faces - eye
@@ -289,7 +292,7 @@ def frame_group_from(
 
 
 def can_frame_over_shoulder(film: Film, focus: Figure, over: Figure, size: ShotSize, lens: float) -> bool:
-    """Return whether a camera behind somebody's shoulder sees the subject about as large as the size wants."""
+    """Return whether a camera behind ``over`` (lens in mm) sees ``focus`` about as large as the shot size asks."""
     apart = math.dist(focus.face[:2], over.face[:2])
     return _distance_over_shoulder(apart) <= _SHOULDER_DISTANCE_RATIO * distance_for(
         focus.head, SIZES[size].head, film.tangent(lens)
@@ -297,7 +300,7 @@ def can_frame_over_shoulder(film: Film, focus: Figure, over: Figure, size: ShotS
 
 
 def _distance_over_shoulder(apart: float) -> float:
-    """Return the least metres to the subject from behind a partner ``apart`` from them."""
+    """Return the least metres from camera to subject behind a partner who is ``apart`` metres from the subject."""
     return apart + max(0.75, apart / (_SHOULDER_HEAD_RATIO - 1))
 
 
@@ -308,12 +311,12 @@ def frame_over_shoulder(
 
     Args:
         film: Sensor and aspect.
-        focus: The one who is seen.
-        over: The one whose shoulder is in the picture.
-        size: Of the focus.
+        focus: Person who is seen.
+        over: Person whose shoulder is in the picture.
+        size: Shot size of ``focus``.
         side: +1 if the camera is on the left of the line from ``over`` to ``focus``, -1 if on the right.
-        elevation: Degrees above the focus's eyes, added to what sees over the shoulder.
-        lens: mm.
+        elevation: Degrees above the eyes of ``focus``, added to the height that clears the shoulder.
+        lens: Focal length, mm.
     """
     tangent = film.tangent(lens)
     line = np.asarray(focus.face) - np.asarray(over.face)
@@ -348,7 +351,7 @@ def frame_over_shoulder(
 
 
 def frame_point_of_view(film: Film, eyes: Figure, target: ArrayLike, lens: float) -> Orbit:
-    """Return what somebody sees: the camera in their eyes, on the target."""
+    """Return the camera at a person's eyes that looks at ``target`` (world metres); lens in mm."""
     position = np.asarray(eyes.face) + 0.12 * np.asarray(eyes.forward)
     return camera_looking_at(position, target, lens, sensor_width=film.sensor_width, aspect=film.aspect)
 
@@ -378,7 +381,7 @@ def frame_insert(
 def frame_master(
     film: Film, points: ArrayLike, azimuth: float, elevation: float, lens: float, fill: float = 0.86
 ) -> Orbit:
-    """Return the camera that holds all points (the place and whoever is in it) within ``fill`` of the picture."""
+    """Return the camera that holds (n, 3) world points within ``fill`` of the picture: degrees, lens in mm."""
     corners = np.asarray(points, float)
     middle = (corners.min(0) + corners.max(0)) / 2
     camera = film.look(middle, azimuth, elevation, 30.0, lens)

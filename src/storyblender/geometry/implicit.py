@@ -35,7 +35,7 @@ def rod(start: ArrayLike, end: ArrayLike, radii: tuple[float, float], *, flat: f
     Args:
         start: Centre of one end.
         end: Centre of the other end.
-        radii: Of both ends.
+        radii: Radius at the start and at the end.
         flat: Ratio of height (along z) to width of a cross-section.
     """
     squeeze = np.array((1.0, 1.0, 1 / flat))

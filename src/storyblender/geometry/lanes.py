@@ -34,8 +34,8 @@ def find_walkway(
     """Return the way points of a walk between two floor points, or None if it is blocked.
 
     Args:
-        start: Metres.
-        goal: Metres.
+        start: World x and y, metres.
+        goal: World x and y, metres.
         things: The layout; people are walked past, not around.
         room: The playing area.
         width: Metres between things that it needs.
@@ -57,7 +57,7 @@ def blocks_walkers(thing: Thing) -> bool:
 
 
 def lane_boxes(points: Sequence[Vec2]) -> list[Box]:
-    """Return the volumes of air that keep a walk open, without its two ends."""
+    """Return the boxes of air that keep a walk open, without its two ends; ``points`` are world x and y in metres."""
     volumes: list[Box] = []
     along, total = 0.0, sum(math.dist(a, b) for a, b in itertools.pairwise(points))
     for a, b in itertools.pairwise(points):

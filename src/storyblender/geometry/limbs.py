@@ -18,9 +18,9 @@ def capsule_penetration(one: Floats, one_radii: Floats, other: Floats, other_rad
     """Return the largest penetration depth of the capsules of two bodies in metres; 0 if they do not intersect.
 
     Args:
-        one: (n, 2, 3) ends of the segments.
+        one: (n, 2, 3) ends of the segments, world metres.
         one_radii: (n,) metres.
-        other: (m, 2, 3) ends of the other's segments.
+        other: (m, 2, 3) ends of the other's segments, world metres.
         other_radii: (m,) metres.
     """
     first, second = one[:, None], other[None]

@@ -1,4 +1,4 @@
-"""Where a moving camera ends, and how it gets there: pan, tilt, orbit, push, truck, pedestal, zoom, track."""
+"""Start, end and interpolation of camera moves: pan, tilt, orbit, push, truck, pedestal, zoom, track."""
 
 from __future__ import annotations
 
@@ -10,19 +10,27 @@ import numpy as np
 from storyblender.geometry.orbit import Orbit, orbit, rotation_matrix, slerp, swivel
 
 _SIGN = {"left": 1.0, "right": -1.0, "up": 1.0, "down": -1.0}
-_PAN, _TILT, _ORBIT = 18.0, 12.0, 28.0
-"""Degrees of a plain move: a third of a normal lens's field."""
-_PUSH, _ZOOM = 1.35, 1.4
-"""Factor of distance, of focal length."""
-_TRUCK, _PEDESTAL = 0.45, 0.35
-"""Travel in heights of the picture at the pivot."""
+_PAN = 18.0
+"""Degrees of a pan: a third of a normal lens's field."""
+_TILT = 12.0
+"""Degrees of a tilt."""
+_ORBIT = 28.0
+"""Degrees of an orbit."""
+_PUSH = 1.35
+"""Factor of distance of a push or a pull."""
+_ZOOM = 1.4
+"""Factor of focal length of a zoom."""
+_TRUCK = 0.45
+"""Travel of a truck or track, in heights of the picture at the pivot."""
+_PEDESTAL = 0.35
+"""Travel of a pedestal, in heights of the picture at the pivot."""
 
 
 def move_camera(camera: Orbit, movement: str, direction: str | None = None, share: float = 1.0) -> Orbit:
-    """Return the camera after a share of a plain move; minus one half is where to start to be centred on it.
+    """Return the camera after a share of a move; a move from share -1/2 to 1/2 is centred on ``camera``.
 
     Args:
-        camera: Before the move.
+        camera: Camera at share 0.
         movement: One of the camera movements of the vocabulary.
         direction: left, right, up or down; the picture's, so panning left turns to what lies left of it.
         share: Of the whole move; negative goes the other way.
@@ -45,12 +53,12 @@ def move_camera(camera: Orbit, movement: str, direction: str | None = None, shar
 
 
 def follow_subject(camera: Orbit, movement: str, travel: tuple[float, float, float]) -> Orbit:
-    """Return the camera that keeps a walker in the picture: ``track`` goes along, anything else turns on the tripod.
+    """Return the camera at the end of a walk it follows: ``track`` travels along, other moves turn on the tripod.
 
     Args:
         camera: At the start of the walk.
-        movement: How to follow.
-        travel: How far the subject goes, metres.
+        movement: ``track``, or any other movement of the vocabulary.
+        travel: World shift of the subject from start to end, metres.
     """
     return _shift_camera(camera, np.asarray(travel)) if movement == "track" else _turn_to_follow(camera, travel)
 
@@ -72,13 +80,13 @@ def _turn_to_follow(camera: Orbit, travel: tuple[float, float, float]) -> Orbit:
 
 
 def ease_in_out(share: float) -> float:
-    """Return the share of the way gone at a share of the time: minimum jerk, at rest at both ends."""
+    """Return the share of the way covered at a share of the time (both 0..1): minimum jerk, at rest at both ends."""
     t = min(max(share, 0.0), 1.0)
     return t * t * t * (10 - 15 * t + 6 * t * t)
 
 
 def interpolate_cameras(start: Orbit, end: Orbit, share: float) -> Orbit:
-    """Return the camera that share of the way from start to end (ease the share first).
+    """Return the camera at a share (0..1, already eased) of the move from ``start`` to ``end``.
 
     A camera on a tripod keeps its position, one that travels keeps its eye on the moving pivot.
     """

@@ -18,9 +18,9 @@ Quaternion = tuple[float, float, float, float]
 """w, x, y, z; unit length."""
 
 DOLLY = 1.15
-"""beta: how much closer one step of dolly comes."""
+"""beta: factor of distance of one dolly step."""
 _NEAREST = 0.3
-"""Metres: the camera never comes closer to its pivot."""
+"""Least distance of camera and pivot, metres."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Orbit:
     """The state of a camera.
 
     Attributes:
-        pivot: Point of interest (c_piv), world.
+        pivot: Point of interest (c_piv), world metres.
         rotation: World from camera (r).
         distance: From the optical centre to the pivot (d), metres.
         lens: Focal length, mm.
@@ -50,7 +50,7 @@ class Orbit:
 
     @cached_property
     def position(self) -> Floats:
-        """Optical centre: p_cam = c_piv + R(r) (0, 0, d)."""
+        """Optical centre, world metres: p_cam = c_piv + R(r) (0, 0, d)."""
         return np.asarray(self.pivot) + self.axes[:, 2] * self.distance
 
     @property
@@ -71,7 +71,7 @@ class Orbit:
 
     @property
     def tangent(self) -> float:
-        """Half the picture's height at one metre: tan(alpha / 2)."""
+        """Half the picture's height at one metre of depth: tan(alpha / 2) of the vertical field of view."""
         return self.sensor_width / self.aspect / (2 * self.lens)
 
     @property
@@ -119,7 +119,10 @@ def camera_around(
 def camera_looking_at(
     position: ArrayLike, target: ArrayLike, lens: float, *, roll: float = 0.0, **film: float
 ) -> Orbit:
-    """Return a camera at a position that looks at a target; ``film`` is sensor_width and aspect."""
+    """Return a camera at a world position that looks at a world target: lens in mm, roll in degrees.
+
+    ``film`` is ``sensor_width`` in mm and ``aspect``.
+    """
     back = np.asarray(position, float) - np.asarray(target, float)
     distance = float(np.linalg.norm(back))
     azimuth = math.degrees(math.atan2(back[0], -back[1]))
@@ -135,7 +138,7 @@ def pan(camera: Orbit, dx: float, dy: float) -> Orbit:
 
 
 def orbit(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
-    """Walk around the pivot by degrees; the horizon stays as it is, and the camera never passes the zenith."""
+    """Orbit around the pivot by degrees, counter-clockwise and up positive; the roll stays, elevation within 85."""
     elevation = min(max(camera.elevation + elevation, -85.0), 85.0) - camera.elevation
     level = multiply_quaternions(camera.rotation, axis_rotation((0.0, 0.0, 1.0), -camera.roll))
     tilted = multiply_quaternions(
@@ -145,12 +148,12 @@ def orbit(camera: Orbit, azimuth: float, elevation: float = 0.0) -> Orbit:
 
 
 def dolly(camera: Orbit, steps: float) -> Orbit:
-    """Come closer along the optical axis: d beta^-steps; negative steps go back."""
+    """Move towards the pivot along the optical axis: d beta^-steps; negative steps move back."""
     return replace(camera, distance=max(_NEAREST, camera.distance * DOLLY**-steps))
 
 
 def roll(camera: Orbit, angle: float) -> Orbit:
-    """Lean the horizon by degrees."""
+    """Roll the camera about its optical axis by degrees, counter-clockwise positive as seen from behind it."""
     return replace(camera, rotation=multiply_quaternions(camera.rotation, axis_rotation((0.0, 0.0, 1.0), angle)))
 
 
@@ -199,7 +202,7 @@ def rotation_matrix(q: Quaternion) -> Floats:
 
 
 def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
-    """Return the rotation that share of the shorter way from ``a`` to ``b``."""
+    """Return the rotation at a share (0..1) of the shorter way from ``a`` to ``b``."""
     p, q = np.asarray(a), np.asarray(b)
     dot = float(p @ q)
     if dot < 0:

@@ -18,7 +18,7 @@ Vec2 = tuple[float, float]
 Bounds = tuple[float, float, float, float]
 """x min, y min, x max, y max."""
 Track = Callable[[float], Vec2]
-"""Where somebody is at a time in seconds."""
+"""Function from a time in seconds to the world x and y of a person, metres."""
 Floats = NDArray[np.float64]
 
 SQUEEZE_RADIUS = 0.19
@@ -39,11 +39,11 @@ class Footprint:
     """A rectangle seen from above, grown by ``round`` on all sides; size (0, 0) makes it a disc.
 
     Attributes:
-        centre: Metres.
-        size: Extent along its own x and y before turning.
-        yaw: Radians, counter-clockwise.
+        centre: World x and y, metres.
+        size: Extent along its own x and y before turning, metres.
+        yaw: Radians, counter-clockwise; 0 faces -Y.
         round: Metres added all around.
-        name: What it is, for messages.
+        name: Its node_id, or empty.
     """
 
     centre: Vec2
@@ -54,7 +54,7 @@ class Footprint:
 
 
 def clearance(points: Floats, obstacles: Sequence[Footprint]) -> Floats:
-    """Return the distance of each point (n, 2) to the nearest obstacle; negative inside, 1e9 without any."""
+    """Return the metres from each point (n, 2) to the nearest obstacle; negative inside, 1e9 without any."""
     best = np.full(len(points), 1e9)
     for box in obstacles:
         offset = points - np.asarray(box.centre)
@@ -75,11 +75,11 @@ def find_path(
     clearance grows from what the place allows to ``radius`` on the way out.
 
     Args:
-        start: Metres.
-        goal: Metres.
+        start: World x and y, metres.
+        goal: World x and y, metres.
         obstacles: What stands in the way, furniture and people.
         bounds: The playing area; grown where start or goal lie outside.
-        radius: Clearance to keep, body radius and padding.
+        radius: Clearance to keep, body radius and padding, metres.
 
     Returns:
         Way points from start to goal, corners rounded.
@@ -161,7 +161,7 @@ def _search(room: _FreeSpace, start: Vec2, goal: Vec2, bounds: Bounds) -> list[V
 
 
 def round_corners(points: Sequence[Vec2], radius: float = CORNER_RADIUS) -> list[Vec2]:
-    """Replace every corner of a polyline by a parabola that starts at most ``radius`` before it."""
+    """Replace every corner of a polyline by a parabola that starts at most ``radius`` metres before it."""
     corners = [np.asarray(point, float) for point in points]
     smooth = [corners[0]]
     for before, corner, after in zip(corners, corners[1:], corners[2:], strict=False):
@@ -180,13 +180,13 @@ def path_length(points: Sequence[Vec2]) -> float:
 
 
 def find_seat_access(edge: Vec2, yaw: float, width: float, k: float, obstacles: Sequence[Footprint], seat: str) -> Vec2:
-    """Return where one stands before sitting down and after getting up.
+    """Return the floor point (world x and y) of a person before sitting down and after getting up.
 
-    In front of the seat; beside it where a table leaves no room in front.
+    It is in front of the seat, or beside it where a table leaves no room in front.
 
     Args:
-        edge: Middle of the seat's front edge.
-        yaw: Where the sitter faces, radians.
+        edge: Middle of the seat's front edge, world metres.
+        yaw: Direction the sitter faces, radians, counter-clockwise; 0 faces -Y.
         width: Of the furniture, metres.
         k: Stature over 1.7 m.
         obstacles: Furniture and walls.
@@ -206,17 +206,17 @@ def find_seat_access(edge: Vec2, yaw: float, width: float, k: float, obstacles: 
 def find_waiting_time(
     track: Track, duration: float, start: float, others: Sequence[tuple[Track, float]], *, step: float = 0.3
 ) -> tuple[float, float]:
-    """Return how long to wait before setting out so as to pass everybody, and the smallest distance then left.
+    """Return the seconds to wait before a walk that passes everybody, and the smallest gap then left.
 
     Args:
-        track: Where the walker is, in seconds since setting out.
+        track: Position of the walker, by seconds since setting out.
         duration: Seconds the walk takes.
         start: Earliest time of setting out.
-        others: Where each other person is at absolute time, and the distance to keep from them.
+        others: Each other person's position by absolute time, and the metres to keep from them.
         step: Waits are multiples of this many seconds, at most eleven of them.
 
     Returns:
-        Seconds to wait, and the gap beyond the wanted distance (negative: nobody can pass; the best wait).
+        Seconds to wait, and the metres of gap beyond the wanted distance (negative: nobody can pass; the best wait).
     """
     moments = np.arange(0.0, duration + 0.1, 0.1)
     walk = [track(float(moment)) for moment in moments]

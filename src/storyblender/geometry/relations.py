@@ -18,9 +18,9 @@ PENETRATION_TOLERANCE = 0.02
 CONTACT_DISTANCE = 0.05
 """Metres within which two things touch."""
 DIRECTION_TOLERANCE = math.radians(45)
-"""How far a direction may be off."""
+"""Radians that a yaw may deviate from a direction, either way."""
 BEARING_TOLERANCE = math.radians(45)
-"""How far a bearing may be off, either way."""
+"""Radians that a bearing may deviate from a relationship, either way."""
 
 BEARING: dict[str, float] = {
     "on_the_right_of": 0.0,
@@ -28,14 +28,14 @@ BEARING: dict[str, float] = {
     "on_the_left_of": math.pi,
     "in_front_of": -math.pi / 2,
 }
-"""Where the thing lies as seen from its anchor, radians from +X."""
+"""Bearing of a thing from its anchor in the world, radians counter-clockwise from +X."""
 DIRECTION_TURN: dict[str, float] = {
     "facing": 0.0,
     "facing_away": math.pi,
     "left_side_facing": -math.pi / 2,
     "right_side_facing": math.pi / 2,
 }
-"""Added to the yaw that faces the anchor. A thing's own left is at +90 degrees of its front."""
+"""Radians added to the yaw that faces the anchor. A thing's own left is at +90 degrees of its front."""
 
 Kind = Literal[
     "direction",
@@ -61,7 +61,7 @@ class Room(NamedTuple):
 
 
 class Surface(NamedTuple):
-    """A rectangle on an anchor where things may stand, in the anchor's own frame."""
+    """A rectangle on an anchor where things may stand: centre, height and extent in the anchor's own frame, metres."""
 
     x: float
     y: float
@@ -76,14 +76,14 @@ class Thing:
 
     Attributes:
         name: Its node_id.
-        box: Where it is.
+        box: Its box in the world.
         anchor: Name of the thing it relates to. An anchor with neither relationship nor direction lets the two
             overlap: the thing is under it, in it or seated on it, and is carried along.
         relationship: One of the paper's five, seen from -Y.
         contact: True must touch, False must not, None is free.
-        direction: Which of its sides looks to the anchor.
+        direction: A key of ``DIRECTION_TURN``: the side of the thing that looks to the anchor.
         surface: For ``on_top_of``: where on the anchor it stands; None takes the top of the anchor's box.
-        mass: How much it resists being pushed.
+        mass: Resistance to being pushed, relative to 1.
         fixed: Never moves.
         walks: A person: lanes are kept free for them, not from them.
         floats: Its height is meant (on a wall, from the ceiling): no floor check.
@@ -127,14 +127,14 @@ def may_overlap_anchor(thing: Thing) -> bool:
 
 
 def surface_of(thing: Thing, anchor: Thing) -> Surface:
-    """Return where on its anchor the thing stands."""
+    """Return the surface of the anchor on which the thing stands, in the anchor's frame."""
     if thing.surface is not None:
         return thing.surface
     return Surface(0.0, 0.0, anchor.box.height, anchor.box.width, anchor.box.depth)
 
 
 def carrier(thing: Thing, by_name: Mapping[str, Thing]) -> Thing | None:
-    """Return what carries the thing along when moved: its support, its seat, or nothing."""
+    """Return the thing that moves this one along with it: its support or its seat; None without one."""
     if thing.anchor is not None and (thing.relationship == "on_top_of" or may_overlap_anchor(thing)):
         return by_name.get(thing.anchor)
     return None
@@ -151,12 +151,12 @@ def carriers(thing: Thing, by_name: Mapping[str, Thing]) -> list[Thing]:
 
 
 def cannot_move(thing: Thing, by_name: Mapping[str, Thing]) -> bool:
-    """Return whether a thing is fixed, or carried by what is: who sits in a boat at a quay is off the quay."""
+    """Return whether a thing is fixed or carried by a fixed thing, such as a person seated in a moored boat."""
     return thing.fixed or any(support.fixed for support in carriers(thing, by_name))
 
 
 def exempt_pairs(things: Iterable[Thing], by_name: Mapping[str, Thing]) -> set[tuple[str, str]]:
-    """Return the ordered name pairs that may overlap: whatever carries, directly or not, and what it carries."""
+    """Return the ordered name pairs that may overlap: each thing with its direct and indirect carriers."""
     pairs: set[tuple[str, str]] = set()
     for thing in things:
         for support in carriers(thing, by_name):
@@ -166,23 +166,23 @@ def exempt_pairs(things: Iterable[Thing], by_name: Mapping[str, Thing]) -> set[t
 
 
 def bearing_error(thing: Box, anchor: Box, relationship: str) -> float:
-    """Return how far the bearing is from the middle of its sector, radians, counter-clockwise positive."""
+    """Return the deviation of a bearing from the middle of its sector, radians, counter-clockwise positive."""
     return wrap_angle(math.atan2(thing.y - anchor.y, thing.x - anchor.x) - BEARING[relationship])
 
 
 def wanted_yaw(thing: Box, anchor: Box, direction: str) -> float:
-    """Return the yaw that satisfies a direction exactly, radians."""
+    """Return the yaw in radians (0 faces -Y) that satisfies a direction exactly."""
     return yaw_along(anchor.x - thing.x, anchor.y - thing.y) + DIRECTION_TURN[direction]
 
 
 def distance_outside(box: Box, room: Room) -> float:
-    """Return how far the box sticks out of the room, metres."""
+    """Return the largest distance in metres by which a box sticks out of the room; 0 inside."""
     rx, ry = box.reach((1.0, 0.0)), box.reach((0.0, 1.0))
     return max(room.x_min - box.x + rx, box.x + rx - room.x_max, room.y_min - box.y + ry, box.y + ry - room.y_max, 0.0)
 
 
 def overhang_distance(thing: Thing, anchor: Thing) -> float:
-    """Return how far the centre of a thing lies beyond the surface it stands on, metres."""
+    """Return the metres from the surface's edge to the centre of a thing on it; negative if the centre is on it."""
     surface = surface_of(thing, anchor)
     u, v = anchor.box.to_local(thing.box.x, thing.box.y)
     return max(abs(u - surface.x) - surface.width / 2, abs(v - surface.y) - surface.depth / 2)
@@ -311,7 +311,7 @@ def _move_out(box: Box, other: Box) -> dict[str, float]:
 
 
 def clamp_into_room(box: Box, room: Room) -> tuple[float, float]:
-    """Return the nearest centre at which the box is inside the room; the middle where it is too big."""
+    """Return the nearest centre (world x and y) of a box inside the room; the middle where it is too big."""
     rx, ry = box.reach((1.0, 0.0)), box.reach((0.0, 1.0))
     return _clamp(box.x, room.x_min + rx, room.x_max - rx), _clamp(box.y, room.y_min + ry, room.y_max - ry)
 
@@ -321,7 +321,7 @@ def _clamp(value: float, low: float, high: float) -> float:
 
 
 def shift_onto_surface(thing: Thing, anchor: Thing) -> tuple[float, float]:
-    """Return the world shift that brings the whole footprint onto the surface, or its centre where it is too big."""
+    """Return the world shift (dx, dy) of a footprint onto its surface, or of its centre where it is too big."""
     surface, box, base = surface_of(thing, anchor), thing.box, anchor.box
     u, v = base.to_local(box.x, box.y)
     turn = box.yaw - base.yaw
@@ -334,7 +334,10 @@ def shift_onto_surface(thing: Thing, anchor: Thing) -> tuple[float, float]:
 
 
 def slide_to_gap(box: Box, base: Box, gap: float, bearing: float) -> tuple[float, float]:
-    """Return the centre on the ray from the anchor through the box at which their gap is ``gap`` metres."""
+    """Return the centre (world x and y) at which the gap of a box to its anchor is ``gap`` metres.
+
+    It is on the ray from the anchor through the box; ``bearing`` (radians from +X) serves where both are one point.
+    """
     dx, dy = box.x - base.x, box.y - base.y
     apart = math.hypot(dx, dy)
     ux, uy = (dx / apart, dy / apart) if apart > 1e-3 else (math.cos(bearing), math.sin(bearing))

@@ -1,4 +1,4 @@
-"""Finds where people sit and lie on any shape: level places at the right height, and what rises behind them. Pure.
+"""Finds seats and beds on any shape: level places at the right height, and the back that rises behind them. Pure.
 
 The shape comes as a field of level places, as rays from above meet them. Metres, Z up; nothing is known of its front.
 """
@@ -18,7 +18,7 @@ from storyblender.memory.asset_sheet import Anchor
 
 Floats = NDArray[np.float64]
 Use = Literal["seat", "bed", "other", ""]
-"""What a thing is for, by its name; empty where the name says nothing."""
+"""Use of a thing by its name; empty where the name says nothing."""
 
 SEAT_HEIGHTS = {"seat": (0.2, 0.9), "": (0.3, 0.62)}
 """Metres of the sitting surface, for what is called a seat and for what has no known name."""
@@ -27,12 +27,14 @@ _MIN_HEADROOM = 0.85
 """Metres free above a seat or a bed. A back is lower than that above the seat's own board, which may go on under it."""
 _MAX_SEAM = 0.045
 """Metres between slats that one sits across."""
-_SEAT_LEAST, _SEAT_AREA = 0.2, 0.045
-"""Metres across and square metres of the smallest seat."""
+_SEAT_LEAST = 0.2
+"""Metres across the smallest seat."""
+_SEAT_AREA = 0.045
+"""Square metres of the smallest seat."""
 _SEAT_UNEVENNESS, _SOFT_BED = 0.09, 0.2
 """Metres that one seat or bed may vary in height: cushions, blankets and pillows."""
 _SITTER_WIDTH = 0.52
-"""Metres that each of several sitters takes."""
+"""Metres of width for each of several sitters."""
 _MAX_SEAT_DEPTH = 0.6
 """Metres: largest distance of a sitting point from the seat's front edge."""
 _BED = (0.55, 1.25)
@@ -91,12 +93,12 @@ class Rest:
 
 
 _FACING = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
-"""Where one faces with a back on each side."""
+"""Unit direction that a sitter faces, by the side of the back (in the order of ``Rest.rises``)."""
 
 
 @dataclass(frozen=True)
 class Places:
-    """Where one sits or lies on a thing.
+    """Seats and beds of a thing.
 
     Attributes:
         anchors: Beds and seats; the first one tells which way it faces.
@@ -108,7 +110,7 @@ class Places:
 
 
 def find_seats(field: LevelGrid, use: Use, *, faces_front: bool = False) -> Places:
-    """Return the seats of a thing, side by side in one row; none if it is called something that is no seat.
+    """Return the seats of a thing, side by side in one row; nothing if its name is that of no seat.
 
     What has no known name must have a back to be sat on.
 
@@ -149,7 +151,7 @@ def _seat_row(rest: Rest, back: int) -> Iterator[Anchor]:
 
 
 def find_bed(field: LevelGrid, use: Use) -> Places:
-    """Return where one lies, and the long edges to sit on; none if a thing is called something that is no bed.
+    """Return the bed of a thing and the seats on its long edges; nothing if its name is that of no bed.
 
     What has no known name must have a headboard and a bed's size.
     """

@@ -1,4 +1,4 @@
-"""Where one sits on a thing: on its own seats, else on the edge of what is as high as a seat. Pure."""
+"""Finds the seats of a thing: its own, else the front edge of a thing as high as a seat. Pure."""
 
 from __future__ import annotations
 

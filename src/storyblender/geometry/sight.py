@@ -11,12 +11,12 @@ from storyblender.geometry.boxes import Box
 
 
 def find_hidden(boxes: Sequence[Box], eye: ArrayLike, points: ArrayLike, spare: float = 0.0) -> NDArray[np.bool_]:
-    """Return which of (n, 3) world points stand behind a box, as seen from the eye.
+    """Return (n,) whether each of (n, 3) world points is behind a box, as seen from the eye.
 
     Args:
-        boxes: What may stand in the way.
-        eye: World metres.
-        points: What is looked at, world metres.
+        boxes: Boxes that may stand in the way.
+        eye: (3,) world metres.
+        points: (n, 3) world metres.
         spare: Metres before each point that do not count: what it sits on or leans at does not hide it.
     """
     start, ends = np.asarray(eye, float), np.atleast_2d(np.asarray(points, float))

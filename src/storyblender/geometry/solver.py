@@ -49,11 +49,11 @@ _SLACK = 0.005
 
 @dataclass(frozen=True)
 class Solution:
-    """What the solver ends with.
+    """Result of the solver.
 
     Attributes:
         things: In the order given.
-        residual: What is still broken; empty if solved.
+        residual: Constraints still broken; empty if solved.
         passes: Gauss-Seidel passes over all restarts.
         relocations: Things set down elsewhere.
     """
@@ -81,10 +81,10 @@ def solve(
     """Move and turn things until every constraint holds; the same input and seed give the same layout.
 
     Args:
-        things: Where they are wished; they are not changed.
+        things: Things at their wished places; they are not changed.
         room: The playing area.
         keep_free: Volumes that things stay out of (lanes, door swings).
-        seed: For relocation and restarts.
+        seed: Seed of the random draws of relocation and restarts.
         restarts: Fresh starts from the wished places, roots drawn towards the middle.
         passes: Limit of each start; the first gives up at half of it.
     """

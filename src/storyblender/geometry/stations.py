@@ -55,9 +55,9 @@ class Station:
     """A candidate place for a person.
 
     Attributes:
-        x: Metres.
-        y: Metres.
-        yaw: Radians.
+        x: World x, metres.
+        y: World y, metres.
+        yaw: Radians, counter-clockwise; 0 faces -Y, the audience.
         dislike: Cost, as the metres of detour that are worth avoiding this place.
         z: Height of the feet above the floor, metres.
     """
@@ -119,13 +119,13 @@ def _on_half(anchor: Box, place: Station, aside: float) -> Station:
 
 
 def turn_towards_audience(yaw: float, most: float = _CHEAT) -> float:
-    """Return a yaw turned towards the audience by at most ``most`` radians."""
+    """Return a yaw (radians, 0 faces the audience at -Y) turned towards the audience by at most ``most`` radians."""
     yaw = wrap_angle(yaw)
     return yaw - max(-most, min(most, yaw))
 
 
 def back_to_audience(yaw: float) -> float:
-    """Return 0 for a yaw that faces the audience or shows a profile, up to 1 for one that shows the back."""
+    """Return the share of the back that the audience sees: 0 from front to profile, 1 from behind; yaw in radians."""
     return max(0.0, -math.cos(yaw))
 
 

@@ -1,4 +1,4 @@
-"""Where on a piece of furniture a thing can stand: the desk, not the edge of its mirror (notes: engine, section 2)."""
+"""Finds the place of a thing on furniture: on the desk, not on the edge of its mirror (notes: engine, section 2)."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Top(NamedTuple):
 
 
 class Taken(NamedTuple):
-    """Something that already stands on the asset: centre and extent in its frame, and its bottom."""
+    """A thing that already stands on the asset: centre, bottom and extent in the asset's frame, metres."""
 
     x: float
     y: float
@@ -36,7 +36,7 @@ class Taken(NamedTuple):
 
 
 class Perch(NamedTuple):
-    """The chosen place, in the asset's frame."""
+    """The chosen place: centre in the asset's frame, metres; coverage as a share of the footprint, 0..1."""
 
     surface: Surface
     x: float
@@ -59,9 +59,9 @@ def choose_perch(
 
     Args:
         tops: The asset's surfaces.
-        size: Width, depth and height of the thing.
-        wish: Where it is wanted, in the asset's frame.
-        taken: What already stands there.
+        size: Width, depth and height of the thing, metres.
+        wish: Wanted centre in the asset's frame, metres.
+        taken: Things that already stand there.
     """
     fitting: list[tuple[float, float, Top, bool]] = []
     for top in tops:
