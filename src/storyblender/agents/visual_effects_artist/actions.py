@@ -48,7 +48,7 @@ class Actions:
         self.deeds, self.hands = Deeds(company, self.ends), Handling(company, sheet)
         self.meetings = Meetings(company, sheet, self.hands)
 
-    def act(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
+    def add_action(self, action: CharacterAction, person: Person, later: Sequence[CharacterAction]) -> None:
         """Write one action that is not a speech."""
         prop = self.deeds.prop_of(action, person)
         motion, partner = self.deeds.with_whom(action, person, prop)
@@ -56,10 +56,10 @@ class Actions:
             return  # the door swings for who comes in
         if motion.key in ("idle", "stand"):
             if action.motion == "stand" and not person.upright:
-                start = self.sheet.start_of(person)
-                self.sheet.done(person, start, self.sheet.rise(person, start))
+                start = self.sheet.earliest_start(person)
+                self.sheet.finish_action(person, start, self.sheet.stand_up(person, start))
             return
-        if motion.key in ("jump", "climb") and self._get_over(action, motion, person):
+        if motion.key in ("jump", "climb") and self._get_over_or_onto(action, motion, person):
             return
         if motion.key == "put_down" and partner is not None and prop is None:
             return  # who was lifted has been put down
@@ -69,17 +69,17 @@ class Actions:
         if motion.speed is not None:
             self._travel(action, motion, person, partner, later)
         elif motion.key in ("sit", "lie_down", "lean", "kneel", "crouch", "hide", "fall", "rise", "sleep"):
-            self._pose(action, motion, person, partner)
+            self._take_posture(action, motion, person, partner)
         elif partner is not None and (motion.reach == "person" or motion.key in WITH_PARTNER):
             if motion.key == "give" and prop is not None and not person.hand_of(prop):
                 self.hands.fetch_prop(person, prop)
             self.meetings.meet(action, motion, person, partner, prop, later)
-        elif prop is not None and motion.hands and not self._worked_on(action, motion, person, prop):
-            self._use(action, motion, person, prop, later)
+        elif prop is not None and motion.hands and not self._is_worked_on_in_place(action, motion, person, prop):
+            self._use_prop(action, motion, person, prop, later)
         elif motion.reach == "thing" or motion.key in ("jump", "touch"):
-            self._at_thing(action, motion, person)
+            self._act_at_thing(action, motion, person)
         else:
-            self._sign(action, motion, person, partner)
+            self._act_on_the_spot(action, motion, person, partner)
 
     def _travel(
         self,
@@ -89,15 +89,15 @@ class Actions:
         partner: Person | None,
         later: Sequence[CharacterAction],
     ) -> None:
-        start = self.sheet.start_of(person)
+        start = self.sheet.earliest_start(person)
         riding = motion.key in ("drive", "ride")
         out = None if riding else leaving_station(self.company, person, action)
         if out is not None:
             vehicle, door = out
             person.posture, person.support, person.anchor = "stand", None, ""
-            self.sheet.start_at(person, (door.x, door.y), door.yaw + math.pi)
+            self.sheet.move_start_mark(person, (door.x, door.y), door.yaw + math.pi)
             if self.company.floor.thing(action.target_id) is vehicle:
-                self.sheet.done(person, start, start + 0.8)
+                self.sheet.finish_action(person, start, start + 0.8)
                 return
         sits_next = any(
             a.asset_id == person.asset_id and a.target_id == action.target_id and clip_of(a.motion).key == "sit"
@@ -108,7 +108,7 @@ class Actions:
         )
         own = [clip_of(a.motion) for a in later if a.asset_id == person.asset_id]
         goes_over = bool(own) and (own[0].speed is not None or own[0].key in ("jump", "climb"))
-        meets_next = bool(own) and own[0].reach == "person" and self._next_of(person, later) == action.target_id
+        meets_next = bool(own) and own[0].reach == "person" and self._next_target(person, later) == action.target_id
         if (
             sits_next
             or (partner is not None and meets_next)
@@ -117,20 +117,20 @@ class Actions:
             person.pace = motion.key
             return
         if partner is None and not action.target_id:
-            partner = self._met_later(person, later)
-        goal, yaw = self.sheet.goal(action, person, partner, motion.speed or 0.0)
-        told = None if goes_on else self._told_end(person)
+            partner = self._find_person_met_later(person, later)
+        goal, yaw = self.sheet.find_goal(action, person, partner, motion.speed or 0.0)
+        told = None if goes_on else self._station_at_end(person)
         if told is not None:
             goal, yaw = (told.x, told.y), told.yaw
-        end = self.sheet.go(person, goal, yaw, start, motion.key)
+        end = self.sheet.walk_to(person, goal, yaw, start, motion.key)
         if told is not None and told.z != person.z:
-            end = self.sheet.lifted(person, told.z, end)
+            end = self.sheet.raise_arrival(person, told.z, end)
         state = self.ends.get(person.asset_id)
         if told is not None and state is not None and state.posture in SEATED:
-            end = self.sheet.cue(person, "bend", end, 0.8)  # the head first, through the open door
-        self.sheet.done(person, start, end)
+            end = self.sheet.add_cue(person, "bend", end, 0.8)  # the head first, through the open door
+        self.sheet.finish_action(person, start, end)
 
-    def _told_end(self, person: Person) -> Station | None:
+    def _station_at_end(self, person: Person) -> Station | None:
         """Return the station of a standing person at the end of the shot, if the script gives one."""
         state = self.ends.get(person.asset_id)
         if state is not None and state.posture in SEATED and person.upright:
@@ -140,7 +140,7 @@ class Actions:
         person.spot = state.spot
         return self.company.places.station(person, state.spot)
 
-    def _met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
+    def _find_person_met_later(self, person: Person, later: Sequence[CharacterAction]) -> Person | None:
         """Return to whom a way leads that is told without an end: ``crosses the floor and embraces her``.
 
         Who has no place of their own on the set goes to whom they then speak to.
@@ -155,14 +155,14 @@ class Actions:
                 return partner
         return None
 
-    def _next_of(self, person: Person, later: Sequence[CharacterAction]) -> str | None:
+    def _next_target(self, person: Person, later: Sequence[CharacterAction]) -> str | None:
         """Return what a person's next action is about."""
         return next((a.target_id for a in later if a.asset_id == person.asset_id), None)
 
-    def _get_over(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
-        return self._get_onto(action, motion, person) or self._cross(action, motion, person)
+    def _get_over_or_onto(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
+        return self._get_onto_thing(action, motion, person) or self._cross_thing(action, motion, person)
 
-    def _get_onto(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
+    def _get_onto_thing(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
         """Climb or leap onto a thing if the person's spot at the end of the shot is on it; tell whether that is so."""
         state, floor = self.ends.get(person.asset_id), self.company.floor
         thing = floor.thing(action.target_id, person.place)
@@ -170,64 +170,64 @@ class Actions:
             return False
         if floor.thing(state.spot.anchor_id, person.place) is not thing:
             return False
-        start = self.sheet.start_of(person)
+        start = self.sheet.earliest_start(person)
         if self.company.places.seat(person, state) is not None:
-            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.scale))
+            self._sit_down(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.scale))
             return True
         top = self.company.places.station(person, state.spot)
         if top is None or top.z <= 0:
             return False
         foot = floor.free_near(thing.rim(person.place), person.scale, self.company.others(person))
-        t = self.sheet.go(person, foot, facing(foot, (top.x, top.y)), start)
+        now = self.sheet.walk_to(person, foot, facing(foot, (top.x, top.y)), start)
         person.spot, person.place, person.yaw, person.z, person.acted = state.spot, (top.x, top.y), top.yaw, top.z, True
         seconds = natural_seconds(MOTIONS[motion.key])
-        end = self.sheet.cue(person, motion.key, t, seconds, mark=person.mark(), target_id=thing.node_id)
-        self.sheet.done(person, start, end)
+        end = self.sheet.add_cue(person, motion.key, now, seconds, mark=person.mark(), target_id=thing.node_id)
+        self.sheet.finish_action(person, start, end)
         return True
 
-    def _cross(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
+    def _cross_thing(self, action: CharacterAction, motion: Motion, person: Person) -> bool:
         """Leap or climb over a thing, or into a boat; tell whether there is one to get over."""
         floor = self.company.floor
         thing = floor.things.get(getattr(floor.thing(action.target_id), "node_id", ""))
         if thing is None:
             return False
-        start = self.sheet.start_of(person)
+        start = self.sheet.earliest_start(person)
         if is_vessel(thing):
-            self._sit(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.scale))
+            self._sit_down(action, person, start, natural_seconds(MOTIONS["sit"], stature=1.7 * person.scale))
             return True
         way = across(floor, thing, person.place, person.scale, self.company.others(person))
         if way is None:
             return False
-        t = self.sheet.go(person, way.near, facing(way.near, way.far), start)
-        self.sheet.done(person, start, self.sheet.cross(person, way, t, motion.key, thing.node_id))
+        now = self.sheet.walk_to(person, way.near, facing(way.near, way.far), start)
+        self.sheet.finish_action(person, start, self.sheet.cross_obstacle(person, way, now, motion.key, thing.node_id))
         return True
 
-    def _pose(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
-        start = self.sheet.start_of(person)
+    def _take_posture(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
+        start = self.sheet.earliest_start(person)
         length = natural_seconds(motion, stature=1.7 * person.scale)
         thing = self.company.floor.thing(action.target_id)
         if motion.key == "rise":
-            self.sheet.done(person, start, self.sheet.rise(person, start))
+            self.sheet.finish_action(person, start, self.sheet.stand_up(person, start))
             return
         if motion.key == "sit":
-            self._sit(action, person, start, length)
+            self._sit_down(action, person, start, length)
             return
         if motion.key in ("lie_down", "sleep"):
-            self._lie(action, motion, person, start, length)
+            self._lie_down(action, motion, person, start, length)
             return
-        t = start
+        now = start
         if motion.key == "lean" and thing is not None and thing.size[2] > 0.6:
             before = person.place, person.yaw
             self.company.go_to_rail(person, thing)
             goal, yaw = person.place, person.yaw
             person.place, person.yaw, person.support = before[0], before[1], None
-            t = self.sheet.go(person, goal, yaw, t)
+            now = self.sheet.walk_to(person, goal, yaw, now)
             person.support = thing.node_id
         elif partner is not None and motion.key == "kneel":
             spot, toward = self.meetings.knees_to(person, partner)
-            t = self.sheet.go(person, spot, facing(spot, toward), t)
+            now = self.sheet.walk_to(person, spot, facing(spot, toward), now)
         else:
-            t = self.sheet.rise(person, t)
+            now = self.sheet.stand_up(person, now)
             if motion.after is not None:
                 room = room_for(
                     self.company.floor,
@@ -237,25 +237,25 @@ class Actions:
                     person.scale,
                     self.company.others(person),
                 )
-                t = self._gone_to(person, *room, t)
+                now = self._move_to_room(person, *room, now)
         person.posture = motion.after or person.posture
         mark = person.mark() if motion.key == "lean" else None
-        end = self.sheet.cue(person, motion.key, t, length, mark=mark, mood=action.mood)
+        end = self.sheet.add_cue(person, motion.key, now, length, mark=mark, mood=action.mood)
         if motion.key == "fall":
             for prop in list(person.held.values()):
                 self.company.lay(person, prop, (*person.place, 0.0))
-        self.sheet.done(person, start, end)
+        self.sheet.finish_action(person, start, end)
 
-    def _gone_to(self, person: Person, place: Vec2, yaw: float, t: float) -> float:
+    def _move_to_room(self, person: Person, place: Vec2, yaw: float, now: float) -> float:
         """Be where there is room for what comes: from the start, else by walking; return the end."""
         if math.dist(place, person.place) < STEP and abs(shortest_turn(person.yaw, yaw)) < math.radians(5):
-            return t
+            return now
         if person.acted or person.entering:
-            return self.sheet.go(person, place, yaw, t)
-        self.sheet.start_at(person, place, yaw)
-        return t
+            return self.sheet.walk_to(person, place, yaw, now)
+        self.sheet.move_start_mark(person, place, yaw)
+        return now
 
-    def _sit(self, action: CharacterAction, person: Person, start: float, length: float) -> None:
+    def _sit_down(self, action: CharacterAction, person: Person, start: float, length: float) -> None:
         name = action.target_id if self.company.floor.seats(action.target_id) else None
         told = self.ends.get(person.asset_id)
         seat = self.company.places.seat(person, told) if told is not None else None
@@ -264,7 +264,7 @@ class Actions:
         person.spot = told.spot if told is not None else None
         if person.posture == "sit" and (seat is None or seat.node_id == person.support):
             return
-        t = start
+        now = start
         if seat is not None:
             before = self.company.floor.access(seat, person.scale)
             blocked = self.company.floor.room_at(before, (seat.node_id,)) < 0.5 * BODY * person.scale
@@ -272,45 +272,45 @@ class Actions:
             if way is None and not person.acted and not seat_aboard(self.company.floor, seat):
                 self.company.take_seat(person, seat)
                 self.sheet.starts[person.asset_id] = person.mark(held=self.sheet.starts[person.asset_id].held)
-                self.sheet.cheat(person, "is seated when the shot begins: the seat cannot be walked to")
+                self.sheet.note_cheat(person, "is seated when the shot begins: the seat cannot be walked to")
                 return
             length += SLIDE if math.dist(before, seat.before(person.scale)) > 0.12 else 0.0
-            t = self.sheet.go(person, before, seat.yaw, t, then=length)
+            now = self.sheet.walk_to(person, before, seat.yaw, now, then=length)
             self.company.take_seat(person, seat)
         else:
-            t = self.sheet.rise(person, t)
+            now = self.sheet.stand_up(person, now)
             person.posture, person.support, person.anchor = "sit", None, ""
-        self.sheet.done(
-            person, start, self.sheet.cue(person, "sit", t, length, mark=person.mark(), target_id=person.support)
+        self.sheet.finish_action(
+            person, start, self.sheet.add_cue(person, "sit", now, length, mark=person.mark(), target_id=person.support)
         )
 
-    def _lie(self, action: CharacterAction, motion: Motion, person: Person, start: float, length: float) -> None:
+    def _lie_down(self, action: CharacterAction, motion: Motion, person: Person, start: float, length: float) -> None:
         asleep: Posture = "asleep" if motion.key == "sleep" else "lie"
         if person.posture in SEATED and (motion.key == "sleep" or person.posture != "sit"):
             person.posture = "asleep" if motion.key == "sleep" else person.posture
-            self.sheet.done(person, start, self.sheet.cue(person, motion.key, start, 1.2))
+            self.sheet.finish_action(person, start, self.sheet.add_cue(person, motion.key, start, 1.2))
             return
         before, yaw, posture = person.place, person.yaw, person.posture
         self.company.go_to_bed(person, action.target_id, asleep)
         bed = person.mark()
-        t = start
+        now = start
         if person.support is None and math.dist(before, person.place) > STEP:
             person.place, person.yaw, person.posture = before, yaw, posture
-            t = self._gone_to(person, bed.location[:2], math.radians(bed.yaw), t)
+            now = self._move_to_room(person, bed.location[:2], math.radians(bed.yaw), now)
             person.posture = asleep
         elif person.support is not None:
             posture, support, anchor = person.posture, person.support, person.anchor
             edge = SeatPlace(support, anchor, person.place, person.yaw)
             person.place, person.posture, person.support = before, "stand", None
-            t = self.sheet.go(person, edge.before(person.scale), edge.yaw, t)
+            now = self.sheet.walk_to(person, edge.before(person.scale), edge.yaw, now)
             person.place, person.yaw = edge.edge, edge.yaw
             person.posture, person.support, person.anchor = posture, support, anchor
-        end = self.sheet.cue(person, "lie_down", t, natural_seconds(MOTIONS["lie_down"]), mark=bed)
+        end = self.sheet.add_cue(person, "lie_down", now, natural_seconds(MOTIONS["lie_down"]), mark=bed)
         if motion.key == "sleep":
-            end = self.sheet.cue(person, "sleep", end, length)
-        self.sheet.done(person, start, end)
+            end = self.sheet.add_cue(person, "sleep", end, length)
+        self.sheet.finish_action(person, start, end)
 
-    def _use(
+    def _use_prop(
         self, action: CharacterAction, motion: Motion, person: Person, prop: str, later: Sequence[CharacterAction]
     ) -> None:
         """Do something with a prop; what somebody else holds is taken from them."""
@@ -320,10 +320,10 @@ class Actions:
         else:
             self.hands.handle_prop(action, motion, person, prop, later)
 
-    def _at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
+    def _act_at_thing(self, action: CharacterAction, motion: Motion, person: Person) -> None:
         """Go to a door, a window, a table and work there."""
-        start = self.sheet.start_of(person)
-        t, thing = start, self.company.floor.thing(action.target_id, person.place)
+        start = self.sheet.earliest_start(person)
+        now, thing = start, self.company.floor.thing(action.target_id, person.place)
         if thing is not None and person.upright:
             point = thing.rim(person.place)
             handle = next(iter(thing.of_kind("handle")), None)
@@ -334,43 +334,43 @@ class Actions:
                 spot = floor.spot_at(point, person.place, person.scale, others, 0.55)
                 spot = spot or floor.spot_at(point, person.place, person.scale, others, REACH)
                 if spot is not None:
-                    t = self.sheet.go(person, spot, facing(spot, point), t)
-            t = self.sheet.face(person, facing(person.place, point), t)
+                    now = self.sheet.walk_to(person, spot, facing(spot, point), now)
+            now = self.sheet.turn_to_yaw(person, facing(person.place, point), now)
         target = thing.node_id if thing is not None else None
-        end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=target, mood=action.mood)
-        self.sheet.done(person, start, end)
+        end = self.sheet.add_cue(person, motion.key, now, natural_seconds(motion), target_id=target, mood=action.mood)
+        self.sheet.finish_action(person, start, end)
 
-    def _worked_on(self, action: CharacterAction, motion: Motion, person: Person, prop: str) -> bool:
+    def _is_worked_on_in_place(self, action: CharacterAction, motion: Motion, person: Person, prop: str) -> bool:
         """Tell whether a thing is worked on where it lies, and is no tool: cut bread, a stirred pot."""
         size = self.company.size_of(prop)
         desk_set = motion.key == "phone" and size is not None and size[1] > HANDSET
         patient = action.prop_id in (None, action.target_id) and motion.reach == "thing" and motion.key in ACTS
         return (patient or desk_set) and not person.hand_of(prop) and prop in self.company.lying
 
-    def _sign(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
+    def _act_on_the_spot(self, action: CharacterAction, motion: Motion, person: Person, partner: Person | None) -> None:
         """Looks, gestures and everything one does on the spot."""
-        t = start = self.sheet.start_of(person)
+        now = start = self.sheet.earliest_start(person)
         thing = self.company.floor.thing(action.target_id, person.place)
         if motion.key in ASIDE:
             partner = thing = None
         if partner is not None:
-            t = self.sheet.face_person(person, partner, t)
+            now = self.sheet.turn_to_person(person, partner, now)
         elif thing is not None and person.upright:
             yaw = facing(person.place, thing.location[:2])
             if abs(shortest_turn(person.yaw, yaw)) > math.radians(70):
-                t = self.sheet.face(person, yaw, t)
+                now = self.sheet.turn_to_yaw(person, yaw, now)
         elif motion.key == "turn":
-            self.sheet.done(person, start, self.sheet.face(person, person.yaw + math.pi, t))
+            self.sheet.finish_action(person, start, self.sheet.turn_to_yaw(person, person.yaw + math.pi, now))
             return
         if motion.key == "turn":
-            self.sheet.done(person, start, max(t, start + 0.3))
+            self.sheet.finish_action(person, start, max(now, start + 0.3))
             return
         target = partner.asset_id if partner else thing.node_id if thing else self.company.prop_of(action)
-        end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), target_id=target, mood=action.mood)
+        end = self.sheet.add_cue(person, motion.key, now, natural_seconds(motion), target_id=target, mood=action.mood)
         if motion.key == "wake" and person.posture == "asleep":
             person.posture = (
                 "sit"
                 if self.company.floor.seats(person.support) and not self.company.floor.beds(person.support)
                 else "lie"
             )
-        self.sheet.done(person, start, end)
+        self.sheet.finish_action(person, start, end)

@@ -1,4 +1,8 @@
-"""The cue sheet of one shot: cues on a clock, and where people go in the time there is. Pure."""
+"""The cue sheet of one shot: its cues, and the walks of people in the time there is. Pure.
+
+Times are seconds of the shot. Places are in metres in the set; yaws are in radians, counter-clockwise, and 0 faces the
+audience at -Y.
+"""
 
 from __future__ import annotations
 
@@ -19,37 +23,39 @@ from storyblender.memory.vocabulary import Hand
 TALK_DISTANCE = 1.15
 """Metres between two people who talk; 1.0 to 1.4 reads as talking."""
 PROFILE = math.radians(48)
-"""Two who meet stand within this angle of the audience's plane, so that neither hides the other."""
-STRETCH, EXTRA = 1.5, 9.0
-"""A shot may grow to so many times the Director's length, or by so many seconds, before ways are cut short."""
-LAST = 8.0
-"""Seconds beyond that in which the last thing meant for a shot may still be done, or nobody would ever see it."""
+"""Radians: the line between two people who meet is within this angle of the picture plane, so that both are seen."""
+LONGEST_RATIO = 1.5
+"""A shot may grow to this many times the Director's length before walks are cut short."""
+LONGEST_EXTRA = 9.0
+"""Seconds by which a shot may grow in any case before walks are cut short."""
+LAST_ACTION = 8.0
+"""Seconds after that limit in which the last action of a shot may still be played."""
 HURRY = 1.5
-"""Who is short of time walks up to this many times as fast."""
+"""Largest factor by which a person who is short of time walks faster."""
 SLIDE = 0.75
 """Seconds to come between chair and table, or out."""
 BY_IT = 1.2
-"""Metres; who is that near to what they leave with or through goes on, out of the scene."""
+"""Metres from a thing within which a person who leaves with it or through it walks on, out of the scene."""
 ON_THE_MOVE = 1.6
-"""Seconds of a way that leads nowhere in particular."""
+"""Seconds of a walk without a goal in the script."""
 REACH = 0.62
 """Metres from which a standing person handles a thing."""
 
 
 class CueSheet:
-    """What happens in a shot, as it is being written.
+    """The cues of one shot, while they are being written.
 
     Args:
         company: People and props.
         seconds: The Director's length of the shot.
         fps: Frames per second.
-        leaving: Who is not on stage in the next shot.
-        starts: Everybody's start mark.
+        leaving: Asset ids of people who are not on stage in the next shot.
+        starts: Everybody's start mark, by asset id.
         props: Where the props are when the shot begins.
 
     Attributes:
         clock: Second from which the next action may begin.
-        cheats: What was cut short or moved.
+        cheats: Flaws that note what was cut short or moved.
     """
 
     def __init__(
@@ -67,22 +73,30 @@ class CueSheet:
         self.cheats: list[Flaw] = []
         self.clock = 0.2
 
-    def cheat(self, person: Person, what: str) -> None:
-        """Note that somebody does not do what was read as it was read, e.g. ``starts 2.0 m nearer``."""
+    def note_cheat(self, person: Person, what: str) -> None:
+        """Note how a person's action differs from the script; ``what`` follows the name: ``starts 2.0 m nearer``."""
         self.cheats.append(Flaw(kind="cheat", subject=person.asset_id, message=f"{person.asset_id} {what}"))
 
     @property
-    def limit(self) -> float:
-        """Seconds to which the shot may grow before ways are cut short."""
-        return max(STRETCH * self.length, self.length + EXTRA)
+    def soft_limit(self) -> float:
+        """Seconds to which the shot may grow before walks are cut short."""
+        return max(LONGEST_RATIO * self.length, self.length + LONGEST_EXTRA)
 
     @property
-    def latest(self) -> float:
-        """Seconds to which the shot may grow at all."""
-        return self.limit + LAST
+    def hard_limit(self) -> float:
+        """Seconds to which the shot may grow at most."""
+        return self.soft_limit + LAST_ACTION
 
-    def cue(self, person: Person, clip: str, start: float, length: float, **fields: object) -> float:
-        """Write a cue and keep the body busy with it; return its end."""
+    def add_cue(self, person: Person, clip: str, start: float, length: float, **fields: object) -> float:
+        """Write a cue; return the second of the shot at which it ends.
+
+        Args:
+            person: The person who acts.
+            clip: Key of the motion.
+            start: Second of the shot at which the cue starts.
+            length: Seconds; the length of a motion that cannot be stretched is not written.
+            fields: More fields of the cue.
+        """
         motion = MOTIONS[clip]
         duration = max(1, round(length * self.fps)) if motion.stretches else None
         values = {
@@ -94,20 +108,27 @@ class CueSheet:
         self.cues.append(Cue.model_validate({**values, **fields}))
         return start + length
 
-    def start_of(self, person: Person) -> float:
-        """Return when a person may begin the next action."""
+    def earliest_start(self, person: Person) -> float:
+        """Return the second of the shot from which a person may begin the next action."""
         return max(self.clock, person.busy)
 
-    def done(self, person: Person, start: float, end: float, *, holds: bool = False) -> None:
-        """The next action of somebody else may begin soon after this one began, or when it is over."""
+    def finish_action(self, person: Person, start: float, end: float, *, holds: bool = False) -> None:
+        """Keep a person busy to the end of an action, and set the clock for the next action of anybody.
+
+        Args:
+            person: The person who acts.
+            start: Second of the shot at which the action starts.
+            end: Second of the shot at which it ends.
+            holds: Whether the next action waits for the end, not only for the first 0.9 s.
+        """
         person.busy, person.acted = max(person.busy, end), True
         self.clock = max(self.clock, end if holds else start + min(0.9, end - start))
 
-    def rise(self, person: Person, t: float) -> float:
-        """Stand up first, where needed; return the end."""
+    def stand_up(self, person: Person, now: float) -> float:
+        """Let a person stand up from second ``now`` on, if they do not stand; return the second at which they stand."""
         if person.upright:
-            return t
-        end = self.cue(person, "rise", t, natural_seconds(MOTIONS["rise"], stature=1.7 * person.scale))
+            return now
+        end = self.add_cue(person, "rise", now, natural_seconds(MOTIONS["rise"], stature=1.7 * person.scale))
         if person.posture in ("lie", "asleep"):
             end += 1.6
         places = self.company.floor.seats(person.support, asked=True)
@@ -124,20 +145,20 @@ class CueSheet:
         person.posture, person.support, person.anchor, person.acted = "stand", None, "", True
         return end
 
-    def go(
-        self, person: Person, goal: Vec2, yaw: float | None, t: float, clip: str = "walk", then: float = 0.0
+    def walk_to(
+        self, person: Person, goal: Vec2, yaw: float | None, now: float, clip: str = "walk", then: float = 0.0
     ) -> float:
-        """Walk to a place within the time there is, starting nearer where the way is too long; return the end.
+        """Let a person walk to a place; return the second of the arrival. A walk too long for the shot starts nearer.
 
         Args:
-            person: Who.
-            goal: Where to.
+            person: The person.
+            goal: Place on the floor, metres in the set.
             yaw: Facing on arrival, radians; None keeps the heading.
-            t: Second of the shot.
-            clip: How: a motion that travels.
+            now: Second of the shot at which the person is ready.
+            clip: Key of a motion that travels.
             then: Seconds that the person needs after arriving.
         """
-        t = self._over_the_side(person, goal, self.rise(person, t))
+        now = self._leave_or_board_boat(person, goal, self.stand_up(person, now))
         if clip == "walk" and person.pace:
             clip, person.pace = person.pace, ""
         motion = MOTIONS[clip]
@@ -146,12 +167,12 @@ class CueSheet:
         floor = self.company.floor
         way = floor.path(person.place, goal, person.scale, people) or floor.path(person.place, goal, person.scale)
         if way is None:
-            return self.cut_to(person, goal, yaw, t)
+            return self.place_by_cut(person, goal, yaw, now)
         length = path_length(way)
         if length < 0.12:
-            return self.face(person, yaw, t)
+            return self.turn_to_yaw(person, yaw, now)
         person.z = 0.0
-        budget = max(1.8, self.limit - t - then - 0.4)
+        budget = max(1.8, self.soft_limit - now - then - 0.4)
         seconds = natural_seconds(motion, distance=length, stature=1.7 * person.scale)
         hurried = seconds > budget
         if hurried:
@@ -161,8 +182,8 @@ class CueSheet:
                 way = shorten_way(way, fits)
             elif not person.acted:
                 way = shorten_way(way[::-1], fits)[::-1]
-                self.start_at(person, way[0], facing(way[0], way[1]))
-                self.cheat(person, f"starts {length - path_length(way):.1f} m nearer")
+                self.move_start_mark(person, way[0], facing(way[0], way[1]))
+                self.note_cheat(person, f"starts {length - path_length(way):.1f} m nearer")
             length = path_length(way)
             natural = natural_seconds(motion, distance=length, stature=1.7 * person.scale)
             seconds = min(natural, max(budget, natural / HURRY))
@@ -171,11 +192,11 @@ class CueSheet:
         person.place, person.yaw = way[-1], last if yaw is None else yaw
         whole = seconds + sum(turning_seconds(math.degrees(turn), 1.7 * person.scale) for turn in turns)
         duration = round(whole * self.fps) if hurried else None
-        end = self.cue(person, clip, t, whole, mark=person.mark(), duration=duration)
+        end = self.add_cue(person, clip, now, whole, mark=person.mark(), duration=duration)
         person.acted = True
         return end
 
-    def lifted(self, person: Person, height: float, t: float) -> float:
+    def raise_arrival(self, person: Person, height: float, now: float) -> float:
         """End a person's last walk at a height in metres, such as on steps or a stage; return its end time."""
         person.z = height
         for index in range(len(self.cues) - 1, -1, -1):
@@ -185,34 +206,36 @@ class CueSheet:
                 raised = mark.model_copy(update={"location": (*mark.location[:2], round(height, 3))})
                 self.cues[index] = cue.model_copy(update={"mark": raised})
                 break
-        return t
+        return now
 
-    def cross(self, person: Person, way: Crossing, t: float, clip: str, thing: str) -> float:
-        """Leap or climb over a thing from where the way begins; return the end."""
+    def cross_obstacle(self, person: Person, way: Crossing, now: float, clip: str, thing: str) -> float:
+        """Let a person leap or climb (``clip``) over a thing (node id), from the near end of a way to its far end.
+
+        ``now`` and the return value are the seconds at which that starts and ends."""
         person.place, person.yaw, person.acted = way.far, facing(way.near, way.far), True
-        return self.cue(person, clip, t, natural_seconds(MOTIONS[clip]), mark=person.mark(), target_id=thing)
+        return self.add_cue(person, clip, now, natural_seconds(MOTIONS[clip]), mark=person.mark(), target_id=thing)
 
-    def _over_the_side(self, person: Person, goal: Vec2, t: float) -> float:
-        """Leave the boat one is in, or come aboard the one where one is going; return the end."""
+    def _leave_or_board_boat(self, person: Person, goal: Vec2, now: float) -> float:
+        """Let a person climb out of a boat, or into one at the goal; return the second at which that ends."""
         floor = self.company.floor
         here, there = vessel_at(floor, person.place), vessel_at(floor, goal)
         if here is there:
-            return t
+            return now
         if here is not None:
             way = aboard(floor, here, person.place, goal, person.scale)
-            t = self.cross(person, way.back, t, "climb", here.node_id) if way else t
+            now = self.cross_obstacle(person, way.back, now, "climb", here.node_id) if way else now
         if there is not None:
             way = aboard(floor, there, goal, person.place, person.scale)
             if way is not None:
-                t = self.go(person, way.near, facing(way.near, way.far), t)
-                t = self.cross(person, way, t, "climb", there.node_id)
-        return t
+                now = self.walk_to(person, way.near, facing(way.near, way.far), now)
+                now = self.cross_obstacle(person, way, now, "climb", there.node_id)
+        return now
 
-    def cut_to(self, person: Person, goal: Vec2, yaw: float | None, t: float) -> float:
-        """Nobody can walk there: be there from the start of the shot, if the person has not left their place in it."""
+    def place_by_cut(self, person: Person, goal: Vec2, yaw: float | None, now: float) -> float:
+        """Place a person without a walk, at the start of the shot if they have stayed so far, else at its end."""
         if not person.acted:
-            self.start_at(person, goal, person.yaw if yaw is None else yaw)
-            self.cheat(person, "is there when the shot begins: there is no way to walk")
+            self.move_start_mark(person, goal, person.yaw if yaw is None else yaw)
+            self.note_cheat(person, "is there when the shot begins: there is no way to walk")
         elif self._has_stayed(person):
             start = self.starts[person.asset_id]
             place = (round(goal[0], 3), round(goal[1], 3), 0.0)
@@ -221,15 +244,15 @@ class CueSheet:
                 if cue.mark is not None and cue.mark.asset_id == person.asset_id:
                     self.cues[index] = cue.model_copy(update={"mark": cue.mark.model_copy(update={"location": place})})
             person.place = goal
-            self.cheat(person, "is there when the shot begins: there is no way to walk")
-            return self.face(person, yaw, t)
+            self.note_cheat(person, "is there when the shot begins: there is no way to walk")
+            return self.turn_to_yaw(person, yaw, now)
         else:
             self.company.jumps[person.asset_id] = (goal, person.yaw if yaw is None else yaw)
-            self.cheat(person, "is there when the next shot begins: there is no way to walk")
-        return t
+            self.note_cheat(person, "is there when the next shot begins: there is no way to walk")
+        return now
 
     def _has_stayed(self, person: Person) -> bool:
-        """Tell whether all that a person has done in this shot was done standing where they stood when it began."""
+        """Tell whether a person has stood on their start mark in this shot so far and has handled no prop."""
         start = self.starts[person.asset_id]
         own = [cue for cue in self.cues if cue.asset_id == person.asset_id]
         marks = [cue.mark for cue in own if cue.mark is not None]
@@ -237,30 +260,30 @@ class CueSheet:
         handled = any(MOTIONS[cue.clip].hands and cue.prop_id for cue in own)
         return start.posture == "stand" and on_the_spot and not handled
 
-    def start_at(self, person: Person, place: Vec2, yaw: float) -> None:
-        """Move the start mark: the person begins the shot there."""
+    def move_start_mark(self, person: Person, place: Vec2, yaw: float) -> None:
+        """Let a person begin the shot at another place and yaw."""
         person.place, person.yaw = place, yaw
         self.starts[person.asset_id] = person.mark(held=self.starts[person.asset_id].held)
 
-    def face(self, person: Person, yaw: float | None, t: float) -> float:
-        """Turn on the spot where the turn is worth it; return the end."""
+    def turn_to_yaw(self, person: Person, yaw: float | None, now: float) -> float:
+        """Turn a standing person on the spot, if by 30 degrees or more; return the second at which the turn ends."""
         if yaw is None or abs(shortest_turn(person.yaw, yaw)) < math.radians(30) or not person.upright:
-            return t
+            return now
         seconds = turning_seconds(math.degrees(shortest_turn(person.yaw, yaw)), 1.7 * person.scale)
         person.yaw = yaw
-        self.cue(person, "turn", t, seconds, mark=person.mark())
+        self.add_cue(person, "turn", now, seconds, mark=person.mark())
         person.acted = True
-        return t + seconds
+        return now + seconds
 
-    def face_person(self, person: Person, other: Person, t: float) -> float:
+    def turn_to_person(self, person: Person, other: Person, now: float) -> float:
         """Turn to another person and a little towards the audience; only if they are more than 55 degrees aside."""
         yaw = facing(person.place, other.place)
         if abs(shortest_turn(person.yaw, yaw)) < math.radians(55):
-            return t
-        return self.face(person, turn_towards_audience(yaw), t)
+            return now
+        return self.turn_to_yaw(person, turn_towards_audience(yaw), now)
 
-    def found_in_hand(self, person: Person, prop: str) -> None:
-        """Let a person hold a prop from the shot's first frame on: a cut nobody sees."""
+    def start_with_prop_in_hand(self, person: Person, prop: str) -> None:
+        """Let a person hold a prop (asset id) from the shot's first frame on."""
         hand = self.company.hand_over(person, prop)
         if hand is None:
             return
@@ -270,8 +293,8 @@ class CueSheet:
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id, hand=hand))
 
-    def change_hand(self, person: Person, prop: str) -> None:
-        """Let a person have a prop in the other hand, if that is free, for as long as they have it in this shot."""
+    def move_to_other_hand(self, person: Person, prop: str) -> None:
+        """Change the hand that holds a prop (asset id) in the whole shot, if the other hand is free all the time."""
         hand = person.hand_of(prop)
         other: Hand = "L" if hand == "R" else "R"
         own = [cue for cue in self.cues if cue.asset_id == person.asset_id]
@@ -293,13 +316,13 @@ class CueSheet:
             for cue in self.cues
         ]
 
-    def found_in_clothes(self, person: Person, prop: str) -> None:
-        """Let a person have a prop on them, in no hand, from the shot's first frame on."""
+    def start_with_prop_in_clothes(self, person: Person, prop: str) -> None:
+        """Let a person carry a prop (asset id) out of sight, in no hand, from the shot's first frame on."""
         kept = [state for state in self.start_props if state.asset_id != prop]
         self.start_props = (*kept, PropState(asset_id=prop, held_by=person.asset_id))
 
-    def beside(self, person: Person, partner: Person, distance: float) -> tuple[Vec2, float]:
-        """Return the free spot at a distance from somebody that reads best: to their side as the audience sees it."""
+    def find_spot_beside(self, person: Person, partner: Person, distance: float) -> tuple[Vec2, float]:
+        """Return the free spot ``distance`` metres from a partner that shows both best, and the yaw there."""
         others = [spot for spot in self.company.others(person) if spot != partner.place]
         x, y = partner.place
         best: tuple[float, Vec2] | None = None
@@ -326,18 +349,21 @@ class CueSheet:
         )
         return spot, turn_towards_audience(facing(spot, partner.place))
 
-    def goal(
+    def find_goal(
         self, action: CharacterAction, person: Person, partner: Person | None, speed: float
     ) -> tuple[Vec2, float | None]:
-        """Return where a way leads: to a person, a thing, out, some metres ahead, or to one's own place."""
+        """Return the goal and the final yaw of a walk to a partner, a thing, an exit, a point ahead or the own place.
+
+        ``speed``, in m/s, limits the length of a walk without a goal in the script.
+        """
         others = self.company.others(person)
         if partner is not None:
-            return self.beside(person, partner, TALK_DISTANCE)
+            return self.find_spot_beside(person, partner, TALK_DISTANCE)
         leaves = person.asset_id in self.leaving and bool(self.company.exit_marks())
         thing = self.company.floor.thing(action.target_id)
         point = thing.rim(person.place) if thing is not None else person.place
         if leaves and not self.company.floor.inside(point):  # to a plane on the field: out, on its side
-            return self._out_towards(person, point, others), None
+            return self._find_exit_towards(person, point, others), None
         if thing is not None and not (leaves and math.dist(point, person.place) < BY_IT):
             spot = self.company.floor.spot_at(point, person.place, person.scale, others, REACH)
             spot = spot or self.company.floor.free_near(point, person.scale, others)
@@ -360,11 +386,8 @@ class CueSheet:
         step = max(-most, min(most, across)) or 2.0
         return self.company.floor.free_near((person.place[0] + step, person.place[1]), person.scale, others), None
 
-    def _out_towards(self, person: Person, point: Vec2, others: Sequence[Vec2]) -> Vec2:
-        """Return where one is last seen who leaves for what stands off stage: on the way there, or where one goes out.
-
-        Each has a way of their own: two who leave together do not end on one spot.
-        """
+    def _find_exit_towards(self, person: Person, point: Vec2, others: Sequence[Vec2]) -> Vec2:
+        """Return the spot where a person who leaves for a point off stage is last seen: on the way or at an exit."""
         floor, apart = self.company.floor, math.dist(point, person.place)
         for part in (1.0, 0.8, 0.6) if floor.open_air else ():
             step = part * min(WAY_OUT, apart - REACH)

@@ -96,7 +96,7 @@ class Handling:
             prop: Asset id of the prop.
             later: The actions that follow in the shot; the first one on the prop tells who catches it.
         """
-        start, getting = self.sheet.start_of(person), motion.key in TAKING_MOTIONS
+        start, getting = self.sheet.earliest_start(person), motion.key in TAKING_MOTIONS
         if (getting and person.hand_of(prop)) or (motion.key == "hold" and prop in person.on_body):
             return
         now = self._put_bags_down(person, prop, start) if motion.hands == 2 else start
@@ -112,8 +112,10 @@ class Handling:
             now = self.turn_to_spot(person, at, now) if person.upright else now
             thing = self.company.floor.thing(prop)
             target = thing.node_id if thing is not None else prop
-            end = self.sheet.cue(person, motion.key, now, natural_seconds(motion), target_id=target, mood=action.mood)
-            self.sheet.done(person, start, end)
+            end = self.sheet.add_cue(
+                person, motion.key, now, natural_seconds(motion), target_id=target, mood=action.mood
+            )
+            self.sheet.finish_action(person, start, end)
             return
         if lies is not None and where_it_is:
             self._work_in_place(person, motion, prop, start, self.turn_to_spot(person, lies, now))
@@ -123,15 +125,15 @@ class Handling:
         elif bag is not None:
             now = self._take(person, MOTIONS["take"], prop, now, bag)
         elif getting and self._comes_out_of_clothes(person, prop):
-            self.sheet.found_in_clothes(person, prop)
+            self.sheet.start_with_prop_in_clothes(person, prop)
             now = self._take(person, MOTIONS["take"], prop, now, person.asset_id)
         elif not person.hand_of(prop):
-            self.sheet.found_in_hand(person, prop)
+            self.sheet.start_with_prop_in_hand(person, prop)
             if getting:
                 self._show_taken_prop(person, motion, prop, start, now)
                 return
         if getting:
-            self.sheet.done(person, start, now)
+            self.sheet.finish_action(person, start, now)
             return
         catcher = self._find_catcher(person, prop, later) if motion.key == "throw" else None
         if catcher is not None:
@@ -151,17 +153,17 @@ class Handling:
         """
         hand = person.hand_of(prop)
         if hand is not None and motion.key != "hold" and not self.spots.is_bag(prop):
-            end = self.sheet.cue(person, "show", now, natural_seconds(MOTIONS["show"]), prop_id=prop, hand=hand)
-            self.sheet.done(person, start, end)
+            end = self.sheet.add_cue(person, "show", now, natural_seconds(MOTIONS["show"]), prop_id=prop, hand=hand)
+            self.sheet.finish_action(person, start, end)
 
     def fetch_prop(self, person: Person, prop: str) -> None:
         """Let a person walk to a prop (asset id) that lies nearby and pick it up, if they have a free hand."""
-        start = self.sheet.start_of(person)
+        start = self.sheet.earliest_start(person)
         now = self._go_to_prop(person, prop, FETCH_DISTANCE, start)
         lies = self._location_in_reach(person, prop)
         if lies is not None and person.free_hand() is not None:
             now = self._pick_up(person, prop, lies, now)
-            self.sheet.done(person, start, now, holds=True)
+            self.sheet.finish_action(person, start, now, holds=True)
 
     def _put_bags_down(self, person: Person, prop: str, now: float) -> float:
         """Put down all held bags but ``prop`` from second ``now`` on; return the second at which that ends."""
@@ -186,10 +188,10 @@ class Handling:
                 continue
             across = hand == "R" and hand_towards(person.place, person.yaw, spot[:2], LEFT_HAND_OFFSET) == "L"
             yaw = facing(person.place, spot[:2])
-            now = self.sheet.face(person, yaw, now) if across else self.turn_to_spot(person, spot, now)
+            now = self.sheet.turn_to_yaw(person, yaw, now) if across else self.turn_to_spot(person, spot, now)
             length = natural_seconds(MOTIONS["put_down"])
             mark = _prop_mark(person, prop, spot)
-            now = self.sheet.cue(person, "put_down", now, length, prop_id=prop, hand=hand, mark=mark)
+            now = self.sheet.add_cue(person, "put_down", now, length, prop_id=prop, hand=hand, mark=mark)
             self.company.lay(person, prop, spot)
             self.company.aside.add(prop)
         return now
@@ -200,7 +202,7 @@ class Handling:
         if lies is None or not person.upright or not REACH < math.dist(lies[:2], person.place) < farthest:
             return now
         spot = self.company.floor.spot_at(lies[:2], person.place, person.scale, self.company.others(person), REACH)
-        return now if spot is None else self.sheet.go(person, spot, facing(spot, lies[:2]), now)
+        return now if spot is None else self.sheet.walk_to(person, spot, facing(spot, lies[:2]), now)
 
     def _location_in_reach(self, person: Person, prop: str) -> Vec3 | None:
         """Return the position of a lying prop, in metres in the set, if the person can take it without walking."""
@@ -239,7 +241,7 @@ class Handling:
             Second of the shot at which the cue ends.
         """
         hand = person.free_hand(wish)
-        now = self.sheet.cue(
+        now = self.sheet.add_cue(
             person, motion.key, now, natural_seconds(motion), target_id=source, prop_id=prop, hand=hand
         )
         self.company.hand_over(person, prop, wish)
@@ -247,9 +249,11 @@ class Handling:
 
     def _work_in_place(self, person: Person, motion: Motion, prop: str, start: float, now: float) -> None:
         """Open, close or type on a prop where it stands, from second ``now`` of an action begun at ``start``."""
-        end = self.sheet.cue(person, motion.key, now, natural_seconds(motion), prop_id=prop, hand=person.free_hand())
+        end = self.sheet.add_cue(
+            person, motion.key, now, natural_seconds(motion), prop_id=prop, hand=person.free_hand()
+        )
         person.opened = prop if motion.key == "open" else ""
-        self.sheet.done(person, start, end)
+        self.sheet.finish_action(person, start, end)
 
     def _use_held_prop(
         self, action: CharacterAction, motion: Motion, person: Person, prop: str, start: float, now: float
@@ -262,10 +266,10 @@ class Handling:
             now, mark, hand = self._prepare_release(action, person, prop, now, motion.key)
         known = target if target in self.company.people or self.company.floor.thing(target) else None
         length = natural_seconds(motion)
-        end = self.sheet.cue(
+        end = self.sheet.add_cue(
             person, motion.key, now, length, target_id=known, prop_id=prop, hand=hand, mark=mark, mood=action.mood
         )
-        self.sheet.done(person, start, end)
+        self.sheet.finish_action(person, start, end)
         size = self.company.size_of(prop)
         if motion.key == "dress" and size is not None and size[2] < RING_SIZE:
             self.company.wear(person, prop)
@@ -288,20 +292,20 @@ class Handling:
     def _throw_to_catcher(self, person: Person, catcher: Person, prop: str, now: float) -> None:
         """Write the cues of a throw and its catch; both begin at second ``now``, or later when both people are free."""
         start = now
-        now = self.sheet.face(person, facing(person.place, catcher.place), max(now, catcher.busy))
+        now = self.sheet.turn_to_yaw(person, facing(person.place, catcher.place), max(now, catcher.busy))
         if catcher.upright:
-            now = max(now, self.sheet.face(catcher, facing(catcher.place, person.place), now))
+            now = max(now, self.sheet.turn_to_yaw(catcher, facing(catcher.place, person.place), now))
         hand = person.hand_of(prop)
-        end = self.sheet.cue(
+        end = self.sheet.add_cue(
             person, "throw", now, natural_seconds(MOTIONS["throw"]), target_id=catcher.asset_id, prop_id=prop, hand=hand
         )
         free = catcher.free_hand()
-        caught = self.sheet.cue(
+        caught = self.sheet.add_cue(
             catcher, "catch", now, natural_seconds(MOTIONS["catch"]), target_id=person.asset_id, prop_id=prop, hand=free
         )
         self.company.hand_over(catcher, prop)
-        self.sheet.done(person, start, end)
-        self.sheet.done(catcher, start, caught, holds=True)
+        self.sheet.finish_action(person, start, end)
+        self.sheet.finish_action(catcher, start, caught, holds=True)
 
     def _prepare_release(self, action: CharacterAction, person: Person, prop: str, now: float, key: str) -> Release:
         """Choose where a prop goes when it leaves the hand, lay it there, and bring the person to that spot.
@@ -338,7 +342,7 @@ class Handling:
                     spot[:2], person.place, person.scale, self.company.others(person), REACH
                 )
                 if stand is not None:
-                    now = self.sheet.go(person, stand, facing(stand, spot[:2]), now)
+                    now = self.sheet.walk_to(person, stand, facing(stand, spot[:2]), now)
                     spot = self.spots.find_on(thing, person, prop)
         if spot is None or (person.upright and math.dist(spot[:2], person.place) > STANDING_REACH):
             x, y = person.place
@@ -346,7 +350,7 @@ class Handling:
             spot = (x + ahead * math.sin(person.yaw), y - ahead * math.cos(person.yaw), 0.0)
         now = self.turn_to_spot(person, spot, now)
         if not person.upright and hand_towards(person.place, person.yaw, spot[:2], LEFT_HAND_OFFSET) != hand:
-            self.sheet.change_hand(person, prop)
+            self.sheet.move_to_other_hand(person, prop)
             hand = person.hand_of(prop)
         self.company.lay(person, prop, spot)
         return Release(now, _prop_mark(person, prop, spot), hand)
@@ -356,7 +360,7 @@ class Handling:
         if math.dist(spot[:2], person.place) < 0.2:
             return now
         yaw = facing(person.place, spot[:2])
-        return self.sheet.face(person, yaw, now) if abs(shortest_turn(person.yaw, yaw)) > TURN_ANGLE else now
+        return self.sheet.turn_to_yaw(person, yaw, now) if abs(shortest_turn(person.yaw, yaw)) > TURN_ANGLE else now
 
 
 def fits_in_clothes(size: Sequence[float] | None) -> bool:

@@ -74,30 +74,30 @@ class Meetings:
         """Go to somebody and do something together."""
         if motion.key in TOGETHER and person.posture in SEATED and partner.posture not in SEATED:
             person, partner = partner, person  # to who sits the other comes
-        start = self.sheet.start_of(person)
+        start = self.sheet.earliest_start(person)
         giving = motion.key == "give"
         if giving and prop is not None and not person.hand_of(prop):
-            self.sheet.found_in_hand(person, prop)
+            self.sheet.start_with_prop_in_hand(person, prop)
         t = self._hands_ready(motion, person, partner, prop, start)
         t = self._gone_to(motion, person, partner, t)
         t = self._face_each_other(person, partner, max(t, partner.busy))
         hand = person.hand_of(prop) if prop else None
         about = {"target_id": partner.asset_id, "prop_id": prop, "hand": hand, "mood": action.mood}
         if motion.key in HELD_ON and not self._goes_on(motion, person, partner, later):
-            about["duration"] = round(self.sheet.latest * self.sheet.fps)
+            about["duration"] = round(self.sheet.hard_limit * self.sheet.fps)
             parted = self._parted(motion, person, partner)
             if parted is not None:
                 self.company.jumps[person.asset_id] = (parted, person.yaw)
         elif (parted := self._parted(motion, person, partner)) is not None:
             person.place = parted
             about["mark"] = person.mark()
-        end = self.sheet.cue(person, motion.key, t, natural_seconds(motion), **about)
+        end = self.sheet.add_cue(person, motion.key, t, natural_seconds(motion), **about)
         if prop is not None and giving:
             self.company.hand_over(partner, prop, hand_towards(partner.place, partner.yaw, person.place))
         elif prop is not None and motion.key == "take":
             self.company.hand_over(person, prop, hand_towards(person.place, person.yaw, partner.place))
         partner.busy = max(partner.busy, end)
-        self.sheet.done(person, start, end, holds=True)
+        self.sheet.finish_action(person, start, end, holds=True)
 
     def _hands_ready(self, motion: Motion, person: Person, partner: Person, prop: str | None, t: float) -> float:
         """Put aside or take over into the left hand what the hands hold that are wanted; return the end."""
@@ -105,7 +105,7 @@ class Meetings:
         for one in (person, partner):
             if motion.key == "shake_hands":
                 if "R" in one.held:
-                    self.sheet.change_hand(one, one.held["R"])
+                    self.sheet.move_to_other_hand(one, one.held["R"])
                 continue
             held = [name for name in dict.fromkeys(one.held.values()) if name != prop]
             takes = one is (partner if motion.key == "give" else person) and motion.key in ("give", "take")
@@ -129,23 +129,23 @@ class Meetings:
                 return self._come_to(motion, person, partner, distance, t)
             low = False  # gets up: nobody else is able to come
         if not low and (gap > distance + near or gap < distance - TOO_NEAR):
-            spot, _ = self.sheet.beside(person, partner, distance)
+            spot, _ = self.sheet.find_spot_beside(person, partner, distance)
             toward = partner.place
             if motion.key in TOGETHER and partner.posture == "sit":
                 spot = self._before(partner, person) or spot
             elif on_floor:
                 spot, toward = self._beside_breast(partner, person)
-            t = self.sheet.go(person, spot, facing(spot, toward), t, then=natural_seconds(motion))
+            t = self.sheet.walk_to(person, spot, facing(spot, toward), t, then=natural_seconds(motion))
         if on_floor and person.upright:
-            t = self.sheet.cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
+            t = self.sheet.add_cue(person, "kneel", t, natural_seconds(MOTIONS["kneel"]))
             person.posture = "kneel"
         return t
 
     def _come_to(self, motion: Motion, person: Person, partner: Person, distance: float, t: float) -> float:
         """Bring somebody to who sits, lies or kneels and has something for them; return the end."""
         spot = self._before(person, partner) if person.posture == "sit" else None
-        spot = spot or self.sheet.beside(partner, person, max(distance, BEFORE_SITTER))[0]
-        return self.sheet.go(partner, spot, facing(spot, person.place), max(t, partner.busy))
+        spot = spot or self.sheet.find_spot_beside(partner, person, max(distance, BEFORE_SITTER))[0]
+        return self.sheet.walk_to(partner, spot, facing(spot, person.place), max(t, partner.busy))
 
     def _goes_on(self, motion: Motion, person: Person, partner: Person, later: Sequence[CharacterAction]) -> bool:
         """Tell whether one of two does something after what they do together."""
@@ -173,7 +173,7 @@ class Meetings:
         for one, other in ((person, partner), (partner, person)):
             if one.upright and other.posture not in ("lie", "asleep"):
                 yaw = facing(one.place, other.place)
-                ends.append(self.sheet.face(one, yaw, t))
+                ends.append(self.sheet.turn_to_yaw(one, yaw, t))
                 one.yaw, one.acted = yaw, True
         return max(ends)
 
@@ -181,7 +181,7 @@ class Meetings:
         """Return where one kneels to somebody, and to what of theirs."""
         if partner.posture in ("lie", "asleep") and partner.support is None:
             return self._beside_breast(partner, person)
-        return self.sheet.beside(person, partner, TO_KNEEL)[0], partner.place
+        return self.sheet.find_spot_beside(person, partner, TO_KNEEL)[0], partner.place
 
     def _beside_breast(self, partner: Person, person: Person) -> tuple[Vec2, Vec2]:
         """Return where one kneels beside somebody who lies on the floor, feet where they stood, and their breast."""

@@ -90,44 +90,44 @@ class Rehearsal:
         ends = {state.asset_id: state for state in shot.end_states}
         calling = {state.asset_id for state in shot.states if state.activity == CALL}
         actions, speeches = Actions(company, sheet, ends), Speeches(company, sheet, calling)
-        seconds = speeches.seconds(shot, lines)
+        seconds = speeches.speech_seconds(shot, lines)
         began = sheet.clock
         for number, action in enumerate(shot.character_actions):
             person = company.people.get(action.asset_id)
             if person is None or not person.present:
                 continue
-            if number and _same_deed(action, shot.character_actions[number - 1]):
+            if number and _is_same_action(action, shot.character_actions[number - 1]):
                 sheet.clock = began + AT_ONCE
             began = sheet.clock
             if clip_of(action.motion).key in SPOKEN:
-                speeches.speak(action, person, seconds.get(number, 2.0), lines, cast)
+                speeches.add_speech(action, person, seconds.get(number, 2.0), lines, cast)
             else:
-                actions.act(action, person, shot.character_actions[number + 1 :])
-        speeches.idle_looks(shot, cast)
+                actions.add_action(action, person, shot.character_actions[number + 1 :])
+        speeches.add_idle_looks(shot, cast)
         PostureCues(company, sheet).add_posture_cues(shot)
         duration = shot.duration
         if "duration" not in shot.locked:
             needed = math.ceil((max((person.busy for person in cast), default=0.0) + 0.25) * self.fps)
-            duration = min(max(duration, needed), math.ceil(sheet.latest * self.fps))
+            duration = min(max(duration, needed), math.ceil(sheet.hard_limit * self.fps))
         blocking = tuple(Blocking(start=sheet.starts[person.asset_id], end=person.mark()) for person in cast)
         company.leave(stay)
         going_on = extend_lasting_cues(sheet.cues, duration)
         beasts, places = self.animals.play(shot, self.fps, duration)
         going_on = [*going_on, *beasts]
-        cues = tuple(sorted((_within(cue, duration) for cue in going_on), key=lambda cue: cue.start))
+        cues = tuple(sorted((_end_with_shot(cue, duration) for cue in going_on), key=lambda cue: cue.start))
         moved = {state.asset_id for state in places}
         props = (*(state for state in sheet.start_props if state.asset_id not in moved), *places)
         return ShotPlan(shot.shot_id, blocking, cues, props, duration, tuple(sheet.cheats))
 
 
-def _same_deed(action: CharacterAction, before: CharacterAction) -> bool:
+def _is_same_action(action: CharacterAction, before: CharacterAction) -> bool:
     """Tell whether two members of a group do the same thing: they do it together, not one after the other."""
     stems = {each.asset_id.rpartition("_")[0] for each in (action, before)}
     same = (action.motion, action.action_description) == (before.motion, before.action_description)
     return same and action.asset_id != before.asset_id and len(stems) == 1 and stems != {""}
 
 
-def _within(cue: Cue, frames: int) -> Cue:
+def _end_with_shot(cue: Cue, frames: int) -> Cue:
     """End what is done on the spot with the shot; ways keep their time."""
     if cue.duration is None or cue.mark is not None or cue.start + cue.duration <= frames:
         return cue

@@ -36,7 +36,7 @@ class Speeches:
     def __init__(self, company: Company, sheet: CueSheet, calling: Collection[str] = ()) -> None:
         self.company, self.sheet, self.calling = company, sheet, calling
 
-    def seconds(self, shot: ShotContext, lines: Sequence[ScriptLine]) -> dict[int, float]:
+    def speech_seconds(self, shot: ShotContext, lines: Sequence[ScriptLine]) -> dict[int, float]:
         """Return the length of every spoken action: its words, fitted into the shot."""
         spoken: dict[int, float] = {}
         for number, action in enumerate(shot.character_actions):
@@ -48,7 +48,7 @@ class Speeches:
         fit = max(0.5, min(1.0, (1.15 * self.sheet.length - 0.4) / total)) if total else 1.0
         return {number: seconds * fit for number, seconds in spoken.items()}
 
-    def speak(
+    def add_speech(
         self,
         action: CharacterAction,
         person: Person,
@@ -68,23 +68,23 @@ class Speeches:
         start = max(self.sheet.clock, walking - 0.8 if person.upright else walking)
         turned = walking
         if partner is not None and start >= walking:
-            start = self.sheet.face_person(person, partner, start)
+            start = self.sheet.turn_to_person(person, partner, start)
         elif partner is not None and person.upright:  # words begin on the way: who has come turns to whom they address
-            turned = self.sheet.face_person(person, partner, walking)
+            turned = self.sheet.turn_to_person(person, partner, walking)
         target = partner.asset_id if partner else None
-        end = self.sheet.cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=mood)
+        end = self.sheet.add_cue(person, clip_of(action.motion).key, start, seconds, target_id=target, mood=mood)
         for listener in others:
             if listener.busy <= start + 0.3:
                 if math.dist(listener.place, person.place) < 6:
-                    self.sheet.face_person(listener, person, start + 0.1)
-                self.sheet.cue(listener, "listen", start + 0.15, seconds, target_id=person.asset_id)
+                    self.sheet.turn_to_person(listener, person, start + 0.1)
+                self.sheet.add_cue(listener, "listen", start + 0.15, seconds, target_id=person.asset_id)
             else:
-                self.sheet.cue(listener, "look", max(start, listener.busy), 0.6, target_id=person.asset_id)
+                self.sheet.add_cue(listener, "look", max(start, listener.busy), 0.6, target_id=person.asset_id)
         person.acted = True
         person.busy = max(person.busy, turned, end)
         self.sheet.clock = end
 
-    def idle_looks(self, shot: ShotContext, cast: Sequence[Person]) -> None:
+    def add_idle_looks(self, shot: ShotContext, cast: Sequence[Person]) -> None:
         """Who has nothing to do at first looks where the script says, or at whoever acts."""
         looks: Mapping[str, str | None] = {state.asset_id: state.looking_at for state in shot.states}
         elsewhere = {state.asset_id for state in shot.states if state.gaze is not None}

@@ -11,7 +11,7 @@ from storyblender.agents.visual_effects_artist import cue_sheet
 from storyblender.agents.visual_effects_artist import floor as floor_module
 from storyblender.agents.visual_effects_artist.animator import AnimatorDraft, AnimatorView, RulesAnimator, ShotStaging
 from storyblender.agents.visual_effects_artist.animator_critic import AnimatorCritic
-from storyblender.agents.visual_effects_artist.cue_sheet import EXTRA, LAST
+from storyblender.agents.visual_effects_artist.cue_sheet import LAST_ACTION, LONGEST_EXTRA
 from storyblender.agents.visual_effects_artist.floor import Floor
 from storyblender.catalog.motions import MOTIONS
 from storyblender.catalog.set_plan import Opening, PlanMark, SetPlan, Wall
@@ -156,7 +156,7 @@ def test_whoever_the_script_finds_sitting_sits_from_the_first_frame() -> None:
 
 
 def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cue_sheet, "EXTRA", 3.5)
+    monkeypatch.setattr(cue_sheet, "LONGEST_EXTRA", 3.5)
     alone = _shot(1, on_stage=("ilsa",))
     enters = _shot(2, _do("rick", "walk", target_id="ilsa"), seconds=5)
     _, shot = _stage(alone, enters)
@@ -173,7 +173,7 @@ def test_entrances_come_from_the_door_and_start_nearer_where_the_shot_is_short(m
 def test_what_is_done_on_the_spot_ends_with_the_shot() -> None:
     talks = tuple(_do(who, "talk", target_id="ilsa" if who == "rick" else "rick") for who in ("rick", "ilsa") * 4)
     (shot,) = _stage(_shot(1, *talks, seconds=2))
-    assert shot.duration <= 2 * 24 + 24 * (EXTRA + LAST)
+    assert shot.duration <= 2 * 24 + 24 * (LONGEST_EXTRA + LAST_ACTION)
     assert max(cue.start + (cue.duration or 0) for cue in shot.cues if cue.start < shot.duration) <= shot.duration
 
 
@@ -521,7 +521,7 @@ def test_every_cue_is_a_clip_and_every_motion_can_be_staged() -> None:
             view = _view(_shot(1, _do("rick", word, target_id=target)))
             (shot,) = RulesAnimator().propose(view).shots
             assert all(cue.clip in MOTIONS for cue in shot.cues), word
-            assert shot.duration <= 96 + 24 * (EXTRA + LAST)
+            assert shot.duration <= 96 + 24 * (LONGEST_EXTRA + LAST_ACTION)
 
 
 def test_same_scene_same_staging() -> None:
