@@ -25,17 +25,17 @@ LONG_AGO = -1e9
 
 
 def smooth(w: float) -> float:
-    """Minimum jerk: how limbs move."""
+    """Return the minimum-jerk easing of a share ``w`` in 0..1: the usual motion of limbs."""
     return w * w * w * (w * (6 * w - 15) + 10)
 
 
 def smoothstep(w: float) -> float:
-    """Softer at the ends than linear, firmer than minimum jerk."""
+    """Return the cubic easing of a share ``w`` in 0..1: softer at the ends than linear, firmer than ``smooth``."""
     return w * w * (3 - 2 * w)
 
 
 def ease_out(w: float) -> float:
-    """Fast at first: strokes and blows."""
+    """Return an easing of a share ``w`` in 0..1 that is fast at first: strokes and blows."""
     return 1 - (1 - w) ** 3
 
 
@@ -58,12 +58,12 @@ class Key:
     bump: Floats | None = None
 
     def at(self, t: float) -> Floats:
-        """Return the target's values at ``t``."""
+        """Return the target's values at ``t`` seconds."""
         return np.asarray(self.target(t) if callable(self.target) else self.target, float)
 
 
 def linear(a: Floats, b: Floats, w: float) -> Floats:
-    """Mix every number by itself."""
+    """Return the linear blend of two values, number by number; ``w`` is the share of ``b``, 0..1."""
     return a * (1 - w) + b * w
 
 
@@ -71,8 +71,8 @@ class Channel:
     """One animated value, scalar or vector.
 
     Args:
-        value: What it is until the first key.
-        mix: How two values are blended; directions need more than a straight line.
+        value: Value until the first key.
+        mix: Blend of two values by the share (0..1) of the second; directions need more than ``linear``.
     """
 
     def __init__(self, value: Target, mix: Callable[[Floats, Floats, float], Floats] = linear) -> None:
@@ -81,13 +81,13 @@ class Channel:
     def set(
         self, start: float, duration: float, target: Target, ease: Easing = smooth, bump: ArrayLike | None = None
     ) -> float:
-        """Add a key and return when it is reached, in seconds."""
+        """Add a key that starts at ``start`` and return the time it is reached; all times in seconds."""
         key = Key(start, duration, target, ease, None if bump is None else np.asarray(bump, float))
         insort(self.keys, key, key=lambda each: each.start)
         return start + duration
 
     def cut(self, start: float) -> None:
-        """Forget what was planned from ``start`` on: something else takes over."""
+        """Remove the keys from ``start`` seconds on."""
         self.keys = [key for key in self.keys if key.start < start - 1e-6] or self.keys[:1]
 
     def as_planned(self) -> Channel:
@@ -97,7 +97,7 @@ class Channel:
         return copy
 
     def __call__(self, t: float) -> Floats:
-        """Return the values at ``t``: the newest finished key with every started key blended over it."""
+        """Return the values at ``t`` seconds: the newest finished key with every started key blended over it."""
         keys = self.keys
         done = len(keys) - 1
         while done and keys[done].start + keys[done].duration > t:

@@ -1,4 +1,4 @@
-"""How people stand when they have nothing to do with their hands: everybody has a habit of their own."""
+"""Rest poses of free hands of a standing person: each person has a fixed habit."""
 
 from __future__ import annotations
 
@@ -11,19 +11,24 @@ from storyblender.blender.motion.skeleton import sign
 from storyblender.memory.base import content_hash
 
 HABITS = ("hanging", "folded", "hanging", "behind", "clasped", "hanging", "folded", "behind")
-"""Hands at the sides, folded low before the body, on the back, or clasped at the waist; by who it is."""
+"""Habits of free hands, chosen by asset id: at the sides, folded low in front, behind, clasped at the waist."""
 CHILD = 0.85
-"""Times 1.7 metres: who is smaller is a child."""
+"""Stature over 1.7 m up to which a person is a child."""
 LOOSE: Triple = (26, 32, 4)
 
 
 def habit_of(who: Performer) -> str:
-    """Return how somebody holds their hands, the same in every shot; children let them hang."""
+    """Return the habit of a person's free hands, the same in every shot; ``hanging`` for a child."""
     return HABITS[int(content_hash(who.asset_id), 16) % len(HABITS)] if who.m.k > CHILD else "hanging"
 
 
 def at_ease(who: Performer, side: str) -> TargetOf:
-    """Return where a free hand of somebody who stands is: as their habit is, at their side while they walk."""
+    """Return the target of a standing person's free hand: their habit at rest, the side of the body while walking.
+
+    Args:
+        who: The person.
+        side: ``L`` or ``R``.
+    """
     swinging, habit = hanging(who, side), habit_of(who)
     if habit == "hanging":
         return swinging
@@ -39,7 +44,7 @@ def at_ease(who: Performer, side: str) -> TargetOf:
 
 
 def _resting(who: Performer, side: str, habit: str) -> TargetOf:
-    """One hand of two that lie in each other, in the middle of the body."""
+    """Return the target of one of two hands that lie in each other, in the middle of the body."""
     s, m, k = sign(side), who.m, who.m.k
     over = 1.0 if side == "R" else 0.0
     if habit == "behind":

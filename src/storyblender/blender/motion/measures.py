@@ -15,9 +15,9 @@ from storyblender.blender.people.body import Body
 Floats = NDArray[np.float64]
 
 CLOTH = 0.008
-"""Thickness of what one sits on in: trousers."""
+"""Metres of cloth between a sitter and the seat: trousers."""
 JACKET = 0.034
-"""Thickness at the back, times k; less lets a jacket sink into the chair."""
+"""Metres of cloth between a back and the chair, times k; less lets a jacket sink into the chair."""
 
 
 @dataclass(frozen=True)

@@ -84,16 +84,18 @@ def settle(mesh: bpy.types.Mesh, anchors: Anchors, dimension: AssetDimension | N
     mesh.vertices.foreach_get("co", points)
     cloud = points.reshape(-1, 3).astype(float)
     low, high = cloud.min(axis=0), cloud.max(axis=0)
-    factors = _factors(high - low, dimension)
+    factors = _scale_factors(high - low, dimension)
     origin = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh.vertices.foreach_set("co", ((cloud - origin) * factors).astype(np.float32).ravel())
     mesh.update()
     width, depth, height = (float(extent) for extent in (high - low) * factors)
-    return PropBuild(mesh, tuple(_moved(anchor, origin, factors) for anchor in anchors), (width, depth, height))
+    return PropBuild(
+        mesh, tuple(_rescale_anchor(anchor, origin, factors) for anchor in anchors), (width, depth, height)
+    )
 
 
-def _factors(extent: np.ndarray, dimension: AssetDimension | None) -> np.ndarray:
-    """Return the scale of each axis; axes nobody gave keep the shape."""
+def _scale_factors(extent: np.ndarray, dimension: AssetDimension | None) -> np.ndarray:
+    """Return the (3,) scale of each axis to the wanted size; an axis without one takes the mean."""
     wanted = (None, None, None) if dimension is None else (dimension.width, dimension.depth, dimension.height)
     ratios = [
         None if goal is None else goal / max(float(size), 1e-6) for goal, size in zip(wanted, extent, strict=True)
@@ -103,7 +105,8 @@ def _factors(extent: np.ndarray, dimension: AssetDimension | None) -> np.ndarray
     return np.array([rest if ratio is None else ratio for ratio in ratios])
 
 
-def _moved(anchor: Anchor, origin: np.ndarray, factors: np.ndarray) -> Anchor:
+def _rescale_anchor(anchor: Anchor, origin: np.ndarray, factors: np.ndarray) -> Anchor:
+    """Return an anchor moved by ``-origin`` (metres) and scaled by (3,) ``factors``."""
     x, y, z = (float(value) for value in (np.asarray(anchor.location) - origin) * factors)
     turned = abs(anchor.direction[0]) > abs(anchor.direction[1])
     across, along = (factors[1], factors[0]) if turned and anchor.kind != "top" else (factors[0], factors[1])

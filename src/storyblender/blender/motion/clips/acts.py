@@ -206,7 +206,7 @@ class _Playing:
         far, prop = other(self.lead), self.stage.props.get(self.who.held.get(self.lead, ""))
         if self.act.second is None or prop is None or self.who.held.get(far, prop.asset_id) != prop.asset_id:
             return
-        grip = _along(prop, far, self.act.second)
+        grip = _grip_along(prop, far, self.act.second)
 
         def target(_: float) -> Floats:
             return grip.hand(prop.matrix, self.who.facing @ Vector((sign(far) * 0.8, 0.3, -0.6)))
@@ -318,7 +318,7 @@ def _wielding(grip: Grip, place: Vector, axes: list[Vector], elbow: Vector) -> F
     return grip.hand(matrix, elbow)
 
 
-def _along(prop: PropPuppet, side: str, metres: float) -> Grip:
+def _grip_along(prop: PropPuppet, side: str, metres: float) -> Grip:
     """Return the grip of a hand moved ``metres`` along a tool, towards its top, or its front if it lies flat."""
     grip = prop.grip(side)
     axis = Vector((0, 0, 1)) if prop.size.z >= prop.size.y else Vector((0, -1, 0))

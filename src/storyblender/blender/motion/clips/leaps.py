@@ -126,7 +126,7 @@ def _fly(who: Performer, off: float, goal: Vector, air: float, rise: float, lift
         lifted = np.array(who.feet[side](off), float)
         landed = who.plant(side, goal.x, goal.y, who.yaw, width=1.1)
         span = (stride * index + 0.04, 1 - stride * (1 - index))
-        who.feet[side].set(off, 0, _flying_foot(share, span, lifted, landed, lift + 0.28 * k * (not stride)))
+        who.feet[side].set(off, 0, _foot_in_flight(share, span, lifted, landed, lift + 0.28 * k * (not stride)))
     who.position = goal
     return off + air
 
@@ -142,9 +142,19 @@ def _swing_arms(who: Performer, off: float, air: float) -> None:
             who.hands[side].set(off + air, 0.5, who.home[side])
 
 
-def _flying_foot(
+def _foot_in_flight(
     share: Callable[[float], float], span: tuple[float, float], lifted: Floats, landed: Floats, lift: float
 ) -> Callable[[float], Floats]:
+    """Return the foot's target during a leap, by seconds.
+
+    Args:
+        share: Share of the leap (0..1) by time in seconds.
+        span: Shares of the leap at which the foot leaves the ground and lands.
+        lifted: Values of the foot's channel on leaving the ground.
+        landed: Values of the foot's channel on landing.
+        lift: Height added at the middle of the flight, metres.
+    """
+
     def foot(now: float) -> Floats:
         w = clamp((share(now) - span[0]) / (span[1] - span[0]))
         pose = lifted * (1 - smoothstep(w)) + landed * smoothstep(w)
