@@ -18,10 +18,18 @@ Sort = Literal["thing", "person", "door", "window", "wall", "point"]
 
 REACH = 0.28
 """Metres from the edge of an object to the centre of a person who works at it, times stature over 1.7."""
-BEFORE, ASIDE, WATCH = 0.75, 0.42, 1.1
-"""Metres from the edge of an object to a person in front of it, beside it, or looking at it."""
-TALK, SHOULDER, TAIL = 1.15, 0.62, 0.85
-"""Metres between people who talk, who stand side by side, and who stand behind one another."""
+BEFORE = 0.75
+"""Metres from the edge of an object to a person in front of it."""
+ASIDE = 0.42
+"""Metres from the edge of an object to a person beside it."""
+WATCH = 1.1
+"""Metres from the edge of an object to a person looking at it."""
+TALK = 1.15
+"""Metres between people who talk."""
+SHOULDER = 0.62
+"""Metres between people side by side."""
+TAIL = 0.85
+"""Metres between people behind one another."""
 _SLOT = 0.75
 """Metres between neighbouring places along one side of an object."""
 _CHEAT = math.radians(20)

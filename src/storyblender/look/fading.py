@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from storyblender.look.gbuffer import View
 
-_WHOLE, _GONE = 8.0, 3.0
-"""Pixels of the buffer that one repeat covers where it begins to fade, and where it has faded."""
+_WHOLE = 8.0
+"""Pixels of the buffer that one repeat covers where it begins to fade."""
+_GONE = 3.0
+"""Pixels of the buffer that one repeat covers where it has faded."""
 _LEFT = 0.12
 """Contrast that stays: a brick wall is never quite a painted one."""
 _STEEPEST = 0.12

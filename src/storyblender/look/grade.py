@@ -14,8 +14,10 @@ from storyblender.look.raster import Image
 AGX_CONTRAST = "AgX - High Contrast"
 """Keeps faces, deepens the room and gives a sunny street its sparkle (chosen by eye among the five)."""
 
-_TABLE, _STOPS = 49, (-12.0, 7.0)
-"""Steps of a film's table along each colour, and the stops of light round 1 that it spans."""
+_TABLE = 49
+"""Steps of a film's table along each colour."""
+_STOPS = (-12.0, 7.0)
+"""Stops of light round 1 that a film's table spans."""
 
 
 def to_display(image: Image, contrast: str = AGX_CONTRAST) -> Image:

@@ -18,8 +18,10 @@ from storyblender.look.raster import LUMA, Image, Mask, blur, every, luminance
 from storyblender.look.surface import Surface
 from storyblender.memory.scene_context import Light
 
-_ROWS, _REACH = 540, 7
-"""Rows of a picture, and pixels in it over which the coarse light has lost the form."""
+_ROWS = 540
+"""Rows of a picture in which ``_REACH`` counts."""
+_REACH = 7
+"""Pixels over which the coarse light has lost the form."""
 _AROUND = 0.5
 """Light from all other sides, as a share of what these lamps give on average; it softens the form."""
 _DARKEST, _LIGHTEST = 0.6, 1.35

@@ -12,8 +12,10 @@ import numpy as np
 from storyblender.look.gbuffer import GBuffer
 from storyblender.look.raster import Image, noise
 
-_SIZE, _METRES = 256, 20.0
-"""Cells of the pattern and metres that it covers before it comes again."""
+_SIZE = 256
+"""Cells of the pattern along each side."""
+_METRES = 20.0
+"""Metres that the pattern covers before it repeats."""
 _LEVEL = 0.8
 """Least upward part of a normal that is ground."""
 
