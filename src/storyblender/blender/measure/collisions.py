@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from storyblender.blender.people.body import Body
 from storyblender.geometry.limbs import BONE_RADII, capsule_penetration
+from storyblender.look.surface import Surface
 from storyblender.memory.measure import Collision
 
 TOLERANCE = 0.03
@@ -106,7 +107,8 @@ def find_collisions(
         step: Frames between two tests; a person who has not moved since the last one is skipped.
     """
     scene.frame_set(min((span.start for span in frames.values()), default=scene.frame_start))
-    things = [_Thing(obj) for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None]
+    props = (obj for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None)
+    things = [_Thing(obj) for obj in props if obj["surface"] != int(Surface.SMOKE)]
     rigs = {str(obj["asset_id"]): obj for obj in scene.objects if obj.type == "ARMATURE"}
     people = [_Person(asset_id, rigs[asset_id], body) for asset_id, body in bodies.items() if asset_id in rigs]
     worst: dict[tuple[str, str, str], Collision] = {}
