@@ -150,6 +150,8 @@ def _another_camera(shot: ShotContext, review: FrameReview) -> CameraRetake | No
     if not faults or instruction.kind == "insert":
         return None
     worst = max(faults, key=lambda fault: fault.severity).kind
+    if worst in _WIDER and instruction.angle == "low angle" and not instruction.explicit:
+        return CameraRetake(angle="eye-level")  # a head that is cut off from below
     if worst in _AROUND and instruction.angle == "eye-level":
         return CameraRetake(angle="high angle")
     if instruction.explicit:

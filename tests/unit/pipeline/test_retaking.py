@@ -56,6 +56,12 @@ def test_a_retake_is_kept_apart_from_what_the_director_planned() -> None:
     assert taken.camera_retake == CameraRetake(size="WS") and taken.camera_decision is None
 
 
+def test_what_does_not_fit_from_below_is_first_seen_level() -> None:
+    below = _shot(angle="low angle")
+    assert _another_camera(below, _review("face_out")) == CameraRetake(angle="eye-level")
+    assert _another_camera(_shot(angle="eye-level"), _review("face_out")) == CameraRetake(size="MWS")
+
+
 def test_an_ordered_size_is_kept_and_the_angle_is_the_crews() -> None:
     assert _another_camera(_shot(explicit=True), _review("person_hidden")) == CameraRetake(angle="high angle")
     assert _another_camera(_shot(explicit=True, angle="low angle"), _review("person_hidden")) is None
