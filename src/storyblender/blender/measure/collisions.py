@@ -108,7 +108,7 @@ def find_collisions(
     """
     scene.frame_set(min((span.start for span in frames.values()), default=scene.frame_start))
     props = (obj for obj in scene.objects if obj.get("kind") == "prop" and obj.animation_data is None)
-    things = [_Thing(obj) for obj in props if obj["surface"] != int(Surface.SMOKE)]
+    things = [_Thing(obj) for obj in props if obj.get("surface") != int(Surface.SMOKE)]
     rigs = {str(obj["asset_id"]): obj for obj in scene.objects if obj.type == "ARMATURE"}
     people = [_Person(asset_id, rigs[asset_id], body) for asset_id, body in bodies.items() if asset_id in rigs]
     worst: dict[tuple[str, str, str], Collision] = {}
