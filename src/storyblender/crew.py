@@ -69,7 +69,7 @@ from storyblender.settings import Settings
 
 @dataclass(frozen=True)
 class Crew:
-    """Everybody who decides something (paper, section 3)."""
+    """All roles of the paper (section 3), each with its policies and critic."""
 
     director: Role[[Screenplay], Screenplay, Reading]
     """Reads the script."""
@@ -93,7 +93,7 @@ def rules_crew(settings: Settings, embedder: Callable[[], Embedder]) -> Crew:
 
     Args:
         settings: Thresholds and horizons by role.
-        embedder: Likeness of meaning; called once, when somebody first needs it.
+        embedder: Loads the sentence model; called once, at the first need.
     """
     embedder = cache(embedder)
     retrievers = (RulesAssetRetriever(embedder), RulesAssetGenerator(embedder))

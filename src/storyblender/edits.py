@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
 from typing import get_args
 
 from pydantic import ValidationError
 
 from storyblender.errors import InputError
 from storyblender.memory.base import shot_name
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import Commit
 from storyblender.memory.shot_context import CameraDecision, ShotContext
 from storyblender.memory.shot_sizes import ShotSize
@@ -105,3 +107,25 @@ def redo_edit(project: Project) -> list[Commit]:
         raise InputError("there is nothing to redo", mend="a change can be redone until another one is made")
     project.go_to(redone[-1].revision)
     return redone
+
+
+def shots_named(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
+    """Return the shots with these names, in that order; all shots if no name is given.
+
+    Args:
+        graph: The story.
+        names: Such as ``SC010_SH020``, in any case.
+
+    Raises:
+        InputError: There is no shot of that name.
+    """
+    known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
+    wanted = [name.upper() for name in names]
+    for name, written in zip(wanted, names, strict=True):
+        if name not in known:
+            near = get_close_matches(name, known, n=1, cutoff=0.8)
+            mend = (
+                f"did you mean {near[0]}?" if near else f"they go from {next(iter(known))} to {next(reversed(known))}"
+            )
+            raise InputError(f"there is no shot {written!r}", mend=mend)
+    return [known[name] for name in wanted] if names else list(graph.shots)

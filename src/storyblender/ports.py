@@ -43,7 +43,7 @@ class Embedder(Protocol):
 
 
 class Engine(Protocol):
-    """Who builds, measures and draws: Blender here, a farm or a stand-in elsewhere.
+    """The port that builds, measures and renders: Blender, a render farm, or a stand-in for tests.
 
     Long work is a future; names of files in jobs are relative to the project folder.
     """

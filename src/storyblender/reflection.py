@@ -135,7 +135,7 @@ class Role(Generic[Subject, View, Draft]):
     Attributes:
         name: For the trace and the settings, e.g. ``spatial_planner``.
         project: The projection: from the graph and a subject to all that the role's policies may know.
-        policies: Who answers, in order; each hands over to the next where it does not converge. The last is rules.
+        policies: Tried in order; each hands over to the next if it does not converge. The last one is rules.
         critic: Scores every draft.
         drafts: How drafts are written down.
         threshold: tau, accept at this score.
@@ -152,7 +152,7 @@ class Role(Generic[Subject, View, Draft]):
 
 
 def view_digest(view: object) -> str:
-    """Return the digest of a view: who sees the same proposes the same."""
+    """Return the digest of a view; recorded drafts are found by it, because equal views get equal drafts."""
     return content_hash(_adapter_of(type(view)).dump_python(view, mode="json"))
 
 

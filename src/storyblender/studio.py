@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,7 +24,7 @@ from storyblender.catalog.props import PROPS
 from storyblender.catalog.registry import Entry
 from storyblender.catalog.sets import SETS
 from storyblender.crew import rules_crew
-from storyblender.edits import camera_decision, decide_cameras, redo_edit, undo_edit
+from storyblender.edits import camera_decision, decide_cameras, redo_edit, shots_named, undo_edit
 from storyblender.engine.blender_engine import BlenderEngine
 from storyblender.engine.worker import Worker
 from storyblender.errors import InputError
@@ -158,7 +157,7 @@ class Studio:
         """
         read_project_graph(folder)
         with self._open_made(folder) as run:
-            shots = _named_shots(run.graph, names)
+            shots = shots_named(run.graph, names)
             if camera and not names:
                 raise InputError("a changed camera needs a shot", mend="name it, e.g. --shot SC010_SH020")
             _refuse_unmade(run)
@@ -388,16 +387,3 @@ def _refuse_unmade(run: Run) -> None:
         raise InputError(
             "is planned, not made yet", mend="run `storyblender make SCRIPT` first", path=run.project.folder
         )
-
-
-def _named_shots(graph: ContinuityMemoryGraph, names: Sequence[str]) -> list[ShotContext]:
-    known = {shot_name(shot.scene_id, shot.shot_id): shot for shot in graph.shots}
-    wanted = [name.upper() for name in names]
-    for name, written in zip(wanted, names, strict=True):
-        if name not in known:
-            near = get_close_matches(name, known, n=1, cutoff=0.8)
-            mend = (
-                f"did you mean {near[0]}?" if near else f"they go from {next(iter(known))} to {next(reversed(known))}"
-            )
-            raise InputError(f"there is no shot {written!r}", mend=mend)
-    return [known[name] for name in wanted] if names else list(graph.shots)

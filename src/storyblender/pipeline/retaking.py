@@ -170,7 +170,7 @@ def _another_moment(shot: ShotContext, review: FrameReview) -> CameraRetake | No
 
 
 def _simpler(shot: ShotContext, review: FrameReview) -> CameraRetake | None:
-    """Return a single of who speaks in the shot, or else acts in it, or else of the subject."""
+    """Return a single of the speaker, or else of the first person to act, or else of the subject."""
     instruction = shot.camera_instruction
     if not _may_be_simpler(shot, review):
         return None

@@ -33,8 +33,8 @@ class Run:
 
     Attributes:
         project: The open project; the only place where the graph lives.
-        engine: Who builds, measures and draws.
-        crew: Who decides.
+        engine: Builds, measures and renders.
+        crew: The roles with their policies.
         settings: As the user gave them.
         listener: Hears every event.
         packs: Scene id to the pack in use, as the staging made them.

@@ -1,4 +1,4 @@
-"""Things that are told late: what somebody brings, or what arrives, is not in the set before."""
+"""Props that arrive during a scene: a prop that is brought, delivered or driven up is hidden before that."""
 
 from __future__ import annotations
 

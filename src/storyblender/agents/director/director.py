@@ -16,9 +16,8 @@ from storyblender.agents.director.directions import attach_notes
 from storyblender.agents.director.places_by_meaning import place_by_meaning
 from storyblender.agents.director.reader.reader import read_script
 from storyblender.agents.director.reading import Reading, Unit
-from storyblender.agents.director.reading_file import people_of, things_of
+from storyblender.agents.director.reading_file import unknown_names
 from storyblender.agents.director.settings import DirectorSettings
-from storyblender.catalog.motions import CLIP_OF, MOTIONS
 from storyblender.catalog.sets import SETS
 from storyblender.memory.base import shot_name
 from storyblender.memory.graph import Storyboard
@@ -79,13 +78,8 @@ def _numbered(reading: Reading) -> Iterator[Iterator[Fault]]:
 
 
 def _faults_of_unit(name: str, unit: Unit, reading: Reading, people: set[str], known: set[str]) -> Iterator[Fault]:
-    for kind, ids, there in (("person", people_of(unit), people), ("thing", things_of(unit), known)):
-        for each in dict.fromkeys(ids):
-            if each not in there:
-                yield Fault(kind="unknown_id", subject=name, message=f"{name} names {each!r}: there is no such {kind}")
-    for motion in (*unit.activities.values(), *(deed.motion for deed in unit.deeds)):
-        if motion and motion not in CLIP_OF and motion not in MOTIONS:
-            yield Fault(kind="vocabulary", subject=name, message=f"{name} has the motion {motion!r}: there is none")
+    for kind, unknown in dict.fromkeys(unknown_names(unit, people, known)):
+        yield Fault(kind="unknown", subject=name, message=f"{name} names {unknown!r}: there is no such {kind}")
     kit = reading.scenes[unit.scene].kit
     if kit and kit not in SETS:
         yield Fault(kind="vocabulary", subject=name, message=f"{name} plays in the kit {kit!r}: there is none")

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, get_args
@@ -250,15 +250,29 @@ def _check_ids(file: ReadingFile, path: Path) -> None:
             )
     for written in file.units:
         unit, where = written.unit, f"unit {written.number}"
-        _refuse_unknown(people_of(unit), people, where, "person", path)
-        _refuse_unknown(things_of(unit), known, where, "thing", path)
-        _refuse_unknown(unit.gaze.values(), {*known, *get_args(GazeDirection)}, where, "person or thing", path)
-        motions = [*unit.activities.values(), *(deed.motion for deed in unit.deeds)]
-        _refuse_unknown([key for key in motions if key], {*CLIP_OF, *MOTIONS}, where, "motion", path)
+        for kind, name in unknown_names(unit, people, known):
+            problem = f"{where} names {name!r}, and there is no {kind} of that id"
+            raise InputError(problem, mend="add it, or mend the id", path=path)
         _refuse_camera_words(unit.camera, where, path)
 
 
-def people_of(unit: Unit) -> list[str]:
+def unknown_names(unit: Unit, people: Collection[str], known: Collection[str]) -> Iterator[tuple[str, str]]:
+    """Yield what a unit names that does not exist, each with its kind: ``person``, ``thing``, ``motion`` ...
+
+    Args:
+        unit: Of a reading.
+        people: Ids of the people of the reading.
+        known: Ids of its people and things.
+    """
+    gazes = {*known, *get_args(GazeDirection)}
+    motions = [*unit.activities.values(), *(deed.motion for deed in unit.deeds)]
+    yield from (("person", each) for each in _people_of(unit) if each not in people)
+    yield from (("thing", each) for each in _things_of(unit) if each not in known)
+    yield from (("person or thing", each) for each in unit.gaze.values() if each not in gazes)
+    yield from (("motion", each) for each in motions if each and each not in CLIP_OF and each not in MOTIONS)
+
+
+def _people_of(unit: Unit) -> list[str]:
     """Return every id of a unit that must be a person's."""
     lists = (
         unit.on_stage, unit.entering, unit.leaving, unit.people, unit.posture, unit.held, unit.expressions, unit.gaze,
@@ -269,7 +283,7 @@ def people_of(unit: Unit) -> list[str]:
     return named + [each for each in (unit.speaker, unit.to) if each is not None]
 
 
-def things_of(unit: Unit) -> list[str]:
+def _things_of(unit: Unit) -> list[str]:
     """Return every id in a unit that may be a thing's or a person's."""
     gripped = (thing for grips in unit.grips.values() for thing in grips)
     tied = (each for tether in unit.tethers for each in (tether.holder, tether.held))
@@ -283,11 +297,3 @@ def _refuse_camera_words(camera: CameraNote | None, where: str, path: Path) -> N
         if said and said not in words:
             mend = f"it is one of: {', '.join(sorted(words))}"
             raise InputError(f"{where} has the camera {field} {said!r}, which does not exist", mend=mend, path=path)
-
-
-def _refuse_unknown(ids: Iterable[str], known: set[str], where: str, kind: str, path: Path) -> None:
-    for each in ids:
-        if each not in known:
-            raise InputError(
-                f"{where} names {each!r}, and there is no {kind} of that id", mend="add it, or mend the id", path=path
-            )

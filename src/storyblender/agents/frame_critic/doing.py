@@ -13,7 +13,7 @@ _STAGING = dict.fromkeys(("missing", "no_path", "no_support", "unreachable", "cr
 _MORE_UNDONE, _NOTHING_DONE = 0.6, 3.2
 """Points lost for each further deed that is not done in the picture, and for a picture in which none is."""
 _TURNED_AWAY = 112.0
-"""Degrees between face and camera from which nobody sees what the hands of somebody do."""
+"""Degrees between face and camera from which the hands of a person cannot be seen."""
 
 
 def fault(kind: str, subject: str, severity: float, message: str) -> Fault:

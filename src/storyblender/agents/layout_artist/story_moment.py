@@ -21,7 +21,7 @@ _BENT = ("pick_up", "put_down")
 _SPOKEN = ("talk", "shout", "whisper")
 """Clips of speech."""
 _FIRST_STRESS = 1.1
-"""Seconds into a speech at which the hands of who speaks are raised; later they rest between the phrases."""
+"""Seconds into a speech at which the speaker's hands are raised; later they rest between phrases."""
 AT_REST = ("idle", "look", "listen", "turn", "face")
 """Clips that tell nothing by themselves."""
 _UNASKED = {"put_down": ("put_down",), "rise": ("stand", "get_up")}

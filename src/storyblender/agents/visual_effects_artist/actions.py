@@ -9,11 +9,12 @@ from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.crossings import across, is_vessel, seat_aboard
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, SLIDE, CueSheet
 from storyblender.agents.visual_effects_artist.deeds import Deeds
-from storyblender.agents.visual_effects_artist.floor import BODY, SeatPlace, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, facing
 from storyblender.agents.visual_effects_artist.handling import Handling
 from storyblender.agents.visual_effects_artist.meetings import Meetings
 from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.agents.visual_effects_artist.placed_things import SeatPlace
 from storyblender.agents.visual_effects_artist.speeches import SPOKEN
 from storyblender.agents.visual_effects_artist.vehicle_doors import boarding_station, leaving_station
 from storyblender.catalog.acts import ACTS

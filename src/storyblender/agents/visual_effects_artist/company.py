@@ -6,9 +6,10 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.belongings import brought_along, players_of
-from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, SeatPlace, Thing, facing
+from storyblender.agents.visual_effects_artist.floor import BODY, PERSONAL, Floor, facing
 from storyblender.agents.visual_effects_artist.on_the_floor import room_for
 from storyblender.agents.visual_effects_artist.person import Person, stature_of
+from storyblender.agents.visual_effects_artist.placed_things import SeatPlace, Thing
 from storyblender.agents.visual_effects_artist.places import Places
 from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.agents.visual_effects_artist.told_things import ToldThings

@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing
+from storyblender.agents.visual_effects_artist.floor import BODY, Floor
+from storyblender.agents.visual_effects_artist.placed_things import SeatPlace, Thing
 from storyblender.geometry.paths import Vec2
 from storyblender.memory.base import Vec3
 

@@ -23,7 +23,7 @@ from storyblender.memory.vocabulary import Hand
 TALK_DISTANCE = 1.15
 """Metres between two people who talk; 1.0 to 1.4 reads as talking."""
 PROFILE = math.radians(48)
-"""Radians: the line between two people who meet is within this angle of the picture plane, so that both are seen."""
+"""Radians: largest angle between the line from person to person and the picture plane, so that both faces show."""
 LONGEST_RATIO = 1.5
 """A shot may grow to this many times the Director's length before walks are cut short."""
 LONGEST_EXTRA = 9.0

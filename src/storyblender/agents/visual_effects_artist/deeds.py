@@ -12,14 +12,14 @@ from storyblender.catalog.motions import IN_THEIR_SEAT, MOTIONS, Motion, clip_of
 from storyblender.memory.shot_context import BodyState, CharacterAction
 
 WITH_SOMEBODY = {"take": "touch", "catch": "touch", "pick_up": "lift", "hold": "hug"}
-"""What is done with somebody instead of something."""
+"""Motion with a prop -> the motion with a person in its place."""
 CALL = "phone"
 LIGHTER = 0.82
-"""Share of one's own stature up to which one lifts somebody."""
+"""Largest stature of a lifted person, as a share of the lifter's."""
 BLOWS = frozenset({"hit", "punch", "slap"})
 """Blows that things get too."""
 TO_A_THING = {"give": "put_down", "hug": "hold", "lift": "pick_up", "grab": "pick_up", "push_away": "push"}
-"""What is done to a thing instead of somebody; whatever else it is, the thing is touched."""
+"""Motion with a person -> the motion with a prop in their place; motions that are not listed touch the prop."""
 GRASPED = frozenset({"hold", "take", "catch", "pick_up"})
 """What is done to a thing that nobody can carry by laying a hand on it: a lamp post, a railing."""
 TALL = 2.2
@@ -98,6 +98,6 @@ class Deeds:
         return motion, self._nearest(person)
 
     def _nearest(self, person: Person) -> Person | None:
-        """Return who is meant where the script does not say with whom."""
+        """Return the partner of an action whose partner the script does not name."""
         others = [p for p in self.company.people.values() if p.present and p is not person]
         return min(others, key=lambda p: math.dist(p.place, person.place), default=None)

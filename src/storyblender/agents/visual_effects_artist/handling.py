@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 from storyblender.agents.visual_effects_artist.company import Company
 from storyblender.agents.visual_effects_artist.cue_sheet import REACH, CueSheet
-from storyblender.agents.visual_effects_artist.floor import TOPS, facing
+from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.placed_things import TOPS
 from storyblender.agents.visual_effects_artist.prop_spots import PropSpots
 from storyblender.catalog.carrying import hand_towards
 from storyblender.catalog.hollows import OPEN_ABOVE
@@ -36,7 +37,7 @@ BOX_WIDTH = 0.18
 LEFT_HAND_OFFSET = 0.2
 """Metres to a person's left from which the left hand takes a prop."""
 POCKET_SIZE = (0.12, 0.22, 0.36)
-"""Extents in metres, ascending: a prop smaller in all three fits into somebody's clothes."""
+"""Extents in metres, ascending: a prop smaller in all three fits into a pocket."""
 SEATED_REACH = 0.45
 """Metres from the place of a sitting person to the props they can take."""
 SEATED_TOP_DISTANCE = 0.9

@@ -30,7 +30,7 @@ LIGHT = "light"
 """Subject of what happens to the light of a whole place."""
 _HAND: dict[str, float] = {"sit": 0.85, "kneel": 0.8, "crouch": 0.7, "lie": 0.4, "asleep": 0.3}
 _STANDING = 1.12
-"""Metres over the floor of a lamp in somebody's hand, by posture."""
+"""Height in metres of a hand-held lamp above the floor, by posture of its holder."""
 _REACH = 0.42
 """Metres of the hand before the body."""
 _BEAM, _BEAM_END = 6.0, 0.7

@@ -24,7 +24,7 @@ _REACH = 26.0
 
 
 class Carried(NamedTuple):
-    """A lamp that has left its place: where it is, and what a beam of it points at, if somebody holds it."""
+    """A lamp away from its layout position: where it is now, and where the beam points if a person holds it."""
 
     place: Vec3
     aim: Vec3 | None
@@ -140,7 +140,7 @@ class _Standing(NamedTuple):
 
 
 def _standing_props(view: LightingView) -> Iterator[_Standing]:
-    """Yield every prop of the scene, and every lamp that somebody has brought."""
+    """Yield every prop of the scene, and every lamp that a person brought."""
     if view.layout is None:
         for item in view.plan.furnishings:
             height = float(item.params.get("height", 0.0))

@@ -8,8 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from storyblender.agents.visual_effects_artist.floor import BODY, Floor, SeatPlace, Thing
+from storyblender.agents.visual_effects_artist.floor import BODY, Floor
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.agents.visual_effects_artist.placed_things import SeatPlace, Thing
 from storyblender.agents.visual_effects_artist.seats import Seats
 from storyblender.catalog.fixtures import fixtures_called
 from storyblender.geometry.boxes import Box, yaw_along

@@ -9,8 +9,8 @@ import math
 from collections.abc import Sequence
 
 from storyblender.agents.visual_effects_artist.company import Company
-from storyblender.agents.visual_effects_artist.floor import Thing
 from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.placed_things import Thing
 from storyblender.catalog.hollows import OPEN_ABOVE, inside
 from storyblender.memory.base import Vec3
 from storyblender.memory.vocabulary import Hand

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from storyblender.agents.visual_effects_artist.floor import PERSONAL, Floor, SeatPlace
+from storyblender.agents.visual_effects_artist.floor import PERSONAL, Floor
 from storyblender.agents.visual_effects_artist.person import SEATED, Person
+from storyblender.agents.visual_effects_artist.placed_things import SeatPlace
 from storyblender.geometry.paths import Vec2
 from storyblender.geometry.seating import select_seats
 from storyblender.memory.base import Vec3

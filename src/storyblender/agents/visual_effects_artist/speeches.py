@@ -30,7 +30,7 @@ class Speeches:
     Args:
         company: People and props.
         sheet: Where the cues go.
-        calling: Who is on the phone: what they say is for nobody near, unless the script says so.
+        calling: People on the phone; their speech is for nobody nearby unless the script says so.
     """
 
     def __init__(self, company: Company, sheet: CueSheet, calling: Collection[str] = ()) -> None:

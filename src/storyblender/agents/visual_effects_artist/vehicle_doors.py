@@ -1,4 +1,4 @@
-"""Doors of vehicles: who gets in or out is beside their own door, and that door stands open then. Pure."""
+"""Doors of vehicles: a passenger gets in or out at the door of their seat, which is open during that. Pure."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from storyblender.agents.visual_effects_artist.company import Company
-from storyblender.agents.visual_effects_artist.floor import Thing, facing
+from storyblender.agents.visual_effects_artist.floor import facing
 from storyblender.agents.visual_effects_artist.person import Person
+from storyblender.agents.visual_effects_artist.placed_things import Thing
 from storyblender.catalog.motions import clip_of
 from storyblender.catalog.states import DOOR_OPEN, DOORS_CLOSED
 from storyblender.geometry.solids import transform
@@ -26,13 +27,13 @@ _OUT = re.compile(
     re.IGNORECASE,
 )
 _BESIDE, _BEHIND = 0.1, 0.34
-"""Metres outward and to the rear of a door's middle to who gets in: out of the way of the open door."""
+"""Metres outward and to the rear from a door's middle to the passenger, clear of the open door."""
 _AT_DOOR = 0.75
-"""Metres from a door's middle within which somebody is at it."""
+"""Metres from a door's middle within which a person counts as at that door."""
 
 
 def boarding_station(company: Company, person: Person, state: BodyState) -> Station | None:
-    """Return where somebody stands who is about to sit in a vehicle: at the door of their seat.
+    """Return the standing place of a passenger before getting in: at the door of their seat.
 
     Args:
         company: Of the scene.
@@ -53,7 +54,7 @@ def gets_out(action: CharacterAction) -> bool:
 
 
 def leaving_station(company: Company, person: Person, action: CharacterAction) -> tuple[Thing, Station] | None:
-    """Return the vehicle that somebody gets out of and where they stand then; None for who sits in none with doors.
+    """Return the vehicle a passenger gets out of and the place to stand then; None if it has no doors.
 
     Args:
         company: Of the scene.
@@ -82,7 +83,7 @@ def _station(thing: Thing, name: str) -> Station | None:
 def with_open_doors(
     shots: Sequence[ShotContext], objects: Sequence[LayoutObject], assets: Sequence[Asset]
 ) -> tuple[ShotContext, ...]:
-    """Return the shots with the doors of vehicles open while somebody gets in or out, and closed after.
+    """Return the shots with vehicle doors open while a passenger gets in or out, and closed after.
 
     Args:
         shots: Of one scene, staged, in order.
@@ -125,7 +126,7 @@ def _used(
     item: LayoutObject,
     anchors: Sequence[Anchor],
 ) -> Iterator[str]:
-    """Yield the names of the doors at which somebody is who gets in, gets out or opens the vehicle."""
+    """Yield the names of doors in use: a passenger gets in or out there, or opens it."""
     world = transform(item.location, item.rotation, 1.0)
     names = (item.node_id, item.asset_id)
     aboard = {

@@ -26,7 +26,7 @@ _OPENING = re.compile(r"\W*")
 _MARKED = re.compile(
     rf"(?<!\w)[_*]+((?:(?:MR|MRS|MS|DR)\. )?[{UPPER}'’]{{2,}}(?: [{UPPER}'’]{{2,}}){{0,2}})[_*]+(?!\w)"
 )
-"""Underlined or in bold: who is seen for the first time."""
+"""An underlined or bold name: a person at their first appearance."""
 _AGE = (
     r"(?:AGED?|EARLY|MID|LATE|IN (?:HIS|HER|THEIR)(?: EARLY| MID| LATE)?)?[ -]*"
     r"(?:\d\d?\b|\d0['’]?S|(?:TWEN|THIR|FOR|FIF|SIX|SEVEN|EIGH|NINE)(?:TY|TIES|TEEN)\b|TEENS\b)"
@@ -173,7 +173,7 @@ def _whole_names(words: str, names: _Names) -> Iterator[tuple[int, int]]:
 
 
 def _raised(text: str, names: _Names) -> str:
-    """Action in small letters as it is usually written: sentences begin with a capital, and so do those who speak."""
+    """Return action text in sentence case: sentences and the names of speakers begin with a capital."""
     opens = {start + match.end() for start, end in _sentences(text) if (match := _OPENING.match(text[start:end]))}
 
     def write(match: re.Match[str]) -> str:

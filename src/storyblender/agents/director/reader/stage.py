@@ -163,7 +163,7 @@ class Stage:
     age: Age | None = None
     """The age the story plays in, where its words tell."""
     calls: dict[str, int] = field(default_factory=dict)
-    """Who has a phone at the ear -> the place where they took the call."""
+    """Caller -> the place where they took the call."""
     called_from: set[int] = field(default_factory=set)
     """Places where a call was taken."""
     intercut: bool = False

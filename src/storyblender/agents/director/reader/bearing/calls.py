@@ -1,4 +1,4 @@
-"""Telephone calls: who has a phone at the ear from picking it up until hanging up, in each picture of an intercut."""
+"""Telephone calls: both callers hold a phone to the ear from picking up until hanging up, also in an intercut."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def note_calls(stage: Stage, people: list[Person]) -> None:
 
 
 def take_call(stage: Stage, person: Person) -> None:
-    """Put a phone to somebody's ear: one they hold or the sentence names, else one of the story's age."""
+    """Put a phone to a person's ear: the one in their hand or in the sentence, else one of the story's age."""
     stage.calls[person.id] = _place(stage)
     stage.called_from.add(_place(stage))
     if stage.scene.activities.get(person.id) != ACTIVITY:
@@ -65,7 +65,7 @@ def take_call(stage: Stage, person: Person) -> None:
 
 
 def _pick_up(stage: Stage, person: Person) -> None:
-    """Whoever answers a phone that rang takes it up; nothing is said yet: ``crosses to the wall and answers it``."""
+    """Read ``answers it`` after a ring as picking up the phone: ``crosses to the wall and answers it``."""
     phone = stage.scene.held[person.id][-1]
     for deed in stage.unit.deeds:
         if (deed.actor, deed.verb, deed.motion) == (person.id, "answer", "talk"):
@@ -73,7 +73,7 @@ def _pick_up(stage: Stage, person: Person) -> None:
 
 
 def hang_up(stage: Stage, person: Person) -> None:
-    """Take the phone from somebody's ear; a receiver goes back on its cradle."""
+    """End a person's call: the phone leaves the ear, and a receiver goes back on its cradle."""
     stage.calls.pop(person.id, None)
     stage.scene.activities.pop(person.id, None)
     stage.unit.activities[person.id] = ""
@@ -86,7 +86,7 @@ def hang_up(stage: Stage, person: Person) -> None:
 
 
 def keep_calls(stage: Stage) -> None:
-    """After each unit: who is in a call still has the phone at the ear, unless seen at another place meanwhile."""
+    """Carry calls on to the next unit: a caller keeps the phone at the ear until seen in another place."""
     stage.intercut = stage.intercut or (stage.unit.kind == "aside" and _INTERCUT.search(stage.unit.text) is not None)
     for id in [id for id in stage.calls if id in stage.scene.on]:
         person = stage.person(id)
@@ -120,13 +120,13 @@ def _place(stage: Stage) -> int:
 
 
 def _rang(stage: Stage) -> bool:
-    """Whether a phone rang lately, or somebody is in a call already."""
+    """Return whether a phone rang in the last sentences, or a call is under way."""
     lately = stage.reading.units[-_RINGING:]
     return any("phone" in sound for unit in lately if unit.scene == stage.unit.scene for sound in unit.sounds)
 
 
 def _doer(stage: Stage, at: int, people: list[Person]) -> Person | None:
-    """Who does what begins at an offset: the actor of the last deed there or before it, else the first meant."""
+    """Return the person who acts at an offset: the actor of the last deed up to there, else the first candidate."""
     named = [word.mention for word in stage.sentence.words if word.mention and word.start <= at]
     if named and named[-1].people and len(named[-1].people) == 1:
         return named[-1].people[0]

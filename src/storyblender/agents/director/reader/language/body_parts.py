@@ -1,4 +1,4 @@
-"""What a part of somebody does is done by them: ``her foot meets the step``, ``Her eyes went to the door``."""
+"""Body parts whose actions count as the person's: ``her foot meets the step``, ``Her eyes went to the door``."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ class Intercut:
         )
 
     def _home(self, sentence: Sentence, cue: Paragraph | None) -> int | None:
-        """Return the index of the place of whoever speaks or is told of: one seen first is where nobody was yet."""
+        """Return the index of the place of the person who speaks or acts; a new person is at the empty place."""
         if sentence.speech:
             seen = cue is not None and not _OFF.search(cue.extension)
             return self.homes.get(cue.name.lower(), self._unseen()) if cue and seen else None

@@ -100,7 +100,7 @@ def place_of(opening: str, raw: str = "", home: str = "") -> str:
 
 
 def any_place(text: str) -> str:
-    """The first place a text names at all: ``who swept the station all her life``."""
+    """Return the first place that a text names, also in a subordinate clause: ``who swept the station``."""
     places = [leading_place(match.group(1).split()) for match in _NOUN_PHRASE.finditer(text)]
     return next((place for place in places if place), "")
 
