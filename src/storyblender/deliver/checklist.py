@@ -120,8 +120,8 @@ def names_of(graph: ContinuityMemoryGraph) -> dict[str, str]:
 
 
 def plain(text: str, names: Mapping[str, str]) -> str:
-    """Return a sentence of the crew with every code replaced by its name."""
-    return re.sub(r"\b[a-z]\w*", lambda word: names.get(word[0], word[0]), text)
+    """Return a sentence of the crew with every code replaced by its name; quoted words of the script stay."""
+    return re.sub(r"“[^”]*”|\b[a-z]\w*", lambda word: names.get(word[0], word[0]), text)
 
 
 def _unsure(panel: Panel, script: str, names: Mapping[str, str]) -> Iterator[Check]:

@@ -6,12 +6,13 @@ from collections.abc import Collection, Iterator, Mapping
 
 from storyblender.agents.frame_critic.frame_view import actions_to_see, things_to_see
 from storyblender.agents.layout_artist.story_moment import cues_of
+from storyblender.catalog.motions import clip_of
 from storyblender.memory.asset_sheet import Asset
 from storyblender.memory.shot_context import Flaw, ShotContext
 
 
 def staging_flaws(shot: ShotContext, assets: Mapping[str, Asset], left_out: Collection[str]) -> tuple[Flaw, ...]:
-    """Return a staged shot's cheats, deeds that nobody does, things left out of the set, and things stood in for.
+    """Return a staged shot's cheats, actions without a performer, things left out of the set, and things stood in for.
 
     Args:
         shot: With its cues.
@@ -22,10 +23,14 @@ def staging_flaws(shot: ShotContext, assets: Mapping[str, Asset], left_out: Coll
 
 
 def _undone(shot: ShotContext) -> Iterator[Flaw]:
+    postures = {each.start.asset_id: {each.start.posture, each.end.posture} for each in shot.blocking}
+    walkers = {cue.asset_id for cue in shot.cues if clip_of(cue.clip).speed is not None}
     for action in actions_to_see(shot):
-        if action.asset_id in shot.on_stage and not cues_of(action, shot):
-            message = f"{action.asset_id} does not do what is told: {action.action_description}"
-            yield Flaw(kind="undone", subject=action.asset_id, message=message)
+        motion, person = clip_of(action.motion), action.asset_id
+        taken = motion.after in postures.get(person, ()) or (motion.speed is not None and person in walkers)
+        if person in shot.on_stage and not taken and not cues_of(action, shot):
+            message = f"{person} does not do what is told: “{action.action_description}”"
+            yield Flaw(kind="undone", subject=person, message=message)
 
 
 def _left_out(shot: ShotContext, left_out: Collection[str]) -> Iterator[Flaw]:

@@ -7,7 +7,16 @@ from storyblender.deliver.checklist import checklist
 from storyblender.memory.asset_sheet import Asset, CanonicalAsset
 from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.outline import SceneOutline, ShotOutline
-from storyblender.memory.shot_context import CameraInstruction, CharacterAction, Cue, Flaw, PropState, ShotContext
+from storyblender.memory.shot_context import (
+    Blocking,
+    CameraInstruction,
+    CharacterAction,
+    Cue,
+    Flaw,
+    Mark,
+    PropState,
+    ShotContext,
+)
 
 KNOCK = CharacterAction(asset_id="ann", action_description="Ann throws the vase.", motion="throw", prop_id="vase")
 THROWN = Cue(asset_id="ann", clip="throw", start=4, prop_id="vase")
@@ -28,6 +37,18 @@ def kinds(shot: ShotContext, score: float | None = 10.0, left_out: tuple[str, ..
 def test_a_deed_that_nobody_does_is_told_until_somebody_does_it() -> None:
     assert kinds(SHOT) == ["undone"]
     assert kinds(SHOT.model_copy(update={"cues": (THROWN,)})) == []
+
+
+def test_a_posture_that_is_taken_already_and_a_way_that_is_walked_are_done() -> None:
+    sits = CharacterAction(asset_id="ann", action_description="Ann sits at the table.", motion="sit")
+    shot = SHOT.model_copy(update={"character_actions": (sits,)})
+    assert kinds(shot) == ["undone"]
+    seated = Mark(asset_id="ann", location=(0, 0, 0), yaw=0, posture="sit")
+    assert kinds(shot.model_copy(update={"blocking": (Blocking(start=seated, end=seated),)})) == []
+    walks = CharacterAction(asset_id="ann", action_description="Ann walks to the door.", motion="walk")
+    shot = SHOT.model_copy(update={"character_actions": (walks,)})
+    assert kinds(shot) == ["undone"]
+    assert kinds(shot.model_copy(update={"cues": (Cue(asset_id="ann", clip="run", start=0),)})) == []
 
 
 def test_a_thing_without_a_place_is_told_unless_it_is_in_a_hand() -> None:
@@ -55,3 +76,4 @@ def test_every_flaw_of_a_shot_is_on_the_checklist_in_plain_words() -> None:
     told = [check.says for check in checklist(graph, [], [], "p")]
     assert len(told) == len(flaws) == 3
     assert any("No place was found for the vase" in says for says in told)
+    assert any("“Ann throws the vase.”" in says for says in told), "the script's words stay as they are"
