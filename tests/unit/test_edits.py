@@ -7,9 +7,10 @@ from typing import Any, cast
 
 import pytest
 
-from storyblender.edits import camera_decision, decide_cameras, redo_edit, undo_edit
+from storyblender.edits import camera_decision, decide_cameras, redo_edit, shots_named, undo_edit
 from storyblender.errors import InputError
 from storyblender.memory.asset_sheet import Asset
+from storyblender.memory.graph import ContinuityMemoryGraph
 from storyblender.memory.history import replace
 from storyblender.memory.shot_context import CameraDecision, CameraInstruction, ShotContext
 from storyblender.project import Project
@@ -115,3 +116,14 @@ def test_a_later_decision_stands_on_an_earlier_one() -> None:
     assert first.then(CameraDecision(angle="low angle")) == first.model_copy(update={"angle": "low angle"})
     assert first.then(CameraDecision(size="WS")) == CameraDecision(size="WS", movement="pan", direction="left")
     assert first.then(CameraDecision(movement="push in")) == CameraDecision(size="CU", lens=85, movement="push in")
+
+
+def test_shots_are_named_in_any_case_and_a_slip_is_told_apart() -> None:
+    shots = tuple(ShotContext(scene_id=1, shot_id=n, camera_instruction=CameraInstruction()) for n in (1, 2, 3))
+    graph = ContinuityMemoryGraph(shots=shots)
+    assert shots_named(graph, ["sc010_sh020"]) == [shots[1]]
+    assert shots_named(graph, []) == list(shots)
+    with pytest.raises(InputError, match="'SC010SH030'; did you mean SC010_SH030"):
+        shots_named(graph, ["SC010SH030"])
+    with pytest.raises(InputError, match="they go from SC010_SH010 to SC010_SH030"):
+        shots_named(graph, ["last"])
